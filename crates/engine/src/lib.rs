@@ -1,0 +1,1 @@
+//! Runs a model: virtual machine, methods, events, history.

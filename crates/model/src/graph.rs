@@ -1,0 +1,149 @@
+//! The expression graph: what is left of a model when names, units and syntax are gone. Equal expressions are one node,
+//! so that nothing is computed twice. All values are SI numbers; a truth value is 0 or 1; a text is an index into
+//! [`crate::Model::texts`].
+
+use std::collections::HashMap;
+
+/// A node of a [`Graph`]. A node's operands always have smaller numbers than the node itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct NodeId(pub u32);
+
+/// One operation or input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// A number, by its bits.
+    Constant(u64),
+    /// The value of [`crate::Model::parameters`]`[i]`, in SI.
+    Parameter(u32),
+    /// The value that [`crate::Model::states`]`[i]` had at the start of the run, `y(0)`.
+    Initial(u32),
+    /// The independent variable.
+    Independent,
+    /// The value of [`crate::Model::states`]`[i]`.
+    State(u32),
+    /// A function of one argument.
+    Unary(Unary, NodeId),
+    /// A function of two arguments.
+    Binary(Binary, NodeId, NodeId),
+    /// The second if the first is not 0, otherwise the third. Both are computed.
+    Select(NodeId, NodeId, NodeId),
+    /// Unknown `row` of the linear system [`Graph::systems`]`[system]`.
+    Solution {
+        /// Which system.
+        system: u32,
+        /// Which of its unknowns.
+        row: u32,
+    },
+}
+
+/// Functions of one argument, on SI numbers; angles in radians.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "each says itself")]
+pub enum Unary {
+    Negate,
+    Not,
+    Absolute,
+    /// -1, 0 or 1.
+    Sign,
+    SquareRoot,
+    CubeRoot,
+    Exp,
+    Ln,
+    Log10,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Sinh,
+    Cosh,
+    Tanh,
+    Asinh,
+    Acosh,
+    Atanh,
+    Floor,
+    Ceil,
+    /// Half away from zero.
+    Round,
+}
+
+/// Functions of two arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "each says itself")]
+pub enum Binary {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+    /// `atan2(y, x)`
+    Atan2,
+    Minimum,
+    Maximum,
+    /// `a - b*floor(a/b)`: the sign of the divisor.
+    Modulo,
+    Less,
+    LessOrEqual,
+    Equal,
+    NotEqual,
+    And,
+    Or,
+}
+
+/// A small linear system A x = r, solved where the equations of motion are coupled.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinearSystem {
+    /// A, row by row; `right.len()` squared of them.
+    pub matrix: Vec<NodeId>,
+    /// r.
+    pub right: Vec<NodeId>,
+}
+
+/// Nodes, each equal expression once.
+#[derive(Clone, Debug, Default)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    known: HashMap<Node, NodeId>,
+    systems: Vec<LinearSystem>,
+}
+
+impl Graph {
+    /// The node for `node`, the existing one if there is one. [`Graph`]'s simplifying constructors are in
+    /// `build.rs`; this one takes the node as it is.
+    pub fn insert(&mut self, node: Node) -> NodeId {
+        if let Some(&id) = self.known.get(&node) {
+            return id;
+        }
+        let id = NodeId(self.nodes.len() as u32);
+        self.nodes.push(node);
+        self.known.insert(node, id);
+        id
+    }
+
+    /// Adds a linear system; its unknowns are then `Node::Solution { system, row }`.
+    pub fn insert_system(&mut self, system: LinearSystem) -> u32 {
+        self.systems.push(system);
+        (self.systems.len() - 1) as u32
+    }
+
+    /// What `id` stands for.
+    pub fn node(&self, id: NodeId) -> Node {
+        self.nodes[id.0 as usize]
+    }
+
+    /// The linear systems.
+    pub fn systems(&self) -> &[LinearSystem] {
+        &self.systems
+    }
+
+    /// How many nodes there are.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+}

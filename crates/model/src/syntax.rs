@@ -1,0 +1,209 @@
+//! The syntax tree: what the author wrote, with its places, before any name has a meaning.
+
+use crate::Span;
+use units::Unit;
+
+/// A name as written and where. Greek characters are already ASCII names (γ is `gamma`).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Name {
+    /// The ASCII name.
+    pub text: String,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A text in quotation marks and where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quoted {
+    /// The text, without its marks.
+    pub text: String,
+    /// Where it stands, with its marks.
+    pub span: Span,
+}
+
+/// A unit in brackets and where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StatedUnit {
+    /// The unit; where it could not be read, a diagnostic says so and the statement has none.
+    pub unit: Unit,
+    /// Where it stands, with its brackets.
+    pub span: Span,
+}
+
+/// One statement of a model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statement {
+    /// What it states.
+    pub kind: StatementKind,
+    /// The quoted label that ends it, such as `"Damping"`.
+    pub label: Option<Quoted>,
+    /// Where it stands, without its comment.
+    pub span: Span,
+}
+
+/// The kinds of statement.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StatementKind {
+    /// `parameter b = 50 [kg/s] in 0..20000 step 1`
+    Parameter(ParameterStatement),
+    /// `independent x in [m]`
+    Independent {
+        /// The independent variable.
+        name: Name,
+        /// Its unit; dimensionless without one.
+        unit: Option<StatedUnit>,
+    },
+    /// `m = rho*S*L in [kg]`
+    Definition {
+        /// What is defined.
+        name: Name,
+        /// Its value.
+        value: Expression,
+        /// The stated unit.
+        unit: Option<StatedUnit>,
+    },
+    /// `y'(0) = v_0 in [cm/s]`
+    InitialValue {
+        /// The variable.
+        name: Name,
+        /// How many primes.
+        order: u32,
+        /// Its value at the start.
+        value: Expression,
+        /// The stated unit, which is also the display unit of the state.
+        unit: Option<StatedUnit>,
+    },
+    /// `rho*S*L*y'' + b*y' + 2*rho*S*g*y = 0`
+    Equation {
+        /// The left side.
+        left: Expression,
+        /// The right side.
+        right: Expression,
+    },
+    /// `when y < 0 [m] { y' = -e*y' }`
+    Event {
+        /// Fires when this becomes true.
+        condition: Expression,
+        /// What it changes, all from the values before the event.
+        actions: Vec<Action>,
+    },
+}
+
+/// The parts of a parameter statement. Numbers in `range` and `step` are bare, in the declared unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParameterStatement {
+    /// The parameter.
+    pub name: Name,
+    /// The default value in the declared unit, with its sign.
+    pub value: f64,
+    /// Where the value stands.
+    pub value_span: Span,
+    /// The declared unit; dimensionless without one.
+    pub unit: Option<StatedUnit>,
+    /// `in LOW..HIGH`
+    pub range: Option<Bounds>,
+    /// `step S`: the slider's, in the declared unit.
+    pub step: Option<f64>,
+}
+
+/// `LOW..HIGH` and where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bounds {
+    /// The least value.
+    pub low: f64,
+    /// The greatest value.
+    pub high: f64,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// `y' = -e*y'` inside an event.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Action {
+    /// The variable.
+    pub name: Name,
+    /// How many primes.
+    pub order: u32,
+    /// Its value after the event.
+    pub value: Expression,
+}
+
+/// An expression and where it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expression {
+    /// What it is.
+    pub kind: ExpressionKind,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// The kinds of expression.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ExpressionKind {
+    /// `9.8 [m/s^2]`; the value in the unit given.
+    Number {
+        /// The number as written.
+        value: f64,
+        /// The unit that follows it.
+        unit: Option<Unit>,
+    },
+    /// `"underdamped"`
+    Text(String),
+    /// `y''` or `m`; also `pi` and the independent variable.
+    Name {
+        /// The ASCII name.
+        name: String,
+        /// How many primes.
+        order: u32,
+    },
+    /// `y'(0)` on the right: the value at the start of the run.
+    InitialValue {
+        /// The ASCII name.
+        name: String,
+        /// How many primes.
+        order: u32,
+    },
+    /// `-x`, `not x`
+    Unary(UnaryOperator, Box<Expression>),
+    /// `a + b`
+    Binary(BinaryOperator, Box<Expression>, Box<Expression>),
+    /// `sin(x)`; `function` need not exist.
+    Call {
+        /// The name before the parenthesis.
+        function: Name,
+        /// What stands inside.
+        arguments: Vec<Expression>,
+    },
+    /// `if c then a else b`
+    If(Box<Expression>, Box<Expression>, Box<Expression>),
+    /// What could not be read; a diagnostic has said so, and nothing more is said about it.
+    Error,
+}
+
+/// Prefix operators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnaryOperator {
+    /// `-`
+    Negate,
+    /// `not`
+    Not,
+}
+
+/// Infix operators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "each says itself")]
+pub enum BinaryOperator {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+    Less,
+    LessOrEqual,
+    Greater,
+    GreaterOrEqual,
+    Equal,
+    NotEqual,
+    And,
+    Or,
+}

@@ -1,0 +1,140 @@
+//! The checked model: a system of first-order equations and everything that can be shown of it.
+
+use crate::{Graph, NodeId, Span, Statement};
+use units::{Dimension, Unit};
+
+/// A checked model, lowered to first order. Values are SI unless a [`Unit`] is named.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// What the author wrote, for typesetting.
+    pub statements: Vec<Statement>,
+    /// The independent variable.
+    pub independent: Independent,
+    /// In the order of the text.
+    pub parameters: Vec<Parameter>,
+    /// Each variable's orders stand together, lowest first: y, y', z, z'.
+    pub states: Vec<State>,
+    /// Named definitions, in the order of the text.
+    pub quantities: Vec<Quantity>,
+    /// In the order of the text.
+    pub events: Vec<Event>,
+    /// The expressions.
+    pub graph: Graph,
+    /// The texts that nodes of kind [`Kind::Text`] index.
+    pub texts: Vec<String>,
+}
+
+/// The independent variable, `t` in seconds unless stated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Independent {
+    /// Its name.
+    pub name: String,
+    /// Its unit.
+    pub unit: Unit,
+}
+
+/// A number the user can change.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// Its ASCII name.
+    pub name: String,
+    /// The author's label, if any.
+    pub label: Option<String>,
+    /// The declared unit.
+    pub unit: Unit,
+    /// The default, SI.
+    pub value: f64,
+    /// Least and greatest value, SI.
+    pub range: Option<(f64, f64)>,
+    /// The slider's step, SI.
+    pub step: Option<f64>,
+    /// Where it is declared.
+    pub span: Span,
+    /// Whether an initial value depends on it: a change restarts the run.
+    pub restarts: bool,
+}
+
+/// One first-order state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// The variable without primes, `y`.
+    pub variable: String,
+    /// How many primes: 0 for y, 1 for y'.
+    pub order: u32,
+    /// The author's label on its initial value, if any.
+    pub label: Option<String>,
+    /// The display unit: stated, or SI.
+    pub unit: Unit,
+    /// Its value at the start; depends on parameters only.
+    pub initial: NodeId,
+    /// Its rate of change: the next state, or the solution of the equations for the highest derivative.
+    pub derivative: NodeId,
+    /// Where its initial value is given.
+    pub span: Span,
+}
+
+impl State {
+    /// `y''`
+    pub fn name(&self) -> String {
+        let mut name = self.variable.clone();
+        name.extend(std::iter::repeat_n('\'', self.order as usize));
+        name
+    }
+}
+
+/// A named definition.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// Its ASCII name.
+    pub name: String,
+    /// The author's label, if any.
+    pub label: Option<String>,
+    /// Its value and unit.
+    pub value: Compiled,
+    /// Whether it depends on states or the independent variable; if not, it is constant while parameters are.
+    pub varies: bool,
+}
+
+/// An expression compiled against a model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compiled {
+    /// Its node.
+    pub node: NodeId,
+    /// What it is.
+    pub kind: Kind,
+    /// The display unit: stated, or that of the name it consists of, or SI. Dimensionless unless `kind` is a number.
+    pub unit: Unit,
+    /// Where it stands.
+    pub span: Span,
+}
+
+impl Compiled {
+    /// Its dimension.
+    pub fn dimension(&self) -> Dimension {
+        self.unit.dimension
+    }
+}
+
+/// What an expression's value is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A number with a dimension.
+    Number,
+    /// 0 or 1.
+    Truth,
+    /// An index into [`Model::texts`].
+    Text,
+}
+
+/// A sudden change of the state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// Fires when this goes from 0 to 1.
+    pub condition: NodeId,
+    /// For a condition that is one comparison: left minus right, whose zero is where the event lies.
+    pub crossing: Option<NodeId>,
+    /// Which states change, and to what.
+    pub actions: Vec<(u32, NodeId)>,
+    /// Where it stands.
+    pub span: Span,
+}

@@ -1,1 +1,15 @@
-//! The simulation document: one Markdown file with prose, equations, scene, plots, presets and questions.
+//! The simulation document: one Markdown file with prose, equations, scene, plots, presets and questions, and further
+//! files that translate it. Opening one never fails: what cannot be read is a [`model::Diagnostic`] with its place.
+
+mod document;
+mod open;
+pub mod page;
+mod prose;
+mod scene;
+
+pub use document::{
+    Assignment, Curve, Document, Edition, Opened, Plot, Preset, Question, QuestionText, Tolerance,
+};
+pub use open::open;
+pub use prose::{Block, Section};
+pub use scene::{Attribute, Child, Drag, Element, Piece, Scene, Template};

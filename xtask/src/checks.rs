@@ -1,0 +1,59 @@
+//! Every check of the project, in the order in which the quick ones fail first and nothing is built twice.
+
+use crate::steps::{cargo, run, step};
+use crate::{golden, page, steps, tools};
+use anyhow::Result;
+
+/// Runs all checks; stops at the first that fails.
+pub fn all() -> Result<()> {
+    step("format", || run(&mut cargo(&["fmt", "--all", "--check"])))?;
+    step("lints", lints)?;
+    step("the page", page::build)?;
+    // With the page built, the program of the tests has it inside and can export and serve.
+    step("unit and integration tests", || {
+        run(&mut cargo(&[
+            "test",
+            "--workspace",
+            "--exclude",
+            "lab",
+            "--exclude",
+            "probe",
+        ]))
+    })?;
+    step("golden runs in WebAssembly", golden::compare)?;
+    step("the page in a browser", browser)
+}
+
+fn lints() -> Result<()> {
+    const STRICT: [&str; 3] = ["--", "-D", "warnings"];
+    run(cargo(&["clippy", "--all-targets"]).args(STRICT))?;
+    tools::wasm_target()?;
+    let browser = [
+        "clippy",
+        "--package",
+        "lab",
+        "--package",
+        "probe",
+        "--target",
+        "wasm32-unknown-unknown",
+    ];
+    run(cargo(&browser).args(STRICT))
+}
+
+fn browser() -> Result<()> {
+    let node = tools::node()?;
+    tools::browser_packages()?;
+    let program = steps::target()
+        .join("debug")
+        .join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
+    let directory = steps::root().join("tests").join("page");
+    let mut tests = std::process::Command::new(node);
+    tests
+        .args(["--test", "--test-reporter=spec"])
+        .current_dir(directory);
+    tests
+        .env("CHROME", tools::chromium()?)
+        .env("MENISCUS", program)
+        .env("PAGE", steps::page());
+    run(&mut tests)
+}

@@ -1,1 +1,28 @@
 //! Figures: axes, ticks and series to a display list, and that to SVG.
+//!
+//! A [`Plot`] borrows what is to be drawn: labels and columns of numbers. [`layout`] turns it into a [`Figure`]: rules,
+//! polylines and texts in pixels, each with the [`Ink`] it is drawn in, and the scales that lead back from a pixel to a
+//! value. The page paints the items on a canvas, [`Figure::svg`] writes the same items as a file, so that the figure on
+//! the page, in a report and from the command line is one figure.
+//!
+//! Nothing here knows a model, a browser or a unit: values come in the unit of their axis and the unit is a text.
+
+mod figure;
+mod hover;
+mod layout;
+mod limits;
+mod number;
+mod palette;
+mod plot;
+mod svg;
+mod text;
+mod ticks;
+mod trace;
+mod view;
+
+pub use figure::{Anchor, Dash, Figure, Ink, Item, Point, Rect, Scale, Stroke};
+pub use hover::{Readout, Sample};
+pub use layout::{layout, layout_into};
+pub use palette::{Colour, Palette, SERIES_COLOURS};
+pub use plot::{Axis, Interval, Plot, Series, Settings, Style, View};
+pub use view::Direction;

@@ -1,0 +1,271 @@
+//! The figure: what a layout gives, ready to be painted.
+
+use std::ops::Range;
+
+use crate::plot::Interval;
+
+/// A place in the figure, in CSS pixels from its upper left corner.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Point {
+    /// To the right.
+    pub x: f32,
+    /// Downwards.
+    pub y: f32,
+}
+
+/// An upright rectangle in CSS pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rect {
+    /// The left edge.
+    pub x: f32,
+    /// The upper edge.
+    pub y: f32,
+    /// The width.
+    pub width: f32,
+    /// The height.
+    pub height: f32,
+}
+
+impl Rect {
+    /// Whether the point lies in it, edges included.
+    pub fn contains(self, point: Point) -> bool {
+        (self.x..=self.x + self.width).contains(&point.x)
+            && (self.y..=self.y + self.height).contains(&point.y)
+    }
+}
+
+/// What a line or text is, from which the palette knows its colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ink {
+    /// What lies behind the whole figure.
+    Ground,
+    /// Titles, tick labels, names.
+    Text,
+    /// The lines of the grid.
+    Grid,
+    /// The line of the value zero.
+    Zero,
+    /// The axes and their ticks.
+    Axis,
+    /// The line of the present.
+    Marker,
+    /// A series in its colour.
+    Series(u8),
+    /// A series as an earlier run left it: its colour, faint.
+    Ghost(u8),
+}
+
+/// The dashes of a line, so that lines can be told apart without colour.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Dash {
+    /// No gaps.
+    #[default]
+    Solid,
+    /// One of the patterns, counted modulo their number.
+    Pattern(u8),
+}
+
+impl Dash {
+    /// Lengths of dash and gap in turn, in CSS pixels; empty for a solid line.
+    pub fn lengths(self) -> &'static [f32] {
+        const PATTERNS: [&[f32]; 5] = [
+            &[7.0, 4.0],
+            &[2.0, 3.0],
+            &[10.0, 3.0, 2.0, 3.0],
+            &[14.0, 5.0],
+            &[6.0, 3.0, 2.0, 3.0, 2.0, 3.0],
+        ];
+        match self {
+            Dash::Solid => &[],
+            Dash::Pattern(number) => PATTERNS[usize::from(number) % PATTERNS.len()],
+        }
+    }
+}
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stroke {
+    /// Its colour.
+    pub ink: Ink,
+    /// Its width in CSS pixels.
+    pub width: f32,
+    /// Its dashes.
+    pub dash: Dash,
+}
+
+/// Which part of a text stands at its point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anchor {
+    /// The text begins there.
+    Start,
+    /// The text is centred there.
+    Middle,
+    /// The text ends there.
+    End,
+}
+
+/// One thing to paint, in the order of the list.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Item<'a> {
+    /// Until `Unclip`, paint only inside this rectangle.
+    Clip(Rect),
+    /// The end of a clipped part.
+    Unclip,
+    /// A filled rectangle.
+    Fill(Rect, Ink),
+    /// A straight line.
+    Line(Point, Point, Stroke),
+    /// A line through the points, x and y in turn; at least two points.
+    Polyline(&'a [f32], Stroke),
+    /// Filled circles about the points, x and y in turn.
+    Dots {
+        /// The centres.
+        centres: &'a [f32],
+        /// The radius of each.
+        radius: f32,
+        /// The colour.
+        ink: Ink,
+        /// Whether a ring in the colour of the ground sets the circles off from what lies beneath.
+        ringed: bool,
+    },
+    /// A line of text.
+    Text {
+        /// The characters.
+        text: &'a str,
+        /// Where its baseline is anchored.
+        at: Point,
+        /// Which part of it is there.
+        anchor: Anchor,
+        /// The size of the font in CSS pixels.
+        size: f32,
+        /// Whether it is set in semibold.
+        strong: bool,
+        /// The colour.
+        ink: Ink,
+    },
+}
+
+/// An item as it is stored: with ranges into the figure's buffers in place of slices.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Entry {
+    Clip(Rect),
+    Unclip,
+    Fill(Rect, Ink),
+    Line(Point, Point, Stroke),
+    Polyline(Range<usize>, Stroke),
+    Dots {
+        centres: Range<usize>,
+        radius: f32,
+        ink: Ink,
+        ringed: bool,
+    },
+    Text {
+        text: Range<usize>,
+        at: Point,
+        anchor: Anchor,
+        size: f32,
+        strong: bool,
+        ink: Ink,
+    },
+}
+
+/// The linear map between the values of an axis and pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// The values at the two ends.
+    pub values: Interval,
+    /// The pixel of the lower value.
+    pub low: f64,
+    /// The pixel of the upper value.
+    pub high: f64,
+}
+
+impl Scale {
+    /// The pixel of a value.
+    pub fn pixel(&self, value: f64) -> f64 {
+        self.low + (value - self.values.low) * self.factor()
+    }
+
+    /// The value at a pixel.
+    pub fn value(&self, pixel: f64) -> f64 {
+        let fraction = (pixel - self.low) / (self.high - self.low);
+        self.values.low * (1.0 - fraction) + self.values.high * fraction
+    }
+
+    /// Pixels per unit of value, negative when the pixels run the other way.
+    pub(crate) fn factor(&self) -> f64 {
+        (self.high - self.low) / self.values.length()
+    }
+}
+
+/// A laid-out plot: the items to paint, and the scales that lead back from pixels to values.
+///
+/// A figure can be laid out again and again by [`crate::layout_into`]; its buffers are then used again.
+#[derive(Clone, Debug, Default)]
+pub struct Figure {
+    /// Width of the whole figure in CSS pixels.
+    pub width: f64,
+    /// Height of the whole figure in CSS pixels.
+    pub height: f64,
+    /// The panel in which the series are drawn.
+    pub panel: Rect,
+    pub(crate) title: String,
+    pub(crate) description: String,
+    pub(crate) x: Option<Scale>,
+    pub(crate) y: Vec<Scale>,
+    pub(crate) decimal_comma: bool,
+    pub(crate) entries: Vec<Entry>,
+    pub(crate) points: Vec<f32>,
+    pub(crate) text: String,
+}
+
+impl Figure {
+    /// What to paint, in order.
+    pub fn items(&self) -> impl Iterator<Item = Item<'_>> {
+        self.entries.iter().map(|entry| match entry {
+            Entry::Clip(area) => Item::Clip(*area),
+            Entry::Unclip => Item::Unclip,
+            Entry::Fill(area, ink) => Item::Fill(*area, *ink),
+            Entry::Line(from, to, stroke) => Item::Line(*from, *to, *stroke),
+            Entry::Polyline(points, stroke) => {
+                Item::Polyline(&self.points[points.clone()], *stroke)
+            }
+            Entry::Dots {
+                centres,
+                radius,
+                ink,
+                ringed,
+            } => Item::Dots {
+                centres: &self.points[centres.clone()],
+                radius: *radius,
+                ink: *ink,
+                ringed: *ringed,
+            },
+            Entry::Text {
+                text,
+                at,
+                anchor,
+                size,
+                strong,
+                ink,
+            } => Item::Text {
+                text: &self.text[text.clone()],
+                at: *at,
+                anchor: *anchor,
+                size: *size,
+                strong: *strong,
+                ink: *ink,
+            },
+        })
+    }
+
+    /// The horizontal scale; absent before the first layout.
+    pub fn x_scale(&self) -> Option<&Scale> {
+        self.x.as_ref()
+    }
+
+    /// The scale of each vertical axis.
+    pub fn y_scales(&self) -> &[Scale] {
+        &self.y
+    }
+}

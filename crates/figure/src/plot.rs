@@ -1,0 +1,142 @@
+//! What is to be drawn: a plot with its axes and series, borrowed from whoever has the data.
+
+/// A plot. Columns and texts are borrowed; the few axes and series are listed anew for each layout.
+#[derive(Clone, Debug, Default)]
+pub struct Plot<'a> {
+    /// The title above the plot; nothing is drawn when it is empty.
+    pub title: &'a str,
+    /// One sentence for those who do not see the figure; becomes the `desc` of the SVG.
+    pub description: &'a str,
+    /// The horizontal axis.
+    pub x: Axis<'a>,
+    /// The vertical axes, one for each dimension: the first at the left, the others at the right.
+    pub y: Vec<Axis<'a>>,
+    /// The series in the order in which they are drawn, the last on top.
+    pub series: Vec<Series<'a>>,
+    /// The present: a vertical line at this abscissa.
+    pub marker: Option<f64>,
+    /// What part of the plane is shown.
+    pub view: View,
+}
+
+/// One axis: the quantity drawn along it and the unit of its numbers.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Axis<'a> {
+    /// The quantity, `y` or `E, T, V`.
+    pub label: &'a str,
+    /// The unit as text, empty for a pure number.
+    pub unit: &'a str,
+    /// Automatic limits contain these values too, so that an axis does not begin with nothing.
+    pub include: Option<Interval>,
+}
+
+/// One series of points.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Series<'a> {
+    /// The name in the legend; a series without a name is not listed there.
+    pub label: &'a str,
+    /// Which of the plot's vertical axes it belongs to.
+    pub axis: usize,
+    /// Which of the palette's series colours it is drawn in (counted modulo their number).
+    pub colour: u8,
+    /// How it is drawn.
+    pub style: Style,
+    /// The abscissas, in the unit of the horizontal axis.
+    pub x: &'a [f64],
+    /// The ordinates, in the unit of the vertical axis. The shorter of the two columns counts.
+    pub y: &'a [f64],
+    /// Rows before which the line is interrupted (the first row after a jump), ascending.
+    pub breaks: &'a [usize],
+    /// Where the series is at the present: a dot there.
+    pub present: Option<(f64, f64)>,
+}
+
+/// How a series is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Style {
+    /// A solid line.
+    #[default]
+    Line,
+    /// A thin, faint line: what an earlier run left behind.
+    Ghost,
+    /// A run that was kept, in a dash pattern of its own (counted modulo their number).
+    Kept(u8),
+    /// Separate points: measured data.
+    Points,
+}
+
+/// A closed interval of values, `low` below `high`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// The lower end.
+    pub low: f64,
+    /// The upper end.
+    pub high: f64,
+}
+
+impl Interval {
+    /// The interval between two values, in whichever order they come.
+    pub fn new(one: f64, other: f64) -> Interval {
+        if other < one {
+            Interval {
+                low: other,
+                high: one,
+            }
+        } else {
+            Interval {
+                low: one,
+                high: other,
+            }
+        }
+    }
+
+    /// The distance between the ends.
+    pub fn length(self) -> f64 {
+        self.high - self.low
+    }
+
+    /// Whether the value lies in it, ends included.
+    pub fn contains(self, value: f64) -> bool {
+        self.low <= value && value <= self.high
+    }
+}
+
+/// What part of the plane is shown; the default is all of it, and growing with the data.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct View {
+    /// The limits of the horizontal axis, automatic when absent.
+    pub x: Option<Interval>,
+    /// The limits of each vertical axis, automatic when empty.
+    pub y: Vec<Interval>,
+}
+
+impl View {
+    /// Whether all limits are automatic.
+    pub fn is_automatic(&self) -> bool {
+        self.x.is_none() && self.y.is_empty()
+    }
+}
+
+/// The size of the figure and how its texts are written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Width of the whole figure in CSS pixels.
+    pub width: f64,
+    /// Height of the whole figure in CSS pixels.
+    pub height: f64,
+    /// Size of the text in CSS pixels.
+    pub font_size: f64,
+    /// Whether numbers have a decimal comma.
+    pub decimal_comma: bool,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings {
+            width: 640.0,
+            height: 360.0,
+            font_size: 13.0,
+            decimal_comma: false,
+        }
+    }
+}

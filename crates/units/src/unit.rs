@@ -1,6 +1,7 @@
 //! Units: a dimension, a factor to SI and the text that names it.
 
-use crate::Dimension;
+use crate::{Dimension, Exponent, parse, table};
+use std::fmt;
 use std::ops::Range;
 
 /// A unit of measurement.
@@ -10,17 +11,161 @@ pub struct Unit {
     pub dimension: Dimension,
     /// SI value of one of it.
     pub factor: f64,
-    /// As the author wrote it, blanks normalised: `kg/m^3`, `Pa s`; empty for a pure number.
+    /// As the author wrote it, with signs and blanks made one way: `kg/m^3`, `Pa s`; empty for a pure number.
     pub text: String,
+    /// `factor` is the quotient of these, which are exact where it is not: 1 and 100 for a centimetre.
+    multiplier: f64,
+    divisor: f64,
 }
 
 /// Why a text is no unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnitError {
+    /// A stable name: `unknown-unit`, `temperature-scale`, `ambiguous-unit`, `malformed-unit`.
+    pub code: &'static str,
     /// Where in the text.
     pub range: Range<usize>,
     /// What is wrong.
     pub message: String,
     /// What to do.
     pub hint: Option<String>,
+}
+
+impl Unit {
+    /// The unit that `text` names, such as `kg/m^3`, `Pa s`, `1/s`, `m s^-1`, `µm`, `J/(kg K)`. The empty text and `1`
+    /// are the pure number.
+    ///
+    /// # Errors
+    /// When a symbol is unknown, the division is ambiguous, the scale has its own zero (`degC`), or the text is no
+    /// unit at all.
+    pub fn parse(text: &str) -> Result<Self, UnitError> {
+        parse::parse(text)
+    }
+
+    /// The coherent SI unit of a dimension, `kg/m^3`, by its own name where it has one: `N`, `J`, `Pa s`.
+    pub fn si(dimension: Dimension) -> Self {
+        let named = table::PREFERRED.iter().find_map(|text| {
+            let unit = Self::parse(text).ok()?;
+            (unit.dimension == dimension).then_some(unit)
+        });
+        named.unwrap_or_else(|| Self::new(dimension, (1.0, 1.0), base_text(dimension)))
+    }
+
+    /// The unit of pure numbers.
+    pub fn dimensionless() -> Self {
+        Self::new(Dimension::NONE, (1.0, 1.0), String::new())
+    }
+
+    pub(crate) fn new(
+        dimension: Dimension,
+        (multiplier, divisor): (f64, f64),
+        text: String,
+    ) -> Self {
+        Self {
+            dimension,
+            factor: multiplier / divisor,
+            text,
+            multiplier,
+            divisor,
+        }
+    }
+
+    /// The SI value of `value` in this unit. 40 in `cm` is 0.4 to the last bit.
+    pub fn to_si(&self, value: f64) -> f64 {
+        value * self.multiplier / self.divisor
+    }
+
+    /// The value in this unit of an SI value. For numbers of up to 14 digits it is what [`Self::to_si`] was given:
+    /// 0.29 m is 29 cm, not 28.999999999999996.
+    pub fn from_si(&self, si: f64) -> f64 {
+        if self.multiplier == self.divisor {
+            return si;
+        }
+        let value = si * self.divisor / self.multiplier;
+        match round_to_14_digits(value) {
+            Some(rounded) if self.to_si(rounded) == si => rounded,
+            _ => value,
+        }
+    }
+}
+
+/// As in [`Unit::text`].
+impl fmt::Display for Unit {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.text)
+    }
+}
+
+impl fmt::Display for UnitError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for UnitError {}
+
+/// Base units over base units: `kg/(m s^2)`.
+fn base_text(dimension: Dimension) -> String {
+    let product = |negative: bool| {
+        let factors: Vec<String> = dimension
+            .base()
+            .filter(|(_, exponent)| (exponent.numerator() < 0) == negative)
+            .map(|(symbol, exponent)| {
+                power_text(
+                    symbol,
+                    if negative {
+                        exponent.negated()
+                    } else {
+                        exponent
+                    },
+                )
+            })
+            .collect();
+        (factors.len(), factors.join(" "))
+    };
+    match (product(false), product(true)) {
+        ((_, above), (0, _)) => above,
+        ((0, _), (1, below)) => format!("1/{below}"),
+        ((0, _), (_, below)) => format!("1/({below})"),
+        ((_, above), (1, below)) => format!("{above}/{below}"),
+        ((_, above), (_, below)) => format!("{above}/({below})"),
+    }
+}
+
+pub(crate) fn power_text(symbol: &str, exponent: Exponent) -> String {
+    if exponent == Exponent::ONE {
+        symbol.to_owned()
+    } else if exponent.is_whole() {
+        format!("{symbol}^{exponent}")
+    } else {
+        format!("{symbol}^({exponent})")
+    }
+}
+
+/// The powers of ten that are exact in an `f64`.
+const POWERS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+];
+
+/// The number of 14 decimal digits next to `value`; `None` where the powers of ten needed are not exact (below 1e-9,
+/// above 1e22).
+fn round_to_14_digits(value: f64) -> Option<f64> {
+    let size = value.abs();
+    if size < 1e-8 {
+        return None;
+    }
+    // Digits before the point; negative for zeros after it.
+    let digits = if size >= 1.0 {
+        POWERS.iter().position(|power| size < *power)? as i32
+    } else {
+        1 - POWERS.iter().position(|power| size * power >= 1.0)? as i32
+    };
+    let shift = 14 - digits;
+    let power = *POWERS.get(shift.unsigned_abs() as usize)?;
+    Some(if shift >= 0 {
+        (value * power).round() / power
+    } else {
+        (value / power).round() * power
+    })
 }

@@ -1,0 +1,170 @@
+//! Rational exponents, such as the 1/2 of a square root.
+
+use std::fmt;
+
+/// The greatest absolute value of a numerator or denominator. No physical dimension comes near it.
+const BOUND: i64 = 1000;
+
+/// A rational exponent in lowest terms. What would leave a small bound is `None`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Exponent {
+    numerator: i32,
+    denominator: i32,
+}
+
+impl Exponent {
+    /// 0
+    pub const ZERO: Self = Self::whole(0);
+    /// 1
+    pub const ONE: Self = Self::whole(1);
+
+    const fn whole(value: i32) -> Self {
+        Self {
+            numerator: value,
+            denominator: 1,
+        }
+    }
+
+    /// `numerator / denominator`; `None` for a denominator of 0 and beyond the bound.
+    pub fn new(numerator: i64, denominator: i64) -> Option<Self> {
+        if denominator == 0 {
+            return None;
+        }
+        let divisor = greatest_common_divisor(numerator.unsigned_abs(), denominator.unsigned_abs());
+        let divisor = i64::try_from(divisor).ok()?;
+        let sign = denominator.signum();
+        let numerator = (numerator / divisor).checked_mul(sign)?;
+        let denominator = (denominator / divisor).checked_mul(sign)?;
+        if numerator.abs() > BOUND || denominator > BOUND {
+            return None;
+        }
+        Some(Self {
+            numerator: numerator as i32,
+            denominator: denominator as i32,
+        })
+    }
+
+    /// The exponent that `value` is: an integer, or a fraction with a denominator up to 12 (0.5, 1.5, 1/3 to the
+    /// last digit). `None` for anything else.
+    pub fn from_number(value: f64) -> Option<Self> {
+        (1..=12).find_map(|denominator: i64| {
+            let numerator = (value * denominator as f64).round();
+            let is_it = numerator.abs() <= BOUND as f64 && numerator / denominator as f64 == value;
+            if is_it {
+                Self::new(numerator as i64, denominator)
+            } else {
+                None
+            }
+        })
+    }
+
+    /// The numerator, which carries the sign.
+    pub fn numerator(self) -> i32 {
+        self.numerator
+    }
+
+    /// The denominator, at least 1.
+    pub fn denominator(self) -> i32 {
+        self.denominator
+    }
+
+    /// Whether it is 0.
+    pub fn is_zero(self) -> bool {
+        self.numerator == 0
+    }
+
+    /// Whether it is an integer.
+    pub fn is_whole(self) -> bool {
+        self.denominator == 1
+    }
+
+    /// The nearest number.
+    pub fn to_number(self) -> f64 {
+        f64::from(self.numerator) / f64::from(self.denominator)
+    }
+
+    /// The sum.
+    pub fn plus(self, other: Self) -> Option<Self> {
+        let (a, b) = (i64::from(self.numerator), i64::from(self.denominator));
+        let (c, d) = (i64::from(other.numerator), i64::from(other.denominator));
+        Self::new(a * d + c * b, b * d)
+    }
+
+    /// The product.
+    pub fn times(self, other: Self) -> Option<Self> {
+        let (a, b) = (i64::from(self.numerator), i64::from(self.denominator));
+        let (c, d) = (i64::from(other.numerator), i64::from(other.denominator));
+        Self::new(a * c, b * d)
+    }
+
+    /// The opposite.
+    pub fn negated(self) -> Self {
+        Self {
+            numerator: -self.numerator,
+            ..self
+        }
+    }
+}
+
+impl From<i8> for Exponent {
+    fn from(value: i8) -> Self {
+        Self::whole(i32::from(value))
+    }
+}
+
+/// `2`, `-1`, `1/2`
+impl fmt::Display for Exponent {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.denominator == 1 {
+            write!(formatter, "{}", self.numerator)
+        } else {
+            write!(formatter, "{}/{}", self.numerator, self.denominator)
+        }
+    }
+}
+
+fn greatest_common_divisor(mut a: u64, mut b: u64) -> u64 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a.max(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn is_kept_in_lowest_terms() {
+        let half = Exponent::new(2, 4).unwrap();
+        assert_eq!(half.to_string(), "1/2");
+        assert_eq!(Exponent::new(3, -6).unwrap().to_string(), "-1/2");
+        assert_eq!(half.plus(half), Some(Exponent::ONE));
+        assert_eq!(half.times(Exponent::from(-4)), Some(Exponent::from(-2)));
+    }
+
+    #[test]
+    fn what_leaves_the_bound_is_none() {
+        assert_eq!(Exponent::new(1, 0), None);
+        assert_eq!(Exponent::new(i64::MIN, -1), None);
+        let large = Exponent::new(1000, 1).unwrap();
+        assert_eq!(large.plus(Exponent::ONE), None);
+        assert_eq!(large.times(large), None);
+    }
+
+    #[test]
+    fn numbers_become_exponents_when_they_are_simple_fractions() {
+        for (number, text) in [
+            (2.0, "2"),
+            (-0.5, "-1/2"),
+            (1.0 / 3.0, "1/3"),
+            (0.0, "0"),
+            (1.75, "7/4"),
+        ] {
+            assert_eq!(Exponent::from_number(number).unwrap().to_string(), text);
+        }
+        for number in [0.123_456, 1e300, f64::NAN, f64::INFINITY, 1001.0] {
+            assert_eq!(Exponent::from_number(number), None, "{number}");
+        }
+    }
+}

@@ -1,0 +1,422 @@
+//! Reads units:
+//!
+//! ```text
+//! unit     = product [ "/" factor ] | ""
+//! product  = factor { [ "*" | "·" ] factor }
+//! factor   = ( symbol | "1" | "(" unit ")" ) [ "^" exponent | superscripts ]
+//! exponent = [ "-" ] digits | "(" [ "-" ] digits [ "/" digits ] ")"
+//! ```
+//!
+//! After `/` stands one factor: `J/kg K` could be read in two ways, so it needs parentheses.
+
+use crate::scale::Scale;
+use crate::unit::power_text;
+use crate::{Dimension, Exponent, Unit, UnitError, table};
+use std::ops::Range;
+
+/// Parentheses in parentheses; no unit needs more.
+const DEPTH: usize = 16;
+
+pub(crate) fn parse(text: &str) -> Result<Unit, UnitError> {
+    let mut reader = Reader { text, at: 0 };
+    reader.blanks();
+    if reader.at == text.len() {
+        return Ok(Unit::dimensionless());
+    }
+    let part = reader.unit(0)?;
+    if reader.at < text.len() {
+        return Err(reader.unexpected());
+    }
+    let (multiplier, divisor) = part.scale.quotient();
+    let factor = multiplier / divisor;
+    if !factor.is_normal() || !multiplier.is_finite() {
+        return Err(error(
+            "malformed-unit",
+            0..text.len(),
+            "this unit is too large or too small for a number",
+        ));
+    }
+    let text = if part.text == "1" {
+        String::new()
+    } else {
+        part.text
+    };
+    Ok(Unit::new(part.dimension, (multiplier, divisor), text))
+}
+
+/// A part of a unit and how it is written.
+struct Part {
+    dimension: Dimension,
+    scale: Scale,
+    text: String,
+    range: Range<usize>,
+}
+
+struct Reader<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+fn error(code: &'static str, range: Range<usize>, message: impl Into<String>) -> UnitError {
+    UnitError {
+        code,
+        range,
+        message: message.into(),
+        hint: None,
+    }
+}
+
+fn hinting(mut error: UnitError, hint: impl Into<String>) -> UnitError {
+    error.hint = Some(hint.into());
+    error
+}
+
+fn too_high(range: Range<usize>) -> UnitError {
+    error(
+        "malformed-unit",
+        range,
+        "an exponent of this unit is too large",
+    )
+}
+
+impl<'a> Reader<'a> {
+    fn rest(&self) -> &'a str {
+        &self.text[self.at..]
+    }
+
+    fn peek(&self) -> Option<char> {
+        self.rest().chars().next()
+    }
+
+    fn take(&mut self, wanted: char) -> bool {
+        let found = self.peek() == Some(wanted);
+        if found {
+            self.at += wanted.len_utf8();
+        }
+        found
+    }
+
+    fn blanks(&mut self) {
+        self.at = self.text.len() - self.rest().trim_start().len();
+    }
+
+    /// What to say when the reader stands before something that cannot be part of a unit.
+    fn unexpected(&self) -> UnitError {
+        let Some(found) = self.peek() else {
+            let end = self.text.trim_end().len();
+            return error(
+                "malformed-unit",
+                end..end,
+                "the unit ends where a unit symbol should follow",
+            );
+        };
+        let range = self.at..self.at + found.len_utf8();
+        match found {
+            '/' => hinting(
+                error("ambiguous-unit", range, "a unit has only one `/`"),
+                "put what is divided by into parentheses, such as J/(kg K), or use powers: m/s^2",
+            ),
+            '0'..='9' => hinting(
+                error("malformed-unit", range, "a number cannot be part of a unit"),
+                "write the number before the bracket, and powers with ^, such as m^2",
+            ),
+            ')' => error("malformed-unit", range, "this `)` closes nothing"),
+            _ => error(
+                "malformed-unit",
+                range,
+                format!("`{found}` cannot be part of a unit"),
+            ),
+        }
+    }
+
+    fn unit(&mut self, depth: usize) -> Result<Part, UnitError> {
+        let above = self.product(depth)?;
+        let slash = self.at;
+        if !self.take('/') {
+            return Ok(above);
+        }
+        self.blanks();
+        let below = self.factor(depth)?;
+        self.blanks();
+        if self.take('*') || self.take('·') {
+            self.blanks();
+        }
+        if self.starts_factor() {
+            let start = self.at;
+            let next = self.factor(depth)?;
+            let range = slash..next.range.end;
+            let (above, below, next_text) = (above.text, below.text, next.text);
+            let top = if above == "1" {
+                String::new()
+            } else {
+                format!("{above} ")
+            };
+            return Err(hinting(
+                error(
+                    "ambiguous-unit",
+                    range,
+                    format!(
+                        "it is not clear whether `{}` is divided by or multiplied with",
+                        &self.text[start..next.range.end]
+                    ),
+                ),
+                format!("write {above}/({below} {next_text}) or {top}{next_text}/{below}"),
+            ));
+        }
+        let range = above.range.start..below.range.end;
+        let inverse = below.dimension.inverse();
+        let dimension = above
+            .dimension
+            .times(inverse)
+            .ok_or_else(|| too_high(range.clone()))?;
+        let below_text = if below.text.contains([' ', '/']) {
+            format!("({})", below.text)
+        } else {
+            below.text
+        };
+        let scale = above.scale.times(below.scale.power(Exponent::from(-1)));
+        Ok(Part {
+            dimension,
+            scale,
+            text: format!("{}/{below_text}", above.text),
+            range,
+        })
+    }
+
+    fn product(&mut self, depth: usize) -> Result<Part, UnitError> {
+        let mut product = self.factor(depth)?;
+        loop {
+            self.blanks();
+            let operator = self.take('*') || self.take('·') || self.take('×') || self.take('⋅');
+            if operator {
+                self.blanks();
+            } else if !self.starts_factor() {
+                return Ok(product);
+            }
+            let factor = self.factor(depth)?;
+            let range = product.range.start..factor.range.end;
+            let dimension = product
+                .dimension
+                .times(factor.dimension)
+                .ok_or_else(|| too_high(range.clone()))?;
+            let quotient = |text: String| {
+                if text.contains('/') {
+                    format!("({text})")
+                } else {
+                    text
+                }
+            };
+            let text = match (product.text.as_str(), factor.text.as_str()) {
+                ("1", _) => factor.text,
+                (_, "1") => product.text,
+                _ => format!("{} {}", quotient(product.text), quotient(factor.text)),
+            };
+            product = Part {
+                dimension,
+                scale: product.scale.times(factor.scale),
+                text,
+                range,
+            };
+        }
+    }
+
+    fn starts_factor(&self) -> bool {
+        self.peek()
+            .is_some_and(|c| c == '(' || c == '1' || is_symbol(c))
+    }
+
+    fn factor(&mut self, depth: usize) -> Result<Part, UnitError> {
+        let start = self.at;
+        let mut part = if self.take('(') {
+            if depth == DEPTH {
+                return Err(error(
+                    "malformed-unit",
+                    start..start + 1,
+                    "too many parentheses in one another",
+                ));
+            }
+            self.blanks();
+            let inner = self.unit(depth + 1)?;
+            self.blanks();
+            if !self.take(')') {
+                let unexpected = self.unexpected();
+                let unclosed = error("malformed-unit", start..start + 1, "this `(` is not closed");
+                return Err(if self.at == self.text.len() {
+                    unclosed
+                } else {
+                    unexpected
+                });
+            }
+            inner
+        } else if self.rest().starts_with('1')
+            && !self.rest()[1..].starts_with(|c: char| c.is_ascii_digit() || c == '.')
+        {
+            self.at += 1;
+            Part {
+                dimension: Dimension::NONE,
+                scale: Scale::ONE,
+                text: "1".to_owned(),
+                range: start..self.at,
+            }
+        } else {
+            self.symbol()?
+        };
+        let exponent_start = self.at;
+        if let Some(exponent) = self.exponent()? {
+            let range = exponent_start..self.at;
+            let dimension = part
+                .dimension
+                .power(exponent)
+                .ok_or_else(|| too_high(range))?;
+            let base = if part.text.contains([' ', '/', '^']) {
+                format!("({})", part.text)
+            } else {
+                part.text
+            };
+            let text = if base == "1" {
+                base
+            } else {
+                power_text(&base, exponent)
+            };
+            part = Part {
+                dimension,
+                scale: part.scale.power(exponent),
+                text,
+                range: start..self.at,
+            };
+        }
+        part.range = start..self.at;
+        Ok(part)
+    }
+
+    fn symbol(&mut self) -> Result<Part, UnitError> {
+        let start = self.at;
+        let length = self
+            .rest()
+            .find(|c| !is_symbol(c))
+            .unwrap_or(self.rest().len());
+        if length == 0 {
+            return Err(self.unexpected());
+        }
+        self.at += length;
+        let range = start..self.at;
+        let written = &self.text[range.clone()];
+        // Greek mu and ohm sign, and the angstrom sign, are the letters they look like.
+        let text = written
+            .replace('μ', "µ")
+            .replace('\u{2126}', "Ω")
+            .replace(['\u{212B}'], "Å");
+        if let Some((symbol, tens)) = table::find(&text) {
+            let scale = symbol.scale.times(Scale::decimal(1, tens));
+            return Ok(Part {
+                dimension: symbol.dimension(),
+                scale,
+                text,
+                range,
+            });
+        }
+        Err(unknown(&text, range))
+    }
+
+    fn exponent(&mut self) -> Result<Option<Exponent>, UnitError> {
+        let start = self.at;
+        let raised: String = self.rest().chars().map_while(plain_digit).collect();
+        if !raised.is_empty() {
+            let length: usize = self
+                .rest()
+                .chars()
+                .take(raised.chars().count())
+                .map(char::len_utf8)
+                .sum();
+            self.at += length;
+            let value = raised
+                .parse()
+                .ok()
+                .and_then(|value| Exponent::new(value, 1));
+            return value.map(Some).ok_or_else(|| too_high(start..self.at));
+        }
+        if !self.take('^') {
+            return Ok(None);
+        }
+        let parenthesis = self.take('(');
+        let mut numbers = [1, 1];
+        for (index, number) in numbers.iter_mut().enumerate() {
+            if index == 1 && !(parenthesis && self.take('/')) {
+                break;
+            }
+            let signed = index == 0 && (self.take('-') || self.take('−'));
+            let digits: &str = &self.rest()[..self
+                .rest()
+                .find(|c: char| !c.is_ascii_digit())
+                .unwrap_or(self.rest().len())];
+            self.at += digits.len();
+            if digits.is_empty() {
+                let end = self.at + self.peek().map_or(0, char::len_utf8);
+                let wrong = error(
+                    "malformed-unit",
+                    start..end,
+                    "an exponent is a whole number or a fraction in parentheses",
+                );
+                return Err(hinting(wrong, "such as m^2, s^-1 or m^(1/2)"));
+            }
+            *number = digits.parse().map_err(|_| too_high(start..self.at))?;
+            if signed {
+                *number = -*number;
+            }
+        }
+        if parenthesis && !self.take(')') {
+            let wrong = error(
+                "malformed-unit",
+                start..self.at,
+                "the parenthesis of this exponent is not closed",
+            );
+            return Err(hinting(wrong, "such as m^(1/2)"));
+        }
+        Exponent::new(numbers[0], numbers[1])
+            .map(Some)
+            .ok_or_else(|| too_high(start..self.at))
+    }
+}
+
+fn unknown(text: &str, range: Range<usize>) -> UnitError {
+    if matches!(text, "degC" | "°C" | "℃" | "degF" | "°F" | "℉")
+        || text.eq_ignore_ascii_case("celsius")
+    {
+        return hinting(
+            error(
+                "temperature-scale",
+                range,
+                format!(
+                    "{text} is a scale with a zero of its own, so it cannot be multiplied like a unit"
+                ),
+            ),
+            "give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K]",
+        );
+    }
+    let wrong = error("unknown-unit", range, format!("there is no unit `{text}`"));
+    match table::near(text) {
+        Some(near) => hinting(wrong, format!("did you mean {near}?")),
+        None => wrong,
+    }
+}
+
+fn is_symbol(c: char) -> bool {
+    c.is_alphabetic() || matches!(c, '%' | '°' | '℃' | '℉' | '_')
+}
+
+fn plain_digit(c: char) -> Option<char> {
+    Some(match c {
+        '⁰' => '0',
+        '¹' => '1',
+        '²' => '2',
+        '³' => '3',
+        '⁴' => '4',
+        '⁵' => '5',
+        '⁶' => '6',
+        '⁷' => '7',
+        '⁸' => '8',
+        '⁹' => '9',
+        '⁻' => '-',
+        _ => return None,
+    })
+}

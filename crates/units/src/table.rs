@@ -1,0 +1,223 @@
+//! The symbols of units and prefixes.
+
+use crate::Dimension;
+use crate::scale::Scale;
+use std::f64::consts::PI;
+
+/// One unit symbol.
+pub(crate) struct Symbol {
+    pub(crate) text: &'static str,
+    /// Exponents of kg, m, s, A, K, mol, cd.
+    exponents: [i8; 7],
+    pub(crate) scale: Scale,
+    /// Whether it takes prefixes: `cm`, but not `cmin`.
+    prefixes: bool,
+}
+
+impl Symbol {
+    pub(crate) fn dimension(&self) -> Dimension {
+        Dimension::from_whole(self.exponents)
+    }
+}
+
+const fn symbol(text: &'static str, exponents: [i8; 7], scale: Scale, prefixes: bool) -> Symbol {
+    Symbol {
+        text,
+        exponents,
+        scale,
+        prefixes,
+    }
+}
+
+/// Values of units outside the SI after the SI brochure, 9th edition (2019), table 8, and ISO 80000; the
+/// thermochemical calorie, the conventional millimetre of mercury.
+#[rustfmt::skip]
+const SYMBOLS: &[Symbol] = &[
+    symbol("m",   [0, 1, 0, 0, 0, 0, 0], Scale::ONE, true),
+    symbol("g",   [1, 0, 0, 0, 0, 0, 0], Scale::decimal(1, -3), true),
+    symbol("s",   [0, 0, 1, 0, 0, 0, 0], Scale::ONE, true),
+    symbol("A",   [0, 0, 0, 1, 0, 0, 0], Scale::ONE, true),
+    symbol("K",   [0, 0, 0, 0, 1, 0, 0], Scale::ONE, true),
+    symbol("mol", [0, 0, 0, 0, 0, 1, 0], Scale::ONE, true),
+    symbol("cd",  [0, 0, 0, 0, 0, 0, 1], Scale::ONE, true),
+    symbol("Hz",  [0, 0, -1, 0, 0, 0, 0], Scale::ONE, true),
+    symbol("N",   [1, 1, -2, 0, 0, 0, 0], Scale::ONE, true),
+    symbol("Pa",  [1, -1, -2, 0, 0, 0, 0], Scale::ONE, true),
+    symbol("J",   [1, 2, -2, 0, 0, 0, 0], Scale::ONE, true),
+    symbol("W",   [1, 2, -3, 0, 0, 0, 0], Scale::ONE, true),
+    symbol("C",   [0, 0, 1, 1, 0, 0, 0], Scale::ONE, true),
+    symbol("V",   [1, 2, -3, -1, 0, 0, 0], Scale::ONE, true),
+    symbol("ohm", [1, 2, -3, -2, 0, 0, 0], Scale::ONE, true),
+    symbol("Ω",   [1, 2, -3, -2, 0, 0, 0], Scale::ONE, true),
+    symbol("S",   [-1, -2, 3, 2, 0, 0, 0], Scale::ONE, true),
+    symbol("F",   [-1, -2, 4, 2, 0, 0, 0], Scale::ONE, true),
+    symbol("Wb",  [1, 2, -2, -1, 0, 0, 0], Scale::ONE, true),
+    symbol("T",   [1, 0, -2, -1, 0, 0, 0], Scale::ONE, true),
+    symbol("H",   [1, 2, -2, -2, 0, 0, 0], Scale::ONE, true),
+    symbol("rad", [0; 7], Scale::ONE, true),
+    symbol("deg", [0; 7], Scale::irrational(PI, 1, 180), false),
+    symbol("°",   [0; 7], Scale::irrational(PI, 1, 180), false),
+    symbol("%",   [0; 7], Scale::decimal(1, -2), false),
+    symbol("min", [0, 0, 1, 0, 0, 0, 0], Scale::decimal(60, 0), false),
+    symbol("h",   [0, 0, 1, 0, 0, 0, 0], Scale::decimal(3600, 0), false),
+    symbol("d",   [0, 0, 1, 0, 0, 0, 0], Scale::decimal(86_400, 0), false),
+    symbol("L",   [0, 3, 0, 0, 0, 0, 0], Scale::decimal(1, -3), true),
+    symbol("l",   [0, 3, 0, 0, 0, 0, 0], Scale::decimal(1, -3), true),
+    symbol("t",   [1, 0, 0, 0, 0, 0, 0], Scale::decimal(1, 3), false),
+    symbol("Å",   [0, 1, 0, 0, 0, 0, 0], Scale::decimal(1, -10), false),
+    symbol("bar", [1, -1, -2, 0, 0, 0, 0], Scale::decimal(1, 5), true),
+    symbol("atm", [1, -1, -2, 0, 0, 0, 0], Scale::decimal(101_325, 0), false),
+    symbol("mmHg", [1, -1, -2, 0, 0, 0, 0], Scale::decimal(133_322_387_415, -9), false),
+    symbol("P",   [1, -1, -1, 0, 0, 0, 0], Scale::decimal(1, -1), true),
+    symbol("St",  [0, 2, -1, 0, 0, 0, 0], Scale::decimal(1, -4), true),
+    symbol("dyn", [1, 1, -2, 0, 0, 0, 0], Scale::decimal(1, -5), false),
+    symbol("erg", [1, 2, -2, 0, 0, 0, 0], Scale::decimal(1, -7), false),
+    symbol("cal", [1, 2, -2, 0, 0, 0, 0], Scale::decimal(4184, -3), true),
+    symbol("eV",  [1, 2, -2, 0, 0, 0, 0], Scale::decimal(1_602_176_634, -28), true),
+];
+
+/// Prefixes and their powers of ten; `da` before `d`, so that the longer one is tried first.
+const PREFIXES: &[(&str, i32)] = &[
+    ("da", 1),
+    ("Y", 24),
+    ("Z", 21),
+    ("E", 18),
+    ("P", 15),
+    ("T", 12),
+    ("G", 9),
+    ("M", 6),
+    ("k", 3),
+    ("h", 2),
+    ("d", -1),
+    ("c", -2),
+    ("m", -3),
+    ("µ", -6),
+    ("u", -6),
+    ("n", -9),
+    ("p", -12),
+    ("f", -15),
+    ("a", -18),
+    ("z", -21),
+    ("y", -24),
+];
+
+/// What people write for a unit, and the symbol it has here.
+const OTHER_NAMES: &[(&str, &str)] = &[
+    ("meter", "m"),
+    ("metre", "m"),
+    ("mts", "m"),
+    ("centimeter", "cm"),
+    ("centimetre", "cm"),
+    ("millimeter", "mm"),
+    ("millimetre", "mm"),
+    ("kilometer", "km"),
+    ("kilometre", "km"),
+    ("micron", "µm"),
+    ("angstrom", "Å"),
+    ("cc", "cm^3"),
+    ("gram", "g"),
+    ("gr", "g"),
+    ("gm", "g"),
+    ("kilo", "kg"),
+    ("kilogram", "kg"),
+    ("kgs", "kg"),
+    ("ton", "t"),
+    ("tonne", "t"),
+    ("second", "s"),
+    ("sec", "s"),
+    ("seg", "s"),
+    ("minute", "min"),
+    ("hour", "h"),
+    ("hr", "h"),
+    ("day", "d"),
+    ("kph", "km/h"),
+    ("kmh", "km/h"),
+    ("mps", "m/s"),
+    ("ampere", "A"),
+    ("amp", "A"),
+    ("kelvin", "K"),
+    ("mole", "mol"),
+    ("candela", "cd"),
+    ("hertz", "Hz"),
+    ("newton", "N"),
+    ("pascal", "Pa"),
+    ("joule", "J"),
+    ("watt", "W"),
+    ("coulomb", "C"),
+    ("volt", "V"),
+    ("siemens", "S"),
+    ("farad", "F"),
+    ("weber", "Wb"),
+    ("tesla", "T"),
+    ("henry", "H"),
+    ("radian", "rad"),
+    ("degree", "deg"),
+    ("percent", "%"),
+    ("liter", "L"),
+    ("litre", "L"),
+    ("poise", "P"),
+    ("stokes", "St"),
+    ("centistokes", "cSt"),
+    ("torr", "mmHg"),
+    ("dyne", "dyn"),
+    ("calorie", "cal"),
+];
+
+/// The symbol `text` names and the power of ten before it. A symbol of its own comes before one with a prefix: `min`
+/// is a minute, `cd` a candela, `Pa` a pascal.
+pub(crate) fn find(text: &str) -> Option<(&'static Symbol, i32)> {
+    if let Some(symbol) = SYMBOLS.iter().find(|symbol| symbol.text == text) {
+        return Some((symbol, 0));
+    }
+    PREFIXES.iter().find_map(|(prefix, tens)| {
+        let rest = text.strip_prefix(prefix)?;
+        let symbol = SYMBOLS
+            .iter()
+            .find(|symbol| symbol.prefixes && symbol.text == rest)?;
+        Some((symbol, *tens))
+    })
+}
+
+/// The unit that was probably meant by an unknown `text`.
+pub(crate) fn near(text: &str) -> Option<String> {
+    let lower = text.to_lowercase();
+    let singular = lower.strip_suffix('s').unwrap_or(&lower);
+    let named = OTHER_NAMES
+        .iter()
+        .find(|(name, _)| *name == lower || *name == singular);
+    if let Some((_, symbol)) = named {
+        return Some((*symbol).to_owned());
+    }
+    // `Kg`, `KM`, `HZ`: the right letters, the wrong case.
+    if let Some(symbol) = every().find(|candidate| candidate.to_lowercase() == lower) {
+        return Some(symbol);
+    }
+    // `Ns` for N s, `Pas` for Pa s; `kgm` for kg m
+    for at in text.char_indices().skip(1).map(|(at, _)| at) {
+        if find(&text[..at]).is_some() && find(&text[at..]).is_some() {
+            return Some(format!("{} {}", &text[..at], &text[at..]));
+        }
+    }
+    None
+}
+
+/// All symbols, the plain ones first, then the usual prefixes.
+fn every() -> impl Iterator<Item = String> {
+    let plain = SYMBOLS.iter().map(|symbol| symbol.text.to_owned());
+    let prefixed = ["k", "c", "m", "µ", "M", "h", "n", "G"]
+        .into_iter()
+        .flat_map(|prefix| {
+            SYMBOLS
+                .iter()
+                .filter(|symbol| symbol.prefixes)
+                .map(move |symbol| format!("{prefix}{}", symbol.text))
+        });
+    plain.chain(prefixed)
+}
+
+/// How a dimension's SI unit is written where nobody stated one: with a unit of its own name, if that is what people
+/// say.
+pub(crate) const PREFERRED: &[&str] = &[
+    "N", "Pa", "J", "W", "C", "V", "ohm", "F", "Wb", "T", "H", "Pa s", "N/m", "V/m", "J/K",
+    "J/(kg K)", "W/(m K)",
+];

@@ -1,0 +1,103 @@
+//! The methods by name.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// How the equations are integrated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub enum Method {
+    /// Euler's, order 1.
+    Euler,
+    /// Euler-Richardson, the midpoint method, order 2.
+    EulerRichardson,
+    /// Velocity Verlet, order 2, for equations of second order.
+    VelocityVerlet,
+    /// The classical Runge-Kutta method, order 4.
+    #[default]
+    RungeKutta4,
+    /// Dormand-Prince 5(4), adaptive.
+    DormandPrince,
+    /// RODAS 4(3), a Rosenbrock method for stiff equations, adaptive.
+    Rosenbrock,
+}
+
+impl Method {
+    /// All of them, the default's family first.
+    pub const ALL: [Self; 6] = [
+        Self::Euler,
+        Self::EulerRichardson,
+        Self::VelocityVerlet,
+        Self::RungeKutta4,
+        Self::DormandPrince,
+        Self::Rosenbrock,
+    ];
+
+    /// The name in documents, links and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Euler => "euler",
+            Self::EulerRichardson => "euler-richardson",
+            Self::VelocityVerlet => "velocity-verlet",
+            Self::RungeKutta4 => "rk4",
+            Self::DormandPrince => "dormand-prince",
+            Self::Rosenbrock => "rosenbrock",
+        }
+    }
+
+    /// The order: the error of a run is proportional to this power of the step.
+    pub fn order(self) -> u32 {
+        match self {
+            Self::Euler => 1,
+            Self::EulerRichardson | Self::VelocityVerlet => 2,
+            Self::RungeKutta4 | Self::Rosenbrock => 4,
+            Self::DormandPrince => 5,
+        }
+    }
+
+    /// Whether it chooses its own steps by the tolerance; the rows are on the grid all the same.
+    pub fn adaptive(self) -> bool {
+        matches!(self, Self::DormandPrince | Self::Rosenbrock)
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.name())
+    }
+}
+
+/// A text that names no method.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownMethod(pub String);
+
+impl fmt::Display for UnknownMethod {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            formatter,
+            "there is no method `{}`; the methods are ",
+            self.0
+        )?;
+        for (index, method) in Method::ALL.into_iter().enumerate() {
+            let separator = match index {
+                0 => "",
+                _ if index + 1 == Method::ALL.len() => " and ",
+                _ => ", ",
+            };
+            write!(formatter, "{separator}{method}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for UnknownMethod {}
+
+impl FromStr for Method {
+    type Err = UnknownMethod;
+
+    fn from_str(text: &str) -> Result<Self, UnknownMethod> {
+        Self::ALL
+            .into_iter()
+            .find(|method| method.name() == text)
+            .ok_or_else(|| UnknownMethod(text.to_owned()))
+    }
+}

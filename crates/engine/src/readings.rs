@@ -1,0 +1,58 @@
+//! Expressions evaluated along a run.
+
+use crate::{History, Routine};
+use model::{Model, NodeId};
+
+/// A set of expressions that can be read at any row or state; it notices when parameters change.
+#[derive(Clone, Debug)]
+pub struct Readings {
+    routine: Routine,
+    values: Vec<f64>,
+    state: Vec<f64>,
+    /// What the routine was last prepared with.
+    parameters: Vec<f64>,
+    initial: Vec<f64>,
+    prepared: bool,
+}
+
+impl Readings {
+    /// Compiles `roots`, nodes of the model's graph.
+    pub fn new(model: &Model, roots: &[NodeId]) -> Self {
+        Self {
+            routine: Routine::compile(model, roots),
+            values: vec![0.0; roots.len()],
+            state: vec![0.0; model.states.len()],
+            parameters: Vec::new(),
+            initial: Vec::new(),
+            prepared: false,
+        }
+    }
+
+    /// The values at a recorded row, SI, in the order of the roots.
+    pub fn at_row(&mut self, history: &History, row: usize) -> &[f64] {
+        self.prepare(history.parameters(row), history.initial());
+        history.state(row, &mut self.state);
+        self.routine
+            .evaluate(history.time(row), &self.state, &mut self.values);
+        &self.values
+    }
+
+    /// The values at any state, SI, in the order of the roots.
+    pub fn at(&mut self, parameters: &[f64], initial: &[f64], time: f64, state: &[f64]) -> &[f64] {
+        self.prepare(parameters, initial);
+        self.routine.evaluate(time, state, &mut self.values);
+        &self.values
+    }
+
+    fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
+        if self.prepared && self.parameters == parameters && self.initial == initial {
+            return;
+        }
+        self.parameters.clear();
+        self.parameters.extend_from_slice(parameters);
+        self.initial.clear();
+        self.initial.extend_from_slice(initial);
+        self.prepared = true;
+        self.routine.prepare(parameters, initial);
+    }
+}

@@ -1,0 +1,345 @@
+//! Compiles expressions of a model to register code and evaluates them.
+
+use crate::instruction::{self, Instruction, Register};
+use crate::linear::{Elimination, Factors};
+use model::{Binary, Graph, Model, Node, NodeId, Unary};
+
+/// Register code for a set of expressions, the roots. What depends on parameters and initial values only is computed once
+/// by [`Routine::prepare`], the rest by each [`Routine::evaluate`], which allocates nothing.
+#[derive(Clone, Debug)]
+pub struct Routine {
+    prologue: Vec<Instruction>,
+    body: Vec<Instruction>,
+    /// The independent variable, the states, then one for each node.
+    registers: Vec<f64>,
+    states: usize,
+    parameters: Vec<(usize, Register)>,
+    initial: Vec<(usize, Register)>,
+    roots: Vec<Register>,
+    systems: Vec<Elimination>,
+}
+
+impl Routine {
+    /// Compiles `roots`, nodes of the model's graph.
+    pub fn compile(model: &Model, roots: &[NodeId]) -> Self {
+        Self::from_graph(&model.graph, model.states.len(), roots)
+    }
+
+    /// Compiles `roots` of a graph with `states` states.
+    pub fn from_graph(graph: &Graph, states: usize, roots: &[NodeId]) -> Self {
+        let mut compiler = Compiler::new(graph, states, roots);
+        compiler.compile();
+        compiler.routine
+    }
+
+    /// Sets parameters and initial values, all in SI, in the model's order.
+    pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
+        for &(index, register) in &self.parameters {
+            self.registers[register as usize] = parameters[index];
+        }
+        for &(index, register) in &self.initial {
+            self.registers[register as usize] = initial[index];
+        }
+        instruction::run(&self.prologue, &mut self.registers, &mut self.systems);
+    }
+
+    /// Computes all roots at `time` and `state`; `out[i]` becomes the value of `roots[i]`.
+    #[inline]
+    pub fn evaluate(&mut self, time: f64, state: &[f64], out: &mut [f64]) {
+        self.registers[0] = time;
+        self.registers[1..=self.states].copy_from_slice(state);
+        instruction::run(&self.body, &mut self.registers, &mut self.systems);
+        for (value, &register) in out.iter_mut().zip(&self.roots) {
+            *value = self.registers[register as usize];
+        }
+    }
+
+    /// How many roots there are.
+    pub fn len(&self) -> usize {
+        self.roots.len()
+    }
+
+    /// Whether there are no roots.
+    pub fn is_empty(&self) -> bool {
+        self.roots.is_empty()
+    }
+
+    /// How many instructions an evaluation takes.
+    pub fn instructions(&self) -> usize {
+        self.body.len()
+    }
+
+    /// Whether the last evaluation met a linear system without a solution.
+    pub(crate) fn singular(&self) -> bool {
+        self.systems.iter().any(|system| system.factors.singular)
+    }
+}
+
+/// When a node can be computed.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Stage {
+    Unused,
+    Prologue,
+    Body,
+}
+
+struct Compiler<'a> {
+    graph: &'a Graph,
+    /// By node.
+    stage: Vec<Stage>,
+    /// How often each node is read, as an operand or a root.
+    uses: Vec<u32>,
+    /// Products computed as part of the sum that reads them.
+    absorbed: Vec<bool>,
+    register: Vec<Register>,
+    /// By system of the graph: its number in the routine.
+    system: Vec<Option<u32>>,
+    routine: Routine,
+}
+
+impl<'a> Compiler<'a> {
+    fn new(graph: &'a Graph, states: usize, roots: &[NodeId]) -> Self {
+        let routine = Routine {
+            prologue: Vec::new(),
+            body: Vec::new(),
+            registers: vec![0.0; states + 1],
+            states,
+            parameters: Vec::new(),
+            initial: Vec::new(),
+            roots: Vec::new(),
+            systems: Vec::new(),
+        };
+        let nodes = graph.len();
+        let mut compiler = Self {
+            graph,
+            stage: vec![Stage::Unused; nodes],
+            uses: vec![0; nodes],
+            absorbed: vec![false; nodes],
+            register: vec![0; nodes],
+            system: vec![None; graph.systems().len()],
+            routine,
+        };
+        compiler.mark(roots);
+        compiler
+    }
+
+    /// Finds what is used, how often, and when it can be computed.
+    fn mark(&mut self, roots: &[NodeId]) {
+        for root in roots {
+            self.uses[root.0 as usize] += 1;
+        }
+        // Operands have smaller numbers, so going down meets every reader before what it reads.
+        let mut system_read = vec![false; self.graph.systems().len()];
+        for index in (0..self.graph.len()).rev() {
+            if self.uses[index] == 0 {
+                continue;
+            }
+            let node = self.graph.node(NodeId(index as u32));
+            if let Node::Solution { system, .. } = node
+                && std::mem::replace(&mut system_read[system as usize], true)
+            {
+                continue;
+            }
+            for operand in operands(self.graph, node) {
+                self.uses[operand.0 as usize] += 1;
+            }
+        }
+        for index in 0..self.graph.len() {
+            if self.uses[index] == 0 {
+                continue;
+            }
+            let node = self.graph.node(NodeId(index as u32));
+            let mut stage = match node {
+                Node::Independent | Node::State(_) => Stage::Body,
+                _ => Stage::Prologue,
+            };
+            for operand in operands(self.graph, node) {
+                if self.stage[operand.0 as usize] == Stage::Body {
+                    stage = Stage::Body;
+                }
+            }
+            self.stage[index] = stage;
+            if let Some((product, _)) = self.product(node, stage) {
+                self.absorbed[product.0 as usize] = true;
+            }
+        }
+        self.routine.roots = roots.iter().map(|root| root.0).collect();
+    }
+
+    /// The operand of a sum or difference that is a product nobody else reads, and the other operand.
+    fn product(&self, node: Node, stage: Stage) -> Option<(NodeId, NodeId)> {
+        let (Node::Binary(Binary::Add, a, b) | Node::Binary(Binary::Subtract, a, b)) = node else {
+            return None;
+        };
+        let lone = |id: NodeId| {
+            let index = id.0 as usize;
+            self.uses[index] == 1
+                && self.stage[index] == stage
+                && matches!(self.graph.node(id), Node::Binary(Binary::Multiply, ..))
+        };
+        if lone(a) {
+            Some((a, b))
+        } else if lone(b) {
+            Some((b, a))
+        } else {
+            None
+        }
+    }
+
+    fn compile(&mut self) {
+        for index in 0..self.graph.len() {
+            if self.stage[index] != Stage::Unused && !self.absorbed[index] {
+                self.emit(index);
+            }
+        }
+        for root in &mut self.routine.roots {
+            *root = self.register[*root as usize];
+        }
+    }
+
+    fn emit(&mut self, index: usize) {
+        let node = self.graph.node(NodeId(index as u32));
+        let stage = self.stage[index];
+        match node {
+            Node::Independent => self.register[index] = 0,
+            Node::State(state) => self.register[index] = state + 1,
+            Node::Constant(bits) => self.register[index] = self.allocate(f64::from_bits(bits)),
+            Node::Parameter(parameter) => {
+                let register = self.allocate(0.0);
+                self.register[index] = register;
+                self.routine.parameters.push((parameter as usize, register));
+            }
+            Node::Initial(state) => {
+                let register = self.allocate(0.0);
+                self.register[index] = register;
+                self.routine.initial.push((state as usize, register));
+            }
+            Node::Solution { system, row } => {
+                let number = match self.system[system as usize] {
+                    Some(number) => number,
+                    None => self.emit_system(system, stage),
+                };
+                self.register[index] = self.routine.systems[number as usize].target + row;
+            }
+            Node::Unary(..) | Node::Binary(..) | Node::Select(..) => {
+                let to = self.allocate(0.0);
+                self.register[index] = to;
+                let instruction = self.instruction(node, stage, to);
+                self.push(stage, instruction);
+            }
+        }
+    }
+
+    fn instruction(&mut self, node: Node, stage: Stage, to: Register) -> Instruction {
+        if let Some((product, other)) = self.product(node, stage)
+            && let Node::Binary(_, a, b) = self.graph.node(product)
+        {
+            let (a, b, c) = (self.of(a), self.of(b), self.of(other));
+            return match node {
+                Node::Binary(Binary::Add, ..) => Instruction::MultiplyAdd(to, a, b, c),
+                Node::Binary(_, left, _) if left == product => {
+                    Instruction::MultiplySubtract(to, a, b, c)
+                }
+                _ => Instruction::SubtractProduct(to, a, b, c),
+            };
+        }
+        match node {
+            Node::Unary(Unary::Negate, a) => Instruction::Negate(to, self.of(a)),
+            Node::Unary(function, a) => Instruction::Unary(function, to, self.of(a)),
+            Node::Binary(Binary::Add, a, b) => Instruction::Add(to, self.of(a), self.of(b)),
+            Node::Binary(Binary::Subtract, a, b) => {
+                Instruction::Subtract(to, self.of(a), self.of(b))
+            }
+            Node::Binary(Binary::Multiply, a, b) => {
+                Instruction::Multiply(to, self.of(a), self.of(b))
+            }
+            Node::Binary(Binary::Divide, a, b) => Instruction::Divide(to, self.of(a), self.of(b)),
+            Node::Binary(Binary::Power, a, b) => self.power(stage, to, a, b),
+            Node::Binary(function, a, b) => {
+                Instruction::Binary(function, to, self.of(a), self.of(b))
+            }
+            Node::Select(condition, a, b) => {
+                Instruction::Select(to, self.of(condition), self.of(a), self.of(b))
+            }
+            // Inputs and solutions are not computed by instructions of their own; `emit` has dealt with them.
+            _ => Instruction::Negate(to, to),
+        }
+    }
+
+    /// Small powers as products, which are faster than `pow` and at least as exact.
+    fn power(&mut self, stage: Stage, to: Register, base: NodeId, exponent: NodeId) -> Instruction {
+        let x = self.of(base);
+        let constant = match self.graph.node(exponent) {
+            Node::Constant(bits) => f64::from_bits(bits),
+            _ => f64::NAN,
+        };
+        if constant == 2.0 {
+            return Instruction::Multiply(to, x, x);
+        }
+        if constant == 3.0 || constant == 4.0 {
+            let square = self.allocate(0.0);
+            self.push(stage, Instruction::Multiply(square, x, x));
+            let factor = if constant == 3.0 { x } else { square };
+            return Instruction::Multiply(to, square, factor);
+        }
+        if constant == 0.5 {
+            return Instruction::Unary(Unary::SquareRoot, to, x);
+        }
+        Instruction::Binary(Binary::Power, to, x, self.of(exponent))
+    }
+
+    fn emit_system(&mut self, system: u32, stage: Stage) -> u32 {
+        let linear = &self.graph.systems()[system as usize];
+        let size = linear.right.len();
+        let matrix = linear.matrix.iter().map(|&id| self.of(id)).collect();
+        let right = linear.right.iter().map(|&id| self.of(id)).collect();
+        let target = self.routine.registers.len() as Register;
+        self.routine.registers.resize(target as usize + size, 0.0);
+        let number = self.routine.systems.len() as u32;
+        let factors = Factors::new(size);
+        self.routine.systems.push(Elimination {
+            matrix,
+            right,
+            target,
+            factors,
+            solution: vec![0.0; size],
+        });
+        self.push(stage, Instruction::Solve(number));
+        self.system[system as usize] = Some(number);
+        number
+    }
+
+    fn push(&mut self, stage: Stage, instruction: Instruction) {
+        match stage {
+            Stage::Body => self.routine.body.push(instruction),
+            Stage::Prologue | Stage::Unused => self.routine.prologue.push(instruction),
+        }
+    }
+
+    fn allocate(&mut self, value: f64) -> Register {
+        self.routine.registers.push(value);
+        (self.routine.registers.len() - 1) as Register
+    }
+
+    fn of(&self, id: NodeId) -> Register {
+        self.register[id.0 as usize]
+    }
+}
+
+/// What a node reads.
+fn operands(graph: &Graph, node: Node) -> Vec<NodeId> {
+    match node {
+        Node::Constant(_)
+        | Node::Parameter(_)
+        | Node::Initial(_)
+        | Node::Independent
+        | Node::State(_) => Vec::new(),
+        Node::Unary(_, a) => vec![a],
+        Node::Binary(_, a, b) => vec![a, b],
+        Node::Select(condition, a, b) => vec![condition, a, b],
+        Node::Solution { system, .. } => {
+            let system = &graph.systems()[system as usize];
+            system.matrix.iter().chain(&system.right).copied().collect()
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! What a run is started with.
+
+use crate::Method;
+use model::Model;
+
+/// What a run is started with; all values SI. The independent variable starts at 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setup {
+    /// One for each of the model's parameters.
+    pub parameters: Vec<f64>,
+    /// How to integrate.
+    pub method: Method,
+    /// The distance of the rows; with methods of fixed step also the step.
+    pub step: f64,
+    /// The relative error allowed in each step of an adaptive method; the absolute one is this times
+    /// [`Setup::ABSOLUTE`].
+    pub tolerance: f64,
+    /// A state to start from instead of the model's initial values.
+    pub start: Option<Vec<f64>>,
+}
+
+impl Setup {
+    /// Rows per second where the document does not say.
+    pub const STEP: f64 = 0.05;
+    /// The tolerance where the document does not say.
+    pub const TOLERANCE: f64 = 1e-6;
+    /// The absolute tolerance as a part of the relative one: states much smaller than this, in SI, count as zero.
+    pub const ABSOLUTE: f64 = 1e-3;
+
+    /// The model's own values, the classical Runge-Kutta method and a step of 0.05 s.
+    pub fn defaults(model: &Model) -> Self {
+        Self {
+            parameters: model
+                .parameters
+                .iter()
+                .map(|parameter| parameter.value)
+                .collect(),
+            method: Method::default(),
+            step: Self::STEP,
+            tolerance: Self::TOLERANCE,
+            start: None,
+        }
+    }
+}

@@ -1,1 +1,52 @@
-//! Everything a person can do in the laboratory, as plain state and transitions.
+//! Everything a person can do in the laboratory, as plain state and transitions. No DOM, no clock: the shell calls
+//! [`Session::tick`] with the seconds that have passed and draws what the getters return.
+//!
+//! | subject | what it offers |
+//! |---|---|
+//! | opening | [`Session::open`], [`Session::document`], [`Session::model`], [`Session::language`], [`Session::set_language`], [`Session::text`], [`Session::revision`] |
+//! | clock and transport | [`Session::tick`], [`Session::play`], [`Session::pause`], [`Session::toggle`], [`Session::step_forward`], [`Session::step_back`], [`Session::reset`], [`Session::scrub`], [`Session::set_speed`], [`Session::status`], [`Session::time`], [`Session::end`], [`Session::slippage`], [`Session::problem`] |
+//! | parameters | [`Session::parameters`], [`Session::parameter`], [`Session::set_parameter`], [`Session::set_parameter_text`], [`Session::slide`], [`Session::reset_parameter`], [`Session::reset_parameters`] |
+//! | presets | [`Session::presets`], [`Session::apply_preset`] |
+//! | state | [`Session::states`], [`Session::set_state`], [`Session::set_state_text`], [`Session::drag_begin`], [`Session::drag_move`], [`Session::drag_end`] |
+//! | what is shown | [`Session::readouts`], [`Session::scene_values`], [`Session::scene_text`], [`Session::time_text`], [`Session::pitch`] |
+//! | plots | [`Session::plots`], [`Session::show_plot`], [`Session::layout_plot`], [`Session::plot_figure`], [`Session::plot_svg`], [`Session::hover_plot`], [`Session::move_cursor`], [`Session::zoom_plot`], [`Session::pan_plot`], [`Session::zoom_plot_to`], [`Session::reset_plot`] |
+//! | runs | [`Session::keep`], [`Session::kept`], [`Session::show_kept`], [`Session::remove_kept`], [`Session::has_ghost`], [`Session::clear_ghost`] |
+//! | table | [`Session::table_header`], [`Session::table_length`], [`Session::table_rows`], [`Session::csv`] |
+//! | questions | [`Session::check_answer`], [`Session::reveal_answer`], [`Session::question_setup`] |
+//! | method | [`Session::methods`], [`Session::set_method`], [`Session::step_text`], [`Session::set_step_text`] |
+//! | sharing | [`Session::share`], [`Session::restore`] |
+//! | words | [`Session::take_announcement`], [`Session::announcement_text`], [`Session::refusal_text`], [`number`] |
+//!
+//! A [`Refusal`] is the answer to input that cannot be taken; nothing has changed then. Getters that return texts use
+//! the session's language. No method panics; an index that does not exist is ignored or refused.
+
+mod kept;
+mod method;
+pub mod number;
+mod parameter;
+mod plot;
+mod preset;
+mod question;
+mod readout;
+mod session;
+mod share;
+mod state;
+mod table;
+mod transport;
+mod words;
+
+pub use document;
+pub use figure;
+pub use model;
+
+pub use kept::KeptView;
+pub use method::MethodView;
+pub use parameter::{ParameterView, Slider};
+pub use plot::PlotView;
+pub use preset::{PresetGroup, PresetView};
+pub use question::{Grade, Verdict};
+pub use readout::{Readout, ReadoutKind};
+pub use session::{Revision, Session};
+pub use state::StateView;
+pub use transport::{Problem, SPEEDS, Status};
+pub use words::{Announcement, Refusal};

@@ -1,0 +1,417 @@
+//! Numbers for people: significant digits, engineering exponents (`1.5×10³`), a true minus, the decimal sign of the
+//! language; and the way back from what people type.
+
+/// How a language writes its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Style {
+    /// A comma separates the decimals.
+    pub decimal_comma: bool,
+}
+
+impl Style {
+    /// The style of a language tag such as `es` or `en-GB`; a point where the language is unknown.
+    pub fn of(language: &str) -> Self {
+        let primary = language.split(['-', '_']).next().unwrap_or_default();
+        let comma = [
+            "es", "de", "fr", "it", "pt", "ca", "gl", "nl", "pl", "ru", "sv", "da", "nb", "fi",
+            "cs", "tr",
+        ];
+        Self {
+            decimal_comma: comma.contains(&primary.to_ascii_lowercase().as_str()),
+        }
+    }
+}
+
+/// Shown for a number that is not finite.
+pub const DASH: &str = "–";
+
+/// At most `digits` significant digits, without trailing zeros: for values that stand still.
+///
+/// `0.05`, `13534`, `1.2×10⁶`, `−3`; [`DASH`] where `value` is not finite.
+pub fn plain(value: f64, digits: usize, style: Style) -> String {
+    write(value, digits, style, true)
+}
+
+/// Exactly `digits` significant digits: for values that change while one looks.
+pub fn steady(value: f64, digits: usize, style: Style) -> String {
+    write(value, digits, style, false)
+}
+
+/// Exactly `decimals` digits after the decimal sign, whatever the size: for the time.
+pub fn fixed(value: f64, decimals: usize, style: Style) -> String {
+    if !value.is_finite() {
+        return DASH.to_owned();
+    }
+    let text = format!("{value:.decimals$}");
+    let zero = !text.bytes().any(|byte| (b'1'..=b'9').contains(&byte));
+    dress(&text, zero, style)
+}
+
+/// The least number of significant digits, at most `most`, that reads back as `value` when it is a round decimal.
+fn write(value: f64, digits: usize, style: Style, trim: bool) -> String {
+    if !value.is_finite() {
+        return DASH.to_owned();
+    }
+    let digits = digits.clamp(1, 17);
+    // `{:e}` rounds correctly in decimal and is the same on every machine.
+    let scientific = format!("{:.*e}", digits - 1, value.abs());
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let mut figures: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    if value == 0.0 {
+        return dress(
+            if trim || digits == 1 {
+                "0".to_owned()
+            } else {
+                format!("0.{}", "0".repeat(digits - 1))
+            }
+            .as_str(),
+            true,
+            style,
+        );
+    }
+    if trim {
+        figures.truncate(figures.trim_end_matches('0').len().max(1));
+    }
+    // Between 0.001 and 10^6 (or as many digits as were asked for) no power of ten is needed.
+    let scale = if (-3..6.max(digits as i32)).contains(&exponent) {
+        0
+    } else {
+        exponent.div_euclid(3) * 3
+    };
+    let mut text = String::new();
+    if value < 0.0 {
+        text.push('-');
+    }
+    text.push_str(&place_point(&figures, exponent - scale));
+    let mut text = dress(&text, false, style);
+    if scale != 0 {
+        text.push_str("×10");
+        text.push_str(&superscript(scale));
+    }
+    text
+}
+
+/// The digits `figures` with the decimal point after the digit of 10^0, the first one standing for 10^`exponent`.
+fn place_point(figures: &str, exponent: i32) -> String {
+    if exponent < 0 {
+        return format!("0.{}{figures}", "0".repeat((-exponent - 1) as usize));
+    }
+    let whole = exponent as usize + 1;
+    if figures.len() <= whole {
+        return format!("{figures}{}", "0".repeat(whole - figures.len()));
+    }
+    let (left, right) = figures.split_at(whole);
+    format!("{left}.{right}")
+}
+
+fn dress(text: &str, zero: bool, style: Style) -> String {
+    let text = if zero {
+        text.trim_start_matches('-')
+    } else {
+        text
+    };
+    let text = text.replace('-', "−");
+    if style.decimal_comma {
+        text.replace('.', ",")
+    } else {
+        text
+    }
+}
+
+/// `⁻³`
+pub fn superscript(number: i32) -> String {
+    number
+        .to_string()
+        .chars()
+        .map(|character| match character {
+            '-' => '⁻',
+            '1' => '¹',
+            '2' => '²',
+            '3' => '³',
+            '4' => '⁴',
+            '5' => '⁵',
+            '6' => '⁶',
+            '7' => '⁷',
+            '8' => '⁸',
+            '9' => '⁹',
+            _ => '⁰',
+        })
+        .collect()
+}
+
+/// A unit's text for people: `kg/m^3` as `kg/m³`, `s^-1` as `s⁻¹`.
+pub fn unit_text(text: &str) -> String {
+    let mut out = String::new();
+    let mut characters = text.chars().peekable();
+    while let Some(character) = characters.next() {
+        match character {
+            '^' => {
+                let mut exponent = String::new();
+                while let Some(&next) = characters.peek() {
+                    if next.is_ascii_digit() || (next == '-' && exponent.is_empty()) {
+                        exponent.push(next);
+                        characters.next();
+                    } else {
+                        break;
+                    }
+                }
+                match exponent.parse() {
+                    Ok(number) => out.push_str(&superscript(number)),
+                    Err(_) => {
+                        out.push('^');
+                        out.push_str(&exponent);
+                    }
+                }
+            }
+            '*' => out.push('·'),
+            other => out.push(other),
+        }
+    }
+    out
+}
+
+/// A number and the text that follows it, blanks trimmed: `40 cm` is 40 and `cm`, `1,5×10³` is 1500 and nothing.
+/// Accepts a decimal comma or point, a true minus, `e3` and `×10^3`, and blanks between groups of three digits. In a
+/// language with decimal points `13,534` is read with its comma between thousands. `None` when no finite number leads.
+pub fn parse(text: &str, style: Style) -> Option<(f64, &str)> {
+    let text = text.trim();
+    let mut digits = String::new();
+    let mut characters = text.char_indices().peekable();
+    if let Some(&(_, sign)) = characters.peek()
+        && matches!(sign, '-' | '−' | '+')
+    {
+        if sign != '+' {
+            digits.push('-');
+        }
+        characters.next();
+        while characters
+            .next_if(|&(_, character)| character.is_whitespace())
+            .is_some()
+        {}
+    }
+    let start = characters.peek().map_or(text.len(), |&(at, _)| at);
+    let mut end = start;
+    while let Some(&(at, character)) = characters.peek() {
+        let grouped = is_group_blank(character)
+            && three_digits_follow(&text[at + character.len_utf8()..])
+            && end > start;
+        if !(character.is_ascii_digit() || matches!(character, '.' | ',') || grouped) {
+            break;
+        }
+        end = at + character.len_utf8();
+        characters.next();
+    }
+    digits.push_str(&decimal(&text[start..end], style)?);
+    let (exponent, rest) = power_of_ten(&text[end..]);
+    let value: f64 = format!("{digits}e{exponent}").parse().ok()?;
+    value.is_finite().then_some((value, rest.trim()))
+}
+
+fn is_group_blank(character: char) -> bool {
+    matches!(character, ' ' | '\u{a0}' | '\u{202f}' | '\u{2009}')
+}
+
+fn three_digits_follow(text: &str) -> bool {
+    let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+    digits == 3
+}
+
+/// Digits with at most one decimal point from what was typed.
+fn decimal(typed: &str, style: Style) -> Option<String> {
+    let mut text: String = typed
+        .chars()
+        .filter(|character| !character.is_whitespace())
+        .collect();
+    if !text.bytes().any(|byte| byte.is_ascii_digit()) {
+        return None;
+    }
+    let thousands = if style.decimal_comma { '.' } else { ',' };
+    let mark = if style.decimal_comma { ',' } else { '.' };
+    let whole = text.split(mark).next().unwrap_or_default();
+    let mut groups = whole.split(thousands);
+    let first = groups.next().unwrap_or_default();
+    let rest: Vec<&str> = groups.collect();
+    let grouped = (1..=3).contains(&first.len())
+        && !first.starts_with('0')
+        && rest.iter().all(|group| group.len() == 3);
+    // A single point is decimal in every language: half the Spanish-speaking world writes it so.
+    let enough = if style.decimal_comma {
+        rest.len() > 1 || text.contains(',')
+    } else {
+        !rest.is_empty()
+    };
+    if grouped && enough {
+        text = text.replace(thousands, "");
+    }
+    let text = text.replace(',', ".");
+    (text.matches('.').count() <= 1).then_some(text)
+}
+
+/// The exponent of `e3`, `E-3`, `×10³`, `*10^3`, and what follows it.
+fn power_of_ten(text: &str) -> (i32, &str) {
+    let none = (0, text);
+    let plain = text.strip_prefix(['e', 'E']);
+    let tail = text.trim_start();
+    let powered = ["×", "*", "·", "x"]
+        .iter()
+        .find_map(|times| tail.strip_prefix(times))
+        .and_then(|tail| tail.trim_start().strip_prefix("10"));
+    let Some(tail) = plain.or(powered) else {
+        return none;
+    };
+    let tail = if plain.is_none() {
+        tail.strip_prefix('^').unwrap_or(tail)
+    } else {
+        tail
+    };
+    let mut exponent = String::new();
+    let mut end = 0;
+    for (at, character) in tail.char_indices() {
+        let Some(character) = lowered(character) else {
+            break;
+        };
+        if character == '-' && !exponent.is_empty() {
+            break;
+        }
+        exponent.push(character);
+        end = at + tail[at..].chars().next().map_or(0, char::len_utf8);
+    }
+    match exponent.parse() {
+        Ok(number) => (number, &tail[end..]),
+        Err(_) => none,
+    }
+}
+
+/// A digit or sign, raised or not, as ASCII.
+fn lowered(character: char) -> Option<char> {
+    Some(match character {
+        '0'..='9' => character,
+        '-' | '−' | '⁻' => '-',
+        '⁰' => '0',
+        '¹' => '1',
+        '²' => '2',
+        '³' => '3',
+        '⁴' => '4',
+        '⁵' => '5',
+        '⁶' => '6',
+        '⁷' => '7',
+        '⁸' => '8',
+        '⁹' => '9',
+        _ => return None,
+    })
+}
+
+/// The roundest decimal number between `low` and `high`: the fewest significant digits, then nearest the middle.
+/// For sliders, so that they stop at 50 and not at 49.837.
+pub fn roundest(low: f64, high: f64) -> f64 {
+    let middle = low + (high - low) / 2.0;
+    if low <= 0.0 && high >= 0.0 {
+        return 0.0;
+    }
+    (0..16)
+        .filter_map(|decimals| format!("{middle:.decimals$e}").parse::<f64>().ok())
+        .find(|candidate| (low..=high).contains(candidate))
+        .unwrap_or(middle)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const POINT: Style = Style {
+        decimal_comma: false,
+    };
+    const COMMA: Style = Style {
+        decimal_comma: true,
+    };
+
+    #[test]
+    fn values_that_stand_still() {
+        for (value, digits, expected) in [
+            (0.05, 6, "0.05"),
+            (13534.0, 6, "13534"),
+            (-3.0, 6, "−3"),
+            (0.0, 6, "0"),
+            (-0.0, 6, "0"),
+            (1.0 / 3.0, 4, "0.3333"),
+            (1_234_567.0, 4, "1.235×10⁶"),
+            (9.999_999, 3, "10"),
+            (999_999.9, 4, "1×10⁶"),
+            (0.000_12, 3, "120×10⁻⁶"),
+            (0.0012, 3, "0.0012"),
+            (1e300, 3, "1×10³⁰⁰"),
+            (f64::NAN, 3, "–"),
+            (f64::INFINITY, 3, "–"),
+        ] {
+            assert_eq!(plain(value, digits, POINT), expected, "{value}");
+        }
+    }
+
+    #[test]
+    fn values_that_move_keep_their_width() {
+        assert_eq!(steady(0.5, 4, POINT), "0.5000");
+        assert_eq!(steady(0.5, 4, COMMA), "0,5000");
+        assert_eq!(steady(-12.0, 4, POINT), "−12.00");
+        assert_eq!(steady(0.0, 3, POINT), "0.00");
+        assert_eq!(fixed(-0.001, 2, POINT), "0.00");
+        assert_eq!(fixed(12.345, 1, COMMA), "12,3");
+    }
+
+    #[test]
+    fn units_have_raised_exponents() {
+        assert_eq!(unit_text("kg/m^3"), "kg/m³");
+        assert_eq!(unit_text("kg m^-1 s^-2"), "kg m⁻¹ s⁻²");
+        assert_eq!(unit_text("m^(1/2)"), "m^(1/2)");
+    }
+
+    #[test]
+    fn typed_numbers() {
+        for (text, style, expected) in [
+            ("40 cm", POINT, Some((40.0, "cm"))),
+            ("0,5", POINT, Some((0.5, ""))),
+            ("0,125", POINT, Some((0.125, ""))),
+            ("13,534", POINT, Some((13534.0, ""))),
+            ("1,234,567.5 m", POINT, Some((1_234_567.5, "m"))),
+            ("13,534", COMMA, Some((13.534, ""))),
+            ("13.534", COMMA, Some((13.534, ""))),
+            ("1.234.567,5", COMMA, Some((1_234_567.5, ""))),
+            ("13 534 kg", POINT, Some((13534.0, "kg"))),
+            ("−3", POINT, Some((-3.0, ""))),
+            ("- 3e-2m", POINT, Some((-0.03, "m"))),
+            ("1,5×10³ Pa s", COMMA, Some((1500.0, "Pa s"))),
+            ("2*10^-3", POINT, Some((0.002, ""))),
+            (".5", POINT, Some((0.5, ""))),
+            ("5 eV", POINT, Some((5.0, "eV"))),
+            ("5eV", POINT, Some((5.0, "eV"))),
+            ("", POINT, None),
+            ("abc", POINT, None),
+            ("1.2.3", POINT, None),
+            ("1e999", POINT, None),
+            ("-", POINT, None),
+        ] {
+            assert_eq!(parse(text, style), expected, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_written_reads_back() {
+        for value in [1.5e-7, -3.25, 1_234_500.0, 0.001, 9.8, 1e21] {
+            for style in [POINT, COMMA] {
+                assert_eq!(
+                    parse(&plain(value, 12, style), style),
+                    Some((value, "")),
+                    "{value}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn sliders_stop_at_round_numbers() {
+        assert_eq!(roundest(49.2, 51.3), 50.0);
+        assert_eq!(roundest(0.234, 0.236), 0.235);
+        assert_eq!(roundest(-1.0, 1.0), 0.0);
+        assert_eq!(roundest(19_900.0, 20_000.0), 20_000.0);
+    }
+}

@@ -121,8 +121,11 @@ impl Graph {
         id
     }
 
-    /// Adds a linear system; its unknowns are then `Node::Solution { system, row }`.
+    /// Adds a linear system, or finds the equal one; its unknowns are then `Node::Solution { system, row }`.
     pub fn insert_system(&mut self, system: LinearSystem) -> u32 {
+        if let Some(known) = self.systems.iter().position(|known| *known == system) {
+            return known as u32;
+        }
         self.systems.push(system);
         (self.systems.len() - 1) as u32
     }

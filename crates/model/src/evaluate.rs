@@ -1,0 +1,114 @@
+//! What the functions of a graph mean on numbers. Constant folding, the virtual machine and the tests all use these, so
+//! that an expression has the same bits wherever it is computed.
+
+use crate::{Binary, Unary};
+
+impl Unary {
+    /// The value for `x`.
+    pub fn evaluate(self, x: f64) -> f64 {
+        match self {
+            Self::Negate => -x,
+            Self::Not => truth(x == 0.0),
+            Self::Absolute => x.abs(),
+            Self::Sign => sign(x),
+            Self::SquareRoot => x.sqrt(),
+            Self::CubeRoot => libm::cbrt(x),
+            Self::Exp => libm::exp(x),
+            Self::Ln => libm::log(x),
+            Self::Log10 => libm::log10(x),
+            Self::Sin => libm::sin(x),
+            Self::Cos => libm::cos(x),
+            Self::Tan => libm::tan(x),
+            Self::Asin => libm::asin(x),
+            Self::Acos => libm::acos(x),
+            Self::Atan => libm::atan(x),
+            Self::Sinh => libm::sinh(x),
+            Self::Cosh => libm::cosh(x),
+            Self::Tanh => libm::tanh(x),
+            Self::Asinh => libm::asinh(x),
+            Self::Acosh => libm::acosh(x),
+            Self::Atanh => libm::atanh(x),
+            Self::Floor => x.floor(),
+            Self::Ceil => x.ceil(),
+            Self::Round => x.round(),
+        }
+    }
+}
+
+impl Binary {
+    /// The value for `a` and `b`.
+    pub fn evaluate(self, a: f64, b: f64) -> f64 {
+        match self {
+            Self::Add => a + b,
+            Self::Subtract => a - b,
+            Self::Multiply => a * b,
+            Self::Divide => a / b,
+            Self::Power => libm::pow(a, b),
+            Self::Atan2 => libm::atan2(a, b),
+            Self::Minimum => lesser(a, b),
+            Self::Maximum => greater(a, b),
+            Self::Modulo => a - b * (a / b).floor(),
+            Self::Less => truth(a < b),
+            Self::LessOrEqual => truth(a <= b),
+            Self::Equal => truth(a == b),
+            Self::NotEqual => truth(a != b),
+            Self::And => truth(a != 0.0 && b != 0.0),
+            Self::Or => truth(a != 0.0 || b != 0.0),
+        }
+    }
+}
+
+/// 1 for true, 0 for false.
+fn truth(value: bool) -> f64 {
+    f64::from(u8::from(value))
+}
+
+/// Unlike `f64::signum`, 0 for 0; NaN for NaN.
+fn sign(x: f64) -> f64 {
+    if x > 0.0 {
+        1.0
+    } else if x < 0.0 {
+        -1.0
+    } else {
+        x
+    }
+}
+
+/// Unlike `f64::min`, NaN if either is NaN, and for zeros of both signs the same everywhere.
+fn lesser(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a < b { a } else { b }
+}
+
+/// Unlike `f64::max`, NaN if either is NaN, and for zeros of both signs the same everywhere.
+fn greater(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn undefined_arguments_stay_visible() {
+        for binary in [Binary::Minimum, Binary::Maximum] {
+            assert!(binary.evaluate(f64::NAN, 1.0).is_nan());
+            assert!(binary.evaluate(1.0, f64::NAN).is_nan());
+        }
+        assert!(Unary::Sign.evaluate(f64::NAN).is_nan());
+    }
+
+    #[test]
+    fn the_remainder_has_the_sign_of_the_divisor() {
+        assert_eq!(Binary::Modulo.evaluate(7.0, 3.0), 1.0);
+        assert_eq!(Binary::Modulo.evaluate(-7.0, 3.0), 2.0);
+        assert_eq!(Binary::Modulo.evaluate(7.0, -3.0), -2.0);
+    }
+
+    #[test]
+    fn the_sign_of_zero_is_zero_and_halves_round_away_from_it() {
+        assert_eq!(Unary::Sign.evaluate(-0.0), 0.0);
+        assert_eq!(Unary::Sign.evaluate(-3.0), -1.0);
+        assert_eq!(Unary::Round.evaluate(2.5), 3.0);
+        assert_eq!(Unary::Round.evaluate(-2.5), -3.0);
+    }
+}

@@ -1,0 +1,112 @@
+//! Going through a graph. Operands have smaller numbers than the node that uses them, so every pass is one loop over
+//! numbers: no recursion, however deep an expression is.
+
+use crate::{Graph, LinearSystem, Node, NodeId};
+use std::collections::{HashMap, HashSet};
+
+impl Graph {
+    /// Calls `visit` with each operand of `id`; for a [`Node::Solution`] these are the entries of its system.
+    pub fn for_each_operand(&self, id: NodeId, mut visit: impl FnMut(NodeId)) {
+        match self.node(id) {
+            Node::Constant(_) | Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) => {}
+            Node::Unary(_, x) => visit(x),
+            Node::Binary(_, a, b) => {
+                visit(a);
+                visit(b);
+            }
+            Node::Select(condition, chosen, other) => {
+                visit(condition);
+                visit(chosen);
+                visit(other);
+            }
+            Node::Solution { system, .. } => {
+                let LinearSystem { matrix, right } = &self.systems()[system as usize];
+                matrix.iter().chain(right).for_each(|&entry| visit(entry));
+            }
+        }
+    }
+
+    /// The roots and all that they are computed from, operands first.
+    pub fn reachable(&self, roots: &[NodeId]) -> Vec<NodeId> {
+        let Some(last) = roots.iter().max() else {
+            return Vec::new();
+        };
+        let mut needed = vec![false; last.0 as usize + 1];
+        for root in roots {
+            needed[root.0 as usize] = true;
+        }
+        let mut systems = HashSet::new();
+        for number in (0..needed.len()).rev() {
+            if !needed[number] {
+                continue;
+            }
+            let id = NodeId(number as u32);
+            if let Node::Solution { system, .. } = self.node(id)
+                && !systems.insert(system)
+            {
+                continue;
+            }
+            self.for_each_operand(id, |operand| needed[operand.0 as usize] = true);
+        }
+        (0..needed.len()).filter(|&number| needed[number]).map(|number| NodeId(number as u32)).collect()
+    }
+
+    /// Which of the nodes up to the greatest of `roots` is computed from a node that `matches`, itself included. Nodes
+    /// that no root needs are answered too.
+    pub fn depending_on(&self, mut matches: impl FnMut(Node) -> bool) -> Vec<bool> {
+        let mut depends = vec![false; self.len()];
+        let mut systems: HashMap<u32, bool> = HashMap::new();
+        for number in 0..self.len() {
+            let id = NodeId(number as u32);
+            let node = self.node(id);
+            let known = if let Node::Solution { system, .. } = node { systems.get(&system).copied() } else { None };
+            let depending = known.unwrap_or_else(|| {
+                let mut any = matches(node);
+                self.for_each_operand(id, |operand| any |= depends[operand.0 as usize]);
+                any
+            });
+            if let Node::Solution { system, .. } = node {
+                systems.insert(system, depending);
+            }
+            depends[number] = depending;
+        }
+        depends
+    }
+
+    /// Rebuilds `roots` inside `target`, with `replace` giving the new node for those inputs that change. The inputs
+    /// are [`Node::Parameter`], [`Node::Initial`], [`Node::Independent`] and [`Node::State`].
+    pub fn rebuild_into(
+        &self,
+        target: &mut Graph,
+        roots: &[NodeId],
+        mut replace: impl FnMut(&mut Graph, Node) -> Option<NodeId>,
+    ) -> Vec<NodeId> {
+        let mut rebuilt: HashMap<NodeId, NodeId> = HashMap::new();
+        let mut systems: HashMap<u32, u32> = HashMap::new();
+        for id in self.reachable(roots) {
+            let node = self.node(id);
+            let new = match node {
+                Node::Constant(_) => target.insert(node),
+                Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) => {
+                    replace(target, node).unwrap_or_else(|| target.insert(node))
+                }
+                Node::Unary(function, x) => target.unary(function, rebuilt[&x]),
+                Node::Binary(function, a, b) => target.binary(function, rebuilt[&a], rebuilt[&b]),
+                Node::Select(condition, chosen, other) => {
+                    target.select(rebuilt[&condition], rebuilt[&chosen], rebuilt[&other])
+                }
+                Node::Solution { system, row } => {
+                    let system = *systems.entry(system).or_insert_with(|| {
+                        let LinearSystem { matrix, right } = &self.systems()[system as usize];
+                        let matrix = matrix.iter().map(|entry| rebuilt[entry]).collect();
+                        let right = right.iter().map(|entry| rebuilt[entry]).collect();
+                        target.insert_system(LinearSystem { matrix, right })
+                    });
+                    target.insert(Node::Solution { system, row })
+                }
+            };
+            rebuilt.insert(id, new);
+        }
+        roots.iter().map(|root| rebuilt[root]).collect()
+    }
+}

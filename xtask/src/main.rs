@@ -1,22 +1,67 @@
-//! Builds the page and runs all checks.
+//! Builds the page and runs all checks: `cargo xtask help`.
 
+mod bench;
+mod checks;
+mod golden;
 mod page;
+mod steps;
+mod tools;
+mod wasm;
 
-use std::path::PathBuf;
+use anyhow::{Result, bail};
 use std::process::ExitCode;
 
+const HELP: &str = "\
+cargo xtask lab     build the page and the program, and open the laboratory in the browser
+cargo xtask page    build the page: target/page/meniscus.html
+cargo xtask test    run every check: format, lints, tests, golden runs, the page in a browser
+cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens
+";
+
 fn main() -> ExitCode {
-    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..");
-    let task = std::env::args().nth(1);
-    let outcome = match task.as_deref() {
-        Some("page") => page::build(&root).map(|_| ()),
-        _ => Err("usage: cargo xtask page".to_owned()),
-    };
-    match outcome {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match perform(&arguments) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("{message}");
+        Err(failure) => {
+            eprintln!("\nxtask: {failure:#}");
             ExitCode::FAILURE
         }
     }
+}
+
+fn perform(arguments: &[String]) -> Result<()> {
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match words.as_slice() {
+        ["lab", document @ ..] => lab(document),
+        ["page"] => steps::step("the page", page::build).map(|page| println!("{}", page.display())),
+        ["test"] => checks::all(),
+        ["bench"] => bench::all(),
+        [] | ["help" | "--help" | "-h"] => {
+            print!("{HELP}");
+            Ok(())
+        }
+        _ => bail!("there is no `cargo xtask {}`\n\n{HELP}", words.join(" ")),
+    }
+}
+
+/// Serves the laboratory from a fresh build; what follows `lab` goes to `meniscus serve`.
+fn lab(arguments: &[&str]) -> Result<()> {
+    steps::step("the page", page::build)?;
+    steps::step("the program", || {
+        steps::run(&mut steps::cargo(&[
+            "build",
+            "--release",
+            "--package",
+            "meniscus",
+        ]))
+    })?;
+    let program = steps::target()
+        .join("release")
+        .join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
+    // In the directory of the caller, to which the paths in `arguments` belong.
+    steps::run(
+        std::process::Command::new(program)
+            .arg("serve")
+            .args(arguments),
+    )
 }

@@ -13,6 +13,8 @@ pub enum Host {
     Browser,
     /// Node, as CommonJS.
     Node,
+    /// A classic script inside a page: an inline script cannot import, and from `file://` nothing can be fetched.
+    Page,
 }
 
 /// Builds a package of the workspace and returns where its module is.
@@ -40,6 +42,11 @@ pub fn bind(module: &Path, host: Host, directory: &Path) -> Result<()> {
     match host {
         Host::Browser => bindgen.web(true),
         Host::Node => bindgen.nodejs(true),
+        Host::Page => bindgen.no_modules(true).map(|bindgen| {
+            bindgen
+                .remove_name_section(true)
+                .remove_producers_section(true)
+        }),
     }
     .and_then(|bindgen| bindgen.generate(directory))
     .with_context(|| format!("cannot make the JavaScript of {}", module.display()))

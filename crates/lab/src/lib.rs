@@ -1,1 +1,0 @@
-//! The browser shell of the laboratory.

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use crate::plot::Interval;
+use crate::plot::{Interval, View};
+use crate::ticks::Ticks;
 
 /// A place in the figure, in CSS pixels from its upper left corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -107,15 +108,11 @@ pub enum Anchor {
 /// One thing to paint, in the order of the list.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Item<'a> {
-    /// Until `Unclip`, paint only inside this rectangle.
-    Clip(Rect),
-    /// The end of a clipped part.
-    Unclip,
     /// A filled rectangle.
     Fill(Rect, Ink),
-    /// A straight line.
+    /// A straight, upright or level line.
     Line(Point, Point, Stroke),
-    /// A line through the points, x and y in turn; at least two points.
+    /// A line through the points, x and y in turn; at least two points, all of them inside the panel or on its edge.
     Polyline(&'a [f32], Stroke),
     /// Filled circles about the points, x and y in turn.
     Dots {
@@ -148,8 +145,6 @@ pub enum Item<'a> {
 /// An item as it is stored: with ranges into the figure's buffers in place of slices.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Entry {
-    Clip(Rect),
-    Unclip,
     Fill(Rect, Ink),
     Line(Point, Point, Stroke),
     Polyline(Range<usize>, Stroke),
@@ -196,6 +191,11 @@ impl Scale {
     pub(crate) fn factor(&self) -> f64 {
         (self.high - self.low) / self.values.length()
     }
+
+    /// A tenth of what one pixel is worth: finer than that nothing is written.
+    pub(crate) fn resolution(&self) -> f64 {
+        (0.1 / self.factor()).abs()
+    }
 }
 
 /// A laid-out plot: the items to paint, and the scales that lead back from pixels to values.
@@ -209,10 +209,17 @@ pub struct Figure {
     pub height: f64,
     /// The panel in which the series are drawn.
     pub panel: Rect,
+    pub(crate) font_size: f64,
     pub(crate) title: String,
     pub(crate) description: String,
     pub(crate) x: Option<Scale>,
     pub(crate) y: Vec<Scale>,
+    pub(crate) y_ticks: Vec<Ticks>,
+    pub(crate) x_power: i32,
+    /// The limits that were laid out, and those that an automatic view would have.
+    pub(crate) view: View,
+    pub(crate) home_x: Option<Interval>,
+    pub(crate) home_y: Vec<Interval>,
     pub(crate) decimal_comma: bool,
     pub(crate) entries: Vec<Entry>,
     pub(crate) points: Vec<f32>,
@@ -223,8 +230,6 @@ impl Figure {
     /// What to paint, in order.
     pub fn items(&self) -> impl Iterator<Item = Item<'_>> {
         self.entries.iter().map(|entry| match entry {
-            Entry::Clip(area) => Item::Clip(*area),
-            Entry::Unclip => Item::Unclip,
             Entry::Fill(area, ink) => Item::Fill(*area, *ink),
             Entry::Line(from, to, stroke) => Item::Line(*from, *to, *stroke),
             Entry::Polyline(points, stroke) => {

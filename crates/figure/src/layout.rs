@@ -1,7 +1,22 @@
-//! From a plot to a figure.
+//! From a plot to a figure: room for the texts, limits, ticks, and the series in between.
 
-use crate::figure::Figure;
-use crate::plot::{Plot, Settings};
+use crate::figure::{Anchor, Entry, Figure, Ink, Point, Rect, Scale};
+use crate::limits::{Extent, growing, sane, shared};
+use crate::plot::{Interval, Plot, Series, Settings, Style};
+use crate::series::{DATA_RADIUS, stroke};
+use crate::text::width;
+use crate::ticks::Ticks;
+
+/// Space at the edges and between texts, in parts of the font size.
+pub(crate) const GAP: f64 = 0.5;
+/// The height of a row of text, in parts of the font size.
+pub(crate) const ROW: f64 = 1.45;
+/// The length of a tick in pixels.
+pub(crate) const TICK: f64 = 4.0;
+/// The length of a line sample in the legend, in parts of the font size.
+const SAMPLE: f64 = 2.2;
+/// Panels smaller than this, in pixels, are not drawn.
+const LEAST_PANEL: f64 = 16.0;
 
 /// Lays a plot out.
 pub fn layout(plot: &Plot<'_>, settings: &Settings) -> Figure {
@@ -12,7 +27,293 @@ pub fn layout(plot: &Plot<'_>, settings: &Settings) -> Figure {
 
 /// Lays a plot out in the buffers of an earlier figure.
 pub fn layout_into(figure: &mut Figure, plot: &Plot<'_>, settings: &Settings) {
-    let _ = plot;
-    figure.width = settings.width;
-    figure.height = settings.height;
+    let size = |pixels: f64| {
+        if pixels.is_finite() {
+            pixels.clamp(0.0, 1e5)
+        } else {
+            0.0
+        }
+    };
+    figure.width = size(settings.width);
+    figure.height = size(settings.height);
+    figure.font_size = if settings.font_size.is_finite() {
+        settings.font_size.clamp(1.0, 1e3)
+    } else {
+        13.0
+    };
+    figure.decimal_comma = settings.decimal_comma;
+    figure.view.clone_from(&plot.view);
+    figure.title.clear();
+    figure.title.push_str(plot.title);
+    figure.description.clear();
+    figure.description.push_str(plot.description);
+    figure.entries.clear();
+    figure.points.clear();
+    figure.text.clear();
+    figure.x = None;
+    figure.y.clear();
+    figure.y_ticks.clear();
+    figure.panel = Rect::default();
+    let whole = Rect {
+        x: 0.0,
+        y: 0.0,
+        width: figure.width as f32,
+        height: figure.height as f32,
+    };
+    figure.entries.push(Entry::Fill(whole, Ink::Ground));
+    if let Some(top) = figure.heading(plot) {
+        figure.body(plot, top);
+    }
+}
+
+impl Figure {
+    /// Title and legend; gives the height they take, or none if the figure has no room for anything.
+    fn heading(&mut self, plot: &Plot<'_>) -> Option<f64> {
+        let font = self.font_size;
+        let edge = GAP * font;
+        if self.width < LEAST_PANEL + 4.0 * font || self.height < LEAST_PANEL + 4.0 * font {
+            return None;
+        }
+        let title_size = 1.08 * font;
+        let mut top = edge;
+        let mut title_width = 0.0;
+        if !plot.title.is_empty() {
+            title_width = 1.1 * width(plot.title, title_size) + 2.0 * font;
+            let at = point(edge, top + 1.05 * font);
+            self.push_text(plot.title, at, Anchor::Start, title_size, true, Ink::Text);
+            top += 1.15 * ROW * font;
+        }
+        let listed = || plot.series.iter().filter(|series| !series.label.is_empty());
+        if listed().count() < 2 {
+            return Some(top);
+        }
+        let entry_width = |series: &Series<'_>| (SAMPLE + 1.4) * font + width(series.label, font);
+        let total: f64 = listed().map(entry_width).sum();
+        let room = self.width - 2.0 * edge;
+        // Beside the title if there is room, else in rows below it.
+        let (mut x, mut y) = if title_width > 0.0 && title_width + total <= room {
+            (self.width - edge - total + font, top - 1.15 * ROW * font)
+        } else {
+            (edge, top)
+        };
+        let beside = y < top;
+        for series in listed() {
+            let wide = entry_width(series);
+            if !beside && x > edge && x + wide - font > self.width - edge {
+                (x, y) = (edge, y + ROW * font);
+            }
+            self.legend_entry(series, x, y + 1.05 * font);
+            x += wide;
+        }
+        Some(if beside { top } else { y + ROW * font })
+    }
+
+    fn legend_entry(&mut self, series: &Series<'_>, x: f64, baseline: f64) {
+        let font = self.font_size;
+        let (from, to) = (
+            point(x, baseline - 0.34 * font),
+            point(x + SAMPLE * font, baseline - 0.34 * font),
+        );
+        if series.style == Style::Points {
+            let start = self.points.len();
+            self.points.extend([(from.x + to.x) / 2.0, from.y]);
+            let centres = start..self.points.len();
+            self.entries.push(Entry::Dots {
+                centres,
+                radius: DATA_RADIUS,
+                ink: Ink::Series(series.colour),
+                ringed: false,
+            });
+        } else {
+            self.entries.push(Entry::Line(from, to, stroke(series)));
+        }
+        let at = point(x + (SAMPLE + 0.5) * font, baseline);
+        self.push_text(series.label, at, Anchor::Start, font, false, Ink::Text);
+    }
+
+    /// The axes and what lies between them.
+    fn body(&mut self, plot: &Plot<'_>, top: f64) {
+        let font = self.font_size;
+        let small = 0.92 * font;
+        let edge = GAP * font;
+        let bottom = self.height - 2.0 * ROW * font - TICK;
+        let title_rows = self.axis_title_rows(plot);
+        let panel_top = top + title_rows * ROW * font + 0.35 * font;
+        if bottom - panel_top < LEAST_PANEL {
+            return;
+        }
+        self.vertical_scales(plot, panel_top, bottom);
+
+        // The labels of the vertical axes say how much is left for the panel.
+        let mut gutters = Vec::with_capacity(self.y.len());
+        for (index, ticks) in self.y_ticks.iter().enumerate() {
+            let labels = ticks.widest_label(small, self.decimal_comma);
+            let mut gutter = labels + TICK + 0.4 * font;
+            if index >= 2 {
+                let mut title = String::new();
+                let axis = &plot.y[index];
+                ticks.write_title(&mut title, axis.label, axis.unit);
+                gutter = gutter.max(width(&title, font) + font);
+            }
+            gutters.push(gutter);
+        }
+        let left = edge + gutters.first().copied().unwrap_or(0.0);
+        let right = self.width
+            - if gutters.len() > 1 {
+                edge + gutters[1..].iter().sum::<f64>()
+            } else {
+                1.3 * font
+            };
+        if right - left < LEAST_PANEL {
+            self.y.clear();
+            self.y_ticks.clear();
+            return;
+        }
+        self.panel = Rect {
+            x: left as f32,
+            y: panel_top as f32,
+            width: (right - left) as f32,
+            height: (bottom - panel_top) as f32,
+        };
+        let x_ticks = self.horizontal_scale(plot, left, right);
+        self.x_power = x_ticks.power;
+        self.grid(&x_ticks);
+        for series in &plot.series {
+            self.trace(plot, series);
+        }
+        self.present(plot);
+        self.horizontal_axis(plot, &x_ticks);
+        self.vertical_axes(plot, &gutters, panel_top - 0.35 * font, title_rows);
+    }
+
+    /// One row of axis titles above the panel, or two if the left and the right ones would meet.
+    fn axis_title_rows(&self, plot: &Plot<'_>) -> f64 {
+        // The power of ten that a title may have is not known yet: room for one.
+        let total: f64 = plot
+            .y
+            .iter()
+            .map(|axis| width(axis.label, self.font_size) + width(axis.unit, self.font_size))
+            .sum();
+        let room = 4.5 * self.font_size * plot.y.len() as f64;
+        if plot.y.len() > 1 && total + room > self.width {
+            2.0
+        } else {
+            1.0
+        }
+    }
+
+    /// Limits, scales and ticks of the vertical axes.
+    fn vertical_scales(&mut self, plot: &Plot<'_>, top: f64, bottom: f64) {
+        let least = 2.1 * self.font_size;
+        let height = bottom - top;
+        let intervals = libm::floor(height / least).clamp(2.0, 8.0) as usize;
+        let extents: Vec<Extent> = (plot.y.iter().enumerate())
+            .map(|(index, axis)| {
+                (plot.series.iter().filter(|series| series.axis == index))
+                    .map(|series| Extent::of(series.y))
+                    .fold(Extent::EMPTY, Extent::union)
+                    .with(axis.include)
+            })
+            .collect();
+        self.home_y = if extents.is_empty() {
+            Vec::new()
+        } else {
+            shared(&extents, intervals)
+        };
+        for (index, home) in self.home_y.iter().enumerate() {
+            let values = plot.view.y.get(index).map_or(*home, |limits| sane(*limits));
+            self.y.push(Scale {
+                values,
+                low: bottom,
+                high: top,
+            });
+            self.y_ticks
+                .push(Ticks::spaced(values, height, least, |_, spacing| {
+                    spacing >= least * 0.75
+                }));
+        }
+    }
+
+    /// Limits, scale and ticks of the horizontal axis.
+    fn horizontal_scale(&mut self, plot: &Plot<'_>, left: f64, right: f64) -> Ticks {
+        let font = self.font_size;
+        let extent_of = if plot.ordered {
+            Extent::of_ordered
+        } else {
+            Extent::of
+        };
+        let extent = (plot.series.iter().map(|series| extent_of(series.x)))
+            .fold(Extent::EMPTY, Extent::union)
+            .with(plot.x.include);
+        let wide = right - left;
+        self.home_x = Some(if plot.ordered {
+            growing(extent)
+        } else {
+            let intervals = libm::floor(wide / (4.0 * font)).clamp(2.0, 8.0) as usize;
+            shared(&[extent], intervals)[0]
+        });
+        let home = self.home_x.unwrap_or(Interval {
+            low: 0.0,
+            high: 1.0,
+        });
+        let values = plot.view.x.map_or(home, sane);
+        self.x = Some(Scale {
+            values,
+            low: left,
+            high: right,
+        });
+        let comma = self.decimal_comma;
+        Ticks::spaced(values, wide, 4.0 * font, |ticks, spacing| {
+            spacing >= 3.2 * font && spacing >= ticks.widest_label(0.92 * font, comma) + font
+        })
+    }
+
+    fn push_text(
+        &mut self,
+        text: &str,
+        at: Point,
+        anchor: Anchor,
+        size: f64,
+        strong: bool,
+        ink: Ink,
+    ) {
+        let start = self.text.len();
+        self.text.push_str(text);
+        self.push_written(start, at, anchor, size, strong, ink);
+    }
+
+    /// An item of the text that has been written to the buffer from `start` on.
+    pub(crate) fn push_written(
+        &mut self,
+        start: usize,
+        at: Point,
+        anchor: Anchor,
+        size: f64,
+        strong: bool,
+        ink: Ink,
+    ) {
+        let text = start..self.text.len();
+        if !text.is_empty() {
+            self.entries.push(Entry::Text {
+                text,
+                at,
+                anchor,
+                size: size as f32,
+                strong,
+                ink,
+            });
+        }
+    }
+}
+
+/// The middle of the pixel, where a line one pixel wide is sharp.
+pub(crate) fn crisp(pixel: f64) -> f32 {
+    (libm::floor(pixel) + 0.5) as f32
+}
+
+pub(crate) fn point(x: f64, y: f64) -> Point {
+    Point {
+        x: x as f32,
+        y: y as f32,
+    }
 }

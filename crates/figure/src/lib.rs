@@ -7,6 +7,7 @@
 //!
 //! Nothing here knows a model, a browser or a unit: values come in the unit of their axis and the unit is a text.
 
+mod axes;
 mod figure;
 mod hover;
 mod layout;
@@ -14,6 +15,7 @@ mod limits;
 mod number;
 mod palette;
 mod plot;
+mod series;
 mod svg;
 mod text;
 mod ticks;
@@ -25,4 +27,5 @@ pub use hover::{Readout, Sample};
 pub use layout::{layout, layout_into};
 pub use palette::{Colour, Palette, SERIES_COLOURS};
 pub use plot::{Axis, Interval, Plot, Series, Settings, Style, View};
+pub use svg::FONT_FAMILY;
 pub use view::Direction;

@@ -1,1 +1,400 @@
-//! Placeholder.
+//! Automatic limits: round numbers that contain the data and change only in steps while the data grow.
+
+use crate::number::{leading_exponent, scaled};
+use crate::plot::Interval;
+use crate::ticks::Step;
+
+/// No value beyond this is drawn: sums and differences of smaller ones stay finite.
+const LARGEST: f64 = 1e300;
+
+/// No interval is shorter than this, and none shorter than `FINEST` of its own values, where doubles are too coarse.
+const SMALLEST: f64 = 1e-290;
+const FINEST: f64 = 1e-11;
+
+/// Whether a value can be drawn.
+pub(crate) fn drawable(value: f64) -> bool {
+    value.abs() <= LARGEST
+}
+
+/// What is known of a set of values: the ends, and whether they have turned back on the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Extent {
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+    /// Whether the values both rise and fall somewhere.
+    pub(crate) turned: bool,
+}
+
+impl Extent {
+    /// The extent of nothing.
+    pub(crate) const EMPTY: Extent = Extent {
+        low: f64::INFINITY,
+        high: f64::NEG_INFINITY,
+        turned: false,
+    };
+
+    /// The extent of the drawable values of a column.
+    pub(crate) fn of(column: &[f64]) -> Extent {
+        let mut extent = Extent::EMPTY;
+        let (mut rises, mut falls) = (false, false);
+        let mut previous = f64::NAN;
+        for &value in column {
+            if drawable(value) {
+                extent.low = extent.low.min(value);
+                extent.high = extent.high.max(value);
+                rises |= value > previous;
+                falls |= value < previous;
+                previous = value;
+            }
+        }
+        extent.turned = rises && falls;
+        extent
+    }
+
+    /// The extent of an ascending column, which its ends have.
+    pub(crate) fn of_ordered(column: &[f64]) -> Extent {
+        let first = column.iter().copied().find(|value| drawable(*value));
+        let last = column.iter().rev().copied().find(|value| drawable(*value));
+        match (first, last) {
+            (Some(low), Some(high)) => Extent {
+                low: low.min(high),
+                high: high.max(low),
+                turned: false,
+            },
+            _ => Extent::EMPTY,
+        }
+    }
+
+    /// Both together.
+    pub(crate) fn union(self, other: Extent) -> Extent {
+        Extent {
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+            turned: self.turned || other.turned,
+        }
+    }
+
+    /// This one and an interval.
+    pub(crate) fn with(self, interval: Option<Interval>) -> Extent {
+        match interval {
+            Some(Interval { low, high }) if drawable(low) && drawable(high) => self.union(Extent {
+                low: low.min(high),
+                high: high.max(low),
+                turned: false,
+            }),
+            _ => self,
+        }
+    }
+
+    fn is_empty(self) -> bool {
+        self.low > self.high
+    }
+
+    /// Whether the axis should show these values close up, without zero: an oscillation about a value far from zero. A run
+    /// that has only begun, and rounding errors of a constant, do not count.
+    fn close_up(self) -> bool {
+        let (length, magnitude) = (self.high - self.low, self.high.abs().max(self.low.abs()));
+        (self.low > 0.0 || self.high < 0.0)
+            && self.turned
+            && length < 0.3 * magnitude
+            && length > 1e-4 * magnitude
+    }
+}
+
+/// An interval that can be drawn: finite, and long enough for doubles to tell its pixels apart.
+pub(crate) fn sane(interval: Interval) -> Interval {
+    let clamp = |value: f64| {
+        if value.is_nan() {
+            0.0
+        } else {
+            value.clamp(-LARGEST, LARGEST)
+        }
+    };
+    let Interval { low, high } = Interval::new(clamp(interval.low), clamp(interval.high));
+    let shortest = SMALLEST.max(FINEST * low.abs().max(high.abs()));
+    if high - low >= shortest {
+        return Interval { low, high };
+    }
+    let middle = (low / 2.0 + high / 2.0).clamp(-LARGEST + shortest, LARGEST - shortest);
+    Interval {
+        low: middle - shortest,
+        high: middle + shortest,
+    }
+}
+
+/// Limits of an axis along which the data go forward, as time does: from where they begin (zero if that is near) to the
+/// next round number, so that a growing run changes them a few times for each tenfold.
+pub(crate) fn growing(extent: Extent) -> Interval {
+    const ROUND: [f64; 9] = [1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
+    if extent.is_empty() {
+        return Interval {
+            low: 0.0,
+            high: 1.0,
+        };
+    }
+    let Extent { low, high, .. } = extent;
+    if low >= 0.0 && low <= 0.25 * high && high > SMALLEST {
+        let power = scaled(1.0, leading_exponent(high));
+        let mantissa = high / power;
+        let round = ROUND
+            .iter()
+            .copied()
+            .find(|round| *round >= mantissa * (1.0 - 1e-9))
+            .unwrap_or(10.0);
+        return sane(Interval {
+            low: 0.0,
+            high: round * power,
+        });
+    }
+    if high - low <= SMALLEST.max(FINEST * high.abs().max(low.abs())) {
+        return around(low, high);
+    }
+    let step = Step::at_least((high - low) / 10.0);
+    sane(Interval {
+        low: step.multiple(step.floor(low)),
+        high: step.multiple(step.ceil(high)),
+    })
+}
+
+/// Limits of axes that share a panel, with at most so many intervals between ticks. Where all show zero, zero stands at the
+/// same height and the same grid serves all.
+pub(crate) fn shared(extents: &[Extent], intervals: usize) -> Vec<Interval> {
+    let intervals = intervals.max(2);
+    if extents.iter().any(|extent| extent.close_up()) {
+        return extents
+            .iter()
+            .map(|extent| alone(*extent, intervals))
+            .collect();
+    }
+    let needs: Vec<(f64, f64)> = extents.iter().map(|extent| need(*extent)).collect();
+    let (below, above) = split(&needs, intervals);
+    needs
+        .iter()
+        .map(|need| {
+            let step = step_for(*need, below, above);
+            sane(Interval {
+                low: step.multiple(-(below as i64)),
+                high: step.multiple(above as i64),
+            })
+        })
+        .collect()
+}
+
+/// Limits of one axis by itself.
+fn alone(extent: Extent, intervals: usize) -> Interval {
+    if !extent.close_up() {
+        let need = need(extent);
+        let (below, above) = split(&[need], intervals);
+        let step = step_for(need, below, above);
+        return sane(Interval {
+            low: step.multiple(-(below as i64)),
+            high: step.multiple(above as i64),
+        });
+    }
+    let mut step = Step::at_least((extent.high - extent.low) / intervals as f64);
+    while step.ceil(extent.high) - step.floor(extent.low) > intervals as i64 {
+        step = step.larger();
+    }
+    sane(Interval {
+        low: step.multiple(step.floor(extent.low)),
+        high: step.multiple(step.ceil(extent.high)),
+    })
+}
+
+/// How far an axis has to reach below and above zero.
+fn need(extent: Extent) -> (f64, f64) {
+    if extent.is_empty() || extent.low.abs().max(extent.high.abs()) < SMALLEST {
+        return (1.0, 1.0);
+    }
+    ((-extent.low).max(0.0), extent.high.max(0.0))
+}
+
+/// The smallest step with which so many intervals below and above zero reach far enough.
+fn step_for((low, high): (f64, f64), below: usize, above: usize) -> Step {
+    let down = if below == 0 { 0.0 } else { low / below as f64 };
+    let up = if above == 0 { 0.0 } else { high / above as f64 };
+    Step::at_least(down.max(up).max(SMALLEST))
+}
+
+/// How many intervals below and above zero fill the panel best for all axes together.
+fn split(needs: &[(f64, f64)], intervals: usize) -> (usize, usize) {
+    let (any_below, any_above) = (
+        needs.iter().any(|need| need.0 > 0.0),
+        needs.iter().any(|need| need.1 > 0.0),
+    );
+    let mut best = (usize::from(any_below), usize::from(any_above));
+    let mut best_score = f64::NEG_INFINITY;
+    for count in 2..=intervals {
+        for below in usize::from(any_below)..=count - usize::from(any_above) {
+            let above = count - below;
+            if (below > 0 && !any_below) || (above > 0 && !any_above) {
+                continue;
+            }
+            let fill: f64 = needs
+                .iter()
+                .map(|need| {
+                    (need.0 + need.1) / (step_for(*need, below, above).multiple(1) * count as f64)
+                })
+                .sum::<f64>()
+                / needs.len() as f64;
+            // Two intervals read badly; beyond four, more are no better.
+            let score = fill * [1.0, 1.0, 0.8, 0.95][if count < 4 { count } else { 0 }];
+            if score > best_score {
+                (best, best_score) = ((below, above), score);
+            }
+        }
+    }
+    best
+}
+
+/// Limits about values that are all but equal: zero at one end, or one unit to either side of zero.
+fn around(low: f64, high: f64) -> Interval {
+    if high > SMALLEST {
+        sane(Interval {
+            low: 0.0,
+            high: 2.0 * high,
+        })
+    } else if low < -SMALLEST {
+        sane(Interval {
+            low: 2.0 * low,
+            high: 0.0,
+        })
+    } else {
+        Interval {
+            low: 0.0,
+            high: 1.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn extent(low: f64, high: f64, turned: bool) -> Extent {
+        Extent { low, high, turned }
+    }
+
+    #[test]
+    fn limits_are_round_and_share_their_zero() {
+        // Extents of the axes, the limits expected.
+        type Case<'a> = (&'a [(f64, f64, bool)], &'a [(f64, f64)]);
+        let cases: [Case<'_>; 11] = [
+            (&[(-0.43, 0.5, true)], &[(-0.6, 0.6)]),
+            (
+                &[(-0.43, 0.5, true), (-0.8, 0.72, true)],
+                &[(-0.5, 0.5), (-1.0, 1.0)],
+            ),
+            (&[(0.0, 1715.0, true)], &[(0.0, 2000.0)]),
+            (&[(9.8, 9.8, false)], &[(0.0, 10.0)]),
+            (&[(-3.0, -3.0, false)], &[(-3.0, 0.0)]),
+            (&[(0.0, 0.0, false)], &[(-1.0, 1.0)]),
+            (&[(f64::INFINITY, f64::NEG_INFINITY, false)], &[(-1.0, 1.0)]),
+            // An oscillation about a distance, and the same run when it has only begun.
+            (&[(0.78, 0.82, true)], &[(0.78, 0.82)]),
+            (&[(0.80, 0.82, false)], &[(0.0, 1.0)]),
+            // The rounding errors of a constant are not shown close up.
+            (&[(999.999_999, 1000.0, true)], &[(0.0, 1000.0)]),
+            (&[(1.0, 1e300, true)], &[(0.0, 1e300)]),
+        ];
+        for (extents, expected) in cases {
+            let extents: Vec<Extent> = extents
+                .iter()
+                .map(|(low, high, turned)| extent(*low, *high, *turned))
+                .collect();
+            let found: Vec<(f64, f64)> = shared(&extents, 6)
+                .iter()
+                .map(|limits| (limits.low, limits.high))
+                .collect();
+            assert_eq!(found, expected, "{extents:?}");
+        }
+    }
+
+    #[test]
+    fn time_grows_in_steps() {
+        let cases = [
+            ((0.0, 0.0), (0.0, 1.0)),
+            ((0.0, 0.05), (0.0, 0.05)),
+            ((0.0, 0.051), (0.0, 0.06)),
+            ((0.0, 9.99), (0.0, 10.0)),
+            ((0.0, 10.0), (0.0, 10.0)),
+            ((0.0, 10.05), (0.0, 15.0)),
+            ((0.0, 61.0), (0.0, 80.0)),
+            ((0.34, 10.0), (0.0, 10.0)),
+            ((100.2, 109.7), (100.0, 110.0)),
+            ((-3.0, 4.2), (-3.0, 5.0)),
+            ((7.0, 7.0), (0.0, 14.0)),
+            ((0.0, 1e-300), (0.0, 1.0)),
+            ((0.0, 9e299), (0.0, 1e300)),
+        ];
+        for ((low, high), expected) in cases {
+            let limits = growing(extent(low, high, false));
+            assert!(
+                (limits.low - expected.0).abs() <= 1e-9
+                    && (limits.high / expected.1 - 1.0).abs() < 1e-9,
+                "{low}..{high} gives {limits:?}"
+            );
+        }
+        assert_eq!(
+            growing(Extent::EMPTY),
+            Interval {
+                low: 0.0,
+                high: 1.0
+            }
+        );
+    }
+
+    #[test]
+    fn a_growing_run_changes_its_limits_rarely() {
+        let mut changes = 0;
+        let mut before = growing(extent(0.0, 1.0, false));
+        for step in 1000..100_000 {
+            let limits = growing(extent(0.0, f64::from(step) * 0.001, false));
+            assert!(limits.high * (1.0 + 1e-9) >= f64::from(step) * 0.001);
+            assert!(limits.high >= before.high);
+            changes += i32::from(limits != before);
+            before = limits;
+        }
+        assert!(changes <= 17, "{changes} changes from 1 s to 100 s");
+    }
+
+    #[test]
+    fn extents_leave_out_what_cannot_be_drawn() {
+        let extent = Extent::of(&[f64::NAN, 1.0, f64::INFINITY, 3.0, 2.0, -1e301]);
+        assert_eq!(
+            extent,
+            Extent {
+                low: 1.0,
+                high: 3.0,
+                turned: true
+            }
+        );
+        assert_eq!(Extent::of(&[]), Extent::EMPTY);
+        assert_eq!(
+            Extent::of_ordered(&[f64::NAN, 1.0, 5.0, f64::NAN]),
+            Extent {
+                low: 1.0,
+                high: 5.0,
+                turned: false
+            }
+        );
+    }
+
+    #[test]
+    fn sane_intervals_are_long_enough() {
+        for (low, high) in [
+            (1.0, 1.0),
+            (f64::NAN, 1.0),
+            (f64::NEG_INFINITY, f64::INFINITY),
+            (1e300, 1e300),
+            (0.0, 0.0),
+            (5.0, -5.0),
+        ] {
+            let interval = sane(Interval { low, high });
+            assert!(
+                interval.length() > 0.0 && interval.length().is_finite(),
+                "{low} {high} {interval:?}"
+            );
+        }
+    }
+}

@@ -13,6 +13,9 @@ pub struct Plot<'a> {
     pub y: Vec<Axis<'a>>,
     /// The series in the order in which they are drawn, the last on top.
     pub series: Vec<Series<'a>>,
+    /// Whether the abscissas of every series ascend, as time does. The horizontal axis then grows in steps from where the
+    /// data begin, and the read-out finds values by abscissa; else the curve may turn back, as a phase portrait does.
+    pub ordered: bool,
     /// The present: a vertical line at this abscissa.
     pub marker: Option<f64>,
     /// What part of the plane is shown.

@@ -1,12 +1,183 @@
 //! The figure as a standalone SVG file.
 
-use crate::figure::Figure;
+use std::fmt::Write;
+
+use crate::figure::{Anchor, Figure, Item, Stroke};
 use crate::palette::Palette;
 
+/// The fonts of all texts: what the system shows its own in.
+pub const FONT_FAMILY: &str =
+    "system-ui, -apple-system, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif";
+
 impl Figure {
-    /// The figure as a standalone, accessible SVG document.
+    /// The figure as a standalone, accessible SVG document: title and description are in it.
     pub fn svg(&self, palette: &Palette) -> String {
-        let _ = palette;
-        String::new()
+        let mut out = String::with_capacity(4096 + self.points.len() * 6);
+        // Writing to a string cannot fail.
+        let _ = self.write_svg(&mut out, palette);
+        out
+    }
+
+    fn write_svg(&self, out: &mut String, palette: &Palette) -> std::fmt::Result {
+        let (width, height) = (Short(self.width as f32), Short(self.height as f32));
+        write!(
+            out,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+             viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{FONT_FAMILY}\">"
+        )?;
+        write!(out, "<title>{}</title>", Escaped(&self.title))?;
+        write!(out, "<desc>{}</desc>", Escaped(&self.description))?;
+        for item in self.items() {
+            write_item(out, item, palette)?;
+            out.push('\n');
+        }
+        out.push_str("</svg>\n");
+        Ok(())
+    }
+}
+
+fn write_item(out: &mut String, item: Item<'_>, palette: &Palette) -> std::fmt::Result {
+    match item {
+        Item::Fill(area, ink) => write!(
+            out,
+            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>",
+            Short(area.x),
+            Short(area.y),
+            Short(area.width),
+            Short(area.height),
+            palette.colour(ink)
+        ),
+        Item::Line(from, to, stroke) => {
+            let ends = [from.x, from.y, to.x, to.y].map(Short);
+            write!(
+                out,
+                "<path d=\"M{} {}L{} {}\"",
+                ends[0], ends[1], ends[2], ends[3]
+            )?;
+            write_stroke(out, stroke, palette)
+        }
+        Item::Polyline(points, stroke) => {
+            out.push_str("<path d=\"");
+            for (index, point) in points.chunks_exact(2).enumerate() {
+                let command = if index == 0 { 'M' } else { 'L' };
+                write!(out, "{command}{} {}", Short(point[0]), Short(point[1]))?;
+            }
+            out.push('"');
+            write_stroke(out, stroke, palette)
+        }
+        Item::Dots {
+            centres,
+            radius,
+            ink,
+            ringed,
+        } => {
+            write!(out, "<g fill=\"{}\"", palette.colour(ink))?;
+            if ringed {
+                write!(out, " stroke=\"{}\" stroke-width=\"1.5\"", palette.ground)?;
+            }
+            out.push('>');
+            for centre in centres.chunks_exact(2) {
+                let (x, y) = (Short(centre[0]), Short(centre[1]));
+                write!(
+                    out,
+                    "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\"/>",
+                    Short(radius)
+                )?;
+            }
+            out.push_str("</g>");
+            Ok(())
+        }
+        Item::Text {
+            text,
+            at,
+            anchor,
+            size,
+            strong,
+            ink,
+        } => {
+            let anchor = match anchor {
+                Anchor::Start => "start",
+                Anchor::Middle => "middle",
+                Anchor::End => "end",
+            };
+            let weight = if strong { " font-weight=\"600\"" } else { "" };
+            write!(
+                out,
+                "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" font-size=\"{}\"{weight} fill=\"{}\">{}</text>",
+                Short(at.x),
+                Short(at.y),
+                Short(size),
+                palette.colour(ink),
+                Escaped(text)
+            )
+        }
+    }
+}
+
+fn write_stroke(out: &mut String, stroke: Stroke, palette: &Palette) -> std::fmt::Result {
+    write!(
+        out,
+        " fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"",
+        palette.colour(stroke.ink),
+        Short(stroke.width)
+    )?;
+    let lengths = stroke.dash.lengths();
+    if !lengths.is_empty() {
+        out.push_str(" stroke-dasharray=\"");
+        for (index, length) in lengths.iter().enumerate() {
+            write!(
+                out,
+                "{}{}",
+                if index == 0 { "" } else { " " },
+                Short(*length)
+            )?;
+        }
+        out.push('"');
+    }
+    out.push_str(" stroke-linejoin=\"round\"/>");
+    Ok(())
+}
+
+/// A length to a hundredth of a pixel, without superfluous zeros.
+struct Short(f32);
+
+impl std::fmt::Display for Short {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let hundredths = libm::roundf(self.0 * 100.0) as i64;
+        let (sign, hundredths) = (
+            if hundredths < 0 { "-" } else { "" },
+            hundredths.unsigned_abs(),
+        );
+        write!(formatter, "{sign}{}", hundredths / 100)?;
+        match hundredths % 100 {
+            0 => Ok(()),
+            rest if rest % 10 == 0 => write!(formatter, ".{}", rest / 10),
+            rest => write!(formatter, ".{rest:02}"),
+        }
+    }
+}
+
+/// Text as the content of an element: markup and characters that XML forbids are made harmless.
+struct Escaped<'a>(&'a str);
+
+impl std::fmt::Display for Escaped<'_> {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for character in self.0.chars() {
+            match character {
+                '&' => formatter.write_str("&amp;")?,
+                '<' => formatter.write_str("&lt;")?,
+                '>' => formatter.write_str("&gt;")?,
+                '\u{0}'..='\u{8}'
+                | '\u{b}'
+                | '\u{c}'
+                | '\u{e}'..='\u{1f}'
+                | '\u{fffe}'
+                | '\u{ffff}' => {
+                    formatter.write_str("\u{fffd}")?;
+                }
+                other => formatter.write_char(other)?,
+            }
+        }
+        Ok(())
     }
 }

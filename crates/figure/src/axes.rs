@@ -1,0 +1,215 @@
+//! The axes of a figure: grid, lines, ticks, labels and titles.
+
+use crate::figure::{Anchor, Dash, Entry, Figure, Ink, Point, Stroke};
+use crate::layout::{GAP, ROW, TICK, crisp, point};
+use crate::plot::Plot;
+use crate::text::width;
+use crate::ticks::Ticks;
+
+impl Figure {
+    /// The grid, of which the vertical axis at the left gives the level lines.
+    pub(crate) fn grid(&mut self, x_ticks: &Ticks) {
+        let panel = self.panel;
+        let rule = |ink| Stroke {
+            ink,
+            width: 1.0,
+            dash: Dash::Solid,
+        };
+        let (right, bottom) = (panel.x + panel.width, panel.y + panel.height);
+        let mut zeros: Vec<(Point, Point)> = Vec::new();
+        if let Some(x) = self.x {
+            for (number, value) in x_ticks.iter() {
+                let pixel = crisp(x.pixel(value));
+                let ends = (
+                    Point {
+                        x: pixel,
+                        y: panel.y,
+                    },
+                    Point {
+                        x: pixel,
+                        y: bottom,
+                    },
+                );
+                if number == 0 && value != x.values.low {
+                    zeros.push(ends);
+                } else {
+                    self.entries
+                        .push(Entry::Line(ends.0, ends.1, rule(Ink::Grid)));
+                }
+            }
+        }
+        if let (Some(y), Some(ticks)) = (self.y.first(), self.y_ticks.first()) {
+            for (number, value) in ticks.iter() {
+                let pixel = crisp(y.pixel(value));
+                let ends = (
+                    Point {
+                        x: panel.x,
+                        y: pixel,
+                    },
+                    Point { x: right, y: pixel },
+                );
+                if number == 0 && value != y.values.low {
+                    zeros.push(ends);
+                } else {
+                    self.entries
+                        .push(Entry::Line(ends.0, ends.1, rule(Ink::Grid)));
+                }
+            }
+        }
+        for (from, to) in zeros {
+            self.entries.push(Entry::Line(from, to, rule(Ink::Zero)));
+        }
+    }
+
+    /// The horizontal axis: line, ticks, labels, title.
+    pub(crate) fn horizontal_axis(&mut self, plot: &Plot<'_>, ticks: &Ticks) {
+        let Some(scale) = self.x else { return };
+        let (font, comma) = (self.font_size, self.decimal_comma);
+        let small = 0.92 * font;
+        let axis = Stroke {
+            ink: Ink::Axis,
+            width: 1.0,
+            dash: Dash::Solid,
+        };
+        let panel = self.panel;
+        let base = crisp(f64::from(panel.y + panel.height));
+        let ends = (
+            Point {
+                x: panel.x,
+                y: base,
+            },
+            Point {
+                x: panel.x + panel.width,
+                y: base,
+            },
+        );
+        self.entries.push(Entry::Line(ends.0, ends.1, axis));
+        let baseline = f64::from(base) + TICK + 1.15 * small;
+        let mut free_from = f64::NEG_INFINITY;
+        for (number, value) in ticks.iter() {
+            let pixel = scale.pixel(value);
+            let (from, to) = (
+                point(f64::from(crisp(pixel)), f64::from(base)),
+                point(f64::from(crisp(pixel)), f64::from(base) + TICK),
+            );
+            self.entries.push(Entry::Line(from, to, axis));
+            let start = self.text.len();
+            ticks.write_label(&mut self.text, number, comma);
+            let half = width(&self.text[start..], small) / 2.0;
+            // The outermost labels are kept inside the figure; one that would then touch its neighbour is left out.
+            let centre = pixel.clamp(
+                half.min(self.width / 2.0),
+                (self.width - half).max(self.width / 2.0),
+            );
+            if centre - half >= free_from {
+                free_from = centre + half + 0.3 * font;
+                self.push_written(
+                    start,
+                    point(centre, baseline),
+                    Anchor::Middle,
+                    small,
+                    false,
+                    Ink::Text,
+                );
+            } else {
+                self.text.truncate(start);
+            }
+        }
+        let start = self.text.len();
+        ticks.write_title(&mut self.text, plot.x.label, plot.x.unit);
+        let at = point(
+            (scale.low + scale.high) / 2.0,
+            f64::from(base) + TICK + 1.15 * small + 1.25 * font,
+        );
+        self.push_written(start, at, Anchor::Middle, font, false, Ink::Text);
+    }
+
+    /// The vertical axes: lines, ticks, labels, and the titles above them.
+    pub(crate) fn vertical_axes(
+        &mut self,
+        plot: &Plot<'_>,
+        gutters: &[f64],
+        title_baseline: f64,
+        title_rows: f64,
+    ) {
+        let (font, comma) = (self.font_size, self.decimal_comma);
+        let small = 0.92 * font;
+        let rule = Stroke {
+            ink: Ink::Axis,
+            width: 1.0,
+            dash: Dash::Solid,
+        };
+        let panel = self.panel;
+        let mut place = f64::from(panel.x);
+        for index in 0..self.y.len() {
+            let (scale, ticks) = (self.y[index], self.y_ticks[index]);
+            let outward = if index == 0 { -1.0 } else { 1.0 };
+            if index == 1 {
+                place = f64::from(panel.x + panel.width);
+            } else if index > 1 {
+                place += gutters[index - 1];
+            }
+            let line = f64::from(crisp(place));
+            self.entries.push(Entry::Line(
+                point(line, scale.high),
+                point(line, scale.low),
+                rule,
+            ));
+            let anchor = if index == 0 {
+                Anchor::End
+            } else {
+                Anchor::Start
+            };
+            for (number, value) in ticks.iter() {
+                let pixel = scale.pixel(value);
+                let level = f64::from(crisp(pixel));
+                self.entries.push(Entry::Line(
+                    point(line, level),
+                    point(line + outward * TICK, level),
+                    rule,
+                ));
+                let start = self.text.len();
+                ticks.write_label(&mut self.text, number, comma);
+                let at = point(line + outward * (TICK + 0.3 * font), pixel + 0.35 * small);
+                self.push_written(start, at, anchor, small, false, Ink::Text);
+            }
+            let ink = if self.y.len() > 1 {
+                axis_ink(plot, index)
+            } else {
+                Ink::Text
+            };
+            let start = self.text.len();
+            ticks.write_title(&mut self.text, plot.y[index].label, plot.y[index].unit);
+            let (x, anchor) = match index {
+                0 => (GAP * font, Anchor::Start),
+                _ => (place + gutters[index], Anchor::End),
+            };
+            let raised = if title_rows > 1.0 && index == 0 {
+                ROW * font
+            } else {
+                0.0
+            };
+            self.push_written(
+                start,
+                point(x, title_baseline - 0.35 * font - raised),
+                anchor,
+                font,
+                false,
+                ink,
+            );
+        }
+    }
+}
+
+/// The colour of the title of an axis: that of its series if they share one.
+fn axis_ink(plot: &Plot<'_>, axis: usize) -> Ink {
+    let mut colours = plot
+        .series
+        .iter()
+        .filter(|series| series.axis == axis)
+        .map(|series| series.colour);
+    match colours.next() {
+        Some(first) if colours.all(|colour| colour == first) => Ink::Series(first),
+        _ => Ink::Text,
+    }
+}

@@ -1,0 +1,163 @@
+//! The series of a figure: lines, points, and where they are at the present.
+
+use std::ops::Range;
+
+use crate::figure::{Dash, Entry, Figure, Ink, Point, Rect, Scale, Stroke};
+use crate::layout::crisp;
+use crate::limits::drawable;
+use crate::plot::{Plot, Series, Style};
+use crate::trace::{Tracer, scatter};
+
+/// How far lines may pass the edge of the panel, so that one along the edge is not cut in half.
+const BLEED: f32 = 1.5;
+/// The radius of the dots of measured data.
+pub(crate) const DATA_RADIUS: f32 = 2.5;
+
+impl Figure {
+    /// The line or the points of a series.
+    pub(crate) fn trace(&mut self, plot: &Plot<'_>, series: &Series<'_>) {
+        let (Some(x), Some(y)) = (self.x, self.y.get(series.axis).copied()) else {
+            return;
+        };
+        let rows = visible_rows(plot, series, &x);
+        let first = rows.start;
+        let count = rows.len();
+        let panel = self.panel;
+        let (x_factor, y_factor) = (x.factor(), y.factor());
+        let (x_low, y_low) = (x.values.low, y.values.low);
+        // Far outside the panel, singles would overflow: anything beyond this is as good as this.
+        let limit = 1e9;
+        let pixel = |row: usize| {
+            let (value_x, value_y) = (series.x[row], series.y[row]);
+            (drawable(value_x) && drawable(value_y)).then(|| {
+                let across = (x.low + (value_x - x_low) * x_factor).clamp(-limit, limit);
+                let down = (y.low + (value_y - y_low) * y_factor).clamp(-limit, limit);
+                (across as f32, down as f32)
+            })
+        };
+        if series.style == Style::Points {
+            let ink = Ink::Series(series.colour);
+            let area = grown(panel, 0.5);
+            scatter(
+                &mut self.points,
+                &mut self.entries,
+                area,
+                ink,
+                DATA_RADIUS,
+                rows.filter_map(pixel),
+            );
+            return;
+        }
+        let dense = plot.ordered && count as f32 > 2.0 * panel.width;
+        let mut breaks = series
+            .breaks
+            .iter()
+            .copied()
+            .skip_while(|row| *row <= first)
+            .peekable();
+        let mut tracer = Tracer::new(
+            &mut self.points,
+            &mut self.entries,
+            grown(panel, BLEED),
+            stroke(series),
+        );
+        for row in rows {
+            while breaks.next_if(|next| *next <= row).is_some() {
+                tracer.interrupt();
+            }
+            match pixel(row) {
+                Some((across, down)) if dense => tracer.dense(across, down),
+                Some((across, down)) => tracer.line_to(across, down),
+                None => tracer.interrupt(),
+            }
+        }
+        tracer.interrupt();
+    }
+
+    /// The line of the present and the dots on the series.
+    pub(crate) fn present(&mut self, plot: &Plot<'_>) {
+        let Some(x) = self.x else { return };
+        let panel = self.panel;
+        if let Some(marker) = plot.marker.filter(|marker| x.values.contains(*marker)) {
+            let pixel = crisp(x.pixel(marker));
+            let stroke = Stroke {
+                ink: Ink::Marker,
+                width: 1.0,
+                dash: Dash::Solid,
+            };
+            let (from, to) = (
+                Point {
+                    x: pixel,
+                    y: panel.y,
+                },
+                Point {
+                    x: pixel,
+                    y: panel.y + panel.height,
+                },
+            );
+            self.entries.push(Entry::Line(from, to, stroke));
+        }
+        for series in &plot.series {
+            let (Some((at_x, at_y)), Some(y)) = (series.present, self.y.get(series.axis)) else {
+                continue;
+            };
+            if x.values.contains(at_x) && y.values.contains(at_y) {
+                let start = self.points.len();
+                self.points
+                    .extend([x.pixel(at_x) as f32, y.pixel(at_y) as f32]);
+                let centres = start..self.points.len();
+                self.entries.push(Entry::Dots {
+                    centres,
+                    radius: 4.0,
+                    ink: Ink::Series(series.colour),
+                    ringed: true,
+                });
+            }
+        }
+    }
+}
+
+/// How the line of a series is drawn.
+pub(crate) fn stroke(series: &Series<'_>) -> Stroke {
+    match series.style {
+        Style::Line | Style::Points => Stroke {
+            ink: Ink::Series(series.colour),
+            width: 2.0,
+            dash: Dash::Solid,
+        },
+        Style::Ghost => Stroke {
+            ink: Ink::Ghost(series.colour),
+            width: 1.25,
+            dash: Dash::Solid,
+        },
+        Style::Kept(number) => Stroke {
+            ink: Ink::Series(series.colour),
+            width: 1.5,
+            dash: Dash::Pattern(number),
+        },
+    }
+}
+
+/// A rectangle with its edges moved outwards.
+fn grown(area: Rect, by: f32) -> Rect {
+    Rect {
+        x: area.x - by,
+        y: area.y - by,
+        width: area.width + 2.0 * by,
+        height: area.height + 2.0 * by,
+    }
+}
+
+/// The rows that can be seen: all, or where the abscissas ascend those in the panel and one more at either side.
+fn visible_rows(plot: &Plot<'_>, series: &Series<'_>, x: &Scale) -> Range<usize> {
+    let rows = series.x.len().min(series.y.len());
+    if !plot.ordered || plot.view.x.is_none() {
+        return 0..rows;
+    }
+    let column = &series.x[..rows];
+    let start = column
+        .partition_point(|value| *value < x.values.low)
+        .saturating_sub(1);
+    let end = (column.partition_point(|value| *value <= x.values.high) + 1).min(rows);
+    start..end.max(start)
+}

@@ -1,14 +1,19 @@
 //! The equation language: from text to a checked system of first-order equations.
 
+mod alphabet;
 mod build;
 mod compile;
 mod diagnostic;
 mod differentiate;
 mod evaluate;
 mod expression;
+mod functions;
 mod graph;
+mod lexer;
+mod parser;
 mod syntax;
 mod system;
+mod typeset;
 mod walk;
 
 pub use compile::compile;
@@ -16,5 +21,7 @@ pub use diagnostic::{Diagnostic, Label, Severity, Span, has_errors};
 pub use differentiate::{Variable, differentiate, differentiate_all};
 pub use expression::Dependence;
 pub use graph::{Binary, Graph, LinearSystem, Node, NodeId, Unary};
+pub use parser::{Assignment, parse, parse_assignments, parse_expression};
 pub use syntax::*;
 pub use system::*;
+pub use typeset::{typeset_expression, typeset_name};

@@ -1,0 +1,384 @@
+//! From characters to tokens. The lexer never fails: what it cannot read becomes [`TokenKind::Unknown`], and a
+//! diagnostic has said so.
+
+use crate::alphabet::{greek_name, lowered, primes, raised};
+use crate::{Diagnostic, Span};
+use std::ops::Range;
+
+/// The highest derivative that may be written.
+const HIGHEST_ORDER: u32 = 12;
+
+/// One token and where it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Token {
+    pub(crate) kind: TokenKind,
+    pub(crate) span: Span,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum TokenKind {
+    Number(f64),
+    /// A name in ASCII, the primes directly after it, and where the name alone ends.
+    Name { text: String, order: u32, end: usize },
+    Keyword(Keyword),
+    Symbol(Symbol),
+    /// ² after what it raises.
+    Raised(i16),
+    /// Primes that do not follow a name.
+    Primes,
+    /// A text, without its quotation marks.
+    Text(String),
+    /// `[...]` and what stands inside.
+    Brackets(Range<usize>),
+    Newline,
+    /// What a diagnostic has already been said about.
+    Unknown,
+    End,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Keyword {
+    Parameter,
+    Independent,
+    When,
+    In,
+    If,
+    Then,
+    Else,
+    And,
+    Or,
+    Not,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Symbol {
+    Plus,
+    Minus,
+    Star,
+    Slash,
+    Caret,
+    Root,
+    Equals,
+    EqualTo,
+    NotEqualTo,
+    Less,
+    LessOrEqual,
+    Greater,
+    GreaterOrEqual,
+    LeftParenthesis,
+    RightParenthesis,
+    LeftBrace,
+    RightBrace,
+    Comma,
+    Semicolon,
+    Dots,
+}
+
+const KEYWORDS: &[(&str, Keyword)] = &[
+    ("parameter", Keyword::Parameter),
+    ("independent", Keyword::Independent),
+    ("when", Keyword::When),
+    ("in", Keyword::In),
+    ("if", Keyword::If),
+    ("then", Keyword::Then),
+    ("else", Keyword::Else),
+    ("and", Keyword::And),
+    ("or", Keyword::Or),
+    ("not", Keyword::Not),
+];
+
+/// Longer spellings first.
+const SYMBOLS: &[(&str, Symbol)] = &[
+    ("..", Symbol::Dots),
+    ("…", Symbol::Dots),
+    ("==", Symbol::EqualTo),
+    ("!=", Symbol::NotEqualTo),
+    ("<>", Symbol::NotEqualTo),
+    ("≠", Symbol::NotEqualTo),
+    ("<=", Symbol::LessOrEqual),
+    ("≤", Symbol::LessOrEqual),
+    (">=", Symbol::GreaterOrEqual),
+    ("≥", Symbol::GreaterOrEqual),
+    ("<", Symbol::Less),
+    (">", Symbol::Greater),
+    ("=", Symbol::Equals),
+    ("+", Symbol::Plus),
+    ("-", Symbol::Minus),
+    ("−", Symbol::Minus),
+    ("–", Symbol::Minus),
+    ("*", Symbol::Star),
+    ("·", Symbol::Star),
+    ("⋅", Symbol::Star),
+    ("∙", Symbol::Star),
+    ("×", Symbol::Star),
+    ("/", Symbol::Slash),
+    ("÷", Symbol::Slash),
+    ("⁄", Symbol::Slash),
+    ("∕", Symbol::Slash),
+    ("^", Symbol::Caret),
+    ("√", Symbol::Root),
+    ("(", Symbol::LeftParenthesis),
+    (")", Symbol::RightParenthesis),
+    ("{", Symbol::LeftBrace),
+    ("}", Symbol::RightBrace),
+    (",", Symbol::Comma),
+    (";", Symbol::Semicolon),
+];
+
+/// What other languages write, the symbol it stands for here, and how that is written.
+const FOREIGN: &[(&str, TokenKind, &str)] = &[
+    ("**", TokenKind::Symbol(Symbol::Caret), "^"),
+    ("&&", TokenKind::Keyword(Keyword::And), "and"),
+    ("||", TokenKind::Keyword(Keyword::Or), "or"),
+    (":=", TokenKind::Symbol(Symbol::Equals), "="),
+    ("=>", TokenKind::Symbol(Symbol::GreaterOrEqual), ">="),
+    ("=<", TokenKind::Symbol(Symbol::LessOrEqual), "<="),
+    ("!", TokenKind::Keyword(Keyword::Not), "not"),
+];
+
+/// The tokens of `source[range]`, ending with [`TokenKind::End`]. `range` lies on character boundaries.
+pub(crate) fn tokens(source: &str, range: Range<usize>) -> (Vec<Token>, Vec<Diagnostic>) {
+    let mut lexer = Lexer { source, at: range.start, end: range.end, tokens: Vec::new(), diagnostics: Vec::new() };
+    while let Some(character) = lexer.peek() {
+        lexer.token(character);
+    }
+    lexer.push(TokenKind::End, range.end);
+    (lexer.tokens, lexer.diagnostics)
+}
+
+struct Lexer<'a> {
+    source: &'a str,
+    at: usize,
+    end: usize,
+    tokens: Vec<Token>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl<'a> Lexer<'a> {
+    fn rest(&self) -> &'a str {
+        self.source.get(self.at..self.end).unwrap_or_default()
+    }
+
+    fn peek(&self) -> Option<char> {
+        self.rest().chars().next()
+    }
+
+    fn push(&mut self, kind: TokenKind, start: usize) {
+        self.tokens.push(Token { kind, span: Span::new(start, self.at) });
+    }
+
+    /// Moves over characters as long as they are `wanted`, and tells what they were.
+    fn skip(&mut self, wanted: impl Fn(char) -> bool) -> &'a str {
+        let rest = self.rest();
+        let length = rest.find(|c| !wanted(c)).unwrap_or(rest.len());
+        self.at += length;
+        &rest[..length]
+    }
+
+    fn token(&mut self, first: char) {
+        let start = self.at;
+        match first {
+            '\n' => {
+                self.at += 1;
+                self.push(TokenKind::Newline, start);
+            }
+            '#' => {
+                self.skip(|c| c != '\n');
+            }
+            '0'..='9' => self.number(),
+            '.' if self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) => self.number(),
+            '"' | '“' | '„' | '«' => self.text(first),
+            '[' => self.brackets(),
+            c if is_blank(c) => {
+                self.skip(is_blank);
+            }
+            c if c == '_' || c.is_alphabetic() && primes(c).is_none() && lowered(c).is_none() => self.name(),
+            c if primes(c).is_some() => {
+                self.skip(|c| primes(c).is_some());
+                self.push(TokenKind::Primes, start);
+            }
+            c if raised(c).is_some() => self.raised(),
+            _ => self.symbol(first),
+        }
+    }
+
+    /// Digits with a point and an exponent. `0..30` is the number 0 and two dots.
+    fn number(&mut self) {
+        let start = self.at;
+        let is_digit = |c: char| c.is_ascii_digit();
+        self.skip(is_digit);
+        if self.rest().starts_with('.') && !self.rest().starts_with("..") {
+            self.at += 1;
+            self.skip(is_digit);
+        }
+        let exponent = self.rest().strip_prefix(['e', 'E']);
+        if let Some(after) = exponent {
+            let unsigned = after.strip_prefix(['+', '-']).unwrap_or(after);
+            if unsigned.starts_with(is_digit) {
+                self.at += 1 + after.len() - unsigned.len();
+                self.skip(is_digit);
+            }
+        }
+        if self.rest().starts_with('.') && !self.rest().starts_with("..") {
+            self.skip(|c| c.is_ascii_digit() || c == '.');
+            let text = &self.source[start..self.at];
+            let wrong = format!("`{text}` is not a number: it has a second point");
+            self.diagnostics.push(Diagnostic::error("malformed-number", wrong, Span::new(start, self.at)));
+            return self.push(TokenKind::Unknown, start);
+        }
+        let value: f64 = self.source[start..self.at].parse().unwrap_or(f64::INFINITY);
+        if value.is_finite() {
+            return self.push(TokenKind::Number(value), start);
+        }
+        let span = Span::new(start, self.at);
+        let wrong = "this number is too large";
+        self.diagnostics.push(Diagnostic::error("malformed-number", wrong, span).with_note("the largest is about 1.8e308"));
+        self.push(TokenKind::Unknown, start);
+    }
+
+    fn name(&mut self) {
+        let start = self.at;
+        let mut text = String::new();
+        let mut foreign = None;
+        let mut below = false;
+        while let Some(c) = self.peek() {
+            let letter = c == '_' || c.is_ascii_alphanumeric();
+            if let Some(digit) = lowered(c) {
+                if !below && !text.ends_with('_') {
+                    text.push('_');
+                }
+                text.push(digit);
+            } else if let Some(name) = greek_name(c) {
+                text.push_str(name);
+            } else if letter || c.is_alphabetic() && primes(c).is_none() {
+                if !letter {
+                    foreign = foreign.or(Some(Span::new(self.at, self.at + c.len_utf8())));
+                }
+                text.push(c);
+            } else {
+                break;
+            }
+            below = lowered(c).is_some();
+            self.at += c.len_utf8();
+        }
+        if let Some(span) = foreign {
+            let letter = &self.source[span.range()];
+            let wrong = format!("`{letter}` cannot be part of a name");
+            let hint = "names are made of the letters a to z, Greek letters, digits and _";
+            self.diagnostics.push(Diagnostic::error("name-character", wrong, span).with_hint(hint));
+        }
+        if let Some((_, keyword)) = KEYWORDS.iter().find(|(word, _)| *word == text) {
+            return self.push(TokenKind::Keyword(*keyword), start);
+        }
+        let end = self.at;
+        let order: u32 = self.skip(|c| primes(c).is_some()).chars().filter_map(primes).sum();
+        if order > HIGHEST_ORDER {
+            let wrong = format!("{order} primes are too many");
+            let note = format!("derivatives up to the order {HIGHEST_ORDER} are possible");
+            let diagnostic = Diagnostic::error("order-too-high", wrong, Span::new(end, self.at)).with_note(note);
+            self.diagnostics.push(diagnostic);
+            return self.push(TokenKind::Unknown, start);
+        }
+        self.push(TokenKind::Name { text, order, end }, start);
+    }
+
+    fn text(&mut self, opening: char) {
+        let start = self.at;
+        let closing: &[char] = match opening {
+            '“' => &['”', '"'],
+            '„' => &['“', '”', '"'],
+            '«' => &['»', '"'],
+            _ => &['"'],
+        };
+        self.at += opening.len_utf8();
+        let inside = self.skip(|c| c != '\n' && !closing.contains(&c));
+        if let Some(mark) = self.peek().filter(|c| *c != '\n') {
+            self.at += mark.len_utf8();
+            return self.push(TokenKind::Text(inside.to_owned()), start);
+        }
+        let after_name = self.tokens.last().is_some_and(|token| {
+            token.span.end == start && matches!(token.kind, TokenKind::Name { .. } | TokenKind::Primes)
+        });
+        self.at = start + opening.len_utf8() + inside.trim_end().len();
+        let mut diagnostic = Diagnostic::error(
+            "unclosed-text",
+            "this text has no closing quotation mark",
+            Span::new(start, self.at),
+        );
+        diagnostic = if after_name {
+            diagnostic.with_hint("for the second derivative write two primes: y''")
+        } else {
+            diagnostic.with_hint("end it with \" on the same line")
+        };
+        self.diagnostics.push(diagnostic);
+        self.push(TokenKind::Unknown, start);
+    }
+
+    fn brackets(&mut self) {
+        let start = self.at;
+        self.at += 1;
+        let inside_start = self.at;
+        let inside = self.skip(|c| !matches!(c, ']' | '[' | '\n' | '#' | '"'));
+        if self.rest().starts_with(']') {
+            let inside = inside_start..self.at;
+            self.at += 1;
+            return self.push(TokenKind::Brackets(inside), start);
+        }
+        self.at = inside_start + inside.trim_end().len();
+        let wrong = "this `[` is not closed";
+        self.diagnostics.push(Diagnostic::error("unclosed-bracket", wrong, Span::new(start, start + 1)).with_hint("end the unit with ]"));
+        self.push(TokenKind::Unknown, start);
+    }
+
+    fn raised(&mut self) {
+        let start = self.at;
+        let digits: String = self.skip(|c| raised(c).is_some()).chars().filter_map(raised).collect();
+        if let Ok(exponent) = digits.parse() {
+            return self.push(TokenKind::Raised(exponent), start);
+        }
+        let span = Span::new(start, self.at);
+        self.diagnostics.push(Diagnostic::error("malformed-number", "this is not an exponent", span));
+        self.push(TokenKind::Unknown, start);
+    }
+
+    fn symbol(&mut self, first: char) {
+        let start = self.at;
+        let rest = self.rest();
+        // `!=`, `<=` and `==` are no foreign spellings, and neither is `=<` of `x=<`.
+        let known = SYMBOLS.iter().find(|(text, _)| rest.starts_with(text));
+        let foreign = FOREIGN.iter().find(|(text, _, _)| rest.starts_with(text));
+        if let Some((text, symbol)) = known
+            && foreign.is_none_or(|(other, _, _)| other.len() <= text.len())
+        {
+            self.at += text.len();
+            return self.push(TokenKind::Symbol(*symbol), start);
+        }
+        if let Some((text, kind, ours)) = foreign {
+            self.at += text.len();
+            let wrong = format!("`{text}` is written `{ours}` here");
+            self.diagnostics.push(Diagnostic::error("foreign-operator", wrong, Span::new(start, self.at)));
+            return self.push(kind.clone(), start);
+        }
+        self.at += first.len_utf8();
+        let shown = if first.is_control() { format!("U+{:04X}", first as u32) } else { first.to_string() };
+        let diagnostic = Diagnostic::error(
+            "unexpected-character",
+            format!("the character `{shown}` has no meaning in a model"),
+            Span::new(start, self.at),
+        );
+        self.diagnostics.push(match first {
+            '%' => diagnostic.with_hint("a percentage is written 5 [%], a remainder mod(a, b)"),
+            '\u{307}' | '\u{308}' => diagnostic.with_hint("derivatives are written with primes: y' and y''"),
+            '$' => diagnostic.with_hint("formulas in $...$ belong to the prose around the model"),
+            '\\' => diagnostic.with_hint("write names without a backslash: omega_0, sqrt(x)"),
+            ']' => diagnostic.with_hint("this `]` closes nothing"),
+            _ => diagnostic,
+        });
+        self.push(TokenKind::Unknown, start);
+    }
+}
+
+/// All blanks but the end of the line; a carriage return belongs to that.
+fn is_blank(c: char) -> bool {
+    c != '\n' && (c.is_whitespace() || matches!(c, '\u{200B}' | '\u{FEFF}' | '\u{2060}' | '\u{2062}'))
+}

@@ -1,0 +1,173 @@
+//! Where the parser stands among the tokens, and what it has to say.
+
+use crate::lexer::{Keyword, Symbol, Token, TokenKind};
+use crate::{Diagnostic, Span, StatedUnit};
+use std::ops::Range;
+use units::Unit;
+
+/// A diagnostic has been said; the statement cannot be read any further.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Told;
+
+/// What reading something gives, or that the reason why not has been told.
+pub(super) type Read<T> = Result<T, Told>;
+
+/// Reads tokens one after the other.
+pub(super) struct Cursor<'a> {
+    pub(super) source: &'a str,
+    tokens: Vec<Token>,
+    at: usize,
+    /// How many parentheses, prefixes and branches enclose what is being read.
+    pub(super) depth: usize,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl<'a> Cursor<'a> {
+    /// `tokens` ends with [`TokenKind::End`].
+    pub(super) fn new(source: &'a str, tokens: Vec<Token>, diagnostics: Vec<Diagnostic>) -> Self {
+        Self { source, tokens, at: 0, depth: 0, diagnostics }
+    }
+
+    /// All that was said, in the order of the text.
+    pub(super) fn finish(mut self) -> Vec<Diagnostic> {
+        self.diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
+        self.diagnostics
+    }
+
+    fn token(&self, ahead: usize) -> Option<&Token> {
+        self.tokens.get((self.at + ahead).min(self.tokens.len().saturating_sub(1)))
+    }
+
+    /// The token to be read next.
+    pub(super) fn peek(&self) -> &TokenKind {
+        self.peek_ahead(0)
+    }
+
+    /// The token after `ahead` more.
+    pub(super) fn peek_ahead(&self, ahead: usize) -> &TokenKind {
+        self.token(ahead).map_or(&TokenKind::End, |token| &token.kind)
+    }
+
+    /// Where the next token stands.
+    pub(super) fn span(&self) -> Span {
+        self.token(0).map(|token| token.span).unwrap_or_default()
+    }
+
+    /// Where the token before it stands; at the beginning, the empty place there.
+    pub(super) fn last_span(&self) -> Span {
+        match self.at.checked_sub(1).and_then(|at| self.tokens.get(at)) {
+            Some(token) => token.span,
+            None => Span::new(self.span().start, self.span().start),
+        }
+    }
+
+    /// Moves on and tells where the token stood. The end is never passed.
+    pub(super) fn advance(&mut self) -> Span {
+        let span = self.span();
+        if self.at + 1 < self.tokens.len() {
+            self.at += 1;
+        }
+        span
+    }
+
+    /// Back to the line end that was read last, if it was.
+    pub(super) fn back_to_line_end(&mut self) {
+        if let Some(before) = self.at.checked_sub(1)
+            && self.tokens.get(before).is_some_and(|token| token.kind == TokenKind::Newline)
+        {
+            self.at = before;
+        }
+    }
+
+    /// Reads the symbol if it comes next.
+    pub(super) fn take(&mut self, symbol: Symbol) -> Option<Span> {
+        (*self.peek() == TokenKind::Symbol(symbol)).then(|| self.advance())
+    }
+
+    /// Reads the keyword if it comes next.
+    pub(super) fn take_keyword(&mut self, keyword: Keyword) -> Option<Span> {
+        (*self.peek() == TokenKind::Keyword(keyword)).then(|| self.advance())
+    }
+
+    /// Reads line ends.
+    pub(super) fn skip_lines(&mut self) {
+        while *self.peek() == TokenKind::Newline {
+            self.advance();
+        }
+    }
+
+    /// Whether the statement's line ends here.
+    pub(super) fn at_line_end(&self) -> bool {
+        matches!(self.peek(), TokenKind::Newline | TokenKind::End)
+    }
+
+    /// Moves to the end of the line, or to a closing or separating mark of an event's actions if `in_braces`.
+    pub(super) fn skip_rest(&mut self, in_braces: bool) {
+        let mut braces = 0_usize;
+        while *self.peek() != TokenKind::End {
+            match self.peek() {
+                TokenKind::Symbol(Symbol::LeftBrace) => braces += 1,
+                TokenKind::Symbol(Symbol::RightBrace) if braces > 0 => braces -= 1,
+                TokenKind::Symbol(Symbol::RightBrace | Symbol::Semicolon) if in_braces => return,
+                TokenKind::Newline if braces == 0 => return,
+                _ => {}
+            }
+            self.advance();
+        }
+    }
+
+    /// Says something and goes on.
+    pub(super) fn say(&mut self, diagnostic: Diagnostic) {
+        self.diagnostics.push(diagnostic);
+    }
+
+    /// Says why nothing more can be read.
+    pub(super) fn fail<T>(&mut self, diagnostic: Diagnostic) -> Read<T> {
+        // Something was already said about an unknown token, and the rest would only be its consequence.
+        if *self.peek() != TokenKind::Unknown {
+            self.say(diagnostic);
+        }
+        Err(Told)
+    }
+
+    /// The next token in words.
+    pub(super) fn found(&self) -> String {
+        match self.peek() {
+            TokenKind::Newline => "the end of the line".to_owned(),
+            TokenKind::End => "the end".to_owned(),
+            TokenKind::Text(_) => "a text".to_owned(),
+            _ => format!("`{}`", &self.source[self.span().range()]),
+        }
+    }
+
+    /// The unit that stands in brackets at `inside`; what is wrong with it is told.
+    pub(super) fn unit(&mut self, inside: Range<usize>) -> Read<Unit> {
+        let text = &self.source[inside.clone()];
+        Unit::parse(text).map_err(|error| {
+            let start = inside.start + error.range.start;
+            let end = inside.start + error.range.end;
+            let span = if start < end { Span::new(start, end) } else { Span::new(inside.start - 1, inside.end + 1) };
+            let mut diagnostic = Diagnostic::error(error.code, error.message, span);
+            diagnostic.hints.extend(error.hint);
+            self.say(diagnostic);
+            Told
+        })
+    }
+
+    /// Reads `in [unit]` if it comes next. A unit that is wrong is told and left out.
+    pub(super) fn stated_unit(&mut self) -> Read<Option<StatedUnit>> {
+        let Some(keyword) = self.take_keyword(Keyword::In) else {
+            return Ok(None);
+        };
+        let span = self.span();
+        let TokenKind::Brackets(inside) = self.peek().clone() else {
+            let wrong = format!("after `in` a unit in brackets is expected, not {}", self.found());
+            let hint = "such as in [m/s]; ranges belong to parameters";
+            let at = if self.at_line_end() { keyword } else { span };
+            return self.fail(Diagnostic::error("missing-unit", wrong, at).with_hint(hint));
+        };
+        self.advance();
+        let unit = self.unit(inside).ok();
+        Ok(unit.map(|unit| StatedUnit { unit, span }))
+    }
+}

@@ -1,0 +1,281 @@
+//! Statements that begin with a word of the language, and the assignments of presets.
+
+use super::Assignment;
+use super::cursor::{Cursor, Read, Told};
+use super::statement::{Salvaged, nothing, unread};
+use crate::lexer::{Keyword, Symbol, TokenKind};
+use crate::{Action, Bounds, Diagnostic, ParameterStatement, Span, StatedUnit, StatementKind};
+
+const EVENT_FORM: &str = "the form is: when CONDITION { y' = EXPRESSION }";
+
+impl Cursor<'_> {
+    /// `parameter b = 50 [kg/s] in 0..20000 step 1`
+    pub(super) fn parameter(&mut self) -> Salvaged {
+        let start = self.advance();
+        let name = match self.plain_name("a parameter") {
+            Ok(name) => name,
+            Err(told) => return (nothing(start), Err(told)),
+        };
+        let span = name.span;
+        let mut parameter =
+            ParameterStatement { name, value: f64::NAN, value_span: span, unit: None, range: None, step: None };
+        let read = self.parameter_parts(&mut parameter);
+        (StatementKind::Parameter(parameter), read)
+    }
+
+    fn parameter_parts(&mut self, parameter: &mut ParameterStatement) -> Read<()> {
+        if self.take(Symbol::Equals).is_none() {
+            let wrong = format!("the parameter `{}` needs a default value", parameter.name.text);
+            let diagnostic = Diagnostic::error("parameter-without-value", wrong, parameter.name.span);
+            return self.fail(diagnostic.with_hint(format!("such as: parameter {} = 1", parameter.name.text)));
+        }
+        let start = self.span();
+        let value = self.signed_number();
+        parameter.value_span = start.to(self.last_span());
+        let goes_on = matches!(
+            self.peek(),
+            TokenKind::Symbol(
+                Symbol::Plus | Symbol::Minus | Symbol::Star | Symbol::Slash | Symbol::Caret | Symbol::LeftParenthesis
+            ) | TokenKind::Raised(_)
+        );
+        let Some(value) = value.filter(|_| !goes_on) else {
+            let place = if self.at_line_end() && self.span() == start { self.last_span() } else { start };
+            let wrong = format!("the default of the parameter `{}` must be a number", parameter.name.text);
+            let hint = format!("a value that is computed is a definition: {} = ...", parameter.name.text);
+            return self.fail(Diagnostic::error("parameter-value", wrong, place).with_hint(hint));
+        };
+        if let TokenKind::Brackets(inside) = self.peek().clone() {
+            let span = self.advance();
+            let Ok(unit) = self.unit(inside) else {
+                // Without its unit the value means nothing.
+                return self.parameter_limits(parameter);
+            };
+            parameter.unit = Some(StatedUnit { unit, span });
+        }
+        parameter.value = value;
+        self.parameter_limits(parameter)
+    }
+
+    fn parameter_limits(&mut self, parameter: &mut ParameterStatement) -> Read<()> {
+        loop {
+            let start = self.span();
+            if parameter.range.is_none() && self.take_keyword(Keyword::In).is_some() {
+                parameter.range = Some(self.bounds(start)?);
+            } else if parameter.step.is_none() && self.at_word("step") {
+                self.advance();
+                let Some(step) = self.signed_number() else {
+                    let wrong = format!("after `step` a number is expected, not {}", self.found());
+                    return self.fail(Diagnostic::error("parameter-step", wrong, start));
+                };
+                self.refuse_unit("a step")?;
+                parameter.step = Some(step);
+            } else {
+                return Ok(());
+            }
+        }
+    }
+
+    /// `0..30` after `in`.
+    fn bounds(&mut self, keyword: Span) -> Read<Bounds> {
+        let start = self.span();
+        if let TokenKind::Brackets(_) = self.peek() {
+            let unit = &self.source[start.range()];
+            let wrong = "after the `in` of a parameter its range is expected";
+            let hint = format!("write the unit directly after the number, and the range as: in 0..10\nsuch as: 5 {unit}");
+            return self.fail(Diagnostic::error("parameter-range", wrong, start).with_hint(hint));
+        }
+        let form = "a range is written LOW..HIGH, such as: in 0..30";
+        let Some(low) = self.signed_number() else {
+            let wrong = format!("after the `in` of a parameter its range is expected, not {}", self.found());
+            return self.fail(Diagnostic::error("parameter-range", wrong, keyword).with_hint(form));
+        };
+        self.refuse_unit("a range")?;
+        if self.take(Symbol::Dots).is_none() {
+            let wrong = format!("`..` is expected in this range, not {}", self.found());
+            let place = if self.at_line_end() { start.to(self.last_span()) } else { self.span() };
+            return self.fail(Diagnostic::error("parameter-range", wrong, place).with_hint(form));
+        }
+        let Some(high) = self.signed_number() else {
+            let wrong = "this range has no upper end";
+            return self.fail(Diagnostic::error("parameter-range", wrong, start.to(self.last_span())).with_hint(form));
+        };
+        let span = start.to(self.last_span());
+        self.refuse_unit("a range")?;
+        Ok(Bounds { low, high, span })
+    }
+
+    fn refuse_unit(&mut self, what: &str) -> Read<()> {
+        let TokenKind::Brackets(_) = self.peek() else {
+            return Ok(());
+        };
+        let wrong = format!("{what} is given in the parameter's own unit, without brackets");
+        let place = self.span();
+        self.say(Diagnostic::error("unit-in-range", wrong, place));
+        self.advance();
+        Ok(())
+    }
+
+    /// A number with an optional sign. If there is none, at most the sign is read.
+    fn signed_number(&mut self) -> Option<f64> {
+        let negative = self.take(Symbol::Minus).is_some();
+        if !negative {
+            self.take(Symbol::Plus);
+        }
+        let TokenKind::Number(value) = *self.peek() else {
+            return None;
+        };
+        self.advance();
+        Some(if negative { -value } else { value })
+    }
+
+    fn at_word(&self, word: &str) -> bool {
+        matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == word)
+    }
+
+    /// `independent x in [m]`
+    pub(super) fn independent(&mut self) -> Salvaged {
+        let start = self.advance();
+        let name = match self.plain_name("the independent variable") {
+            Ok(name) => name,
+            Err(told) => return (nothing(start), Err(told)),
+        };
+        let unit = self.stated_unit();
+        let read = unit.as_ref().map(|_| ()).map_err(|told| *told);
+        (StatementKind::Independent { name, unit: unit.unwrap_or(None) }, read)
+    }
+
+    /// `when y < 0 [m] { y' = -e*y' }`
+    pub(super) fn event(&mut self) -> Salvaged {
+        let start = self.advance();
+        let condition = match self.expression() {
+            Ok(tree) => tree.expression,
+            Err(told) => return (nothing(start), Err(told)),
+        };
+        self.refuse_equals("condition");
+        let mut actions = Vec::new();
+        if matches!(self.peek(), TokenKind::Newline)
+            && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftBrace)
+        {
+            self.skip_lines();
+        }
+        let read = self.actions(start, &mut actions);
+        (StatementKind::Event { condition, actions }, read)
+    }
+
+    fn actions(&mut self, start: Span, actions: &mut Vec<Action>) -> Read<()> {
+        let Some(open) = self.take(Symbol::LeftBrace) else {
+            let wrong = format!("`{{` is expected here, not {}", self.found());
+            let place = if self.at_line_end() { self.last_span() } else { self.span() };
+            let diagnostic = Diagnostic::error("missing-braces", wrong, place).with_label(start, "of this event");
+            return self.fail(diagnostic.with_hint(EVENT_FORM));
+        };
+        let mut wrong_actions = false;
+        loop {
+            while self.take(Symbol::Semicolon).is_some()
+                || self.take(Symbol::Comma).is_some()
+                || *self.peek() == TokenKind::Newline
+            {
+                self.skip_lines();
+            }
+            let unclosed = matches!(
+                self.peek(),
+                TokenKind::End | TokenKind::Keyword(Keyword::Parameter | Keyword::Independent | Keyword::When)
+            );
+            if unclosed {
+                self.say(Diagnostic::error("unclosed-brace", "this `{` is not closed", open).with_hint(EVENT_FORM));
+                self.back_to_line_end();
+                return Ok(());
+            }
+            if let Some(end) = self.take(Symbol::RightBrace) {
+                if actions.is_empty() && !wrong_actions {
+                    let wrong = "this event changes nothing";
+                    let diagnostic = Diagnostic::error("empty-event", wrong, open.to(end));
+                    self.say(diagnostic.with_hint(EVENT_FORM));
+                }
+                return Ok(());
+            }
+            match self.action() {
+                Ok(action) => actions.push(action),
+                Err(Told) => {
+                    wrong_actions = true;
+                    self.skip_rest(true);
+                }
+            }
+        }
+    }
+
+    fn action(&mut self) -> Read<Action> {
+        let span = self.span();
+        let TokenKind::Name { text, order, end } = self.peek().clone() else {
+            let wrong = format!("an action such as y' = 0 [m/s] is expected here, not {}", self.found());
+            return self.fail(Diagnostic::error("event-action", wrong, span));
+        };
+        self.advance();
+        if self.take(Symbol::Equals).is_none() {
+            let diagnostic = if *self.peek() == TokenKind::Symbol(Symbol::LeftParenthesis) {
+                let wrong = "an action sets the value at the event, not the one at the start";
+                Diagnostic::error("event-action", wrong, span)
+            } else {
+                let wrong = format!("`=` is expected here, not {}", self.found());
+                let place = if self.at_line_end() { span } else { self.span() };
+                Diagnostic::error("event-action", wrong, place)
+            };
+            return self.fail(diagnostic.with_hint(EVENT_FORM));
+        }
+        let value = self.expression()?.expression;
+        let separated = matches!(
+            self.peek(),
+            TokenKind::Newline | TokenKind::End | TokenKind::Symbol(Symbol::Semicolon | Symbol::Comma | Symbol::RightBrace)
+        );
+        if !separated {
+            return self.unexpected_after_expression();
+        }
+        Ok(Action { name: crate::Name { text, span: Span::new(span.start, end) }, order, value })
+    }
+
+    /// Assignments up to the end.
+    pub(super) fn assignments(&mut self) -> Vec<Assignment> {
+        let mut assignments = Vec::new();
+        loop {
+            self.skip_lines();
+            if *self.peek() == TokenKind::End {
+                return assignments;
+            }
+            self.depth = 0;
+            let read = self.assignment(&mut assignments).and_then(|()| self.assignment_end());
+            if read.is_err() {
+                self.skip_rest(true);
+                self.take(Symbol::Semicolon);
+                self.take(Symbol::RightBrace);
+            }
+        }
+    }
+
+    fn assignment(&mut self, assignments: &mut Vec<Assignment>) -> Read<()> {
+        let name = self.plain_name("a parameter")?;
+        if self.take(Symbol::Equals).is_none() {
+            let wrong = format!("`=` and a value are expected after `{}`", name.text);
+            return self.fail(Diagnostic::error("missing-equals", wrong, name.span));
+        }
+        let read = self.expression();
+        let value = match &read {
+            Ok(_) => None,
+            Err(_) => Some(unread(self.span())),
+        };
+        let outcome = read.as_ref().map(|_| ()).map_err(|told| *told);
+        let value = value.or_else(|| read.ok().map(|tree| tree.expression)).unwrap_or_else(|| unread(name.span));
+        let unit = outcome.and_then(|()| self.stated_unit());
+        let outcome = unit.as_ref().map(|_| ()).map_err(|told| *told);
+        assignments.push(Assignment { name, value, unit: unit.unwrap_or(None) });
+        outcome
+    }
+
+    fn assignment_end(&mut self) -> Read<()> {
+        let comma = *self.peek() == TokenKind::Symbol(Symbol::Comma);
+        if comma && matches!(self.peek_ahead(1), TokenKind::Number(_)) {
+            return self.decimal_comma();
+        }
+        let ended = comma && { self.advance(); true } || self.take(Symbol::Semicolon).is_some() || self.at_line_end();
+        if ended { Ok(()) } else { self.unexpected_after_expression() }
+    }
+}

@@ -1,0 +1,494 @@
+//! Expressions, by precedence climbing (Pratt's method): each operator binds the operands around it with a strength.
+
+use super::after;
+use super::cursor::{Cursor, Read};
+use super::statement::unread;
+use crate::lexer::{Keyword, Symbol, TokenKind};
+use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span, StatedUnit, UnaryOperator};
+
+/// Parentheses, prefixes, exponents and branches in one another.
+const DEEPEST: usize = 64;
+
+/// Levels of the tree. A sum of n terms has n of them, so this bounds the length of a sum too.
+const HIGHEST: usize = 400;
+
+/// An expression and the number of levels of its tree.
+pub(super) struct Tree {
+    pub(super) expression: Expression,
+    height: usize,
+    /// Whether it stood in parentheses.
+    pub(super) parenthesised: bool,
+}
+
+/// How strongly an operator binds, weakest first. Prefix minus stands between product and power.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Strength {
+    Any,
+    Disjunction,
+    Conjunction,
+    Negation,
+    Comparison,
+    Sum,
+    Product,
+    Signed,
+    Power,
+}
+
+fn operator(kind: &TokenKind) -> Option<(BinaryOperator, Strength)> {
+    Some(match kind {
+        TokenKind::Keyword(Keyword::Or) => (BinaryOperator::Or, Strength::Disjunction),
+        TokenKind::Keyword(Keyword::And) => (BinaryOperator::And, Strength::Conjunction),
+        TokenKind::Symbol(symbol) => match symbol {
+            Symbol::Less => (BinaryOperator::Less, Strength::Comparison),
+            Symbol::LessOrEqual => (BinaryOperator::LessOrEqual, Strength::Comparison),
+            Symbol::Greater => (BinaryOperator::Greater, Strength::Comparison),
+            Symbol::GreaterOrEqual => (BinaryOperator::GreaterOrEqual, Strength::Comparison),
+            Symbol::EqualTo => (BinaryOperator::Equal, Strength::Comparison),
+            Symbol::NotEqualTo => (BinaryOperator::NotEqual, Strength::Comparison),
+            Symbol::Plus => (BinaryOperator::Add, Strength::Sum),
+            Symbol::Minus => (BinaryOperator::Subtract, Strength::Sum),
+            Symbol::Star => (BinaryOperator::Multiply, Strength::Product),
+            Symbol::Slash => (BinaryOperator::Divide, Strength::Product),
+            Symbol::Caret => (BinaryOperator::Power, Strength::Power),
+            _ => return None,
+        },
+        _ => return None,
+    })
+}
+
+/// What the right operand of an operator of this strength may consist of.
+fn right_of(strength: Strength) -> Strength {
+    match strength {
+        Strength::Any | Strength::Disjunction => Strength::Conjunction,
+        Strength::Conjunction => Strength::Negation,
+        Strength::Negation | Strength::Comparison => Strength::Sum,
+        Strength::Sum => Strength::Product,
+        Strength::Product | Strength::Power => Strength::Signed,
+        Strength::Signed => Strength::Power,
+    }
+}
+
+fn leaf(kind: ExpressionKind, span: Span) -> Tree {
+    Tree { expression: Expression { kind, span }, height: 1, parenthesised: false }
+}
+
+impl Cursor<'_> {
+    /// An expression of any kind. After it, the token that cannot continue it is next.
+    pub(super) fn expression(&mut self) -> Read<Tree> {
+        self.climb(Strength::Any)
+    }
+
+    /// An expression that reaches to the end of the tokens, with an optional `in [unit]`.
+    pub(super) fn whole_expression(&mut self) -> (Expression, Option<StatedUnit>) {
+        let start = self.span();
+        let read = self.expression();
+        let unit = if read.is_ok() { self.stated_unit() } else { Ok(None) };
+        if read.is_ok() && unit.is_ok() && *self.peek() != TokenKind::End {
+            let _told = self.unexpected_after_expression::<()>();
+        }
+        match read {
+            Ok(tree) => (tree.expression, unit.unwrap_or(None)),
+            Err(_) => (unread(start.to(self.last_span())), None),
+        }
+    }
+
+    fn climb(&mut self, weakest: Strength) -> Read<Tree> {
+        if self.depth >= DEEPEST {
+            return self.too_deep(self.span(), "this is nested too deeply");
+        }
+        self.depth += 1;
+        let read = self.prefix(weakest).and_then(|left| self.infix(left, weakest));
+        self.depth -= 1;
+        read
+    }
+
+    fn too_deep<T>(&mut self, span: Span, wrong: &str) -> Read<T> {
+        let diagnostic = Diagnostic::error("too-deep", wrong, span)
+            .with_hint("define parts of it as quantities of their own");
+        self.fail(diagnostic)
+    }
+
+    fn prefix(&mut self, weakest: Strength) -> Read<Tree> {
+        let start = self.span();
+        match self.peek() {
+            TokenKind::Keyword(Keyword::If) => self.branches(),
+            TokenKind::Keyword(Keyword::Not) => {
+                self.advance();
+                let operand = self.climb(if weakest > Strength::Negation { weakest } else { Strength::Negation })?;
+                Ok(unary(UnaryOperator::Not, operand, start))
+            }
+            TokenKind::Symbol(Symbol::Minus) => {
+                self.advance();
+                let operand = self.climb(Strength::Signed)?;
+                Ok(unary(UnaryOperator::Negate, operand, start))
+            }
+            TokenKind::Symbol(Symbol::Plus) => {
+                self.advance();
+                self.climb(Strength::Signed)
+            }
+            _ => self.operand(),
+        }
+    }
+
+    fn infix(&mut self, mut left: Tree, weakest: Strength) -> Read<Tree> {
+        loop {
+            if let TokenKind::Raised(exponent) = *self.peek() {
+                let span = self.advance();
+                let value = leaf(ExpressionKind::Number { value: f64::from(exponent), unit: None }, span);
+                left = self.join(BinaryOperator::Power, left, value, span)?;
+                continue;
+            }
+            let Some((operator, strength)) = operator(self.peek()) else {
+                // `2 g`, `(a)(b)`: told, and then read as the product that was meant.
+                if weakest <= Strength::Product && self.begins_operand() {
+                    self.missing_operator(&left);
+                    let right = self.climb(right_of(Strength::Product))?;
+                    let span = right.expression.span;
+                    left = self.join(BinaryOperator::Multiply, left, right, span)?;
+                    continue;
+                }
+                return Ok(left);
+            };
+            if strength < weakest {
+                return Ok(left);
+            }
+            let place = self.advance();
+            let right = self.climb(right_of(strength))?;
+            if strength == Strength::Comparison {
+                self.refuse_chain(&left, place)?;
+            }
+            left = self.join(operator, left, right, place)?;
+        }
+    }
+
+    fn join(&mut self, operator: BinaryOperator, left: Tree, right: Tree, place: Span) -> Read<Tree> {
+        let height = left.height.max(right.height) + 1;
+        if height > HIGHEST {
+            return self.too_deep(place, "this expression is too long");
+        }
+        let span = left.expression.span.to(right.expression.span);
+        let kind = ExpressionKind::Binary(operator, Box::new(left.expression), Box::new(right.expression));
+        Ok(Tree { expression: Expression { kind, span }, height, parenthesised: false })
+    }
+
+    /// `a < b < c`
+    fn refuse_chain(&mut self, left: &Tree, place: Span) -> Read<()> {
+        use BinaryOperator::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
+        let ExpressionKind::Binary(Less | LessOrEqual | Greater | GreaterOrEqual | Equal | NotEqual, _, middle) =
+            &left.expression.kind
+        else {
+            return Ok(());
+        };
+        if left.parenthesised {
+            return Ok(());
+        }
+        let source = self.source;
+        let middle = &source[middle.span.range()];
+        let first = &source[left.expression.span.range()];
+        let sign = &source[place.range()];
+        let hint = format!("write both: {first} and {middle} {sign} ...");
+        self.say(Diagnostic::error("chained-comparison", "comparisons cannot be chained", place).with_hint(hint));
+        Ok(())
+    }
+
+    /// Whether the next token can only be the beginning of another operand.
+    fn begins_operand(&self) -> bool {
+        matches!(
+            self.peek(),
+            TokenKind::Number(_)
+                | TokenKind::Name { .. }
+                | TokenKind::Symbol(Symbol::LeftParenthesis | Symbol::Root)
+        ) && !self.at_step()
+    }
+
+    /// `step`, which is a word of its own only in a parameter's statement.
+    fn at_step(&self) -> bool {
+        let number = matches!(self.peek_ahead(1), TokenKind::Number(_));
+        number && matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "step")
+    }
+
+    fn missing_operator(&mut self, left: &Tree) {
+        let source = self.source;
+        let next = self.span();
+        // Only the operands next to the gap, not all of the expression before it.
+        let before = &source[last_operand(&left.expression).range()];
+        let now = &source[next.range()];
+        let place = Span::new(left.expression.span.end, next.start);
+        let place = if place.start < place.end { place } else { next };
+        let wrong = format!("an operator is missing between `{before}` and `{now}`");
+        let diagnostic = Diagnostic::error("missing-operator", wrong, place);
+        let is_number = matches!(left.expression.kind, ExpressionKind::Number { unit: None, .. });
+        let is_name = matches!(self.peek(), TokenKind::Name { order: 0, .. });
+        let mut diagnostic = if now == "(" || now == "√" {
+            diagnostic.with_hint(format!("a product is written with *: {before}*{now}...{}", if now == "(" { ")" } else { "" }))
+        } else {
+            diagnostic.with_hint(format!("a product is written with *: {before}*{now}"))
+        };
+        if is_number && is_name && units::Unit::parse(now).is_ok() {
+            diagnostic = diagnostic.with_hint(format!("a unit stands in brackets: {before} [{now}]"));
+        }
+        self.say(diagnostic);
+    }
+
+    fn branches(&mut self) -> Read<Tree> {
+        let start = self.advance();
+        let condition = self.expression()?;
+        self.refuse_equals("condition");
+        self.expect_keyword(Keyword::Then, "then", start)?;
+        let yes = self.expression()?;
+        self.expect_keyword(Keyword::Else, "else", start)?;
+        let no = self.expression()?;
+        let height = condition.height.max(yes.height).max(no.height) + 1;
+        if height > HIGHEST {
+            return self.too_deep(start, "this expression is too long");
+        }
+        let span = start.to(no.expression.span);
+        let [condition, yes, no] = [condition, yes, no].map(|tree| Box::new(tree.expression));
+        let kind = ExpressionKind::If(condition, yes, no);
+        Ok(Tree { expression: Expression { kind, span }, height, parenthesised: false })
+    }
+
+    fn expect_keyword(&mut self, keyword: Keyword, word: &str, start: Span) -> Read<()> {
+        if self.take_keyword(keyword).is_some() {
+            return Ok(());
+        }
+        let code = if keyword == Keyword::Then { "missing-then" } else { "missing-else" };
+        let diagnostic = if self.at_line_end() && *self.peek_ahead(1) == TokenKind::Keyword(keyword) {
+            let wrong = format!("the line ends before the `{word}` of this `if`");
+            Diagnostic::error(code, wrong, start)
+                .with_label(after(self.last_span()), "the statement ends here")
+                .with_hint(format!("put `{word}` at the end of this line, or the whole `if` into parentheses"))
+        } else {
+            let wrong = format!("`{word}` is expected here, not {}", self.found());
+            let place = if self.at_line_end() { after(self.last_span()) } else { self.span() };
+            Diagnostic::error(code, wrong, place)
+                .with_label(start, "of this `if`")
+                .with_hint("the form is: if CONDITION then VALUE else VALUE")
+        };
+        self.fail(diagnostic)
+    }
+
+    /// After a condition, `=` is a comparison written as an equation.
+    pub(super) fn refuse_equals(&mut self, what: &str) {
+        if *self.peek() == TokenKind::Symbol(Symbol::Equals) {
+            let wrong = format!("`=` does not compare; it cannot stand in a {what}");
+            let diagnostic = Diagnostic::error("equals-in-condition", wrong, self.span());
+            self.say(diagnostic.with_hint("to compare, write =="));
+            self.advance();
+            // What it was compared with; if that is wrong too, one message is enough.
+            let _ = self.climb(Strength::Sum);
+        }
+    }
+
+    fn operand(&mut self) -> Read<Tree> {
+        let span = self.span();
+        match self.peek().clone() {
+            TokenKind::Number(value) => {
+                self.advance();
+                self.number(value, span)
+            }
+            TokenKind::Text(text) => {
+                self.advance();
+                Ok(leaf(ExpressionKind::Text(text), span))
+            }
+            TokenKind::Name { text, order, end } => {
+                self.advance();
+                self.name(Name { text, span: Span::new(span.start, end) }, order, span)
+            }
+            TokenKind::Symbol(Symbol::LeftParenthesis) => {
+                self.advance();
+                let mut inside = self.expression()?;
+                self.refuse_equals("parenthesis");
+                let end = self.close(span)?;
+                inside.expression.span = span.to(end);
+                inside.parenthesised = true;
+                self.refuse_prime()?;
+                Ok(inside)
+            }
+            TokenKind::Symbol(Symbol::Root) => {
+                self.advance();
+                if self.depth >= DEEPEST {
+                    return self.too_deep(span, "this is nested too deeply");
+                }
+                self.depth += 1;
+                let inside = self.operand();
+                self.depth -= 1;
+                let function = Name { text: "sqrt".to_owned(), span };
+                let inside = inside?;
+                Ok(call(function, vec![inside], span))
+            }
+            _ => self.missing_operand(),
+        }
+    }
+
+    fn number(&mut self, value: f64, span: Span) -> Read<Tree> {
+        let TokenKind::Brackets(inside) = self.peek().clone() else {
+            self.refuse_prime()?;
+            return Ok(leaf(ExpressionKind::Number { value, unit: None }, span));
+        };
+        let end = self.advance();
+        let kind = match self.unit(inside) {
+            Ok(unit) => ExpressionKind::Number { value, unit: Some(unit) },
+            Err(_) => ExpressionKind::Error,
+        };
+        Ok(leaf(kind, span.to(end)))
+    }
+
+    /// A name, a call or an initial value.
+    fn name(&mut self, name: Name, order: u32, span: Span) -> Read<Tree> {
+        let Some(parenthesis) = self.take(Symbol::LeftParenthesis) else {
+            return Ok(leaf(ExpressionKind::Name { name: name.text, order }, span));
+        };
+        if let TokenKind::Number(value) = *self.peek()
+            && value == 0.0
+            && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::RightParenthesis)
+            && (order > 0 || !is_function(&name.text))
+        {
+            self.advance();
+            let end = self.advance();
+            return Ok(leaf(ExpressionKind::InitialValue { name: name.text, order }, span.to(end)));
+        }
+        if order > 0 {
+            return self.derivative_call(&name, order, span, parenthesis);
+        }
+        let mut arguments = Vec::new();
+        if *self.peek() != TokenKind::Symbol(Symbol::RightParenthesis) {
+            loop {
+                arguments.push(self.expression()?);
+                self.refuse_equals("function's argument");
+                if self.take(Symbol::Comma).is_none() && self.take(Symbol::Semicolon).is_none() {
+                    break;
+                }
+            }
+        }
+        let end = self.close(parenthesis)?;
+        self.refuse_prime()?;
+        if name.text == "log" {
+            let diagnostic = Diagnostic::error("ambiguous-logarithm", "it is not clear which logarithm `log` is", name.span)
+                .with_hint("write ln for the natural logarithm or log10 for the decimal one");
+            self.say(diagnostic);
+            return Ok(leaf(ExpressionKind::Error, span.to(end)));
+        }
+        Ok(call(name, arguments, span.to(end)))
+    }
+
+    /// `y'(t)`, `y'(1)`: only `y'(0)` has a meaning.
+    fn derivative_call(&mut self, name: &Name, order: u32, span: Span, parenthesis: Span) -> Read<Tree> {
+        let argument = self.expression()?;
+        let end = self.close(parenthesis)?;
+        let written = &self.source[span.range()];
+        let diagnostic = Diagnostic::error(
+            "initial-value-not-at-zero",
+            format!("only 0 can stand in the parenthesis after `{written}`"),
+            argument.expression.span,
+        )
+        .with_note(format!("{written}(0) is the value at the start, {written} alone the present one"));
+        let diagnostic = match argument.expression.kind {
+            ExpressionKind::Number { .. } | ExpressionKind::Name { .. } => diagnostic,
+            _ => diagnostic.with_hint(format!("a product is written with *: {written}*(...)")),
+        };
+        self.say(diagnostic);
+        Ok(leaf(ExpressionKind::Name { name: name.text.clone(), order }, span.to(end)))
+    }
+
+    /// Reads the `)` that belongs to the `(` at `open`.
+    pub(super) fn close(&mut self, open: Span) -> Read<Span> {
+        if let Some(end) = self.take(Symbol::RightParenthesis) {
+            return Ok(end);
+        }
+        if *self.peek() == TokenKind::Symbol(Symbol::Comma) {
+            return self.decimal_comma();
+        }
+        let diagnostic = if self.at_line_end() {
+            Diagnostic::error("unclosed-parenthesis", "this `(` is not closed", open)
+                .with_label(after(self.last_span()), "`)` is missing, here at the latest")
+        } else {
+            let wrong = format!("`)` is expected here, not {}", self.found());
+            Diagnostic::error("unclosed-parenthesis", wrong, self.span()).with_label(open, "closes this `(`")
+        };
+        self.fail(diagnostic)
+    }
+
+    /// A comma where none can stand; if it stands between digits, it was meant as a decimal point.
+    pub(super) fn decimal_comma<T>(&mut self) -> Read<T> {
+        let comma = self.span();
+        let digit = |at: Option<&u8>| at.is_some_and(u8::is_ascii_digit);
+        let bytes = self.source.as_bytes();
+        let before = comma.start.checked_sub(1).and_then(|at| bytes.get(at));
+        let diagnostic = if digit(before) && digit(bytes.get(comma.end)) {
+            Diagnostic::error("decimal-comma", "a number has a decimal point here, not a comma", comma)
+        } else {
+            Diagnostic::error("unexpected-token", "a comma cannot stand here", comma)
+        };
+        self.fail(diagnostic)
+    }
+
+    /// `(a + b)'`
+    fn refuse_prime(&mut self) -> Read<()> {
+        if *self.peek() != TokenKind::Primes {
+            return Ok(());
+        }
+        let diagnostic = Diagnostic::error("prime-after-expression", "a prime belongs to a name", self.span())
+            .with_hint("give the expression a name (v = ...) and write v'");
+        self.fail(diagnostic)
+    }
+
+    fn missing_operand(&mut self) -> Read<Tree> {
+        let span = self.span();
+        let last = self.last_span();
+        let written = &self.source[last.range()];
+        let line_end = self.at_line_end();
+        let place = if line_end { last } else { span };
+        let found = self.found();
+        let diagnostic = match self.peek() {
+            TokenKind::Brackets(_) => Diagnostic::error("unit-without-number", "a unit belongs to a number", span)
+                .with_hint("such as 1 [m]; to state the unit of an expression, write `in [m]` after it"),
+            TokenKind::Primes => Diagnostic::error("prime-after-expression", "a prime belongs to a name", span)
+                .with_hint("write it directly after the name: y'"),
+            TokenKind::Keyword(Keyword::Then | Keyword::Else) if !line_end => {
+                let wrong = format!("an expression is expected before {found}");
+                Diagnostic::error("missing-expression", wrong, place)
+            }
+            TokenKind::Keyword(Keyword::Parameter | Keyword::Independent | Keyword::When | Keyword::In) => {
+                let wrong = format!("{found} is a word of the language and cannot be a name");
+                Diagnostic::error("reserved-word", wrong, place)
+            }
+            _ if line_end && last.start < last.end => {
+                let wrong = format!("an expression is expected after `{written}`");
+                Diagnostic::error("missing-expression", wrong, place)
+            }
+            _ if line_end => Diagnostic::error("missing-expression", "an expression is expected here", place),
+            _ => Diagnostic::error("missing-expression", format!("an expression is expected here, not {found}"), place),
+        };
+        self.fail(diagnostic)
+    }
+}
+
+fn unary(operator: UnaryOperator, operand: Tree, start: Span) -> Tree {
+    let span = start.to(operand.expression.span);
+    let height = operand.height + 1;
+    let kind = ExpressionKind::Unary(operator, Box::new(operand.expression));
+    Tree { expression: Expression { kind, span }, height, parenthesised: false }
+}
+
+fn call(function: Name, arguments: Vec<Tree>, span: Span) -> Tree {
+    let height = arguments.iter().map(|argument| argument.height).max().unwrap_or(0) + 1;
+    let span = arguments.last().map_or(span, |last| span.to(last.expression.span));
+    let arguments = arguments.into_iter().map(|argument| argument.expression).collect();
+    let kind = ExpressionKind::Call { function, arguments };
+    Tree { expression: Expression { kind, span }, height, parenthesised: false }
+}
+
+/// The operand that stands last in an expression.
+fn last_operand(expression: &Expression) -> Span {
+    match &expression.kind {
+        ExpressionKind::Binary(_, _, right) if right.span.end == expression.span.end => last_operand(right),
+        ExpressionKind::Unary(_, operand) if operand.span.end == expression.span.end => last_operand(operand),
+        _ => expression.span,
+    }
+}
+
+/// Names that are called with an argument of 0 like with any other: `exp(0)` is no initial value.
+fn is_function(name: &str) -> bool {
+    crate::functions::Function::named(name).is_some()
+}

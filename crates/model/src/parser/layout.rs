@@ -1,0 +1,75 @@
+//! Which line ends end a statement: those outside parentheses that do not follow an operator.
+//!
+//! A line that plainly begins a statement (`m = ...`, `y(0) = ...`, `parameter ...`) ends the one before it even so: no
+//! expression continues like that, and a forgotten parenthesis then spoils one statement and not all that follow.
+
+use crate::lexer::{Keyword, Symbol, Token, TokenKind};
+
+/// Removes the line ends that end nothing.
+pub(super) fn statement_lines(tokens: Vec<Token>) -> Vec<Token> {
+    let keeps = kept(&tokens);
+    tokens.into_iter().zip(keeps).filter_map(|(token, keep)| keep.then_some(token)).collect()
+}
+
+/// Removes all line ends.
+pub(super) fn one_line(mut tokens: Vec<Token>) -> Vec<Token> {
+    tokens.retain(|token| token.kind != TokenKind::Newline);
+    tokens
+}
+
+fn kept(tokens: &[Token]) -> Vec<bool> {
+    let mut parentheses: usize = 0;
+    let mut last = &TokenKind::Newline;
+    let mut keeps = Vec::with_capacity(tokens.len());
+    for (index, token) in tokens.iter().enumerate() {
+        let mut keep = true;
+        match &token.kind {
+            TokenKind::Newline => {
+                let begins = begins_statement(&tokens[index + 1..]);
+                keep = *last != TokenKind::Newline && (begins || parentheses == 0 && !continues(last));
+                if begins {
+                    parentheses = 0;
+                }
+            }
+            TokenKind::Symbol(Symbol::LeftParenthesis) => parentheses += 1,
+            TokenKind::Symbol(Symbol::RightParenthesis) => parentheses = parentheses.saturating_sub(1),
+            TokenKind::Symbol(Symbol::LeftBrace | Symbol::RightBrace) => parentheses = 0,
+            _ => {}
+        }
+        if keep {
+            last = &token.kind;
+        }
+        keeps.push(keep);
+    }
+    keeps
+}
+
+/// Whether a line that ends in this goes on.
+fn continues(last: &TokenKind) -> bool {
+    match last {
+        TokenKind::Symbol(symbol) => !matches!(
+            symbol,
+            Symbol::RightParenthesis | Symbol::LeftBrace | Symbol::RightBrace | Symbol::Semicolon
+        ),
+        TokenKind::Keyword(_) => true,
+        _ => false,
+    }
+}
+
+/// Whether these tokens are the beginning of a statement and of nothing else.
+fn begins_statement(tokens: &[Token]) -> bool {
+    let mut kinds = tokens.iter().map(|token| &token.kind).skip_while(|kind| **kind == TokenKind::Newline);
+    let equals = TokenKind::Symbol(Symbol::Equals);
+    match kinds.next() {
+        Some(TokenKind::Keyword(Keyword::Parameter | Keyword::Independent | Keyword::When)) => true,
+        Some(TokenKind::Name { .. }) => match kinds.next() {
+            Some(TokenKind::Symbol(Symbol::LeftParenthesis)) => {
+                let zero = matches!(kinds.next(), Some(TokenKind::Number(_)));
+                let closed = kinds.next() == Some(&TokenKind::Symbol(Symbol::RightParenthesis));
+                zero && closed && kinds.next() == Some(&equals)
+            }
+            other => other == Some(&equals),
+        },
+        _ => false,
+    }
+}

@@ -1,0 +1,103 @@
+//! The grammar of the model language, and its parser.
+//!
+//! ```text
+//! model       = { statement line-end }
+//! statement   = parameter | independent | event | definition | initial | equation
+//! parameter   = "parameter" NAME "=" [ "-" ] NUMBER [ UNIT ]
+//!               [ "in" signed ".." signed ] [ "step" NUMBER ] [ TEXT ]
+//! independent = "independent" NAME [ "in" UNIT ] [ TEXT ]
+//! event       = "when" expression "{" [ action { separator action } ] "}" [ TEXT ]
+//! action      = NAME [ PRIMES ] "=" expression
+//! separator   = ";" | "," | line-end
+//! definition  = NAME "=" expression [ "in" UNIT ] [ TEXT ]
+//! initial     = NAME [ PRIMES ] "(" "0" ")" "=" expression [ "in" UNIT ] [ TEXT ]
+//! equation    = expression "=" expression [ TEXT ]
+//!
+//! expression  = "if" expression "then" expression "else" expression | disjunction
+//! disjunction = conjunction { "or" conjunction }
+//! conjunction = negation { "and" negation }
+//! negation    = "not" negation | comparison
+//! comparison  = sum [ ( "<" | "<=" | ">" | ">=" | "==" | "!=" ) sum ]
+//! sum         = product { ( "+" | "-" ) product }
+//! product     = signed { ( "*" | "/" ) signed }
+//! signed      = ( "-" | "+" ) signed | power
+//! power       = operand [ RAISED ] [ "^" signed ]                (to the right: a^b^c is a^(b^c))
+//! operand     = NUMBER [ UNIT ] | TEXT | NAME [ PRIMES ] | NAME [ PRIMES ] "(" "0" ")"
+//!             | NAME "(" expression { "," expression } ")" | "(" expression ")" | "√" operand
+//! ```
+//!
+//! A statement ends with its line, unless a parenthesis is open or the line ends in an operator; see `layout.rs`. `#`
+//! begins a comment. UNIT is `[` ... `]` and is read by the `units` crate; TEXT stands in quotation marks; RAISED are
+//! characters such as ²; PRIMES follow their name without a blank.
+//!
+//! The parser cannot fail: it returns what it could read, with [`ExpressionKind::Error`] in the place of what it could
+//! not, and says why in diagnostics. After an error it goes on with the next statement, so that each mistake is told
+//! once. Nesting is bounded, so that no text can exhaust the stack, here or in what walks the tree later.
+
+mod cursor;
+mod declaration;
+mod expression;
+mod layout;
+mod statement;
+
+use crate::{Diagnostic, Expression, Name, Span, StatedUnit, Statement, lexer};
+use cursor::Cursor;
+use std::ops::Range;
+
+/// `b = 2*m*omega_0 in [kg/s]`, as in a preset.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assignment {
+    /// What gets the value.
+    pub name: Name,
+    /// The value.
+    pub value: Expression,
+    /// The stated unit.
+    pub unit: Option<StatedUnit>,
+}
+
+/// Reads the statements of a model that stands in `parts` of a document. Spans count from the beginning of `source`.
+/// The statements are all there even if there are errors: one that cannot be read at all is an equation of two
+/// [`crate::ExpressionKind::Error`].
+pub fn parse(source: &str, parts: &[Range<usize>]) -> (Vec<Statement>, Vec<Diagnostic>) {
+    let mut statements = Vec::new();
+    let mut diagnostics = Vec::new();
+    for part in parts {
+        let (tokens, found) = lexer::tokens(source, on_boundaries(source, part));
+        let mut cursor = Cursor::new(source, layout::statement_lines(tokens), found);
+        statements.extend(cursor.statements());
+        diagnostics.extend(cursor.finish());
+    }
+    (statements, diagnostics)
+}
+
+/// Reads an expression that fills `source[range]`, and the `in [unit]` that may follow it. Line ends mean nothing.
+pub fn parse_expression(
+    source: &str,
+    range: Range<usize>,
+) -> (Expression, Option<StatedUnit>, Vec<Diagnostic>) {
+    let (tokens, found) = lexer::tokens(source, on_boundaries(source, &range));
+    let mut cursor = Cursor::new(source, layout::one_line(tokens), found);
+    let (expression, unit) = cursor.whole_expression();
+    (expression, unit, cursor.finish())
+}
+
+/// Reads assignments that fill `source[range]`, separated by commas, semicolons or line ends:
+/// `rho = 13534 [kg/m^3], b = 2*m*omega_0`.
+pub fn parse_assignments(source: &str, range: Range<usize>) -> (Vec<Assignment>, Vec<Diagnostic>) {
+    let (tokens, found) = lexer::tokens(source, on_boundaries(source, &range));
+    let mut cursor = Cursor::new(source, layout::statement_lines(tokens), found);
+    let assignments = cursor.assignments();
+    (assignments, cursor.finish())
+}
+
+/// The part of `range` that lies in `source`, widened to whole characters.
+fn on_boundaries(source: &str, range: &Range<usize>) -> Range<usize> {
+    let boundary = |at: usize| (0..=at.min(source.len())).rev().find(|at| source.is_char_boundary(*at)).unwrap_or(0);
+    let start = boundary(range.start);
+    start..boundary(range.end).max(start)
+}
+
+/// The place just after something.
+fn after(span: Span) -> Span {
+    Span::new(span.end, span.end)
+}

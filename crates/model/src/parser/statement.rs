@@ -1,0 +1,232 @@
+//! Statements, and where one ends after an error. What could be read of a wrong statement is kept, so that the names
+//! it defines are known to the others.
+
+use super::after;
+use super::cursor::{Cursor, Read, Told};
+use super::expression::Tree;
+use crate::lexer::{Keyword, Symbol, TokenKind};
+use crate::{Diagnostic, Expression, ExpressionKind, Name, Quoted, Span, Statement, StatementKind};
+
+/// A statement as far as it was read, and whether its end may be looked at.
+pub(super) type Salvaged = (StatementKind, Read<()>);
+
+/// The place of what could not be read.
+pub(super) fn unread(span: Span) -> Expression {
+    Expression { kind: ExpressionKind::Error, span }
+}
+
+impl Cursor<'_> {
+    /// All statements up to the end.
+    pub(super) fn statements(&mut self) -> Vec<Statement> {
+        let mut statements = Vec::new();
+        loop {
+            self.skip_lines();
+            if *self.peek() == TokenKind::End {
+                return statements;
+            }
+            statements.push(self.statement());
+        }
+    }
+
+    fn statement(&mut self) -> Statement {
+        let start = self.span();
+        self.depth = 0;
+        let (kind, mut read) = match self.peek() {
+            TokenKind::Keyword(Keyword::Parameter) => self.parameter(),
+            TokenKind::Keyword(Keyword::Independent) => self.independent(),
+            TokenKind::Keyword(Keyword::When) => self.event(),
+            _ => self.equation(),
+        };
+        let mut label = None;
+        if read.is_ok() {
+            label = self.label();
+            read = self.statement_end(&kind, label.as_ref());
+        }
+        if read.is_err() {
+            self.skip_rest(false);
+        }
+        Statement { kind, label, span: start.to(self.last_span()) }
+    }
+
+    fn label(&mut self) -> Option<Quoted> {
+        let TokenKind::Text(text) = self.peek().clone() else {
+            return None;
+        };
+        Some(Quoted { text, span: self.advance() })
+    }
+
+    fn statement_end(&mut self, kind: &StatementKind, label: Option<&Quoted>) -> Read<()> {
+        if self.at_line_end() {
+            return Ok(());
+        }
+        if let Some(span) = self.take(Symbol::Semicolon) {
+            let diagnostic = Diagnostic::error("semicolon", "a statement ends with its line, not with `;`", span);
+            let another = !self.at_line_end();
+            self.say(if another { diagnostic.with_hint("put the next statement on a line of its own") } else { diagnostic });
+            return Ok(());
+        }
+        if let Some(label) = label {
+            let wrong = format!("the label is the last part of a statement, but {} follows", self.found());
+            let diagnostic = Diagnostic::error("label-not-last", wrong, label.span);
+            return self.fail(diagnostic.with_label(self.span(), "belongs before the label"));
+        }
+        let span = self.span();
+        if let (TokenKind::Keyword(Keyword::In), StatementKind::Equation { .. }) = (self.peek(), kind) {
+            let diagnostic = Diagnostic::error("unit-of-equation", "an equation has no unit to be stated", span);
+            return self.fail(diagnostic.with_hint("state units where a name or an initial value is defined"));
+        }
+        self.unexpected_after_expression()
+    }
+
+    /// Says why what follows an expression cannot.
+    pub(super) fn unexpected_after_expression<T>(&mut self) -> Read<T> {
+        let span = self.span();
+        let found = self.found();
+        let diagnostic = match self.peek() {
+            TokenKind::Symbol(Symbol::Comma) => return self.decimal_comma(),
+            TokenKind::Brackets(_) => {
+                let wrong = format!("{found} follows something that is not a number");
+                Diagnostic::error("unit-without-number", wrong, span)
+                    .with_note("after a name or a parenthesis, brackets are kept for indices")
+                    .with_hint(format!("to state the unit of the expression, write: in {}", &self.source[span.range()]))
+            }
+            TokenKind::Symbol(Symbol::Equals) => Diagnostic::error("second-equals", "there is an `=` already", span)
+                .with_hint("write each equation on a line of its own; to compare, write =="),
+            TokenKind::Symbol(Symbol::RightParenthesis) => {
+                Diagnostic::error("unmatched-parenthesis", "this `)` closes nothing", span)
+            }
+            TokenKind::Symbol(Symbol::RightBrace) => Diagnostic::error("unmatched-brace", "this `}` closes nothing", span),
+            TokenKind::Symbol(Symbol::LeftBrace) => {
+                Diagnostic::error("unexpected-token", "braces belong to events", span)
+                    .with_hint("such as: when y < 0 [m] { y' = -y' }")
+            }
+            TokenKind::Primes => Diagnostic::error("prime-after-expression", "a prime belongs to a name", span)
+                .with_hint("write it directly after the name: y'"),
+            TokenKind::Keyword(Keyword::In) => {
+                Diagnostic::error("unexpected-token", "`in` can stand here only once, and not in parentheses", span)
+            }
+            TokenKind::Keyword(Keyword::Then | Keyword::Else) => {
+                Diagnostic::error("unexpected-token", format!("there is no `if` to which this {found} belongs"), span)
+            }
+            TokenKind::Text(_) => Diagnostic::error("unexpected-token", "a text cannot stand here", span),
+            _ => Diagnostic::error("unexpected-token", format!("{found} cannot stand here"), span),
+        };
+        self.fail(diagnostic)
+    }
+
+    /// A definition, an initial value or an equation.
+    fn equation(&mut self) -> Salvaged {
+        let start = self.span();
+        let left = match self.expression() {
+            Ok(left) => left,
+            Err(told) => return (nothing(start), Err(told)),
+        };
+        if let Err(told) = self.equals(&left) {
+            return (nothing(left.expression.span), Err(told));
+        }
+        let read = self.expression();
+        let right = read.map(|tree| tree.expression);
+        let mut outcome = right.as_ref().map(|_| ()).map_err(|told| *told);
+        let right = right.unwrap_or_else(|_| unread(after(self.last_span())));
+        let bare = !left.parenthesised;
+        let left = left.expression;
+        match left.kind {
+            ExpressionKind::Name { name, order: 0 } if bare => {
+                let name = Name { text: name, span: left.span };
+                let unit = outcome.and_then(|()| self.stated_unit());
+                let outcome = unit.as_ref().map(|_| ()).map_err(|told| *told);
+                (StatementKind::Definition { name, value: right, unit: unit.unwrap_or(None) }, outcome)
+            }
+            ExpressionKind::InitialValue { name, order } if bare => {
+                let text_end = self.source[left.span.range()].find(['(']).unwrap_or_default();
+                let written = self.source[left.span.start..left.span.start + text_end].trim_end();
+                let name_only = written.trim_end_matches(|c| crate::alphabet::primes(c).is_some());
+                let span = Span::new(left.span.start, left.span.start + name_only.len());
+                let unit = outcome.and_then(|()| self.stated_unit());
+                let outcome = unit.as_ref().map(|_| ()).map_err(|told| *told);
+                let name = Name { text: name, span };
+                (StatementKind::InitialValue { name, order, value: right, unit: unit.unwrap_or(None) }, outcome)
+            }
+            ExpressionKind::Call { ref function, ref arguments } if bare => {
+                if let [Expression { kind: ExpressionKind::Number { .. }, span }] = arguments.as_slice()
+                    && crate::functions::Function::named(&function.text).is_none()
+                    && outcome.is_ok()
+                {
+                    let name = &function.text;
+                    let wrong = format!("the start is at 0: a value is given for {name}(0) only");
+                    self.say(Diagnostic::error("initial-value-not-at-zero", wrong, *span));
+                    outcome = Err(Told);
+                }
+                (StatementKind::Equation { left, right }, outcome)
+            }
+            _ => (StatementKind::Equation { left, right }, outcome),
+        }
+    }
+
+    /// Reads the `=` after a left side.
+    fn equals(&mut self, left: &Tree) -> Read<()> {
+        if self.take(Symbol::Equals).is_some() {
+            return Ok(());
+        }
+        let span = left.expression.span;
+        if let ExpressionKind::Binary(crate::BinaryOperator::Equal, first, _) = &left.expression.kind
+            && !left.parenthesised
+        {
+            let place = Span::new(first.span.end, first.span.end);
+            let sign = self.source[first.span.end..span.end].find("==").map(|at| first.span.end + at);
+            let place = sign.map_or(place, |at| Span::new(at, at + 2));
+            let wrong = "`==` compares; an equation is written with one `=`";
+            return self.fail(Diagnostic::error("missing-equals", wrong, place));
+        }
+        if !self.at_line_end() && !matches!(self.peek(), TokenKind::Text(_)) {
+            return self.unexpected_after_expression();
+        }
+        let mut diagnostic = Diagnostic::error("missing-equals", "this is an expression, but not a statement", span);
+        diagnostic = if self.next_line_continues() {
+            diagnostic
+                .with_label(after(self.last_span()), "the statement ends with its line")
+                .with_hint("to go on with the next line, end this one with the operator, or put all into parentheses")
+        } else {
+            diagnostic.with_hint("a definition is written NAME = EXPRESSION, an equation LEFT = RIGHT")
+        };
+        self.fail(diagnostic)
+    }
+
+    fn next_line_continues(&self) -> bool {
+        use Symbol::{Caret, Equals, Minus, Plus, RightParenthesis, Slash, Star};
+        matches!(
+            self.peek_ahead(1),
+            TokenKind::Symbol(Plus | Minus | Star | Slash | Caret | Equals | RightParenthesis)
+                | TokenKind::Keyword(Keyword::And | Keyword::Or | Keyword::Then | Keyword::Else | Keyword::In)
+        ) && *self.peek() == TokenKind::Newline
+    }
+
+    /// Reads a name without primes.
+    pub(super) fn plain_name(&mut self, what: &str) -> Read<Name> {
+        let span = self.span();
+        match self.peek().clone() {
+            TokenKind::Name { text, order: 0, .. } => {
+                self.advance();
+                Ok(Name { text, span })
+            }
+            TokenKind::Name { .. } => {
+                let wrong = format!("{what} cannot have a prime");
+                self.fail(Diagnostic::error("unexpected-token", wrong, span))
+            }
+            TokenKind::Keyword(_) => {
+                let wrong = format!("{} is a word of the language and cannot be a name", self.found());
+                self.fail(Diagnostic::error("reserved-word", wrong, span))
+            }
+            _ => {
+                let wrong = format!("the name of {what} is expected here, not {}", self.found());
+                let place = if self.at_line_end() { self.last_span() } else { span };
+                self.fail(Diagnostic::error("missing-name", wrong, place))
+            }
+        }
+    }
+}
+
+/// A statement of which nothing is known.
+pub(super) fn nothing(span: Span) -> StatementKind {
+    StatementKind::Equation { left: unread(span), right: unread(span) }
+}

@@ -161,8 +161,8 @@ pub struct Preset {
 pub struct Assignment {
     /// Which of [`Model::parameters`].
     pub parameter: usize,
-    /// The value, SI, in terms of parameters only. All values of a preset are computed from the parameters as they
-    /// were before it was applied.
+    /// The value, SI, in terms of parameters only. Assignments are made in their order: each value is computed from the
+    /// parameters as those before it have left them.
     pub value: Compiled,
 }
 

@@ -2,14 +2,19 @@
 //! files that translate it. Opening one never fails: what cannot be read is a [`model::Diagnostic`] with its place.
 
 mod document;
+mod fences;
+mod front_matter;
+mod near;
 mod open;
 pub mod page;
 mod prose;
 mod scene;
+mod source;
 
 pub use document::{
     Assignment, Curve, Document, Edition, Opened, Plot, Preset, Question, QuestionText, Tolerance,
 };
+pub use front_matter::translates;
 pub use open::open;
 pub use prose::{Block, Section};
 pub use scene::{Attribute, Child, Drag, Element, Piece, Scene, Template};

@@ -1,0 +1,166 @@
+//! Mathematics in prose: LaTeX to MathML Core.
+
+use super::escape;
+use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+use model::{Diagnostic, Span};
+
+/// How deep a formula may be nested. The converter is recursive, and a page has little stack.
+const DEPTH: usize = 20;
+/// How long a formula may be, in bytes.
+const LENGTH: usize = 4_000;
+
+/// Converts formulas; the converter's tables are made once.
+pub struct Formulas {
+    converter: LatexToMathML,
+}
+
+impl Formulas {
+    /// A converter without macros of its own.
+    pub fn new() -> Self {
+        // Only a macro can be refused, and there is none.
+        Self { converter: LatexToMathML::new(MathCoreConfig::default()).unwrap_or_default() }
+    }
+
+    /// The MathML of `latex`, which stands at `span` of the source; in case of an error, the text itself.
+    pub fn html(
+        &self,
+        latex: &str,
+        display: MathDisplay,
+        span: Span,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> String {
+        let problem = if latex.len() > LENGTH {
+            Diagnostic::error("math", format!("a formula cannot be longer than {LENGTH} bytes"), span)
+        } else if nesting(latex) > DEPTH {
+            Diagnostic::error("math", format!("a formula cannot be nested deeper than {DEPTH} levels"), span)
+        } else {
+            match self.converter.convert_with_local_state(latex, display) {
+                Ok(result) => return result.mathml,
+                Err(error) => {
+                    let message = error.to_string();
+                    let message = message.trim_end_matches('.');
+                    Diagnostic::error("math", format!("the formula cannot be read: {}", lower(message)), span)
+                }
+            }
+        };
+        diagnostics.push(problem);
+        format!("<code class=\"problem\">{}</code>", escape(latex))
+    }
+}
+
+/// With a small first letter, as after a colon.
+fn lower(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
+}
+
+/// An upper bound of how deep `latex` is nested: open groups, and commands and scripts that wait for an argument.
+fn nesting(latex: &str) -> usize {
+    // One count for each open group: the commands in it that have not been followed by anything else.
+    let mut waiting = vec![0usize];
+    let mut deepest = 0;
+    let mut letters = latex.chars().peekable();
+    let mut long_arguments = false;
+    while let Some(letter) = letters.next() {
+        match letter {
+            '\\' => {
+                let mut command = String::new();
+                while let Some(next) = letters.next_if(char::is_ascii_alphabetic) {
+                    command.push(next);
+                }
+                if command.is_empty() {
+                    letters.next();
+                }
+                if matches!(command.as_str(), "left" | "begin") {
+                    waiting.push(0);
+                } else if matches!(command.as_str(), "right" | "end") {
+                    close(&mut waiting);
+                } else if let Some(count) = waiting.last_mut() {
+                    *count += 1;
+                    // `\frac1\frac1...` nests although something stands between the commands.
+                    long_arguments |= takes_two(&command);
+                }
+            }
+            '{' | '[' | '(' => waiting.push(0),
+            '}' | ']' | ')' => close(&mut waiting),
+            '^' | '_' | '\'' => waiting.last_mut().into_iter().for_each(|count| *count += 1),
+            _ if letter.is_whitespace() || long_arguments => {}
+            _ => waiting.last_mut().into_iter().for_each(|count| *count = 0),
+        }
+        deepest = deepest.max(waiting.len() - 1 + waiting.iter().sum::<usize>());
+    }
+    deepest
+}
+
+/// Ends a group; what waited for it has its argument.
+fn close(waiting: &mut Vec<usize>) {
+    if waiting.len() > 1 {
+        waiting.pop();
+    }
+    if let Some(count) = waiting.last_mut() {
+        *count = 0;
+    }
+}
+
+fn takes_two(command: &str) -> bool {
+    ["frac", "binom", "set", "rel", "mod"].iter().any(|part| command.contains(part))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn html(latex: &str) -> (String, Vec<String>) {
+        let mut diagnostics = Vec::new();
+        let html = Formulas::new().html(latex, MathDisplay::Inline, Span::new(0, 0), &mut diagnostics);
+        (html, diagnostics.into_iter().map(|d| d.message).collect())
+    }
+
+    #[test]
+    fn formulas_become_mathml() {
+        assert_eq!(
+            html("y'' < 2"),
+            ("<math><msup><mi>y</mi><mo>″</mo></msup><mo>&lt;</mo><mn>2</mn></math>".to_owned(), vec![])
+        );
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_shown_as_it_is() {
+        let (html, messages) = html("\\frac{<b>");
+        assert_eq!(html, "<code class=\"problem\">\\frac{&lt;b&gt;</code>");
+        assert_eq!(
+            messages,
+            ["the formula cannot be read: expected closing token \"}\", but reached end of input"]
+        );
+    }
+
+    #[test]
+    fn ordinary_formulas_are_not_too_deep() {
+        for latex in [
+            r"y(t) = e^{-\gamma t}\left(y_0\cos\omega_d t + \frac{v_0 + \gamma y_0}{\omega_d}\sin\omega_d t\right)",
+            r"\omega_0 = \sqrt{\frac{2g}{L}}, \qquad \gamma = \frac{b}{2m}, \qquad \omega_d = \sqrt{\omega_0^2-\gamma^2}",
+            r"\alpha\,\beta\,\gamma\,\delta",
+            r"\begin{aligned} a &= \frac{1}{2} \\ b &= \frac{1}{3} \\ c &= \frac{1}{4}\end{aligned}",
+        ] {
+            assert!(nesting(latex) <= DEPTH, "{} {latex}", nesting(latex));
+            assert_eq!(html(latex).1, [""; 0], "{latex}");
+        }
+    }
+
+    #[test]
+    fn deep_nesting_is_refused_before_it_is_tried() {
+        for unit in [
+            "{", "\\sqrt", "\\sqrt{", "x^{", "\\frac", "\\left(", "\\frac1{", "\\frac1", "\\hat", "\\mathbf{",
+            "\\not", "\\begin{cases}", "\\overset{", "x_", "\\mathrm", "\\frac 1 ", "\\overset x", "\\sqrt[",
+            "\\left", "\\hat ", "^\\hat",
+        ] {
+            let latex = unit.repeat(3_900 / unit.len());
+            std::thread::Builder::new()
+                .stack_size(1 << 20)
+                .spawn(move || html(&latex))
+                .unwrap()
+                .join()
+                .unwrap_or_else(|_| panic!("{unit}"));
+        }
+    }
+}

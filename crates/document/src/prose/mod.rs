@@ -1,0 +1,143 @@
+//! Markdown and mathematics to HTML and MathML that is safe to put into a page.
+
+mod html;
+mod math;
+
+use crate::source::trim;
+use html::{Piece, render};
+use model::Diagnostic;
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+/// A heading and what stands below it, up to the next heading.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Section {
+    /// For links: `#doc-activities`. Unique in the document; its prefix keeps it apart from the page's own.
+    pub id: String,
+    /// The heading as plain text; empty for what stands before the first heading.
+    pub title: String,
+    /// The heading as HTML, without the `h` element.
+    pub heading: String,
+    /// 1 to 6; 0 for what stands before the first heading.
+    pub level: u8,
+    /// What stands below the heading.
+    pub blocks: Vec<Block>,
+}
+
+/// A piece of a section.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Block {
+    /// HTML that is safe to put into a page.
+    Html(String),
+    /// The place of question `i` of [`crate::Document::questions`].
+    Question(usize),
+}
+
+/// Collects the prose of a document, piece by piece.
+pub struct Prose<'a> {
+    source: &'a str,
+    formulas: math::Formulas,
+    sections: Vec<Section>,
+    ids: BTreeSet<String>,
+    /// What was found.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl<'a> Prose<'a> {
+    /// Nothing yet of the prose of `source`.
+    pub fn new(source: &'a str) -> Self {
+        Self {
+            source,
+            formulas: math::Formulas::new(),
+            sections: Vec::new(),
+            ids: BTreeSet::new(),
+            diagnostics: Vec::new(),
+        }
+    }
+
+    /// Adds the Markdown in `range`.
+    pub fn markdown(&mut self, range: Range<usize>) {
+        for piece in self.render(range) {
+            match piece {
+                Piece::Html(html) => self.block(Block::Html(html)),
+                Piece::Heading { level, title, html } => {
+                    let id = self.new_id(&title);
+                    self.sections.push(Section { id, title, heading: html, level, blocks: Vec::new() });
+                }
+            }
+        }
+    }
+
+    /// Adds the place of a question.
+    pub fn question(&mut self, index: usize) {
+        self.block(Block::Question(index));
+    }
+
+    /// The HTML of a text that is part of something else. Headings in it are paragraphs in bold.
+    pub fn fragment(&mut self, range: Range<usize>) -> String {
+        let range = trim(self.source, range);
+        self.render(range)
+            .into_iter()
+            .map(|piece| match piece {
+                Piece::Html(html) => html,
+                Piece::Heading { html, .. } => format!("<p><strong>{html}</strong></p>\n"),
+            })
+            .collect()
+    }
+
+    /// The sections.
+    pub fn finish(self) -> (Vec<Section>, Vec<Diagnostic>) {
+        (self.sections, self.diagnostics)
+    }
+
+    fn render(&mut self, range: Range<usize>) -> Vec<Piece> {
+        render(self.source, range, &self.formulas, &mut self.diagnostics)
+    }
+
+    fn block(&mut self, block: Block) {
+        if self.sections.is_empty() {
+            let id = self.new_id("");
+            self.sections.push(Section { id, ..Section::default() });
+        }
+        if let Some(section) = self.sections.last_mut() {
+            section.blocks.push(block);
+        }
+    }
+
+    fn new_id(&mut self, title: &str) -> String {
+        let name = anchor(title);
+        let mut id = name.clone();
+        let mut count = 1;
+        while !self.ids.insert(id.clone()) {
+            count += 1;
+            id = format!("{name}-{count}");
+        }
+        id
+    }
+}
+
+/// The id of a section with this title, and what a link `#title` becomes.
+fn anchor(title: &str) -> String {
+    let mut id = String::from("doc");
+    for word in title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()) {
+        id.push('-');
+        id.extend(word.chars().flat_map(char::to_lowercase));
+    }
+    id
+}
+
+/// `text` as it stands in HTML, in an element or an attribute.
+pub fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\'' => escaped.push_str("&#39;"),
+            _ => escaped.push(letter),
+        }
+    }
+    escaped
+}

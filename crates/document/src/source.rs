@@ -1,0 +1,65 @@
+//! Lines of a source, with their places.
+
+use std::ops::Range;
+
+/// A line of a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// Where it begins.
+    pub start: usize,
+    /// Where it ends, before its line ending.
+    pub end: usize,
+    /// Where the next line begins.
+    pub next: usize,
+}
+
+impl Line {
+    /// Its text.
+    pub fn text<'a>(&self, source: &'a str) -> &'a str {
+        &source[self.start..self.end]
+    }
+
+    /// Its place.
+    pub fn range(&self) -> Range<usize> {
+        self.start..self.end
+    }
+}
+
+/// The lines in `range` of `source`, whose bounds lie on character boundaries. Lines end in LF or CR LF.
+pub fn lines(source: &str, range: Range<usize>) -> impl Iterator<Item = Line> {
+    let mut start = range.start;
+    std::iter::from_fn(move || {
+        if start >= range.end {
+            return None;
+        }
+        let found = source[start..range.end].find('\n');
+        let next = found.map_or(range.end, |at| start + at + 1);
+        let mut end = found.map_or(range.end, |at| start + at);
+        if source[start..end].ends_with('\r') {
+            end -= 1;
+        }
+        let line = Line { start, end, next };
+        start = next;
+        Some(line)
+    })
+}
+
+/// `range` of `source` without blanks at either end.
+pub fn trim(source: &str, range: Range<usize>) -> Range<usize> {
+    let text = &source[range.clone()];
+    let start = range.start + (text.len() - text.trim_start().len());
+    start..start + text.trim().len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_keep_their_places() {
+        let source = "a\r\nbc\n\nd";
+        let found: Vec<_> = lines(source, 0..source.len()).map(|line| line.text(source)).collect();
+        assert_eq!(found, ["a", "bc", "", "d"]);
+        assert_eq!(lines(source, 3..5).collect::<Vec<_>>(), [Line { start: 3, end: 5, next: 5 }]);
+    }
+}

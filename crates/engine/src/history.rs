@@ -145,4 +145,16 @@ impl History {
         }
         self.parameters.retain(|&(first, _)| first <= row);
     }
+
+    /// Drops all rows but the last.
+    pub(crate) fn forget(&mut self) {
+        let dropped = self.len() - 1;
+        let parameters = self.parameters(dropped).to_vec();
+        self.parameters = vec![(0, parameters)];
+        self.times.drain(..dropped);
+        self.segments.drain(..dropped);
+        for column in &mut self.columns {
+            column.drain(..dropped);
+        }
+    }
 }

@@ -99,6 +99,11 @@ impl Run {
         self.setup.parameters = self.history.parameters(row).to_vec();
     }
 
+    /// Drops all rows but the last, where they have been written elsewhere; the run goes on as if they were there.
+    pub fn forget(&mut self) {
+        self.history.forget();
+    }
+
     /// The state at any time up to the last row (cubic Hermite interpolation between rows).
     pub fn interpolate(&mut self, time: f64, out: &mut [f64]) {
         let row = self.history.row_at(time);

@@ -150,7 +150,12 @@ impl History {
     pub(crate) fn forget(&mut self) {
         let dropped = self.len() - 1;
         let parameters = self.parameters(dropped).to_vec();
-        self.parameters = vec![(0, parameters)];
+        // A set that waits for the next row still waits.
+        self.parameters.retain(|&(first, _)| first > dropped);
+        for (first, _) in &mut self.parameters {
+            *first -= dropped;
+        }
+        self.parameters.insert(0, (0, parameters));
         self.times.drain(..dropped);
         self.segments.drain(..dropped);
         for column in &mut self.columns {

@@ -1,5 +1,6 @@
 //! The register machine: what one instruction does, to the bit. Nothing here depends on the platform: the four operations
-//! and the square root are exact by IEEE 754, the elementary functions are `libm`'s, and nothing is ever fused.
+//! and the square root are exact by IEEE 754, the other functions are those of [`model::Unary::evaluate`] and
+//! [`model::Binary::evaluate`], and nothing is ever fused.
 
 use crate::linear::Elimination;
 use model::{Binary, Unary};
@@ -68,82 +69,13 @@ pub(crate) fn run(code: &[Instruction], registers: &mut [f64], systems: &mut [El
                 registers[to as usize] = registers[chosen as usize];
             }
             Instruction::Unary(function, to, a) => {
-                registers[to as usize] = unary(function, registers[a as usize])
+                registers[to as usize] = function.evaluate(registers[a as usize])
             }
             Instruction::Binary(function, to, a, b) => {
                 registers[to as usize] =
-                    binary(function, registers[a as usize], registers[b as usize]);
+                    function.evaluate(registers[a as usize], registers[b as usize]);
             }
             Instruction::Solve(system) => systems[system as usize].solve(registers),
         }
     }
-}
-
-/// `function(x)`.
-pub(crate) fn unary(function: Unary, x: f64) -> f64 {
-    match function {
-        Unary::Negate => -x,
-        Unary::Not => truth(x == 0.0),
-        Unary::Absolute => x.abs(),
-        Unary::Sign if x > 0.0 => 1.0,
-        Unary::Sign if x < 0.0 => -1.0,
-        Unary::Sign => x,
-        Unary::SquareRoot => x.sqrt(),
-        Unary::CubeRoot => libm::cbrt(x),
-        Unary::Exp => libm::exp(x),
-        Unary::Ln => libm::log(x),
-        Unary::Log10 => libm::log10(x),
-        Unary::Sin => libm::sin(x),
-        Unary::Cos => libm::cos(x),
-        Unary::Tan => libm::tan(x),
-        Unary::Asin => libm::asin(x),
-        Unary::Acos => libm::acos(x),
-        Unary::Atan => libm::atan(x),
-        Unary::Sinh => libm::sinh(x),
-        Unary::Cosh => libm::cosh(x),
-        Unary::Tanh => libm::tanh(x),
-        Unary::Asinh => libm::asinh(x),
-        Unary::Acosh => libm::acosh(x),
-        Unary::Atanh => libm::atanh(x),
-        Unary::Floor => x.floor(),
-        Unary::Ceil => x.ceil(),
-        Unary::Round => x.round(),
-    }
-}
-
-/// `function(a, b)`. What is not a number stays so through minimum and maximum, and no comparison holds for it.
-pub(crate) fn binary(function: Binary, a: f64, b: f64) -> f64 {
-    match function {
-        Binary::Add => a + b,
-        Binary::Subtract => a - b,
-        Binary::Multiply => a * b,
-        Binary::Divide => a / b,
-        Binary::Power => libm::pow(a, b),
-        Binary::Atan2 => libm::atan2(a, b),
-        Binary::Minimum => {
-            if b < a || b.is_nan() {
-                b
-            } else {
-                a
-            }
-        }
-        Binary::Maximum => {
-            if b > a || b.is_nan() {
-                b
-            } else {
-                a
-            }
-        }
-        Binary::Modulo => a - b * (a / b).floor(),
-        Binary::Less => truth(a < b),
-        Binary::LessOrEqual => truth(a <= b),
-        Binary::Equal => truth(a == b),
-        Binary::NotEqual => truth(a != b),
-        Binary::And => truth(a != 0.0 && b != 0.0),
-        Binary::Or => truth(a != 0.0 || b != 0.0),
-    }
-}
-
-fn truth(holds: bool) -> f64 {
-    if holds { 1.0 } else { 0.0 }
 }

@@ -1,14 +1,23 @@
 //! Runs a model: virtual machine, methods, events, history.
 
+mod adaptive;
+mod dormand_prince;
+mod equations;
 mod error;
+mod events;
+mod fixed;
 mod history;
 mod instruction;
 mod linear;
 mod method;
+pub mod number;
+mod places;
 mod readings;
+mod rosenbrock;
 mod routine;
 mod run;
 mod setup;
+mod stepper;
 pub mod table;
 
 pub use error::RunError;
@@ -18,3 +27,4 @@ pub use readings::Readings;
 pub use routine::Routine;
 pub use run::{Advance, CAPACITY, Run};
 pub use setup::Setup;
+pub use stepper::Stepper;

@@ -254,7 +254,6 @@ impl<'a> Compiler<'a> {
                 Instruction::Multiply(to, self.of(a), self.of(b))
             }
             Node::Binary(Binary::Divide, a, b) => Instruction::Divide(to, self.of(a), self.of(b)),
-            Node::Binary(Binary::Power, a, b) => self.power(stage, to, a, b),
             Node::Binary(function, a, b) => {
                 Instruction::Binary(function, to, self.of(a), self.of(b))
             }
@@ -264,28 +263,6 @@ impl<'a> Compiler<'a> {
             // Inputs and solutions are not computed by instructions of their own; `emit` has dealt with them.
             _ => Instruction::Negate(to, to),
         }
-    }
-
-    /// Small powers as products, which are faster than `pow` and at least as exact.
-    fn power(&mut self, stage: Stage, to: Register, base: NodeId, exponent: NodeId) -> Instruction {
-        let x = self.of(base);
-        let constant = match self.graph.node(exponent) {
-            Node::Constant(bits) => f64::from_bits(bits),
-            _ => f64::NAN,
-        };
-        if constant == 2.0 {
-            return Instruction::Multiply(to, x, x);
-        }
-        if constant == 3.0 || constant == 4.0 {
-            let square = self.allocate(0.0);
-            self.push(stage, Instruction::Multiply(square, x, x));
-            let factor = if constant == 3.0 { x } else { square };
-            return Instruction::Multiply(to, square, factor);
-        }
-        if constant == 0.5 {
-            return Instruction::Unary(Unary::SquareRoot, to, x);
-        }
-        Instruction::Binary(Binary::Power, to, x, self.of(exponent))
     }
 
     fn emit_system(&mut self, system: u32, stage: Stage) -> u32 {

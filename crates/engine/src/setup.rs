@@ -12,8 +12,7 @@ pub struct Setup {
     pub method: Method,
     /// The distance of the rows; with methods of fixed step also the step.
     pub step: f64,
-    /// The relative error allowed in each step of an adaptive method; the absolute one is this times
-    /// [`Setup::ABSOLUTE`].
+    /// The error allowed in each step of an adaptive method, relative to the state.
     pub tolerance: f64,
     /// A state to start from instead of the model's initial values.
     pub start: Option<Vec<f64>>,
@@ -24,8 +23,8 @@ impl Setup {
     pub const STEP: f64 = 0.05;
     /// The tolerance where the document does not say.
     pub const TOLERANCE: f64 = 1e-6;
-    /// The absolute tolerance as a part of the relative one: states much smaller than this, in SI, count as zero.
-    pub const ABSOLUTE: f64 = 1e-3;
+    /// What rounding lets an adaptive method reach.
+    pub const LEAST_TOLERANCE: f64 = 1e-14;
 
     /// The model's own values, the classical Runge-Kutta method and a step of 0.05 s.
     pub fn defaults(model: &Model) -> Self {

@@ -1,0 +1,284 @@
+//! Step size control for the methods with an error estimate.
+
+use crate::dormand_prince::{DormandPrince, dense_value};
+use crate::equations::Equations;
+use crate::events::{Crossing, Events};
+use crate::rosenbrock::Rosenbrock;
+use crate::{Method, Setup};
+use model::Model;
+
+/// Two methods in one, whose difference is the error.
+#[derive(Clone, Debug)]
+enum Pair {
+    DormandPrince(DormandPrince),
+    Rosenbrock(Rosenbrock),
+}
+
+/// Why no step was possible.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Stuck {
+    /// The state after even the smallest step is not finite.
+    NotFinite,
+    /// The error is too large even for the smallest step.
+    TooSmall,
+}
+
+/// An adaptive method, with the last step it made and the continuous solution over it.
+#[derive(Clone, Debug)]
+pub(crate) struct Adaptive {
+    pair: Pair,
+    tolerance: f64,
+    /// Errors below tolerance times this do not count, for each state.
+    floors: Vec<f64>,
+    /// The greatest magnitude each state has had.
+    peaks: Vec<f64>,
+    /// No step is longer, lest a short push be leapt over while all is at rest.
+    longest: f64,
+    proposed: f64,
+    /// The error of the last accepted step, for the controller.
+    earlier_error: f64,
+    start: f64,
+    size: f64,
+    from: Vec<f64>,
+    to: Vec<f64>,
+    attempt: Vec<f64>,
+    error: Vec<f64>,
+    dense: [Vec<f64>; 5],
+}
+
+impl Adaptive {
+    /// A step spans at most so many rows.
+    const ROWS: f64 = 10.0;
+    /// A state counts as zero below this part of the greatest magnitude it has had.
+    const BELOW_PEAK: f64 = 1e-3;
+    /// ... and below this part of its display unit, which is the author's idea of its size.
+    const BELOW_UNIT: f64 = 1e-9;
+
+    /// Nothing moves in a shorter time, and its reciprocal is still a number.
+    const AT_ONCE: f64 = 1e-300;
+
+    pub fn new(model: &Model, setup: &Setup) -> Self {
+        let states = model.states.len();
+        let zeros = vec![0.0; states];
+        let pair = match setup.method {
+            Method::Rosenbrock => Pair::Rosenbrock(Rosenbrock::new(states)),
+            _ => Pair::DormandPrince(DormandPrince::new(states)),
+        };
+        Self {
+            pair,
+            tolerance: setup.tolerance,
+            floors: model
+                .states
+                .iter()
+                .map(|state| Self::BELOW_UNIT * state.unit.factor.abs())
+                .collect(),
+            peaks: zeros.clone(),
+            longest: Self::ROWS * setup.step,
+            // The controller finds the right size within a few attempts.
+            proposed: 0.01 * setup.step,
+            earlier_error: 1e-4,
+            start: 0.0,
+            size: 0.0,
+            from: zeros.clone(),
+            to: zeros.clone(),
+            attempt: zeros.clone(),
+            error: zeros.clone(),
+            dense: std::array::from_fn(|_| zeros.clone()),
+        }
+    }
+
+    /// Begins anew at `time` with `state`, after a jump of the state or the parameters.
+    pub fn restart(&mut self, time: f64, state: &[f64]) {
+        self.start = time;
+        self.size = 0.0;
+        self.from.copy_from_slice(state);
+        self.to.copy_from_slice(state);
+        self.note_peaks();
+        self.forget();
+    }
+
+    /// Where the last step started.
+    pub fn start(&self) -> f64 {
+        self.start
+    }
+
+    /// Where the last step ended.
+    pub fn end(&self) -> f64 {
+        self.start + self.size
+    }
+
+    /// The state at the end of the last step.
+    pub fn end_state(&self) -> &[f64] {
+        &self.to
+    }
+
+    /// Makes the next step. The controller is that of Hairer, Norsett & Wanner I, section IV.2 (2.43'), with the
+    /// constants of their codes: proportional-integral, safety 0.9, at most five times smaller or ten times larger.
+    pub fn extend(&mut self, equations: &mut Equations) -> Result<(), Stuck> {
+        let time = self.end();
+        let order = match self.pair {
+            Pair::DormandPrince(_) => 5.0,
+            Pair::Rosenbrock(_) => 4.0,
+        };
+        let integral = 0.04;
+        let proportional = 1.0 / order - 0.75 * integral;
+        let mut size = self.proposed.min(self.longest);
+        let mut rejected = false;
+        loop {
+            let smallest = 16.0 * f64::EPSILON * time.abs().max(f64::MIN_POSITIVE / f64::EPSILON);
+            step(
+                &mut self.pair,
+                equations,
+                time,
+                size,
+                &self.to,
+                &mut self.attempt,
+                &mut self.error,
+            );
+            let error = self.error_norm();
+            if error <= 1.0 {
+                let growth = 0.9 * libm::pow(self.earlier_error, integral)
+                    / libm::pow(error.max(1e-10), proportional);
+                let growth = growth.clamp(0.2, if rejected { 1.0 } else { 10.0 });
+                self.earlier_error = error.max(1e-4);
+                self.accept(time, size);
+                self.proposed = size * growth;
+                return Ok(());
+            }
+            if size <= smallest {
+                let finite = self.attempt.iter().all(|value| value.is_finite());
+                return Err(if finite {
+                    Stuck::TooSmall
+                } else {
+                    Stuck::NotFinite
+                });
+            }
+            let shrinkage = 0.9 / libm::pow(error, proportional);
+            // Also where the error is not a number.
+            size *= if shrinkage > 0.2 { shrinkage } else { 0.2 };
+            size = size.max(smallest);
+            rejected = true;
+        }
+    }
+
+    /// The state on the continuous solution over the last step, at `part` of the time since its start.
+    pub fn dense(&self, since_start: f64, out: &mut [f64]) {
+        dense_value(&self.dense, since_start / self.size, out);
+    }
+
+    /// Where the event lies that is due between `low` and `high` after the start of the last step. A shorter step from the
+    /// same start gives the state there; where the dense output and such a step disagree on whether the event is due at
+    /// all, which is a matter of errors within the tolerance, the dense output decides.
+    pub fn locate(
+        &mut self,
+        equations: &mut Equations,
+        events: &mut Events,
+        low: f64,
+        high: f64,
+    ) -> Crossing {
+        self.forget();
+        let Self {
+            pair,
+            start,
+            from,
+            error,
+            dense,
+            size,
+            ..
+        } = self;
+        let (start, size) = (*start, *size);
+        let mut again = |since: f64, out: &mut [f64]| {
+            if since < Self::AT_ONCE {
+                out.copy_from_slice(from);
+            } else {
+                step(pair, equations, start, since, from, out, error);
+            }
+        };
+        let mut state = vec![0.0; from.len()];
+        again(low, &mut state);
+        let early = low > 0.0 && events.due(start + low, &state);
+        again(high, &mut state);
+        if events.due(start + high, &state) && !early {
+            return events.locate(start, low, high, again);
+        }
+        dense_value(dense, high / size, &mut state);
+        events.due(start + high, &state);
+        events.locate(start, low, high, |since, out| {
+            dense_value(dense, since / size, out)
+        })
+    }
+
+    /// The state that the last attempt led to.
+    pub fn attempt(&self) -> &[f64] {
+        &self.attempt
+    }
+
+    /// Forgets what is known of the state from which a step starts.
+    fn forget(&mut self) {
+        match &mut self.pair {
+            Pair::DormandPrince(pair) => pair.reset(),
+            Pair::Rosenbrock(pair) => pair.reset(),
+        }
+    }
+
+    fn accept(&mut self, time: f64, size: f64) {
+        std::mem::swap(&mut self.from, &mut self.to);
+        self.to.copy_from_slice(&self.attempt);
+        self.start = time;
+        self.size = size;
+        match &mut self.pair {
+            Pair::DormandPrince(pair) => {
+                pair.dense(size, &self.from, &self.to, &mut self.dense);
+                pair.accept();
+            }
+            Pair::Rosenbrock(pair) => {
+                pair.dense(&self.from, &self.to, &mut self.dense);
+                pair.reset();
+            }
+        }
+        self.note_peaks();
+    }
+
+    fn note_peaks(&mut self) {
+        for (peak, value) in self.peaks.iter_mut().zip(&self.to) {
+            if value.abs() > *peak {
+                *peak = value.abs();
+            }
+        }
+    }
+
+    /// The error in units of what is allowed, the root of the mean square over the states.
+    fn error_norm(&self) -> f64 {
+        let mut sum = 0.0;
+        for (k, error) in self.error.iter().enumerate() {
+            let size = self.to[k].abs().max(self.attempt[k].abs());
+            let scale = self.tolerance
+                * size
+                    .max(Self::BELOW_PEAK * self.peaks[k])
+                    .max(self.floors[k]);
+            let ratio = error / scale;
+            // A value that is not finite must not hide behind `max`, which passes over NaN.
+            sum += if self.attempt[k].is_finite() {
+                ratio * ratio
+            } else {
+                f64::NAN
+            };
+        }
+        (sum / self.error.len().max(1) as f64).sqrt()
+    }
+}
+
+fn step(
+    pair: &mut Pair,
+    equations: &mut Equations,
+    time: f64,
+    size: f64,
+    from: &[f64],
+    to: &mut [f64],
+    error: &mut [f64],
+) {
+    match pair {
+        Pair::DormandPrince(pair) => pair.step(equations, time, size, from, to, error),
+        Pair::Rosenbrock(pair) => pair.step(equations, time, size, from, to, error),
+    }
+}

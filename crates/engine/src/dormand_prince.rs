@@ -1,0 +1,155 @@
+//! The method of Dormand and Prince, order 5 with an embedded one of order 4 for the error and a continuous extension of
+//! order 4 (Dormand & Prince, J. Comp. Appl. Math. 6 (1980) 19; Hairer, Norsett & Wanner, Solving Ordinary Differential
+//! Equations I, table II.5.2 and section II.6; the dense output's last coefficients as in their code DOPRI5).
+
+use crate::equations::Equations;
+
+/// The number of stages; the last one is the first of the next step.
+const STAGES: usize = 7;
+
+const NODES: [f64; STAGES] = [0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0];
+
+/// Row i: what stage i takes of the earlier stages. The last row is also the result.
+const STAGE_WEIGHTS: [&[f64]; STAGES] = [
+    &[],
+    &[1.0 / 5.0],
+    &[3.0 / 40.0, 9.0 / 40.0],
+    &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
+    &[
+        19372.0 / 6561.0,
+        -25360.0 / 2187.0,
+        64448.0 / 6561.0,
+        -212.0 / 729.0,
+    ],
+    &[
+        9017.0 / 3168.0,
+        -355.0 / 33.0,
+        46732.0 / 5247.0,
+        49.0 / 176.0,
+        -5103.0 / 18656.0,
+    ],
+    &[
+        35.0 / 384.0,
+        0.0,
+        500.0 / 1113.0,
+        125.0 / 192.0,
+        -2187.0 / 6784.0,
+        11.0 / 84.0,
+    ],
+];
+
+/// The weights of order 5 minus those of order 4.
+const ERROR_WEIGHTS: [f64; STAGES] = [
+    71.0 / 57600.0,
+    0.0,
+    -71.0 / 16695.0,
+    71.0 / 1920.0,
+    -17253.0 / 339_200.0,
+    22.0 / 525.0,
+    -1.0 / 40.0,
+];
+
+/// The weights of the dense output's term of degree 4.
+const DENSE_WEIGHTS: [f64; STAGES] = [
+    -12_715_105_075.0 / 11_282_082_432.0,
+    0.0,
+    87_487_479_700.0 / 32_700_410_799.0,
+    -10_690_763_975.0 / 1_880_347_072.0,
+    701_980_252_875.0 / 199_316_789_632.0,
+    -1_453_857_185.0 / 822_651_844.0,
+    69_997_945.0 / 29_380_423.0,
+];
+
+/// Working storage.
+#[derive(Clone, Debug)]
+pub(crate) struct DormandPrince {
+    rates: [Vec<f64>; STAGES],
+    stage: Vec<f64>,
+    /// Whether the first stage is known from the step before.
+    first_known: bool,
+}
+
+impl DormandPrince {
+    pub fn new(states: usize) -> Self {
+        Self {
+            rates: std::array::from_fn(|_| vec![0.0; states]),
+            stage: vec![0.0; states],
+            first_known: false,
+        }
+    }
+
+    /// Forgets the step before, after a jump of the state or the parameters.
+    pub fn reset(&mut self) {
+        self.first_known = false;
+    }
+
+    /// One step of `size`; `error` receives the estimate of its error.
+    pub fn step(
+        &mut self,
+        equations: &mut Equations,
+        time: f64,
+        size: f64,
+        from: &[f64],
+        to: &mut [f64],
+        error: &mut [f64],
+    ) {
+        if !self.first_known {
+            equations.rates(time, from, &mut self.rates[0]);
+            self.first_known = true;
+        }
+        for stage in 1..STAGES {
+            let (known, rest) = self.rates.split_at_mut(stage);
+            let Some(rates) = rest.first_mut() else {
+                continue;
+            };
+            combine(&mut self.stage, from, size, STAGE_WEIGHTS[stage], known);
+            equations.rates(time + NODES[stage] * size, &self.stage, rates);
+        }
+        to.copy_from_slice(&self.stage);
+        for (k, error) in error.iter_mut().enumerate() {
+            *error = size * weighted(&ERROR_WEIGHTS, &self.rates, k);
+        }
+    }
+
+    /// The coefficients of the dense output of the last step, which led from `from` to `to`.
+    pub fn dense(&self, size: f64, from: &[f64], to: &[f64], coefficients: &mut [Vec<f64>; 5]) {
+        let [c_0, c_1, c_2, c_3, c_4] = coefficients;
+        for k in 0..from.len() {
+            let change = to[k] - from[k];
+            let bend = size * self.rates[0][k] - change;
+            c_0[k] = from[k];
+            c_1[k] = change;
+            c_2[k] = bend;
+            c_3[k] = change - size * self.rates[STAGES - 1][k] - bend;
+            c_4[k] = size * weighted(&DENSE_WEIGHTS, &self.rates, k);
+        }
+    }
+
+    /// Makes the last stage of an accepted step the first of the next.
+    pub fn accept(&mut self) {
+        self.rates.swap(0, STAGES - 1);
+    }
+}
+
+/// The dense output at `part` of the step, 0 to 1.
+pub(crate) fn dense_value(coefficients: &[Vec<f64>; 5], part: f64, out: &mut [f64]) {
+    let rest = 1.0 - part;
+    let [c_0, c_1, c_2, c_3, c_4] = coefficients;
+    for (k, value) in out.iter_mut().enumerate() {
+        *value = c_0[k] + part * (c_1[k] + rest * (c_2[k] + part * (c_3[k] + rest * c_4[k])));
+    }
+}
+
+/// to = from + size * (weights . rates), summed from the left.
+fn combine(to: &mut [f64], from: &[f64], size: f64, weights: &[f64], rates: &[Vec<f64>]) {
+    for (k, (to, from)) in to.iter_mut().zip(from).enumerate() {
+        *to = from + size * weighted(weights, rates, k);
+    }
+}
+
+fn weighted(weights: &[f64], rates: &[Vec<f64>], k: usize) -> f64 {
+    weights
+        .iter()
+        .zip(rates)
+        .fold(0.0, |sum, (weight, rates)| sum + weight * rates[k])
+}

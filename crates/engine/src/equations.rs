@@ -1,0 +1,86 @@
+//! The right side of the first-order system y' = f(t, y) of a model, with what the methods need to know of it.
+
+use crate::Routine;
+use model::{Model, NodeId, Variable};
+
+/// f and, for stiff methods, its derivatives; counts its evaluations.
+#[derive(Clone, Debug)]
+pub(crate) struct Equations {
+    rates: Routine,
+    slopes: Option<Routine>,
+    /// How often f was evaluated.
+    pub evaluations: u64,
+    /// How often the derivatives of f were evaluated.
+    pub jacobians: u64,
+}
+
+impl Equations {
+    /// f alone.
+    pub fn new(model: &Model) -> Self {
+        let rates = Routine::compile(model, &rate_nodes(model));
+        Self {
+            rates,
+            slopes: None,
+            states: model.states.len(),
+            evaluations: 0,
+            jacobians: 0,
+        }
+    }
+
+    /// f with its exact derivatives by the states and by the independent variable.
+    pub fn with_slopes(model: &Model) -> Self {
+        let mut graph = model.graph.clone();
+        let rates = rate_nodes(model);
+        let mut roots = Vec::with_capacity(rates.len() * (rates.len() + 1));
+        for state in 0..rates.len() {
+            roots.extend(model::differentiate_all(
+                &mut graph,
+                &rates,
+                Variable::State(state as u32),
+            ));
+        }
+        roots.extend(model::differentiate_all(
+            &mut graph,
+            &rates,
+            Variable::Independent,
+        ));
+        let slopes = Routine::from_graph(&graph, model.states.len(), &roots);
+        Self {
+            slopes: Some(slopes),
+            ..Self::new(model)
+        }
+    }
+
+    /// Sets parameters and initial values.
+    pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
+        self.rates.prepare(parameters, initial);
+        if let Some(slopes) = &mut self.slopes {
+            slopes.prepare(parameters, initial);
+        }
+    }
+
+    /// f(time, state).
+    #[inline]
+    pub fn rates(&mut self, time: f64, state: &[f64], out: &mut [f64]) {
+        self.evaluations += 1;
+        self.rates.evaluate(time, state, out);
+    }
+
+    /// The derivatives of f: first by each state, one column after the other, then by the independent variable.
+    pub fn slopes(&mut self, time: f64, state: &[f64], out: &mut [f64]) {
+        self.jacobians += 1;
+        match &mut self.slopes {
+            Some(slopes) => slopes.evaluate(time, state, out),
+            None => out.fill(f64::NAN),
+        }
+    }
+
+    /// Whether the equations could not be solved for the highest derivatives when f was evaluated last.
+    pub fn singular(&self) -> bool {
+        self.rates.singular()
+    }
+}
+
+fn rate_nodes(model: &Model) -> Vec<NodeId> {
+    model.states.iter().map(|state| state.derivative).collect()
+}

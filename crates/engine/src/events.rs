@@ -1,0 +1,261 @@
+//! Sudden changes of the state.
+//!
+//! An event fires when its condition goes from false to true within a step. The moment is found by bisection on the state
+//! that the method itself gives for a shorter step from the same start, down to neighbouring numbers, and the state taken
+//! is the one at the last moment at which the condition is still false: a ball is never below the floor, not even by
+//! rounding, and so its next flight, however short, is again one from false to true.
+//!
+//! What remains to be decided is whether an event that has fired may fire again or whether the crossing that caused it
+//! still lies ahead (`when t > 5 [s]` is false at 5 s and becomes true right after, action or no action). The motion that
+//! would follow without the action is followed in a straight line to where its condition is true; if the motion with the
+//! action makes it true there as well, the action has not prevented the crossing and the event has been used up.
+
+use crate::Routine;
+use crate::equations::Equations;
+use model::{Model, NodeId};
+
+/// The conditions and actions of a model.
+#[derive(Clone, Debug)]
+pub(crate) struct Events {
+    conditions: Routine,
+    actions: Routine,
+    /// For each event, which states its actions change and where their values stand among those of all actions.
+    targets: Vec<Vec<(usize, usize)>>,
+    /// By event: whether its condition was false when last looked at, so that it can fire.
+    armed: Vec<bool>,
+    /// By event: whether it fires now.
+    due: Vec<bool>,
+    truths: Vec<f64>,
+    values: Vec<f64>,
+    /// The state before the jump.
+    before: Vec<f64>,
+    /// The state after the jump.
+    after: Vec<f64>,
+    rates_before: Vec<f64>,
+    rates_after: Vec<f64>,
+    probe: Vec<f64>,
+}
+
+/// Where an event lies within a step, counted from its start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Crossing {
+    /// The last moment at which no condition is met.
+    pub low: f64,
+    /// The next number.
+    pub high: f64,
+}
+
+impl Events {
+    pub fn new(model: &Model) -> Self {
+        let conditions: Vec<NodeId> = model.events.iter().map(|event| event.condition).collect();
+        let mut actions = Vec::new();
+        let mut targets = Vec::new();
+        for event in &model.events {
+            let mut of_event = Vec::new();
+            for &(state, value) in &event.actions {
+                of_event.push((state as usize, actions.len()));
+                actions.push(value);
+            }
+            targets.push(of_event);
+        }
+        let zeros = vec![0.0; model.states.len()];
+        Self {
+            conditions: Routine::compile(model, &conditions),
+            actions: Routine::compile(model, &actions),
+            targets,
+            armed: vec![false; conditions.len()],
+            due: vec![false; conditions.len()],
+            truths: vec![0.0; conditions.len()],
+            values: vec![0.0; actions.len()],
+            before: zeros.clone(),
+            after: zeros.clone(),
+            rates_before: zeros.clone(),
+            rates_after: zeros.clone(),
+            probe: zeros,
+        }
+    }
+
+    /// Whether the model has any.
+    pub fn is_empty(&self) -> bool {
+        self.targets.is_empty()
+    }
+
+    /// Sets parameters and initial values.
+    pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
+        self.conditions.prepare(parameters, initial);
+        self.actions.prepare(parameters, initial);
+    }
+
+    /// Arms the events whose conditions are false at the state from which a run starts.
+    pub fn arm(&mut self, time: f64, state: &[f64]) {
+        self.due(time, state);
+        self.pass();
+    }
+
+    /// Arms the events at a state right after a jump, where a condition that is about to become true has been used up.
+    pub fn arm_after_jump(
+        &mut self,
+        equations: &mut Equations,
+        time: f64,
+        state: &[f64],
+        ahead: f64,
+    ) {
+        self.arm(time, state);
+        equations.rates(time, state, &mut self.rates_after);
+        follow(&mut self.probe, state, &self.rates_after, ahead);
+        self.conditions
+            .evaluate(time + ahead, &self.probe, &mut self.truths);
+        for (armed, &truth) in self.armed.iter_mut().zip(&self.truths) {
+            *armed &= truth == 0.0;
+        }
+    }
+
+    /// Whether an event fires between the last look and `time`.
+    pub fn due(&mut self, time: f64, state: &[f64]) -> bool {
+        self.conditions.evaluate(time, state, &mut self.truths);
+        let mut any = false;
+        for ((due, &armed), &truth) in self.due.iter_mut().zip(&self.armed).zip(&self.truths) {
+            *due = armed && truth != 0.0;
+            any |= *due;
+        }
+        any
+    }
+
+    /// Goes on to the last look, at which no event was due.
+    pub fn pass(&mut self) {
+        for (armed, &truth) in self.armed.iter_mut().zip(&self.truths) {
+            *armed = truth == 0.0;
+        }
+    }
+
+    /// Finds the first moment at which an event that is due at `high` fires, for a step that started at `start`, and
+    /// remembers the state there. `state_at` gives the state so long after the start.
+    pub fn locate(
+        &mut self,
+        start: f64,
+        low: f64,
+        high: f64,
+        mut state_at: impl FnMut(f64, &mut [f64]),
+    ) -> Crossing {
+        // Non-negative numbers are ordered like their bits, so this ends at neighbours after at most 63 halvings.
+        let (mut low, mut high) = (low.to_bits(), high.to_bits());
+        let mut fires = self.due.clone();
+        while high - low > 1 {
+            let middle = low + (high - low) / 2;
+            let since = f64::from_bits(middle);
+            state_at(since, &mut self.probe);
+            let probe = std::mem::take(&mut self.probe);
+            if self.due(start + since, &probe) {
+                high = middle;
+                fires.copy_from_slice(&self.due);
+            } else {
+                low = middle;
+            }
+            self.probe = probe;
+        }
+        self.due = fires;
+        let crossing = Crossing {
+            low: f64::from_bits(low),
+            high: f64::from_bits(high),
+        };
+        state_at(crossing.low, &mut self.before);
+        crossing
+    }
+
+    /// The state at the moment found last, before its jump.
+    pub fn before(&self) -> &[f64] {
+        &self.before
+    }
+
+    /// The state after the last jump.
+    pub fn after(&self) -> &[f64] {
+        &self.after
+    }
+
+    /// Lets the events that are due at `time` act, all on the state before. `resolution` is the least time in which the
+    /// state changes, `reach` the greatest over which its motion is straight.
+    pub fn fire(
+        &mut self,
+        equations: &mut Equations,
+        time: f64,
+        resolution: f64,
+        reach: f64,
+    ) -> usize {
+        let count = self.act(time);
+        equations.rates(time, &self.before, &mut self.rates_before);
+        equations.rates(time, &self.after, &mut self.rates_after);
+        let mut used_up = self.due.clone();
+        let mut open = self.due.clone();
+        let mut ahead = resolution.max(f64::MIN_POSITIVE);
+        while ahead <= reach && open.contains(&true) {
+            follow(&mut self.probe, &self.before, &self.rates_before, ahead);
+            self.conditions
+                .evaluate(time + ahead, &self.probe, &mut self.truths);
+            let crossed: Vec<bool> = self.truths.iter().map(|&truth| truth != 0.0).collect();
+            follow(&mut self.probe, &self.after, &self.rates_after, ahead);
+            self.conditions
+                .evaluate(time + ahead, &self.probe, &mut self.truths);
+            for event in 0..open.len() {
+                if open[event] && crossed[event] {
+                    open[event] = false;
+                    used_up[event] = self.truths[event] != 0.0;
+                }
+            }
+            ahead *= 4.0;
+        }
+        self.conditions
+            .evaluate(time, &self.after, &mut self.truths);
+        for event in 0..self.armed.len() {
+            // An event made true by the jump of another one stays armed and fires at once, in `cascade`.
+            if self.due[event] || !self.armed[event] {
+                self.armed[event] = self.truths[event] == 0.0 && !used_up[event];
+            }
+        }
+        count
+    }
+
+    /// Lets the events act that the last jump has made due, on the state after it; how many there were.
+    pub fn cascade(&mut self, time: f64) -> usize {
+        let state = std::mem::take(&mut self.after);
+        let any = self.due(time, &state);
+        self.after = state;
+        if !any {
+            return 0;
+        }
+        self.before.copy_from_slice(&self.after);
+        let count = self.act(time);
+        self.conditions
+            .evaluate(time, &self.after, &mut self.truths);
+        for event in 0..self.armed.len() {
+            if self.due[event] || !self.armed[event] {
+                self.armed[event] = self.truths[event] == 0.0;
+            }
+        }
+        count
+    }
+
+    fn act(&mut self, time: f64) -> usize {
+        self.actions.evaluate(time, &self.before, &mut self.values);
+        self.after.copy_from_slice(&self.before);
+        let mut count = 0;
+        for (targets, _) in self.targets.iter().zip(&self.due).filter(|(_, due)| **due) {
+            for &(state, value) in targets {
+                self.after[state] = self.values[value];
+            }
+            count += 1;
+        }
+        count
+    }
+
+    /// An event that is due.
+    pub fn first_due(&self) -> Option<usize> {
+        self.due.iter().position(|due| *due)
+    }
+}
+
+/// probe = state + ahead * rates
+fn follow(probe: &mut [f64], state: &[f64], rates: &[f64], ahead: f64) {
+    for ((probe, state), rate) in probe.iter_mut().zip(state).zip(rates) {
+        *probe = state + ahead * rate;
+    }
+}

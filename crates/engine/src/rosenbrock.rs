@@ -1,0 +1,186 @@
+//! RODAS, a Rosenbrock method of order 4 with an embedded one of order 3 for the error, L-stable and stiffly accurate, with
+//! a continuous extension of order 3 (Hairer & Wanner, Solving Ordinary Differential Equations II, 2nd ed., section IV.7
+//! and the coefficients of their code RODAS, first set). A step solves six linear systems with one matrix and no
+//! equations by iteration, so that its work does not depend on luck.
+//!
+//! In the transformed variables u: (1/(h gamma) - J) u_i = f(t + alpha_i h, y + sum a_ij u_j) + sum c_ij u_j / h
+//! + gamma_i h df/dt.
+
+use crate::equations::Equations;
+use crate::linear::Factors;
+
+const STAGES: usize = 6;
+const GAMMA: f64 = 0.25;
+
+/// alpha_i
+const NODES: [f64; STAGES] = [0.0, 0.386, 0.21, 0.63, 1.0, 1.0];
+
+/// gamma_i
+const TIME_WEIGHTS: [f64; STAGES] = [0.25, -0.1043, 0.1035, -0.0362, 0.0, 0.0];
+
+/// a_ij; the last row gives the embedded result, to which the last stage is added.
+const STAGE_WEIGHTS: [&[f64]; STAGES] = [
+    &[],
+    &[1.544],
+    &[0.946_678_528_081_582_6, 0.255_701_169_898_328_4],
+    &[
+        3.314_825_187_068_521,
+        2.896_124_015_972_201,
+        0.998_641_913_997_781_7,
+    ],
+    &[
+        1.221_224_509_226_641,
+        6.019_134_481_288_629,
+        12.537_083_329_320_87,
+        -0.687_886_036_105_895,
+    ],
+    &[
+        1.221_224_509_226_641,
+        6.019_134_481_288_629,
+        12.537_083_329_320_87,
+        -0.687_886_036_105_895,
+        1.0,
+    ],
+];
+
+/// c_ij
+const SOLVED_WEIGHTS: [&[f64]; STAGES] = [
+    &[],
+    &[-5.6688],
+    &[-2.430_093_356_833_875, -0.206_359_915_709_191_5],
+    &[
+        -0.107_352_905_815_137_5,
+        -9.594_562_251_023_355,
+        -20.470_286_148_096_16,
+    ],
+    &[
+        7.496_443_313_967_647,
+        -10.246_804_314_643_52,
+        -33.999_903_528_199_05,
+        11.708_908_932_061_6,
+    ],
+    &[
+        8.083_246_795_921_522,
+        -7.981_132_988_064_893,
+        -31.521_594_328_743_71,
+        16.319_305_431_231_36,
+        -6.058_818_238_834_054,
+    ],
+];
+
+/// The weights of the dense output's two inner terms.
+const DENSE_WEIGHTS: [[f64; 5]; 2] = [
+    [
+        10.126_235_083_445_86,
+        -7.487_995_877_610_167,
+        -34.800_918_615_557_47,
+        -7.992_771_707_568_823,
+        1.025_137_723_295_662,
+    ],
+    [
+        -0.676_280_339_280_689_8,
+        6.087_714_651_680_015,
+        16.430_843_208_924_78,
+        24.767_225_114_183_86,
+        -6.594_389_125_716_872,
+    ],
+];
+
+/// Working storage.
+#[derive(Clone, Debug)]
+pub(crate) struct Rosenbrock {
+    /// The transformed stages u.
+    solved: [Vec<f64>; STAGES],
+    stage: Vec<f64>,
+    rates: Vec<f64>,
+    slopes: Vec<f64>,
+    matrix: Factors,
+    /// Whether the slopes belong to the start of the step.
+    slopes_known: bool,
+}
+
+impl Rosenbrock {
+    pub fn new(states: usize) -> Self {
+        Self {
+            solved: std::array::from_fn(|_| vec![0.0; states]),
+            stage: vec![0.0; states],
+            rates: vec![0.0; states],
+            slopes: vec![0.0; states * (states + 1)],
+            matrix: Factors::new(states),
+            slopes_known: false,
+        }
+    }
+
+    /// Forgets the start of the step, after a step or a jump.
+    pub fn reset(&mut self) {
+        self.slopes_known = false;
+    }
+
+    /// One step of `size`; `error` receives the estimate of its error.
+    pub fn step(
+        &mut self,
+        equations: &mut Equations,
+        time: f64,
+        size: f64,
+        from: &[f64],
+        to: &mut [f64],
+        error: &mut [f64],
+    ) {
+        let states = from.len();
+        if !self.slopes_known {
+            equations.slopes(time, from, &mut self.slopes);
+            self.slopes_known = true;
+        }
+        for row in 0..states {
+            for column in 0..states {
+                let diagonal = if row == column {
+                    1.0 / (size * GAMMA)
+                } else {
+                    0.0
+                };
+                self.matrix.values[row * states + column] =
+                    diagonal - self.slopes[column * states + row];
+            }
+        }
+        self.matrix.factorize();
+        for stage in 0..STAGES {
+            let (known, rest) = self.solved.split_at_mut(stage);
+            let Some(solved) = rest.first_mut() else {
+                continue;
+            };
+            for (k, (value, from)) in self.stage.iter_mut().zip(from).enumerate() {
+                *value = from + weighted(STAGE_WEIGHTS[stage], known, k);
+            }
+            equations.rates(time + NODES[stage] * size, &self.stage, &mut self.rates);
+            for (k, right) in solved.iter_mut().enumerate() {
+                let by_time = size * TIME_WEIGHTS[stage] * self.slopes[states * states + k];
+                *right = self.rates[k] + weighted(SOLVED_WEIGHTS[stage], known, k) / size + by_time;
+            }
+            self.matrix.solve(solved);
+        }
+        let last = &self.solved[STAGES - 1];
+        error.copy_from_slice(last);
+        for ((to, stage), last) in to.iter_mut().zip(&self.stage).zip(last) {
+            *to = stage + last;
+        }
+    }
+
+    /// The coefficients of the dense output of the last step, in the form of [`crate::dormand_prince::dense_value`].
+    pub fn dense(&self, from: &[f64], to: &[f64], coefficients: &mut [Vec<f64>; 5]) {
+        let [c_0, c_1, c_2, c_3, c_4] = coefficients;
+        for k in 0..from.len() {
+            c_0[k] = from[k];
+            c_1[k] = to[k] - from[k];
+            c_2[k] = weighted(&DENSE_WEIGHTS[0], &self.solved, k);
+            c_3[k] = weighted(&DENSE_WEIGHTS[1], &self.solved, k);
+            c_4[k] = 0.0;
+        }
+    }
+}
+
+fn weighted(weights: &[f64], solved: &[Vec<f64>], k: usize) -> f64 {
+    weights
+        .iter()
+        .zip(solved)
+        .fold(0.0, |sum, (weight, solved)| sum + weight * solved[k])
+}

@@ -1,0 +1,323 @@
+//! A model in motion, without memory of where it has been.
+
+use crate::adaptive::Adaptive;
+use crate::equations::Equations;
+use crate::events::Events;
+use crate::fixed::Fixed;
+use crate::places::{self, Places};
+use crate::{Routine, RunError, Setup};
+use model::{Model, NodeId};
+
+/// A model in motion: goes from one point of the grid t_n = n h to the next.
+#[derive(Clone, Debug)]
+pub struct Stepper {
+    equations: Equations,
+    solver: Solver,
+    events: Events,
+    places: Places,
+    step: f64,
+    /// The number of the last grid point at or before `time`.
+    index: u64,
+    /// Whether `time` is that grid point.
+    on_grid: bool,
+    time: f64,
+    state: Vec<f64>,
+    next: Vec<f64>,
+    parameters: Vec<f64>,
+    initial: Vec<f64>,
+}
+
+#[derive(Clone, Debug)]
+enum Solver {
+    Fixed(Fixed),
+    Adaptive(Box<Adaptive>),
+}
+
+/// Receives each new row: time, state, and whether the state jumped there from the row before.
+trait Record: FnMut(f64, &[f64], bool) {}
+impl<F: FnMut(f64, &[f64], bool)> Record for F {}
+
+impl Stepper {
+    /// So many events in one step stop the run.
+    pub const EVENT_LIMIT: usize = 1000;
+    /// So many steps of an adaptive method between two grid points stop the run.
+    pub const STEP_LIMIT: usize = 100_000;
+
+    /// Checks the setup and computes the initial state.
+    ///
+    /// # Errors
+    /// A step or tolerance that is not positive, an initial state that is not finite, a method that cannot treat the model.
+    pub fn new(model: &Model, setup: &Setup) -> Result<Self, RunError> {
+        places::check(model, setup)?;
+        let initial = match &setup.start {
+            Some(start) => start.clone(),
+            None => initial_state(model, &setup.parameters),
+        };
+        places::check_initial(model, &initial)?;
+        let states = model.states.len();
+        let (solver, equations) = match setup.method {
+            crate::Method::Rosenbrock => (
+                Solver::Adaptive(Box::new(Adaptive::new(model, setup))),
+                Equations::with_slopes(model),
+            ),
+            crate::Method::DormandPrince => (
+                Solver::Adaptive(Box::new(Adaptive::new(model, setup))),
+                Equations::new(model),
+            ),
+            method => (
+                Solver::Fixed(Fixed::new(method, states)),
+                Equations::new(model),
+            ),
+        };
+        let mut stepper = Self {
+            equations,
+            solver,
+            events: Events::new(model),
+            places: Places::new(model, setup.method),
+            step: setup.step,
+            index: 0,
+            on_grid: true,
+            time: 0.0,
+            next: initial.clone(),
+            state: initial.clone(),
+            parameters: setup.parameters.clone(),
+            initial,
+        };
+        stepper.prepare();
+        stepper.restart();
+        stepper.events.arm(stepper.time, &stepper.state);
+        Ok(stepper)
+    }
+
+    /// The independent variable.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The present state.
+    pub fn state(&self) -> &[f64] {
+        &self.state
+    }
+
+    /// The state at the start.
+    pub fn initial(&self) -> &[f64] {
+        &self.initial
+    }
+
+    /// How often the right side of the equations was evaluated.
+    pub fn evaluations(&self) -> u64 {
+        self.equations.evaluations
+    }
+
+    /// How often its derivatives were evaluated (by the stiff method).
+    pub fn jacobians(&self) -> u64 {
+        self.equations.jacobians
+    }
+
+    /// The parameters in force.
+    pub fn parameters(&self) -> &[f64] {
+        &self.parameters
+    }
+
+    /// Changes the parameters from here on; the state stays.
+    pub fn set_parameters(&mut self, parameters: Vec<f64>) {
+        self.parameters = parameters;
+        self.prepare();
+        self.restart();
+    }
+
+    /// Goes to the next point of the grid; `record` receives every row on the way: time, state, and whether the state
+    /// jumped there from the row before. The result is the number of events.
+    ///
+    /// # Errors
+    /// A state that is no longer finite, too many events, a step that has become too small or too many of them.
+    pub fn advance(
+        &mut self,
+        mut record: impl FnMut(f64, &[f64], bool),
+    ) -> Result<usize, RunError> {
+        let target = (self.index + 1) as f64 * self.step;
+        let mut fired = 0;
+        let mut steps = 0;
+        while self.time < target {
+            let jumped = match self.solver {
+                Solver::Fixed(_) => self.fixed(target)?,
+                Solver::Adaptive(_) => {
+                    steps += 1;
+                    if steps > Self::STEP_LIMIT {
+                        return Err(self.places.too_many_steps(Self::STEP_LIMIT, self.time));
+                    }
+                    self.adaptive(target)?
+                }
+            };
+            match jumped {
+                Some(resolution) => fired += self.jump(resolution, fired, &mut record)?,
+                None if self.time == target => record(self.time, &self.state, false),
+                None => {}
+            }
+        }
+        self.index += 1;
+        self.on_grid = self.time == target;
+        Ok(fired)
+    }
+
+    /// Goes on from another moment; `after_jump` where the state has just jumped.
+    pub(crate) fn resume(
+        &mut self,
+        time: f64,
+        state: &[f64],
+        parameters: Vec<f64>,
+        after_jump: bool,
+    ) {
+        self.time = time;
+        self.state.copy_from_slice(state);
+        self.parameters = parameters;
+        self.index = (time / self.step) as u64;
+        while self.index > 0 && self.index as f64 * self.step > time {
+            self.index -= 1;
+        }
+        while (self.index + 1) as f64 * self.step <= time {
+            self.index += 1;
+        }
+        self.on_grid = self.index as f64 * self.step == time;
+        self.prepare();
+        self.restart();
+        if after_jump {
+            self.events
+                .arm_after_jump(&mut self.equations, time, &self.state, 1e-9 * self.step);
+        } else {
+            self.events.arm(time, &self.state);
+        }
+    }
+
+    fn prepare(&mut self) {
+        self.equations.prepare(&self.parameters, &self.initial);
+        self.events.prepare(&self.parameters, &self.initial);
+    }
+
+    fn restart(&mut self) {
+        if let Solver::Adaptive(adaptive) = &mut self.solver {
+            adaptive.restart(self.time, &self.state);
+        }
+    }
+
+    /// One step to `target`, or, if an event lies before it, to the event, whose resolution in time is returned.
+    #[inline]
+    fn fixed(&mut self, target: f64) -> Result<Option<f64>, RunError> {
+        let Solver::Fixed(method) = &mut self.solver else {
+            return Ok(None);
+        };
+        let equations = &mut self.equations;
+        let size = if self.on_grid {
+            self.step
+        } else {
+            target - self.time
+        };
+        method.step(equations, self.time, size, &self.state, &mut self.next);
+        if !self.next.iter().all(|value| value.is_finite()) {
+            return Err(self
+                .places
+                .not_finite(self.time, &self.next, equations.singular()));
+        }
+        if !self.events.is_empty() {
+            if self.events.due(target, &self.next) {
+                let (time, state) = (self.time, &self.state);
+                let crossing = self.events.locate(time, 0.0, size, |since, out| {
+                    method.step(equations, time, since, state, out);
+                });
+                self.time += crossing.low;
+                return Ok(Some(crossing.high - crossing.low));
+            }
+            self.events.pass();
+        }
+        std::mem::swap(&mut self.state, &mut self.next);
+        self.time = target;
+        Ok(None)
+    }
+
+    /// Goes on to `target` or to the end of the method's own step, whichever is first; or, if an event lies before that, to
+    /// the event, whose resolution in time is returned.
+    fn adaptive(&mut self, target: f64) -> Result<Option<f64>, RunError> {
+        let Solver::Adaptive(method) = &mut self.solver else {
+            return Ok(None);
+        };
+        let equations = &mut self.equations;
+        if method.end() <= self.time
+            && let Err(stuck) = method.extend(equations)
+        {
+            return Err(self.places.stuck(
+                stuck,
+                self.time,
+                method.attempt(),
+                equations.singular(),
+            ));
+        }
+        let until = target.min(method.end());
+        if until == method.end() {
+            self.next.copy_from_slice(method.end_state());
+        } else {
+            method.dense(until - method.start(), &mut self.next);
+        }
+        if !self.events.is_empty() {
+            if self.events.due(until, &self.next) {
+                let start = method.start();
+                let crossing = method.locate(
+                    equations,
+                    &mut self.events,
+                    self.time - start,
+                    until - start,
+                );
+                self.time = start + crossing.low;
+                return Ok(Some(crossing.high - crossing.low));
+            }
+            self.events.pass();
+        }
+        std::mem::swap(&mut self.state, &mut self.next);
+        self.time = until;
+        Ok(None)
+    }
+
+    /// Lets the located events act; how many there were.
+    fn jump(
+        &mut self,
+        resolution: f64,
+        fired: usize,
+        record: &mut impl Record,
+    ) -> Result<usize, RunError> {
+        record(self.time, self.events.before(), false);
+        let mut count = self
+            .events
+            .fire(&mut self.equations, self.time, resolution, self.step);
+        loop {
+            self.state.copy_from_slice(self.events.after());
+            if !self.state.iter().all(|value| value.is_finite()) {
+                return Err(self.places.not_finite(self.time, &self.state, false));
+            }
+            record(self.time, &self.state, true);
+            if fired + count > Self::EVENT_LIMIT {
+                return Err(self.places.too_many_events(
+                    Self::EVENT_LIMIT,
+                    self.events.first_due(),
+                    self.time,
+                ));
+            }
+            match self.events.cascade(self.time) {
+                0 => break,
+                more => count += more,
+            }
+        }
+        self.on_grid = false;
+        self.restart();
+        Ok(count)
+    }
+}
+
+/// The model's initial state for `parameters`.
+pub(crate) fn initial_state(model: &Model, parameters: &[f64]) -> Vec<f64> {
+    let nodes: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
+    let zeros = vec![0.0; nodes.len()];
+    let mut initial = zeros.clone();
+    let mut routine = Routine::compile(model, &nodes);
+    routine.prepare(parameters, &zeros);
+    routine.evaluate(0.0, &zeros, &mut initial);
+    initial
+}

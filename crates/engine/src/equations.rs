@@ -21,7 +21,6 @@ impl Equations {
         Self {
             rates,
             slopes: None,
-            states: model.states.len(),
             evaluations: 0,
             jacobians: 0,
         }

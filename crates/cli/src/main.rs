@@ -1,2 +1,46 @@
-//! The `meniscus` command line.
-fn main() {}
+//! The `meniscus` command line: a thin layer over the other crates that adds files, the terminal and a server.
+
+mod arguments;
+mod check;
+mod export;
+mod failure;
+mod load;
+mod output;
+mod page;
+mod report;
+mod run;
+mod serve;
+mod settings;
+
+use arguments::{Arguments, Command};
+use clap::Parser;
+use failure::Failure;
+use report::Terminal;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Help and version come this way too. Where they cannot be written, nobody is there to be told.
+            let _ = error.print();
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+        }
+    };
+    let terminal = Terminal::new(arguments.color);
+    let result = match &arguments.command {
+        Command::Serve(serve) => serve::serve(serve, terminal),
+        Command::Run(run) => run::run(run, terminal),
+        Command::Check(check) => check::check(check, terminal),
+        Command::Export(export) => export::export(export, terminal),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            if let Failure::Request { message, hint } = &failure {
+                terminal.error(message, hint.as_deref());
+            }
+            ExitCode::from(failure.exit_code())
+        }
+    }
+}

@@ -1,0 +1,234 @@
+//! What can be typed after `meniscus`.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// A virtual laboratory for oscillations: one text document is the simulation.
+#[derive(Debug, Parser)]
+#[command(name = "meniscus", version, after_help = EXIT_CODES, disable_help_subcommand = true)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+
+    /// Colours in messages [auto: on a terminal, unless NO_COLOR is set]
+    #[arg(long, global = true, value_enum, default_value_t = Color::Auto, hide_default_value = true, value_name = "WHEN")]
+    pub color: Color,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  done
+  1  the document has errors, or its run failed
+  2  wrong arguments, or a file that cannot be read or written";
+
+/// When messages are coloured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Color {
+    /// On a terminal, unless NO_COLOR is set.
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Open the laboratory in the browser
+    #[command(after_help = SERVE_EXAMPLES)]
+    Serve(Serve),
+    /// Run a document and write its table
+    #[command(after_help = RUN_EXAMPLES)]
+    Run(Run),
+    /// Check documents and say what is wrong with them
+    #[command(after_help = CHECK_EXAMPLES)]
+    Check(Check),
+    /// Make one offline page of a document, with its source inside
+    #[command(after_help = EXPORT_EXAMPLES)]
+    Export(Export),
+}
+
+const SERVE_EXAMPLES: &str = "\
+Examples:
+  meniscus serve                            the laboratory with the document it comes with
+  meniscus serve simulations/utube.md       your document; reload the page after editing it
+  meniscus serve --port 8080 --no-open      on that port only, and without opening a browser
+
+The laboratory is served to this computer alone, at 127.0.0.1. Ctrl-C ends it.";
+
+/// `meniscus serve`
+#[derive(Debug, Args)]
+pub struct Serve {
+    /// The document (NAME.md, its translation NAME.es.md, or an exported page); without one, the laboratory's own
+    #[arg(value_name = "DOC")]
+    pub document: Option<PathBuf>,
+
+    /// This port and no other [default: 4242, or the next one that is free]
+    #[arg(long, value_name = "N")]
+    pub port: Option<u16>,
+
+    /// Say the address without opening it in the browser
+    #[arg(long)]
+    pub no_open: bool,
+}
+
+const RUN_EXAMPLES: &str = "\
+Examples:
+  meniscus run simulations/utube.md                              with the document's own settings, as CSV
+  meniscus run utube.md --set b=200 --set h_l='40 [dm]'          other parameters, in the declared unit or another
+  meniscus run utube.md --preset Mercury --until 20              a preset, for 20 s
+  meniscus run utube.md --method dormand-prince --tolerance 1e-9
+  meniscus run utube.md --columns t,y,E --output run.csv         these columns, into a file
+  meniscus run utube.md --format jsonl | head -3                 one JSON object a line";
+
+/// `meniscus run`
+#[derive(Debug, Args)]
+pub struct Run {
+    /// The document; `-` reads it from the standard input
+    #[arg(value_name = "DOC")]
+    pub document: PathBuf,
+
+    /// Change a parameter: a bare number is in the declared unit, `b='0.2 [t/s]'` names its own
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
+    pub set: Vec<Assignment>,
+
+    /// Start with this state instead of the document's initial value, such as y='10 [cm]'
+    #[arg(long = "start", value_name = "NAME=VALUE", value_parser = assignment)]
+    pub start: Vec<Assignment>,
+
+    /// Set the parameters of this preset of the document, before any --set
+    #[arg(long, value_name = "NAME")]
+    pub preset: Vec<String>,
+
+    /// How the equations are solved [default: the document's, or rk4]
+    #[arg(long, value_name = "METHOD")]
+    pub method: Option<String>,
+
+    /// The step, or with an adaptive method the distance between rows [default: the document's]
+    #[arg(long, value_name = "STEP", allow_hyphen_values = true)]
+    pub step: Option<String>,
+
+    /// The relative error that an adaptive method may make in a step
+    #[arg(long, value_name = "X")]
+    pub tolerance: Option<f64>,
+
+    /// Where the run ends [default: the document's, or 100 s]
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub until: Option<String>,
+
+    /// Which columns, in this order [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub columns: Option<Vec<String>>,
+
+    /// The form of the table [default: by the ending of FILE, or csv]
+    #[arg(long, value_enum)]
+    pub format: Option<Format>,
+
+    /// Write into this file, which appears whole or not at all [default: the standard output]
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// A name and what it shall be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Assignment {
+    /// Before the equals sign.
+    pub name: String,
+    /// After it.
+    pub value: String,
+}
+
+fn assignment(text: &str) -> Result<Assignment, String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
+            Ok(Assignment {
+                name: name.trim().to_owned(),
+                value: value.trim().to_owned(),
+            })
+        }
+        _ => Err("write NAME=VALUE, such as b=200 or h_l='40 [dm]'".to_owned()),
+    }
+}
+
+/// The forms of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// One header row with units, then numbers that read back exactly
+    Csv,
+    /// One array of objects
+    Json,
+    /// One object a line
+    Jsonl,
+}
+
+const CHECK_EXAMPLES: &str = "\
+Examples:
+  meniscus check simulations/utube.md           for people
+  meniscus check simulations/*.md --format json for programs
+
+JSON is one array of findings: file, severity (error or warning), code (stable), message, line and column (from 1, in
+characters), end (the line and column after the place), labels (further places, with their words), notes and hints.";
+
+/// `meniscus check`
+#[derive(Debug, Args)]
+pub struct Check {
+    /// The documents; the translations beside a document (NAME.es.md) are checked with it
+    #[arg(value_name = "DOC", required = true)]
+    pub documents: Vec<PathBuf>,
+
+    /// The form of the findings
+    #[arg(long, value_enum, default_value_t = Findings::Text)]
+    pub format: Findings,
+}
+
+/// The forms of findings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Findings {
+    /// With the line of the source and a mark under the place
+    Text,
+    /// One array
+    Json,
+}
+
+const EXPORT_EXAMPLES: &str = "\
+Examples:
+  meniscus export simulations/utube.md --output utube.html
+
+The page needs nothing else: it opens from a file, from any web server and inside a course page, and works offline.
+Its source is inside: `serve`, `run`, `check` and `export` take an exported page wherever they take a document.";
+
+/// `meniscus export`
+#[derive(Debug, Args)]
+pub struct Export {
+    /// The document
+    #[arg(value_name = "DOC")]
+    pub document: PathBuf,
+
+    /// The page, which appears whole or not at all; `-` is the standard output
+    #[arg(long, short, value_name = "FILE.html")]
+    pub output: PathBuf,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn assignments_keep_their_unit() {
+        let expected = Assignment {
+            name: "h_l".to_owned(),
+            value: "40 [cm]".to_owned(),
+        };
+        assert_eq!(assignment("h_l = 40 [cm]"), Ok(expected));
+        assert!(assignment("h_l").is_err());
+        assert!(assignment("=3").is_err());
+    }
+}

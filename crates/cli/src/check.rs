@@ -1,0 +1,68 @@
+//! `meniscus check`: what is wrong with documents, for people and for programs.
+
+use crate::arguments::{Check, Findings};
+use crate::failure::Failure;
+use crate::load::{self, Loaded};
+use crate::output::Output;
+use crate::report::{Terminal, findings_as_json, findings_as_text};
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Checks each document once, with its translations.
+pub fn check(arguments: &Check, terminal: Terminal) -> Result<(), Failure> {
+    let mut checked: Vec<PathBuf> = Vec::new();
+    let mut loaded = Vec::new();
+    for path in &arguments.documents {
+        let sources = load::sources(path)?;
+        let base = sources.path().to_owned();
+        if !checked.contains(&base) {
+            checked.push(base);
+            loaded.push(Loaded::open(sources));
+        }
+    }
+    let mut output = Output::standard();
+    let text = match arguments.format {
+        Findings::Json => findings_as_json(&loaded),
+        Findings::Text => {
+            findings_as_text(&loaded, terminal.standard_output_colors()) + &summary(&loaded)
+        }
+    };
+    output
+        .write_all(text.as_bytes())
+        .map_err(|error| output.failure(&error))?;
+    output.finish()?;
+    if loaded.iter().any(|document| document.opened.has_errors()) {
+        Err(Failure::Document)
+    } else {
+        Ok(())
+    }
+}
+
+/// A line for each document.
+fn summary(documents: &[Loaded]) -> String {
+    let mut summary = String::new();
+    for loaded in documents {
+        let errors = loaded.errors();
+        let warnings = loaded.opened.diagnostics.len() - errors;
+        let verdict = match (errors, warnings) {
+            (0, 0) => "ok".to_owned(),
+            (0, _) => counted(warnings, "warning"),
+            (_, 0) => counted(errors, "error"),
+            (_, _) => format!(
+                "{}, {}",
+                counted(errors, "error"),
+                counted(warnings, "warning")
+            ),
+        };
+        summary.push_str(&format!("{}: {verdict}\n", loaded.sources.path().display()));
+    }
+    summary
+}
+
+fn counted(count: usize, noun: &str) -> String {
+    if count == 1 {
+        format!("1 {noun}")
+    } else {
+        format!("{count} {noun}s")
+    }
+}

@@ -1,0 +1,30 @@
+//! `meniscus export`: one offline page with the document inside.
+
+use crate::arguments::Export;
+use crate::failure::Failure;
+use crate::load::{self, Loaded};
+use crate::output::Output;
+use crate::page;
+use crate::report::Terminal;
+use std::io::Write;
+
+/// Writes the page; refuses a document with errors.
+pub fn export(arguments: &Export, terminal: Terminal) -> Result<(), Failure> {
+    page::own()?;
+    let loaded = Loaded::open(load::sources(&arguments.document)?);
+    terminal.report(&loaded);
+    let Some(document) = loaded
+        .opened
+        .document
+        .as_ref()
+        .filter(|_| !loaded.opened.has_errors())
+    else {
+        return Err(Failure::Document);
+    };
+    let page = page::with(&loaded.sources, Some(document))?;
+    let mut output = Output::to(&arguments.output, &loaded.sources)?;
+    output
+        .write_all(page.as_bytes())
+        .map_err(|error| output.failure(&error))?;
+    output.finish()
+}

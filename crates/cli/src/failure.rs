@@ -1,0 +1,136 @@
+//! Why a command did not do what it was asked, and the exit code that says so.
+
+use std::fmt::Display;
+use std::io;
+use std::path::Path;
+
+/// Why a command stopped.
+#[derive(Debug)]
+pub enum Failure {
+    /// The document has errors, or its run failed; the diagnostics are on the screen already. Exit code 1.
+    Document,
+    /// An expression in an argument has errors; the diagnostics are on the screen already. Exit code 2.
+    Argument,
+    /// What was asked for cannot be done: a wrong argument, a file that cannot be read or written. Exit code 2.
+    Request {
+        /// What is wrong.
+        message: String,
+        /// What to do.
+        hint: Option<String>,
+    },
+    /// Whoever read our output has seen enough, as `head` does. No failure: exit code 0.
+    OutputClosed,
+}
+
+impl Failure {
+    /// Something in the request is wrong.
+    pub fn request(message: impl Into<String>) -> Self {
+        Self::Request {
+            message: message.into(),
+            hint: None,
+        }
+    }
+
+    /// Something in the request is wrong, and there is a remedy.
+    pub fn with_hint(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self::Request {
+            message: message.into(),
+            hint: Some(hint.into()),
+        }
+    }
+
+    /// A file that cannot be read or written.
+    pub fn file(doing: &str, path: &Path, error: &io::Error) -> Self {
+        Self::Request {
+            message: format!("cannot {doing} {}: {}", path.display(), plain(error)),
+            hint: None,
+        }
+    }
+
+    /// What writing to standard output ran into.
+    pub fn standard_output(error: &io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Self::OutputClosed,
+            _ => Self::request(format!(
+                "cannot write to the standard output: {}",
+                plain(error)
+            )),
+        }
+    }
+
+    /// The exit code: 0, 1 or 2.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::OutputClosed => 0,
+            Self::Document => 1,
+            Self::Argument | Self::Request { .. } => 2,
+        }
+    }
+}
+
+/// The system's own words, without `(os error 2)`.
+fn plain(error: &io::Error) -> String {
+    let text = error.to_string();
+    match text.split_once(" (os error") {
+        Some((words, _)) => words.to_owned(),
+        None => text,
+    }
+}
+
+/// The nearest of `known` to a name that is none of them, if one is near.
+pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let limit = 1 + name.chars().count() / 3;
+    (known
+        .into_iter()
+        .map(|candidate| (distance(name, candidate), candidate)))
+    .filter(|&(distance, _)| distance <= limit)
+    .min_by_key(|&(distance, _)| distance)
+    .map(|(_, candidate)| candidate)
+}
+
+/// How many letters must be inserted, deleted or replaced, capital letters counting as small ones.
+fn distance(left: &str, right: &str) -> usize {
+    let right: Vec<char> = right.to_lowercase().chars().collect();
+    let mut row: Vec<usize> = (0..=right.len()).collect();
+    for (i, a) in left.to_lowercase().chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, &b) in right.iter().enumerate() {
+            let replaced = diagonal + usize::from(a != b);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[right.len()]
+}
+
+/// `a, b and c`
+pub fn listed<T: Display>(items: impl IntoIterator<Item = T>) -> String {
+    let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
+    match items.as_slice() {
+        [] => "none".to_owned(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn offers_near_names_only() {
+        let known = ["rho", "h_l", "h_r", "omega_0"];
+        assert_eq!(nearest("roh", known), Some("rho"));
+        assert_eq!(nearest("H_L", known), Some("h_l"));
+        assert_eq!(nearest("omega0", known), Some("omega_0"));
+        assert_eq!(nearest("viscosity", known), None);
+        assert_eq!(nearest("b", []), None);
+    }
+
+    #[test]
+    fn lists_read_as_a_sentence() {
+        assert_eq!(listed(["b"]), "b");
+        assert_eq!(listed(["b", "h_l", "rho"]), "b, h_l and rho");
+    }
+}

@@ -1,0 +1,144 @@
+//! Where results go: the standard output, or a file that appears whole or not at all.
+
+use crate::failure::Failure;
+use crate::load::Sources;
+use std::fs;
+use std::io::{self, BufWriter, StdoutLock, Write};
+use std::path::{Path, PathBuf};
+use tempfile::{Builder, NamedTempFile};
+
+/// A place to write to. Nothing appears under its name before [`Output::finish`].
+#[derive(Debug)]
+pub enum Output {
+    /// The standard output.
+    Standard(BufWriter<StdoutLock<'static>>),
+    /// A temporary file beside its target.
+    File {
+        /// What is written so far.
+        writer: BufWriter<NamedTempFile>,
+        /// What it will be called.
+        target: PathBuf,
+    },
+    /// A device such as /dev/null, which must be written to and not replaced.
+    Device {
+        /// The open device.
+        writer: BufWriter<fs::File>,
+        /// Its name.
+        target: PathBuf,
+    },
+}
+
+impl Output {
+    /// The standard output.
+    pub fn standard() -> Self {
+        Self::Standard(BufWriter::new(io::stdout().lock()))
+    }
+
+    /// The file `path`, `-` being the standard output. The sources that the result is made of are not overwritten.
+    pub fn to(path: &Path, sources: &Sources) -> Result<Self, Failure> {
+        if path == Path::new("-") {
+            return Ok(Self::standard());
+        }
+        if sources.contains(path) {
+            return Err(Failure::request(format!(
+                "{} is the document itself; choose another output",
+                path.display()
+            )));
+        }
+        let failure = |error: io::Error| Failure::file("write", path, &error);
+        match fs::metadata(path) {
+            Ok(metadata) if metadata.is_dir() => Err(Failure::request(format!(
+                "cannot write {}: it is a directory",
+                path.display()
+            ))),
+            Ok(metadata) if !metadata.is_file() => {
+                let device = fs::OpenOptions::new()
+                    .write(true)
+                    .open(path)
+                    .map_err(failure)?;
+                Ok(Self::Device {
+                    writer: BufWriter::new(device),
+                    target: path.to_owned(),
+                })
+            }
+            // A link stays, and what it points to is replaced.
+            Ok(metadata) => Self::beside(
+                path.canonicalize().map_err(failure)?,
+                Some(metadata.permissions()),
+            )
+            .map_err(failure),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                Self::beside(path.to_owned(), None).map_err(failure)
+            }
+            Err(error) => Err(failure(error)),
+        }
+    }
+
+    fn beside(target: PathBuf, permissions: Option<fs::Permissions>) -> io::Result<Self> {
+        let directory = target
+            .parent()
+            .filter(|parent| !parent.as_os_str().is_empty())
+            .unwrap_or(Path::new("."));
+        let mut builder = Builder::new();
+        builder.prefix(".meniscus-");
+        #[cfg(unix)]
+        let new_file = <fs::Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666);
+        #[cfg(unix)]
+        builder.permissions(new_file);
+        let file = builder.tempfile_in(directory)?;
+        if let Some(permissions) = permissions {
+            if permissions.readonly() {
+                return Err(io::ErrorKind::PermissionDenied.into());
+            }
+            file.as_file().set_permissions(permissions)?;
+        }
+        Ok(Self::File {
+            writer: BufWriter::new(file),
+            target,
+        })
+    }
+
+    /// What an error of writing here means.
+    pub fn failure(&self, error: &io::Error) -> Failure {
+        match self {
+            Self::Standard(_) => Failure::standard_output(error),
+            Self::File { target, .. } | Self::Device { target, .. } => {
+                Failure::file("write", target, error)
+            }
+        }
+    }
+
+    /// Writes what is left, and gives the file its name.
+    pub fn finish(mut self) -> Result<(), Failure> {
+        self.flush().map_err(|error| self.failure(&error))?;
+        match self {
+            Self::Standard(_) | Self::Device { .. } => Ok(()),
+            Self::File { writer, target } => {
+                let file = writer
+                    .into_inner()
+                    .map_err(|error| Failure::file("write", &target, error.error()))?;
+                file.persist(&target)
+                    .map_err(|error| Failure::file("write", &target, &error.error))?;
+                Ok(())
+            }
+        }
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Self::Standard(writer) => writer.write(bytes),
+            Self::File { writer, .. } => writer.write(bytes),
+            Self::Device { writer, .. } => writer.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Self::Standard(writer) => writer.flush(),
+            Self::File { writer, .. } => writer.flush(),
+            Self::Device { writer, .. } => writer.flush(),
+        }
+    }
+}

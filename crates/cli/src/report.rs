@@ -1,0 +1,261 @@
+//! Diagnostics for people, with the line of the source under them, and for programs, as JSON.
+
+use crate::arguments::Color;
+use crate::load::{Loaded, Sources};
+use codespan_reporting::diagnostic as shown;
+use codespan_reporting::files::SimpleFiles;
+use codespan_reporting::term;
+use codespan_reporting::term::termcolor::{Ansi, NoColor, WriteColor};
+use model::{Diagnostic, Severity, Span};
+use serde::Serialize;
+use std::io::{IsTerminal, Write};
+
+/// How messages are written to the terminal.
+#[derive(Clone, Copy, Debug)]
+pub struct Terminal {
+    color: Color,
+}
+
+impl Terminal {
+    /// Messages in colour or not.
+    pub fn new(color: Color) -> Self {
+        Self { color }
+    }
+
+    fn colors(self, is_terminal: bool) -> bool {
+        let plain = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
+            || std::env::var_os("TERM").is_some_and(|value| value == "dumb");
+        match self.color {
+            Color::Always => true,
+            Color::Never => false,
+            Color::Auto => is_terminal && !plain,
+        }
+    }
+
+    /// Whether the standard output gets colours.
+    pub fn standard_output_colors(self) -> bool {
+        self.colors(std::io::stdout().is_terminal())
+    }
+
+    /// Writes all findings about a document to the standard error.
+    pub fn report(self, loaded: &Loaded) {
+        let colors = self.colors(std::io::stderr().is_terminal());
+        self.print(&findings_as_text(std::slice::from_ref(loaded), colors));
+    }
+
+    /// Writes one finding about a document to the standard error.
+    pub fn report_one(self, sources: &Sources, diagnostic: &Diagnostic) {
+        let colors = self.colors(std::io::stderr().is_terminal());
+        self.print(&rendered(sources, [(0, diagnostic)], colors));
+    }
+
+    /// Writes an error that has no place in a document.
+    pub fn error(self, message: &str, hint: Option<&str>) {
+        let notes = hint
+            .map(|hint| format!("hint: {hint}"))
+            .into_iter()
+            .collect();
+        let error = shown::Diagnostic::error()
+            .with_message(message)
+            .with_notes(notes);
+        self.print(&emitted(
+            &SimpleFiles::new(),
+            [error],
+            self.colors(std::io::stderr().is_terminal()),
+        ));
+    }
+
+    /// Writes a line to the standard error; if that is closed, there is nobody to be told.
+    pub fn print(self, text: &str) {
+        let _ = std::io::stderr().lock().write_all(text.as_bytes());
+    }
+}
+
+/// All findings, each with its place.
+pub fn findings_as_text(documents: &[Loaded], colors: bool) -> String {
+    let mut text = String::new();
+    for loaded in documents {
+        let findings = loaded
+            .opened
+            .diagnostics
+            .iter()
+            .map(|(file, diagnostic)| (*file, diagnostic));
+        text.push_str(&rendered(&loaded.sources, findings, colors));
+    }
+    text
+}
+
+fn rendered<'a>(
+    sources: &Sources,
+    findings: impl IntoIterator<Item = (usize, &'a Diagnostic)>,
+    colors: bool,
+) -> String {
+    let mut files = SimpleFiles::new();
+    let texts: Vec<&str> = sources.texts().map(|(_, text)| text).collect();
+    let ids: Vec<usize> = sources
+        .texts()
+        .map(|(path, text)| files.add(path.display().to_string(), text))
+        .collect();
+    let findings = findings.into_iter().filter_map(|(file, diagnostic)| {
+        let (&id, &text) = (ids.get(file)?, texts.get(file)?);
+        Some(with_places(diagnostic, id, text))
+    });
+    emitted(&files, findings, colors)
+}
+
+fn with_places(diagnostic: &Diagnostic, file: usize, text: &str) -> shown::Diagnostic<usize> {
+    let severity = match diagnostic.severity {
+        Severity::Error => shown::Severity::Error,
+        Severity::Warning => shown::Severity::Warning,
+    };
+    let labels = diagnostic.labels.iter().enumerate().map(|(index, label)| {
+        let range = inside(label.span, text).range();
+        let place = if index == 0 {
+            shown::Label::primary(file, range)
+        } else {
+            shown::Label::secondary(file, range)
+        };
+        place.with_message(&label.text)
+    });
+    let notes = diagnostic
+        .notes
+        .iter()
+        .cloned()
+        .chain(diagnostic.hints.iter().map(|hint| format!("hint: {hint}")));
+    shown::Diagnostic::new(severity)
+        .with_code(diagnostic.code)
+        .with_message(&diagnostic.message)
+        .with_labels(labels.collect())
+        .with_notes(notes.collect())
+}
+
+fn emitted<'a>(
+    files: &'a SimpleFiles<String, &'a str>,
+    findings: impl IntoIterator<Item = shown::Diagnostic<usize>>,
+    colors: bool,
+) -> String {
+    let mut bytes = Vec::new();
+    {
+        let writer: &mut dyn WriteColor = if colors {
+            &mut Ansi::new(&mut bytes)
+        } else {
+            &mut NoColor::new(&mut bytes)
+        };
+        for finding in findings {
+            // Writing to memory cannot fail, and the places are inside their texts.
+            let _ = term::emit_to_write_style(writer, &term::Config::default(), files, &finding);
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// The span, moved inside the text and to the boundaries of its characters.
+fn inside(span: Span, text: &str) -> Span {
+    let end = text.ceil_char_boundary(span.end.min(text.len()));
+    let start = text.floor_char_boundary(span.start.min(end));
+    Span::new(start, end)
+}
+
+/// A finding as programs read it. Fields are only ever added.
+#[derive(Serialize)]
+struct Finding<'a> {
+    file: String,
+    severity: &'static str,
+    code: &'a str,
+    message: &'a str,
+    #[serde(flatten)]
+    place: Place,
+    labels: Vec<Words<'a>>,
+    notes: &'a [String],
+    hints: &'a [String],
+}
+
+/// Lines and columns count from 1; columns count characters.
+#[derive(Serialize)]
+struct Place {
+    #[serde(flatten)]
+    start: Position,
+    end: Position,
+}
+
+#[derive(Serialize)]
+struct Position {
+    line: usize,
+    column: usize,
+}
+
+#[derive(Serialize)]
+struct Words<'a> {
+    text: &'a str,
+    #[serde(flatten)]
+    place: Place,
+}
+
+/// All findings as one array.
+pub fn findings_as_json(documents: &[Loaded]) -> String {
+    let mut findings = Vec::new();
+    for loaded in documents {
+        let texts: Vec<&str> = loaded.sources.texts().map(|(_, text)| text).collect();
+        for (file, diagnostic) in &loaded.opened.diagnostics {
+            let text = texts.get(*file).copied().unwrap_or_default();
+            findings.push(Finding {
+                file: loaded.sources.file_path(*file).display().to_string(),
+                severity: match diagnostic.severity {
+                    Severity::Error => "error",
+                    Severity::Warning => "warning",
+                },
+                code: diagnostic.code,
+                message: &diagnostic.message,
+                place: place(diagnostic.span(), text),
+                labels: (diagnostic.labels.iter())
+                    .map(|label| Words {
+                        text: &label.text,
+                        place: place(label.span, text),
+                    })
+                    .collect(),
+                notes: &diagnostic.notes,
+                hints: &diagnostic.hints,
+            });
+        }
+    }
+    // Texts and numbers only: there is nothing in it that could not be written.
+    serde_json::to_string_pretty(&findings).unwrap_or_default() + "\n"
+}
+
+fn place(span: Span, text: &str) -> Place {
+    let span = inside(span, text);
+    Place {
+        start: position(span.start, text),
+        end: position(span.end, text),
+    }
+}
+
+fn position(offset: usize, text: &str) -> Position {
+    let before = &text[..offset];
+    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    Position {
+        line: 1 + before.matches('\n').count(),
+        column: 1 + before[line_start..].chars().count(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_count_characters_from_one() {
+        let text = "a\nγ = b\n";
+        let Position { line, column } = position(text.find('b').expect("it is there"), text);
+        assert_eq!((line, column), (2, 5));
+        let Position { line, column } = position(0, text);
+        assert_eq!((line, column), (1, 1));
+    }
+
+    #[test]
+    fn places_outside_the_text_are_moved_inside() {
+        assert_eq!(inside(Span::new(40, 50), "γ"), Span::new(2, 2));
+        assert_eq!(inside(Span::new(1, 1), "γ"), Span::new(0, 2));
+        assert_eq!(inside(Span::new(2, 1), "abc"), Span::new(1, 1));
+    }
+}

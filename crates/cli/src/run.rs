@@ -1,0 +1,204 @@
+//! `meniscus run`: a document's table, row by row as it is computed.
+
+use crate::arguments::{Format, Run};
+use crate::failure::Failure;
+use crate::load::{self, Loaded, Sources};
+use crate::output::Output;
+use crate::report::Terminal;
+use crate::settings;
+use engine::RunError;
+use engine::table::Table;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use model::Diagnostic;
+use std::io::{IsTerminal, Write};
+use std::path::Path;
+
+/// Rows are collected to about this many bytes before they are written.
+const CHUNK: usize = 1 << 16;
+/// How many bytes of written rows are kept before they are dropped together.
+const HISTORY: usize = 1 << 20;
+
+/// Runs the document from 0 to the end asked for.
+pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
+    let loaded = Loaded::open(load::sources(&arguments.document)?.without_translations());
+    terminal.report(&loaded);
+    let refused = loaded.opened.has_errors();
+    let Loaded { sources, opened } = loaded;
+    let Some(mut document) = opened.document.filter(|_| !refused) else {
+        return Err(Failure::Document);
+    };
+    let (setup, until) = settings::setup(&mut document, arguments, terminal)?;
+    let model = &document.model;
+    let table = match &arguments.columns {
+        Some(names) => Table::select(
+            model,
+            &names.iter().map(|name| name.trim()).collect::<Vec<_>>(),
+        )
+        .map_err(|unknown| {
+            let message = format!("there is no column `{}`", unknown.name);
+            match unknown.near {
+                Some(near) => Failure::with_hint(message, format!("did you mean `{near}`?")),
+                None => Failure::with_hint(
+                    message,
+                    "columns are names of the document: states, quantities and parameters",
+                ),
+            }
+        })?,
+        None => Table::new(model),
+    };
+    let steps = steps(until, setup.step)?;
+    let failed = |error: RunError| failed(&sources, error, terminal);
+    let run = engine::Run::start(model, setup).map_err(failed)?;
+    let output = match &arguments.output {
+        Some(path) => Output::to(path, &sources)?,
+        None => Output::standard(),
+    };
+    let progress = progress(steps, arguments.output.as_deref());
+    let mut writer = Writer {
+        output,
+        table,
+        format: format(arguments),
+        text: String::new(),
+        any: false,
+    };
+    writer.head()?;
+    let outcome = rows(run, steps, &mut writer, &progress);
+    progress.finish_and_clear();
+    match outcome? {
+        None => writer.finish(),
+        Some(error) => {
+            // What is on the standard output stays well-formed; a file does not appear at all.
+            if matches!(writer.output, Output::Standard(_)) {
+                writer.finish()?;
+            }
+            Err(failed(error))
+        }
+    }
+}
+
+/// How many steps lie between 0 and the end, which counts if it is a step but for rounding.
+fn steps(until: f64, step: f64) -> Result<u64, Failure> {
+    let steps = (until / step * (1.0 + 1e-12)).floor();
+    // Beyond this the number of a step times the step is no longer exact.
+    const MOST: f64 = (1_u64 << 53) as f64;
+    if steps < MOST {
+        Ok(steps as u64)
+    } else {
+        Err(Failure::request("--until is too many steps away"))
+    }
+}
+
+/// Writes all rows; the error that ended the run, if one did.
+fn rows(
+    mut run: engine::Run,
+    steps: u64,
+    writer: &mut Writer,
+    progress: &ProgressBar,
+) -> Result<Option<RunError>, Failure> {
+    writer.row(run.history(), 0)?;
+    for done in 0..steps {
+        // What is written need not be kept; so no run is too long.
+        if run.history().bytes() > HISTORY {
+            run.forget();
+            progress.set_position(done);
+        }
+        let written = run.history().len();
+        let outcome = run.advance();
+        for row in written..run.history().len() {
+            writer.row(run.history(), row)?;
+        }
+        if let Err(error) = outcome {
+            return Ok(Some(error));
+        }
+    }
+    Ok(None)
+}
+
+fn failed(sources: &Sources, error: RunError, terminal: Terminal) -> Failure {
+    match error.span {
+        Some(_) => terminal.report_one(sources, &Diagnostic::from(error)),
+        None => terminal.error(&error.message, error.hint.as_deref()),
+    }
+    Failure::Document
+}
+
+fn format(arguments: &Run) -> engine::table::Format {
+    let by_ending = || {
+        let ending = arguments
+            .output
+            .as_ref()?
+            .extension()?
+            .to_str()?
+            .to_ascii_lowercase();
+        match ending.as_str() {
+            "json" => Some(Format::Json),
+            "jsonl" | "ndjson" => Some(Format::Jsonl),
+            _ => None,
+        }
+    };
+    match arguments.format.or_else(by_ending).unwrap_or(Format::Csv) {
+        Format::Csv => engine::table::Format::Csv,
+        Format::Json => engine::table::Format::Json,
+        Format::Jsonl => engine::table::Format::JsonLines,
+    }
+}
+
+/// A bar on the terminal, unless the table itself goes there. indicatif shows nothing where the standard error is none.
+fn progress(steps: u64, output: Option<&Path>) -> ProgressBar {
+    let table_on_screen =
+        output.is_none_or(|path| path == Path::new("-")) && std::io::stdout().is_terminal();
+    let target = if table_on_screen || steps < 200_000 {
+        ProgressDrawTarget::hidden()
+    } else {
+        ProgressDrawTarget::stderr()
+    };
+    let bar = ProgressBar::with_draw_target(Some(steps), target);
+    let style = ProgressStyle::with_template(
+        "{bar:40} {percent:>3} %  {human_pos} of {human_len} steps  {eta} left",
+    );
+    match style {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}
+
+/// The table on its way out.
+struct Writer {
+    output: Output,
+    table: Table,
+    format: engine::table::Format,
+    text: String,
+    any: bool,
+}
+
+impl Writer {
+    fn head(&mut self) -> Result<(), Failure> {
+        // Writing to a string cannot fail.
+        let _ = self.table.write_head(self.format, &mut self.text);
+        Ok(())
+    }
+
+    fn row(&mut self, history: &engine::History, row: usize) -> Result<(), Failure> {
+        let _ = self
+            .table
+            .write_row(self.format, history, row, !self.any, &mut self.text);
+        self.any = true;
+        if self.text.len() >= CHUNK {
+            self.write()
+        } else {
+            Ok(())
+        }
+    }
+
+    fn write(&mut self) -> Result<(), Failure> {
+        let written = self.output.write_all(self.text.as_bytes());
+        self.text.clear();
+        written.map_err(|error| self.output.failure(&error))
+    }
+
+    fn finish(mut self) -> Result<(), Failure> {
+        let _ = self.table.write_end(self.format, &mut self.text);
+        self.write()?;
+        self.output.finish()
+    }
+}

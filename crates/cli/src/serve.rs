@@ -1,0 +1,174 @@
+//! `meniscus serve`: the laboratory at 127.0.0.1, for this computer alone.
+
+use crate::arguments::Serve;
+use crate::failure::Failure;
+use crate::load::{self, Loaded};
+use crate::page;
+use crate::report::Terminal;
+use axum::Router;
+use axum::extract::{Request, State};
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::middleware::{self, Next};
+use axum::response::{IntoResponse, Response};
+use axum::routing::get;
+use std::io;
+use std::net::{Ipv4Addr, TcpListener};
+use std::path::{Path, PathBuf};
+
+/// The port unless one is asked for, and how many after it are tried.
+const PORT: u16 = 4242;
+const TRIED: u16 = 20;
+
+/// What a request needs.
+#[derive(Clone, Debug)]
+struct Laboratory {
+    document: Option<PathBuf>,
+    terminal: Terminal,
+    port: u16,
+}
+
+/// Serves until Ctrl-C.
+pub fn serve(arguments: &Serve, terminal: Terminal) -> Result<(), Failure> {
+    page::own()?;
+    // Read once before anything is opened, so that a wrong name is an error here and not a broken page.
+    laboratory_page(arguments.document.as_deref(), terminal)?;
+    let listener = listen(arguments.port)?;
+    let port = listener
+        .local_addr()
+        .map_err(|error| network(&error))?
+        .port();
+    let address = format!("http://127.0.0.1:{port}/");
+    terminal.print(&format!(
+        "The laboratory is at {address} (Ctrl-C ends it)\n"
+    ));
+    if !arguments.no_open && webbrowser::open(&address).is_err() {
+        terminal.print("No browser could be opened; open the address yourself\n");
+    }
+    let laboratory = Laboratory {
+        document: arguments.document.clone(),
+        terminal,
+        port,
+    };
+    let runtime = tokio::runtime::Builder::new_current_thread()
+        .enable_all()
+        .build();
+    runtime
+        .and_then(|runtime| runtime.block_on(answer(listener, laboratory)))
+        .map_err(|error| network(&error))
+}
+
+fn listen(asked: Option<u16>) -> Result<TcpListener, Failure> {
+    if let Some(port) = asked {
+        return TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(|error| {
+            let hint = "without --port, the next free one is taken";
+            match error.kind() {
+                io::ErrorKind::AddrInUse => {
+                    Failure::with_hint(format!("port {port} is in use"), hint)
+                }
+                _ => Failure::with_hint(format!("cannot listen on port {port}: {error}"), hint),
+            }
+        });
+    }
+    let mut candidates = (PORT..PORT + TRIED).chain([0]);
+    candidates
+        .find_map(|port| TcpListener::bind((Ipv4Addr::LOCALHOST, port)).ok())
+        .ok_or_else(|| Failure::request("no port is free"))
+}
+
+fn network(error: &io::Error) -> Failure {
+    Failure::request(format!("cannot serve: {error}"))
+}
+
+async fn answer(listener: TcpListener, laboratory: Laboratory) -> io::Result<()> {
+    listener.set_nonblocking(true)?;
+    let listener = tokio::net::TcpListener::from_std(listener)?;
+    let guard = middleware::from_fn_with_state(laboratory.clone(), only_this_computer);
+    let routes = Router::new()
+        .route("/", get(index))
+        .layer(guard)
+        .with_state(laboratory);
+    tokio::select! {
+        result = axum::serve(listener, routes) => result,
+        interrupted = tokio::signal::ctrl_c() => interrupted,
+    }
+}
+
+/// Refuses requests under another name: a page elsewhere could give its own name the address 127.0.0.1 and read the
+/// document through the person's browser.
+async fn only_this_computer(
+    State(laboratory): State<Laboratory>,
+    request: Request,
+    next: Next,
+) -> Response {
+    if is_local(request.headers(), laboratory.port) {
+        next.run(request).await
+    } else {
+        (
+            StatusCode::FORBIDDEN,
+            "This laboratory is served to this computer alone.\n",
+        )
+            .into_response()
+    }
+}
+
+fn is_local(headers: &HeaderMap, port: u16) -> bool {
+    let host = headers
+        .get(header::HOST)
+        .and_then(|value| value.to_str().ok());
+    ["127.0.0.1", "localhost"]
+        .iter()
+        .any(|name| host == Some(&format!("{name}:{port}")) || (port == 80 && host == Some(*name)))
+}
+
+/// The page, with the document as it is now.
+async fn index(State(laboratory): State<Laboratory>) -> Response {
+    let headers = [
+        (header::CONTENT_TYPE, "text/html; charset=utf-8"),
+        (header::CACHE_CONTROL, "no-store"),
+        (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (header::REFERRER_POLICY, "no-referrer"),
+    ];
+    match laboratory_page(laboratory.document.as_deref(), laboratory.terminal) {
+        Ok(page) => (headers, page).into_response(),
+        Err(Failure::Request { message, .. }) => {
+            (StatusCode::INTERNAL_SERVER_ERROR, format!("{message}\n")).into_response()
+        }
+        Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
+    }
+}
+
+/// The page with a document, whose findings go to the terminal too; a document with errors is shown with them.
+fn laboratory_page(document: Option<&Path>, terminal: Terminal) -> Result<String, Failure> {
+    let Some(path) = document else {
+        return page::own().map(str::to_owned);
+    };
+    let loaded = Loaded::open(load::sources(path)?);
+    terminal.report(&loaded);
+    page::with(&loaded.sources, loaded.opened.document.as_ref())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn other_names_for_this_address_are_refused() {
+        let host = |name: &str| {
+            let mut headers = HeaderMap::new();
+            headers.insert(header::HOST, name.parse().expect("a header value"));
+            headers
+        };
+        for name in ["127.0.0.1:4242", "localhost:4242"] {
+            assert!(is_local(&host(name), 4242), "{name}");
+        }
+        for name in [
+            "attacker.example:4242",
+            "127.0.0.1",
+            "127.0.0.1:4243",
+            "localhost.attacker.example:4242",
+        ] {
+            assert!(!is_local(&host(name), 4242), "{name}");
+        }
+        assert!(!is_local(&HeaderMap::new(), 4242));
+    }
+}

@@ -73,7 +73,8 @@ pub enum StatementKind {
         /// The stated unit, which is also the display unit of the state.
         unit: Option<StatedUnit>,
     },
-    /// `rho*S*L*y'' + b*y' + 2*rho*S*g*y = 0`
+    /// `rho*S*L*y'' + b*y' + 2*rho*S*g*y = 0`. Two [`ExpressionKind::Error`] stand for a statement that could not be
+    /// read at all, which may have been of any kind.
     Equation {
         /// The left side.
         left: Expression,
@@ -94,7 +95,8 @@ pub enum StatementKind {
 pub struct ParameterStatement {
     /// The parameter.
     pub name: Name,
-    /// The default value in the declared unit, with its sign.
+    /// The default value in the declared unit, with its sign. NaN where it or its unit could not be read: a diagnostic
+    /// has said so, and the parameter fits any dimension.
     pub value: f64,
     /// Where the value stands.
     pub value_span: Span,

@@ -1,0 +1,220 @@
+//! Infers and checks the dimensions of a whole model.
+//!
+//! What the author states counts before what follows from it: first stated units, then initial values, then equations,
+//! then definitions with a stated unit, which are only checked against it. So a slip in a definition is told there, and
+//! not in the equations that use it.
+
+use super::describe::with_article;
+use super::form::{Conflict, Form, Solver};
+use super::infer::{Inference, Type, Types};
+use super::mismatch::{Place, Term};
+use crate::names::{Meaning, Program, Unknown};
+use crate::notation::primed;
+use crate::{Diagnostic, Expression, StatedUnit};
+use units::Dimension;
+
+/// What is known about the names of a model once it has been checked; every dimension in it is known. `order` is that of
+/// the definitions.
+pub(crate) fn check_dimensions(
+    program: &Program,
+    order: &[usize],
+    unknowns: &[Unknown],
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Types {
+    let mut solver = Solver::default();
+    let unit = |stated: Option<&StatedUnit>| stated.map_or(Dimension::NONE, |stated| stated.unit.dimension);
+    let types = Types {
+        independent: program.independent.1.dimension.into(),
+        parameters: program.parameters.iter().map(|entry| unit(entry.statement.unit.as_ref()).into()).collect(),
+        definitions: vec![Type::Unknown; program.definitions.len()],
+        numbers: vec![None; program.definitions.len()],
+        unknowns: unknowns.iter().map(|_| solver.fresh()).collect(),
+        unknown_names: unknowns.iter().map(|unknown| unknown.name.to_owned()).collect(),
+    };
+    let mut inference = Inference { scope: &program.scope, types, solver, diagnostics: Vec::new() };
+    inference.stated_initial_values(unknowns);
+    inference.definitions(program, order);
+    inference.initial_values(unknowns);
+    for equation in &program.equations {
+        inference.equation(equation);
+    }
+    for definition in &program.definitions {
+        if let Some(stated) = definition.unit {
+            inference.stated(definition.value, stated);
+        }
+    }
+    for event in &program.events {
+        inference.event(event);
+    }
+    inference.settle(unknowns);
+    diagnostics.append(&mut inference.diagnostics);
+    inference.types
+}
+
+impl Inference<'_> {
+    /// `y(0) = h in [cm]` makes y a length, whatever h is.
+    fn stated_initial_values(&mut self, unknowns: &[Unknown]) {
+        for (index, unknown) in unknowns.iter().enumerate() {
+            for entry in unknown.initial.iter().flatten() {
+                let Some(stated) = entry.unit else { continue };
+                let Some(own) = self.state(index, entry.order) else { continue };
+                let needed = Form::from(stated.unit.dimension);
+                if self.solver.unify(&own, &needed, stated.span) == Err(Conflict::Different) {
+                    let written = primed(unknown.name, entry.order);
+                    let message = format!("the stated unit does not fit: `{written}` is {}", self.what(&own));
+                    let mut diagnostic = Diagnostic::error("dimension-mismatch", message, stated.span).saying(self.what(&needed));
+                    if let Some(origin) = self.solver.origin(&self.types.unknowns[index]) {
+                        diagnostic = diagnostic.with_label(origin, "this decides it");
+                    }
+                    self.diagnostics.push(diagnostic);
+                }
+            }
+        }
+    }
+
+    /// The dimension of an unknown with primes.
+    fn state(&self, index: usize, order: u32) -> Option<Form> {
+        self.derivative(self.types.unknowns.get(index)?, order)
+    }
+
+    /// Definitions in an order in which each comes after those it uses. A stated unit is believed for now.
+    fn definitions(&mut self, program: &Program, order: &[usize]) {
+        for &index in order {
+            let definition = &program.definitions[index];
+            self.types.numbers[index] = if definition.unit.is_none() { self.constant(definition.value) } else { None };
+            self.types.definitions[index] = match definition.unit {
+                Some(stated) => Type::Number(stated.unit.dimension.into()),
+                None => self.expression(definition.value),
+            };
+        }
+    }
+
+    fn initial_values(&mut self, unknowns: &[Unknown]) {
+        for (index, unknown) in unknowns.iter().enumerate() {
+            for entry in unknown.initial.iter().flatten() {
+                if let Some(stated) = entry.unit {
+                    self.stated(entry.value, stated);
+                } else if let Some(own) = self.state(index, entry.order) {
+                    let written = primed(unknown.name, entry.order);
+                    self.assigned(entry.value, &written, &own, entry.name.span);
+                }
+            }
+        }
+    }
+
+    /// What becomes the value of a state must have its dimension.
+    fn assigned(&mut self, value: &Expression, written: &str, own: &Form, span: crate::Span) {
+        let Some(form) = self.numeric(value, &format!("`{written}`")) else { return };
+        match self.solver.unify(own, &form, value.span) {
+            Ok(()) => {}
+            Err(Conflict::TooLarge) => {
+                self.too_large(value.span);
+            }
+            Err(Conflict::Different) => {
+                let title = format!("`{written}`");
+                self.report_value((value, &form), (&title, own, span), &format!(" for {title}"));
+            }
+        }
+    }
+
+    /// The dimension of an expression that must be a number.
+    fn numeric(&mut self, value: &Expression, user: &str) -> Option<Form> {
+        let kind = match self.expression(value) {
+            Type::Number(form) => return Some(form),
+            Type::Unknown => return None,
+            Type::Truth => "true or false",
+            Type::Text => "a text",
+        };
+        let message = format!("{user} must be a number, but this is {kind}");
+        self.refuse(Diagnostic::error("type-mismatch", message, value.span));
+        None
+    }
+
+    /// Checks a value against the unit stated for it.
+    pub fn stated(&mut self, value: &Expression, stated: &StatedUnit) {
+        let Some(form) = self.numeric(value, "what has a unit") else { return };
+        let needed = Form::from(stated.unit.dimension);
+        match self.solver.unify(&form, &needed, stated.span) {
+            Ok(()) => {}
+            Err(Conflict::TooLarge) => {
+                self.too_large(value.span);
+            }
+            Err(Conflict::Different) => {
+                let title = format!("[{}]", stated.unit);
+                let context = format!(" for the stated unit {title}");
+                self.report_value((value, &form), (&title, &needed, stated.span), &context);
+            }
+        }
+    }
+
+    fn equation(&mut self, equation: &crate::names::Equation) {
+        let (mut left, mut right) = (Vec::new(), Vec::new());
+        self.terms(equation.left, &mut left);
+        self.terms(equation.right, &mut right);
+        if let (Some(left_form), Some(right_form)) = (self.common(&left), self.common(&right))
+            && left_form != right_form
+        {
+            let (left_form, right_form) = (Form::from(left_form), Form::from(right_form));
+            self.report_sides(equation.span, (equation.left, &left_form), (equation.right, &right_form));
+            return;
+        }
+        left.append(&mut right);
+        self.alike(&left, Place::Sum);
+    }
+
+    /// The dimension of terms that are all known and all of one dimension.
+    fn common(&self, terms: &[Term]) -> Option<Dimension> {
+        let dimension = |term: &Term| self.solver.resolve(term.form.as_ref()?).ok()?.dimension();
+        let first = dimension(terms.first()?)?;
+        terms.iter().all(|term| dimension(term) == Some(first)).then_some(first)
+    }
+
+    fn event(&mut self, event: &crate::names::EventEntry) {
+        self.truth(event.condition, "the condition of an event");
+        for action in event.actions {
+            match self.scope.meaning(&action.name.text) {
+                Some(Meaning::Variable(index)) => {
+                    if let Some(own) = self.state(index, action.order) {
+                        let written = primed(&action.name.text, action.order);
+                        self.assigned(&action.value, &written, &own, action.name.span);
+                    }
+                }
+                _ => {
+                    self.expression(&action.value);
+                }
+            }
+        }
+    }
+
+    /// Puts what was found out into the types; what nothing decides is a pure number.
+    fn settle(&mut self, unknowns: &[Unknown]) {
+        for (index, unknown) in unknowns.iter().enumerate() {
+            let own = self.types.unknowns[index].clone();
+            if self.solver.resolve(&own).is_ok_and(|form| form.dimension().is_some()) {
+                continue;
+            }
+            let name = unknown.name;
+            // With an error elsewhere, the dimension is open only because of it.
+            if self.diagnostics.is_empty() {
+                let message = format!("nothing decides the dimension of `{name}`; it is taken to be {}", with_article(Dimension::NONE));
+                self.diagnostics.push(
+                    Diagnostic::warning("undetermined-dimension", message, unknown.span)
+                        .with_hint(format!("state it with the initial value: `{name}(0) = 0 in [m]`")),
+                );
+            }
+            // A pure number fits what is free, so this cannot fail.
+            let _ = self.solver.unify(&own, &Form::pure(), unknown.span);
+        }
+        let settled = |solver: &Solver, form: &Form| {
+            solver.resolve(form).map_or_else(|_| Form::pure(), |form| Form::from(form.known))
+        };
+        for form in &mut self.types.unknowns {
+            *form = settled(&self.solver, form);
+        }
+        for definition in &mut self.types.definitions {
+            if let Type::Number(form) = definition {
+                *form = settled(&self.solver, form);
+            }
+        }
+    }
+}

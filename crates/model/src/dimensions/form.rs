@@ -1,0 +1,202 @@
+//! Dimensions with unknowns in them, and their unification: products of powers, so that every condition is one linear
+//! equation over rational exponents (A. J. Kennedy, "Programming Languages and Dimensions", 1996, without his
+//! polymorphism, for which a model has no use).
+
+use crate::Span;
+use units::{Dimension, Exponent};
+
+/// A dimension that is not known yet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Variable(pub usize);
+
+/// A known dimension times powers of unknown ones.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Form {
+    pub known: Dimension,
+    /// Sorted, each once, no exponent 0.
+    pub unknown: Vec<(Variable, Exponent)>,
+}
+
+/// An exponent has left its bound. No physical quantity comes near it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct TooLarge;
+
+impl From<Dimension> for Form {
+    fn from(known: Dimension) -> Self {
+        Self { known, unknown: Vec::new() }
+    }
+}
+
+impl Form {
+    /// A pure number.
+    pub fn pure() -> Self {
+        Self::from(Dimension::NONE)
+    }
+
+    /// The dimension, if nothing in it is unknown.
+    pub fn dimension(&self) -> Option<Dimension> {
+        self.unknown.is_empty().then_some(self.known)
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Self) -> Result<Self, TooLarge> {
+        let known = self.known.times(other.known).ok_or(TooLarge)?;
+        let mut unknown = self.unknown.clone();
+        for &(variable, exponent) in &other.unknown {
+            match unknown.binary_search_by_key(&variable, |&(variable, _)| variable) {
+                Ok(index) => unknown[index].1 = unknown[index].1.plus(exponent).ok_or(TooLarge)?,
+                Err(index) => unknown.insert(index, (variable, exponent)),
+            }
+        }
+        unknown.retain(|(_, exponent)| !exponent.is_zero());
+        Ok(Self { known, unknown })
+    }
+
+    /// The quotient.
+    pub fn per(&self, other: &Self) -> Result<Self, TooLarge> {
+        self.times(&other.power(Exponent::from(-1))?)
+    }
+
+    /// The power.
+    pub fn power(&self, power: Exponent) -> Result<Self, TooLarge> {
+        if power.is_zero() {
+            return Ok(Self::pure());
+        }
+        let known = self.known.power(power).ok_or(TooLarge)?;
+        let raised = |&(variable, exponent): &(Variable, Exponent)| {
+            exponent.times(power).map(|exponent| (variable, exponent)).ok_or(TooLarge)
+        };
+        let unknown = self.unknown.iter().map(raised).collect::<Result<_, _>>()?;
+        Ok(Self { known, unknown })
+    }
+
+    fn exponent_of(&self, variable: Variable) -> Option<Exponent> {
+        self.unknown.iter().find(|(other, _)| *other == variable).map(|&(_, exponent)| exponent)
+    }
+
+    /// The form with `variable` replaced.
+    fn with(&self, variable: Variable, replacement: &Form) -> Result<Self, TooLarge> {
+        let Some(exponent) = self.exponent_of(variable) else {
+            return Ok(self.clone());
+        };
+        let mut rest = self.clone();
+        rest.unknown.retain(|(other, _)| *other != variable);
+        rest.times(&replacement.power(exponent)?)
+    }
+}
+
+/// Why two dimensions cannot be made equal.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Conflict {
+    /// They differ by a known factor.
+    Different,
+    /// An exponent has left its bound.
+    TooLarge,
+}
+
+impl From<TooLarge> for Conflict {
+    fn from(_: TooLarge) -> Self {
+        Self::TooLarge
+    }
+}
+
+/// What has been found out about the unknown dimensions.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Solver {
+    /// Forms free of solved variables.
+    solutions: Vec<Option<Form>>,
+    /// Where each was found out.
+    origins: Vec<Option<Span>>,
+    /// Those with a solution that still has unknowns in it.
+    open: Vec<usize>,
+}
+
+impl Solver {
+    /// A dimension of which nothing is known.
+    pub fn fresh(&mut self) -> Form {
+        let variable = Variable(self.solutions.len());
+        self.solutions.push(None);
+        self.origins.push(None);
+        Form { known: Dimension::NONE, unknown: vec![(variable, Exponent::ONE)] }
+    }
+
+    /// The form with everything put in that has been found out.
+    pub fn resolve(&self, form: &Form) -> Result<Form, TooLarge> {
+        let mut resolved = Form::from(form.known);
+        for (variable, exponent) in &form.unknown {
+            let value = match &self.solutions[variable.0] {
+                Some(solution) => solution.power(*exponent)?,
+                None => Form { known: Dimension::NONE, unknown: vec![(*variable, *exponent)] },
+            };
+            resolved = resolved.times(&value)?;
+        }
+        Ok(resolved)
+    }
+
+    /// Makes two dimensions equal, because of what stands at `origin`.
+    pub fn unify(&mut self, a: &Form, b: &Form, origin: Span) -> Result<(), Conflict> {
+        let ratio = self.resolve(&a.per(b)?)?;
+        let Some(&(variable, exponent)) = ratio.unknown.last() else {
+            return if ratio.known.is_none() { Ok(()) } else { Err(Conflict::Different) };
+        };
+        let mut rest = ratio;
+        rest.unknown.pop();
+        let reciprocal = Exponent::new(-i64::from(exponent.denominator()), i64::from(exponent.numerator()));
+        let solution = rest.power(reciprocal.ok_or(TooLarge)?)?;
+        let mut replaced = Vec::new();
+        for &index in &self.open {
+            if let Some(known) = &self.solutions[index]
+                && known.exponent_of(variable).is_some()
+            {
+                replaced.push((index, known.with(variable, &solution)?));
+            }
+        }
+        for (index, form) in replaced {
+            self.solutions[index] = Some(form);
+        }
+        self.solutions[variable.0] = Some(solution);
+        self.open.push(variable.0);
+        let solutions = &self.solutions;
+        self.open.retain(|&index| solutions[index].as_ref().is_some_and(|form| form.dimension().is_none()));
+        self.origins[variable.0] = Some(origin);
+        Ok(())
+    }
+
+    /// Where the dimension of the form's first variable was found out.
+    pub fn origin(&self, form: &Form) -> Option<Span> {
+        form.unknown.first().and_then(|(variable, _)| self.origins[variable.0])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_dimensions_from_products_and_roots() {
+        let mut solver = Solver::default();
+        let (x, y) = (solver.fresh(), solver.fresh());
+        let length = Form::from(Dimension::LENGTH);
+        let time = Form::from(Dimension::TIME);
+        // x^2 y = length, y = time/x
+        let product = x.power(Exponent::from(2)).unwrap().times(&y).unwrap();
+        solver.unify(&product, &length, Span::default()).unwrap();
+        solver.unify(&y, &time.per(&x).unwrap(), Span::default()).unwrap();
+        assert_eq!(solver.resolve(&x).unwrap().dimension().unwrap().to_string(), "m s^-1");
+        assert_eq!(solver.resolve(&y).unwrap().dimension().unwrap().to_string(), "m^-1 s^2");
+        let root = x.power(Exponent::new(1, 2).unwrap()).unwrap();
+        assert_eq!(solver.unify(&root, &length, Span::default()), Err(Conflict::Different));
+    }
+
+    #[test]
+    fn what_is_free_stays_free_and_conflicts_change_nothing() {
+        let mut solver = Solver::default();
+        let (x, y) = (solver.fresh(), solver.fresh());
+        solver.unify(&x, &y, Span::default()).unwrap();
+        assert_eq!(solver.resolve(&x).unwrap().dimension(), None);
+        let length = Form::from(Dimension::LENGTH);
+        assert_eq!(solver.unify(&length, &Form::pure(), Span::default()), Err(Conflict::Different));
+        solver.unify(&x, &length, Span::default()).unwrap();
+        assert_eq!(solver.resolve(&y).unwrap().dimension(), Some(Dimension::LENGTH));
+    }
+}

@@ -1,0 +1,315 @@
+//! What kind of value an expression has, and of which dimension.
+
+use super::form::{Conflict, Form, Solver};
+use super::mismatch::{Place, Term};
+use crate::functions::{Function, Rule};
+use crate::names::{Meaning, Scope};
+use crate::notation::{primed, quote};
+use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span, UnaryOperator};
+use units::Exponent;
+
+/// What an expression's value is.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Type {
+    /// A number of this dimension.
+    Number(Form),
+    /// True or false.
+    Truth,
+    /// A text.
+    Text,
+    /// Something is wrong with it and has been told; nothing more is said about what depends on it.
+    Unknown,
+}
+
+/// What is known about the names of a model.
+#[derive(Clone, Debug)]
+pub(crate) struct Types {
+    pub independent: Form,
+    pub parameters: Vec<Form>,
+    pub definitions: Vec<Type>,
+    /// The values of definitions that are plain numbers, for exponents.
+    pub numbers: Vec<Option<f64>>,
+    /// The dimension of each unknown function, without primes.
+    pub unknowns: Vec<Form>,
+    /// The names of the unknown functions.
+    pub unknown_names: Vec<String>,
+}
+
+/// Infers the types of expressions and collects what does not fit.
+#[derive(Debug)]
+pub(crate) struct Inference<'a> {
+    pub scope: &'a Scope,
+    pub types: Types,
+    pub solver: Solver,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Inference<'_> {
+    /// The type of an expression.
+    pub fn expression(&mut self, expression: &Expression) -> Type {
+        match &expression.kind {
+            ExpressionKind::Number { unit: Some(unit), .. } => Type::Number(unit.dimension.into()),
+            ExpressionKind::Number { value: 0.0, unit: None } => Type::Number(self.solver.fresh()),
+            ExpressionKind::Number { .. } => Type::Number(Form::pure()),
+            ExpressionKind::Text(_) => Type::Text,
+            ExpressionKind::InitialValue { name, order: 0 } if Function::named(name).is_some() => self.of_zero(name),
+            ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } => {
+                self.name(name, *order, expression.span)
+            }
+            ExpressionKind::Unary(UnaryOperator::Not, operand) => {
+                self.truth(operand, "`not`");
+                Type::Truth
+            }
+            ExpressionKind::Unary(UnaryOperator::Negate, _)
+            | ExpressionKind::Binary(BinaryOperator::Add | BinaryOperator::Subtract, ..) => {
+                let mut terms = Vec::new();
+                self.terms(expression, &mut terms);
+                self.alike(&terms, Place::Sum)
+            }
+            ExpressionKind::Binary(operator, left, right) => self.binary(*operator, left, right, expression.span),
+            ExpressionKind::Call { function, arguments } => self.call(function, arguments),
+            ExpressionKind::If(condition, chosen, other) => {
+                self.truth(condition, "the condition of `if`");
+                let (chosen_type, other_type) = (self.expression(chosen), self.expression(other));
+                self.same_kind((chosen, chosen_type), (other, other_type), Place::Branches)
+            }
+            ExpressionKind::Error => Type::Unknown,
+        }
+    }
+
+    /// `f(0)` for a function, which looks like an initial value.
+    fn of_zero(&mut self, name: &str) -> Type {
+        match Function::named(name).map(|function| function.dimensions) {
+            Some(Rule::Same | Rule::Root(_)) => Type::Number(self.solver.fresh()),
+            _ => Type::Number(Form::pure()),
+        }
+    }
+
+    fn name(&mut self, name: &str, order: u32, span: Span) -> Type {
+        let form = match self.scope.meaning(name) {
+            Some(Meaning::Parameter(index)) => self.types.parameters[index].clone(),
+            Some(Meaning::Independent) => self.types.independent.clone(),
+            Some(Meaning::Pi) => Form::pure(),
+            Some(Meaning::Variable(index)) => self.types.unknowns[index].clone(),
+            Some(Meaning::Definition(index)) => match &self.types.definitions[index] {
+                Type::Number(form) => form.clone(),
+                other if order == 0 || *other == Type::Unknown => return other.clone(),
+                _ => {
+                    let message = format!("`{}` has no derivative: `{name}` is not a number", primed(name, order));
+                    return self.refuse(Diagnostic::error("type-mismatch", message, span));
+                }
+            },
+            None => return Type::Unknown,
+        };
+        self.derivative(&form, order).map_or_else(|| self.too_large(span), Type::Number)
+    }
+
+    /// The dimension of the derivative with `order` primes.
+    pub fn derivative(&self, form: &Form, order: u32) -> Option<Form> {
+        let divisor = self.types.independent.power(Exponent::new(i64::from(order), 1)?).ok()?;
+        form.per(&divisor).ok()
+    }
+
+    /// The terms of a sum, through nested sums and signs; a literal 0, which fits anything, is left out.
+    pub fn terms<'e>(&mut self, expression: &'e Expression, terms: &mut Vec<Term<'e>>) {
+        let mut waiting = vec![expression];
+        while let Some(next) = waiting.pop() {
+            match &next.kind {
+                ExpressionKind::Unary(UnaryOperator::Negate, operand) => waiting.push(operand),
+                ExpressionKind::Binary(BinaryOperator::Add | BinaryOperator::Subtract, left, right) => {
+                    waiting.push(right);
+                    waiting.push(left);
+                }
+                ExpressionKind::Number { value: 0.0, unit: None } => {}
+                _ => {
+                    let form = self.number(next, "an arithmetic operation");
+                    terms.push(Term { expression: next, form });
+                }
+            }
+        }
+    }
+
+    /// The dimension of what must be a number; `None` if it is not, which is told.
+    fn number(&mut self, expression: &Expression, user: &str) -> Option<Form> {
+        let found = match self.expression(expression) {
+            Type::Number(form) => return Some(form),
+            Type::Unknown => return None,
+            Type::Truth => "is true or false",
+            Type::Text => "is a text",
+        };
+        let message = format!("{user} needs numbers, but `{}` {found}", quote(expression));
+        let mut diagnostic = Diagnostic::error("type-mismatch", message, expression.span);
+        if found == "is true or false" {
+            diagnostic = diagnostic.with_hint(format!("`if {} then 1 else 0` is a number", quote(expression)));
+        }
+        self.diagnostics.push(diagnostic);
+        None
+    }
+
+    /// Checks what must be true or false.
+    pub fn truth(&mut self, expression: &Expression, user: &str) {
+        let found = match self.expression(expression) {
+            Type::Truth | Type::Unknown => return,
+            Type::Number(_) => "a number",
+            Type::Text => "a text",
+        };
+        let message = format!("{user} must be true or false, but `{}` is {found}", quote(expression));
+        self.diagnostics.push(
+            Diagnostic::error("type-mismatch", message, expression.span).with_hint("compare it with something: `<`, `==`"),
+        );
+    }
+
+    fn binary(&mut self, operator: BinaryOperator, left: &Expression, right: &Expression, span: Span) -> Type {
+        match operator {
+            BinaryOperator::Multiply | BinaryOperator::Divide => {
+                let forms = (self.number(left, "an arithmetic operation"), self.number(right, "an arithmetic operation"));
+                let (Some(left), Some(right)) = forms else { return Type::Unknown };
+                let result = if operator == BinaryOperator::Multiply { left.times(&right) } else { left.per(&right) };
+                result.map_or_else(|_| self.too_large(span), Type::Number)
+            }
+            BinaryOperator::Power => self.power(left, right, span),
+            BinaryOperator::And | BinaryOperator::Or => {
+                let user = if operator == BinaryOperator::And { "a side of `and`" } else { "a side of `or`" };
+                self.truth(left, user);
+                self.truth(right, user);
+                Type::Truth
+            }
+            BinaryOperator::Equal | BinaryOperator::NotEqual => {
+                let (left_type, right_type) = (self.expression(left), self.expression(right));
+                self.same_kind((left, left_type), (right, right_type), Place::Sides);
+                Type::Truth
+            }
+            BinaryOperator::Less | BinaryOperator::LessOrEqual | BinaryOperator::Greater | BinaryOperator::GreaterOrEqual => {
+                let sides = [left, right].map(|side| Term { expression: side, form: self.number(side, "a comparison") });
+                self.alike(&sides, Place::Sides);
+                Type::Truth
+            }
+            BinaryOperator::Add | BinaryOperator::Subtract => Type::Unknown,
+        }
+    }
+
+    /// Two values of which one or the other is taken, or that are compared.
+    fn same_kind(&mut self, left: (&Expression, Type), right: (&Expression, Type), place: Place) -> Type {
+        let kind = |found: &Type| match found {
+            Type::Number(_) => "a number",
+            Type::Truth => "true or false",
+            Type::Text => "a text",
+            Type::Unknown => "unknown",
+        };
+        match (&left.1, &right.1) {
+            (Type::Unknown, other) | (other, Type::Unknown) => other.clone(),
+            (Type::Number(left_form), Type::Number(right_form)) => {
+                let terms = [(left.0, left_form), (right.0, right_form)]
+                    .map(|(expression, form)| Term { expression, form: Some(form.clone()) });
+                self.alike(&terms, place)
+            }
+            (Type::Truth, Type::Truth) => Type::Truth,
+            (Type::Text, Type::Text) => Type::Text,
+            _ => {
+                let what = if place == Place::Branches { "the branches of `if`" } else { "the sides of a comparison" };
+                let diagnostic = Diagnostic::error("type-mismatch", format!("{what} are not of one kind"), left.0.span)
+                    .saying(format!("this is {}", kind(&left.1)))
+                    .with_label(right.0.span, format!("this is {}", kind(&right.1)));
+                self.refuse(diagnostic)
+            }
+        }
+    }
+
+    fn power(&mut self, base: &Expression, exponent: &Expression, span: Span) -> Type {
+        let forms = (self.number(base, "a power"), self.number(exponent, "a power"));
+        let (Some(form), Some(exponent_form)) = forms else { return Type::Unknown };
+        let rational = self.constant(exponent).and_then(Exponent::from_number);
+        if let Some(rational) = rational {
+            return form.power(rational).map_or_else(|_| self.too_large(span), Type::Number);
+        }
+        self.pure(exponent, &exponent_form, "an exponent");
+        let reason = if self.constant(exponent).is_some() {
+            format!("the base of a power with the exponent {}", quote(exponent))
+        } else {
+            format!("the base of a power whose exponent, `{}`, is not a fixed number", quote(exponent))
+        };
+        self.pure(base, &form, &reason);
+        Type::Number(Form::pure())
+    }
+
+    /// The value of an expression of plain numbers.
+    pub fn constant(&self, expression: &Expression) -> Option<f64> {
+        match &expression.kind {
+            ExpressionKind::Number { value, unit: None } => Some(*value),
+            ExpressionKind::Name { name, order: 0 } => match self.scope.meaning(name)? {
+                Meaning::Definition(index) => self.types.numbers.get(index).copied().flatten(),
+                _ => None,
+            },
+            ExpressionKind::Unary(UnaryOperator::Negate, operand) => Some(-self.constant(operand)?),
+            ExpressionKind::Binary(operator, left, right) => {
+                let (left, right) = (self.constant(left)?, self.constant(right)?);
+                match operator {
+                    BinaryOperator::Add => Some(left + right),
+                    BinaryOperator::Subtract => Some(left - right),
+                    BinaryOperator::Multiply => Some(left * right),
+                    BinaryOperator::Divide => Some(left / right),
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+
+    fn call(&mut self, name: &Name, arguments: &[Expression]) -> Type {
+        let Some(function) = Function::named(&name.text).filter(|function| function.takes(arguments.len())) else {
+            for argument in arguments {
+                self.expression(argument);
+            }
+            return Type::Unknown;
+        };
+        let user = format!("`{}`", function.name);
+        let forms: Vec<Option<Form>> = arguments.iter().map(|argument| self.number(argument, &user)).collect();
+        match function.dimensions {
+            Rule::Pure | Rule::Whole => {
+                for (argument, form) in arguments.iter().zip(forms) {
+                    if let Some(form) = form {
+                        self.pure(argument, &form, &format!("the argument of {user}"));
+                    }
+                }
+                Type::Number(Form::pure())
+            }
+            Rule::Root(degree) => {
+                let Some(form) = forms.into_iter().flatten().next() else { return Type::Unknown };
+                let root = Exponent::new(1, i64::from(degree)).and_then(|exponent| form.power(exponent).ok());
+                root.map_or_else(|| self.too_large(name.span), Type::Number)
+            }
+            Rule::Same | Rule::Ratio => {
+                let terms: Vec<Term> =
+                    arguments.iter().zip(forms).map(|(expression, form)| Term { expression, form }).collect();
+                let common = self.alike(&terms, Place::Arguments);
+                if function.dimensions == Rule::Same { common } else { Type::Number(Form::pure()) }
+            }
+        }
+    }
+
+    /// Requires a pure number.
+    fn pure(&mut self, expression: &Expression, form: &Form, what: &str) {
+        match self.solver.unify(form, &Form::pure(), expression.span) {
+            Ok(()) => {}
+            Err(Conflict::TooLarge) => {
+                self.too_large(expression.span);
+            }
+            Err(Conflict::Different) => {
+                let diagnostic = self.not_pure(expression, form, what);
+                self.diagnostics.push(diagnostic);
+            }
+        }
+    }
+
+    /// Tells an error; the type of what has it.
+    pub fn refuse(&mut self, diagnostic: Diagnostic) -> Type {
+        self.diagnostics.push(diagnostic);
+        Type::Unknown
+    }
+
+    /// Tells that an exponent has left its bound.
+    pub fn too_large(&mut self, span: Span) -> Type {
+        let message = "the dimension of this has an exponent beyond all reason";
+        self.refuse(Diagnostic::error("dimension-too-large", message, span))
+    }
+}

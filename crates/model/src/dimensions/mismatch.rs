@@ -1,0 +1,266 @@
+//! What must have one dimension and does not: which part is to blame, what it lacks, and what in the model would help.
+
+use super::describe::{Factor, Row, noun, table, with_article};
+use super::form::{Conflict, Form};
+use super::infer::{Inference, Type};
+use crate::names::{Meaning, for_each_name, list};
+use crate::notation::quote;
+use crate::{Diagnostic, Expression, ExpressionKind, Span};
+use units::Dimension;
+
+/// The most names that a hint offers.
+const MOST_OFFERS: usize = 3;
+
+/// One of several expressions that must have one dimension; without a form when something is wrong with it already.
+#[derive(Clone, Debug)]
+pub(crate) struct Term<'e> {
+    pub expression: &'e Expression,
+    pub form: Option<Form>,
+}
+
+/// Where several expressions must have one dimension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// The terms of a sum, or of both sides of an equation.
+    Sum,
+    /// The sides of a comparison or an equation.
+    Sides,
+    /// The arguments of a function.
+    Arguments,
+    /// The branches of `if`.
+    Branches,
+}
+
+impl Place {
+    fn part(self, index: usize, term: &Expression) -> String {
+        match (self, index) {
+            (Self::Sum, _) => format!("the term `{}`", quote(term)),
+            (Self::Sides, 0) => "the left side".to_owned(),
+            (Self::Sides, _) => "the right side".to_owned(),
+            (Self::Arguments, _) => format!("the argument `{}`", quote(term)),
+            (Self::Branches, _) => format!("the branch `{}`", quote(term)),
+        }
+    }
+}
+
+impl Inference<'_> {
+    /// Requires one dimension of all terms, and answers it. If they differ, those that differ from the most are told.
+    pub fn alike(&mut self, terms: &[Term], place: Place) -> Type {
+        let usable: Vec<(usize, &Term, &Form)> = terms
+            .iter()
+            .enumerate()
+            .filter_map(|(index, term)| term.form.as_ref().map(|form| (index, term, form)))
+            .collect();
+        let Some(&(_, _, first)) = usable.first() else {
+            return if terms.is_empty() { Type::Number(self.solver.fresh()) } else { Type::Unknown };
+        };
+        let reference = self.most_common(&usable).unwrap_or_else(|| first.clone());
+        let mut odd: Vec<(usize, &Term, &Form)> = Vec::new();
+        for &(index, term, form) in &usable {
+            match self.solver.unify(form, &reference, term.expression.span) {
+                Ok(()) => {}
+                Err(Conflict::Different) => odd.push((index, term, form)),
+                Err(Conflict::TooLarge) => return self.too_large(term.expression.span),
+            }
+        }
+        if !odd.is_empty() {
+            let normal: Vec<(usize, &Term, &Form)> =
+                usable.iter().filter(|(index, ..)| odd.iter().all(|(other, ..)| other != index)).copied().collect();
+            self.report_odd(&odd, &normal, place);
+        }
+        Type::Number(reference)
+    }
+
+    /// The known dimension that most terms have; the first of several.
+    fn most_common(&self, terms: &[(usize, &Term, &Form)]) -> Option<Form> {
+        let mut counts: Vec<(Dimension, usize)> = Vec::new();
+        for (_, _, form) in terms {
+            let Some(dimension) = self.solver.resolve(form).ok().and_then(|form| form.dimension()) else {
+                continue;
+            };
+            match counts.iter_mut().find(|(known, _)| *known == dimension) {
+                Some((_, count)) => *count += 1,
+                None => counts.push((dimension, 1)),
+            }
+        }
+        let greatest = counts.iter().map(|&(_, count)| count).max()?;
+        counts.iter().find(|&&(_, count)| count == greatest).map(|&(dimension, _)| dimension.into())
+    }
+
+    fn report_odd(&mut self, odd: &[(usize, &Term, &Form)], normal: &[(usize, &Term, &Form)], place: Place) {
+        let (Some(&(index, term, form)), Some(&(normal_index, normal_term, normal_form))) = (odd.first(), normal.first())
+        else {
+            return;
+        };
+        let row = |index: usize, term: &Term| place.part(index, term.expression);
+        let subject = row(index, term);
+        let mut diagnostic =
+            self.mismatch(&subject, (term.expression, form), (&row(normal_index, normal_term), normal_form), "");
+        diagnostic = diagnostic.with_label(normal_term.expression.span, self.what(normal_form));
+        for (_, other, form) in &odd[1..] {
+            diagnostic = diagnostic.with_label(other.expression.span, self.what(form));
+        }
+        for (_, other, form) in normal.iter().skip(1).take(MOST_OFFERS) {
+            diagnostic = diagnostic.with_label(other.expression.span, self.what(form));
+        }
+        let remedy = self.remedy(term.expression, form, normal_form);
+        self.diagnostics.push(self.with_origins(diagnostic, &[form, normal_form]).with_hint(remedy));
+    }
+
+    /// Tells that the sides of an equation differ, each being consistent in itself.
+    pub fn report_sides(&mut self, span: Span, left: (&Expression, &Form), right: (&Expression, &Form)) {
+        let verdict = self.factor(left.1, right.1).map_or_else(|| "differs from the right side".to_owned(), Factor::verdict);
+        let message = format!("the left side of the equation {verdict}");
+        let diagnostic = Diagnostic::error("dimension-mismatch", message, span)
+            .with_label(left.0.span, self.what(left.1))
+            .with_label(right.0.span, self.what(right.1))
+            .with_note(self.table(&[("left side", left.1), ("right side", right.1)]));
+        let diagnostic = self.with_origins(diagnostic, &[left.1, right.1]);
+        let hint = self.factor(left.1, right.1).map(|factor| {
+            let thing = with_article(factor.dimension());
+            let offers = self.offers(factor, left.0);
+            match factor {
+                Factor::Lacking(_) => format!("multiply the left side by {thing}{offers}, or divide the right side by one"),
+                Factor::Excess(_) => format!("divide the left side by {thing}{offers}, or multiply the right side by one"),
+            }
+        });
+        self.diagnostics.push(match hint {
+            Some(hint) => diagnostic.with_hint(hint),
+            None => diagnostic,
+        });
+    }
+
+    /// Tells that a value has not the dimension that is stated or needed at `place`.
+    pub fn report_value(
+        &mut self,
+        value: (&Expression, &Form),
+        needed: (&str, &Form, Span),
+        context: &str,
+    ) {
+        let subject = format!("`{}`", quote(value.0));
+        let diagnostic = self
+            .mismatch(&subject, value, (needed.0, needed.1), context)
+            .with_label(needed.2, self.what(needed.1));
+        let remedy = self.remedy(value.0, value.1, needed.1);
+        self.diagnostics.push(self.with_origins(diagnostic, &[value.1, needed.1]).with_hint(remedy));
+    }
+
+    /// What must be a pure number and is not.
+    pub fn not_pure(&self, expression: &Expression, form: &Form, what: &str) -> Diagnostic {
+        let kind = self.what(form);
+        let message = format!("{what} must be a pure number, but `{}` is {kind}", quote(expression));
+        let diagnostic = Diagnostic::error("dimension-mismatch", message, expression.span)
+            .saying(kind)
+            .with_note(self.table(&[(&format!("`{}`", quote(expression)), form), ("needed", &Form::pure())]));
+        let remedy = self.remedy(expression, form, &Form::pure());
+        self.with_origins(diagnostic, &[form]).with_hint(remedy)
+    }
+
+    fn mismatch(
+        &self,
+        subject: &str,
+        (expression, found): (&Expression, &Form),
+        (other, expected): (&str, &Form),
+        context: &str,
+    ) -> Diagnostic {
+        let verdict = self.factor(found, expected).map_or_else(|| format!("does not fit {other}"), Factor::verdict);
+        let message = format!("{subject} {verdict}{context}");
+        Diagnostic::error("dimension-mismatch", message, expression.span)
+            .saying(self.what(found))
+            .with_note(self.table(&[(subject, found), (other, expected)]))
+    }
+
+    fn factor(&self, found: &Form, expected: &Form) -> Option<Factor> {
+        let ratio = found.per(expected).and_then(|ratio| self.solver.resolve(&ratio)).ok()?;
+        ratio.dimension().map(Factor::of)
+    }
+
+    /// `a length`, `the dimension kg m^3`
+    pub fn what(&self, form: &Form) -> String {
+        let resolved = self.solver.resolve(form).ok().and_then(|form| form.dimension());
+        resolved.map_or_else(|| "of unknown dimension".to_owned(), with_article)
+    }
+
+    fn table(&self, rows: &[(&str, &Form)]) -> String {
+        let rows: Vec<Row> = rows
+            .iter()
+            .map(|(title, form)| {
+                let form = self.solver.resolve(form).unwrap_or_else(|_| (*form).clone());
+                Row { title: (*title).to_owned(), form }
+            })
+            .collect();
+        table(&rows, |index| format!("[{}]", self.types.unknown_names.get(index).map_or("?", String::as_str)))
+    }
+
+    /// What to do about a part of the wrong dimension.
+    fn remedy(&self, expression: &Expression, found: &Form, expected: &Form) -> String {
+        let expected_unit = self.solver.resolve(expected).ok().and_then(|form| form.dimension()).map(units::Unit::si);
+        if let (ExpressionKind::Number { value, unit: None }, Some(unit)) = (&expression.kind, expected_unit) {
+            return format!("give the number a unit: `{value} [{unit}]`");
+        }
+        let Some(factor) = self.factor(found, expected) else {
+            return "state the units of the quantities involved".to_owned();
+        };
+        let thing = with_article(factor.dimension());
+        let offers = self.offers(factor, expression);
+        match factor {
+            Factor::Lacking(_) => format!("multiply it by {thing}{offers}"),
+            Factor::Excess(_) => format!("divide it by {thing}{offers}"),
+        }
+    }
+
+    /// `: `L`, `h_l` or `h_r``: the names of the model with just this dimension. What is too many is first looked for in
+    /// the expression itself, what is lacking everywhere.
+    fn offers(&self, factor: Factor, expression: &Expression) -> String {
+        let wanted = factor.dimension();
+        if noun(wanted) == Some("pure number") {
+            return String::new();
+        }
+        let fits = |name: &str| self.dimension_of(name) == Some(wanted);
+        let mut names: Vec<&str> = Vec::new();
+        if matches!(factor, Factor::Excess(_)) {
+            for_each_name(expression, |name, order, _| {
+                if order == 0 && fits(name) && !names.contains(&name) {
+                    names.push(name);
+                }
+            });
+        }
+        if names.is_empty() {
+            names = self.scope.names().filter(|name| fits(name)).collect();
+        }
+        names.truncate(MOST_OFFERS);
+        if names.is_empty() {
+            return String::new();
+        }
+        let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+        format!(", such as {}", list(&names).replace(" and ", " or "))
+    }
+
+    /// The dimension of a parameter, definition or unknown; the independent variable is no factor to offer.
+    fn dimension_of(&self, name: &str) -> Option<Dimension> {
+        let form = match self.scope.meaning(name)? {
+            Meaning::Parameter(index) => self.types.parameters.get(index)?,
+            Meaning::Definition(index) => match self.types.definitions.get(index)? {
+                Type::Number(form) => form,
+                _ => return None,
+            },
+            Meaning::Variable(_) | Meaning::Independent | Meaning::Pi => return None,
+        };
+        self.solver.resolve(form).ok()?.dimension()
+    }
+
+    /// Adds where the dimensions of unknown functions come from.
+    fn with_origins(&self, mut diagnostic: Diagnostic, forms: &[&Form]) -> Diagnostic {
+        for (name, form) in self.types.unknown_names.iter().zip(&self.types.unknowns) {
+            let involved = forms.iter().any(|found| form.unknown.iter().any(|variable| found.unknown.iter().any(|other| other.0 == variable.0)));
+            let Some(origin) = self.solver.origin(form).filter(|_| involved) else {
+                continue;
+            };
+            let told = diagnostic.labels.iter().any(|label| label.span.start <= origin.start && origin.end <= label.span.end);
+            if !told {
+                diagnostic = diagnostic.with_label(origin, format!("from here `{name}` is taken to be {}", self.what(form)));
+            }
+        }
+        diagnostic
+    }
+}

@@ -1,0 +1,11 @@
+//! Dimensions of expressions: inferred where they are not stated, and checked everywhere.
+
+mod check;
+mod describe;
+mod form;
+mod infer;
+mod mismatch;
+
+pub(crate) use check::check_dimensions;
+pub(crate) use form::{Form, Solver};
+pub(crate) use infer::{Inference, Type, Types};

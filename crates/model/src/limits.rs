@@ -1,0 +1,17 @@
+//! Bounds on models. Documents come from strangers, and a short text can ask for an enormous computation; no honest
+//! model comes near these.
+
+/// Bytes of a model's text.
+pub(crate) const SOURCE: usize = 200_000;
+/// Statements of a model.
+pub(crate) const STATEMENTS: usize = 2000;
+/// Primes of one name.
+pub(crate) const ORDER: u32 = 16;
+/// States of a model.
+pub(crate) const STATES: usize = 256;
+/// Unknowns of equations that must be solved together.
+pub(crate) const COUPLED: usize = 32;
+/// Nodes of the expression graph.
+pub(crate) const NODES: usize = 50_000;
+/// Terms or factors into which one expression is taken apart to be simplified.
+pub(crate) const TERMS: usize = 64;

@@ -1,0 +1,171 @@
+//! Whether every name and function of an expression exists and is used as what it is.
+
+use super::scope::{Meaning, Scope};
+use super::traverse::for_each;
+use crate::functions::Function;
+use crate::limits;
+use crate::notation::{primed, quote};
+use crate::{Diagnostic, Expression, ExpressionKind, Name, Span};
+
+/// Collects what is wrong with the names of expressions. An unknown name is told once, with all its places.
+#[derive(Debug)]
+pub(crate) struct NameCheck<'a> {
+    scope: &'a Scope,
+    unknown: Vec<(&'a str, u32, Vec<Span>)>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl<'a> NameCheck<'a> {
+    /// Nothing looked at yet.
+    pub fn new(scope: &'a Scope) -> Self {
+        Self { scope, unknown: Vec::new(), diagnostics: Vec::new() }
+    }
+
+    /// Looks at one expression.
+    pub fn expression(&mut self, expression: &'a Expression) {
+        for_each(expression, |part| match &part.kind {
+            ExpressionKind::Name { name, order } => self.name(name, *order, part.span),
+            ExpressionKind::InitialValue { name, order } => self.initial_value(name, *order, part.span),
+            ExpressionKind::Call { function, arguments } => self.call(function, arguments),
+            _ => {}
+        });
+    }
+
+    fn name(&mut self, name: &'a str, order: u32, span: Span) {
+        if order > limits::ORDER {
+            let message = format!("`{name}` has {order} primes; {} are the most", limits::ORDER);
+            self.diagnostics.push(Diagnostic::error("too-many-primes", message, span));
+            return;
+        }
+        let (what, value) = match self.scope.meaning(name) {
+            None => return self.unknown(name, order, span),
+            Some(Meaning::Parameter(_)) => ("a parameter", 0),
+            Some(Meaning::Pi) => ("a constant", 0),
+            Some(Meaning::Independent) => ("the independent variable", 1),
+            Some(Meaning::Definition(_) | Meaning::Variable(_)) => return,
+        };
+        if order > 0 {
+            let value = if order == 1 { value } else { 0 };
+            let message = format!("`{}` is always {value}: `{name}` is {what}", primed(name, order));
+            self.diagnostics.push(Diagnostic::error("prime-of-constant", message, span));
+        }
+    }
+
+    fn initial_value(&mut self, name: &'a str, order: u32, span: Span) {
+        if order == 0
+            && let Some(function) = Function::named(name)
+        {
+            if !function.takes(1) {
+                self.wrong_count(function, 1, span);
+            }
+            return;
+        }
+        self.name(name, order, span);
+        if order == 0
+            && let Some(Meaning::Parameter(_) | Meaning::Pi | Meaning::Independent) = self.scope.meaning(name)
+        {
+            let message = format!("`{name}` has no initial value: it is not an unknown of the equations");
+            self.diagnostics.push(
+                Diagnostic::error("initial-value-of-constant", message, span)
+                    .with_hint(format!("write `{name}` alone, or `{name}*0` for a product")),
+            );
+        }
+    }
+
+    fn unknown(&mut self, name: &'a str, order: u32, span: Span) {
+        match self.unknown.iter_mut().find(|(known, ..)| *known == name) {
+            Some((_, greatest, places)) => {
+                *greatest = order.max(*greatest);
+                places.push(span);
+            }
+            None => self.unknown.push((name, order, vec![span])),
+        }
+    }
+
+    fn call(&mut self, name: &Name, arguments: &[Expression]) {
+        if let Some(function) = Function::named(&name.text) {
+            if !function.takes(arguments.len()) {
+                self.wrong_count(function, arguments.len(), name.span);
+            }
+            return;
+        }
+        let text = &name.text;
+        let message = format!("there is no function `{text}`");
+        let mut diagnostic = Diagnostic::error("unknown-function", message, name.span);
+        if self.scope.meaning(text).is_some() {
+            diagnostic.message = format!("`{text}` is not a function");
+            if let [argument] = arguments {
+                diagnostic = diagnostic.with_hint(format!("for a product write `{text}*({})`", quote(argument)));
+            }
+        } else if text == "log" {
+            diagnostic = diagnostic.with_hint("write `ln` for the natural logarithm or `log10` for the decimal one");
+        } else if let Some(near) = Scope::near_function(text) {
+            diagnostic = diagnostic.with_hint(format!("did you mean `{near}`?"));
+        }
+        self.diagnostics.push(diagnostic);
+    }
+
+    fn wrong_count(&mut self, function: &Function, given: usize, span: Span) {
+        let message = format!("`{}` takes {}, and {given} {} given", function.name, function.arity(), were(given));
+        self.diagnostics.push(Diagnostic::error("wrong-argument-count", message, span));
+    }
+
+    /// Everything that was found.
+    pub fn finish(mut self) -> Vec<Diagnostic> {
+        for (name, order, places) in &self.unknown {
+            self.diagnostics.push(unknown_name(self.scope, name, *order, places));
+        }
+        self.diagnostics
+    }
+}
+
+/// Only names so short are taken for products.
+const LONGEST_PRODUCT: usize = 16;
+
+fn were(count: usize) -> &'static str {
+    if count == 1 { "was" } else { "were" }
+}
+
+fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagnostic {
+    let (&first, rest) = places.split_first().unwrap_or((const { &Span { start: 0, end: 0 } }, &[]));
+    let message = if order > 0 {
+        format!("nothing determines `{}`: `{name}` is neither defined nor in an equation", primed(name, order))
+    } else {
+        format!("`{name}` is not known")
+    };
+    let mut diagnostic = Diagnostic::error("unknown-name", message, first);
+    for &place in rest.iter().take(3) {
+        diagnostic = diagnostic.with_label(place, "and here");
+    }
+    if let Some(near) = scope.near(name) {
+        return diagnostic.with_hint(format!("did you mean `{near}`?"));
+    }
+    if let Some(factors) = as_product(scope, name) {
+        return diagnostic.with_hint(format!("for a product write `{factors}`"));
+    }
+    if Function::named(name).is_some() {
+        return diagnostic.with_hint(format!("`{name}` is a function: write `{name}(...)`"));
+    }
+    match name {
+        "e" => diagnostic.with_hint("for a power of 2.718... write `exp(x)`"),
+        _ => diagnostic.with_hint(format!("declare it: `parameter {name} = 1 [unit]` or `{name} = ...`")),
+    }
+}
+
+/// `m*g` for `mg`, if both are names.
+fn as_product(scope: &Scope, name: &str) -> Option<String> {
+    if name.len() > LONGEST_PRODUCT {
+        return None;
+    }
+    let is_name = |text: &str| scope.meaning(text).is_some();
+    let cuts = || name.char_indices().map(|(index, _)| index).skip(1);
+    let two = cuts().find(|&cut| is_name(&name[..cut]) && is_name(&name[cut..]));
+    if let Some(cut) = two {
+        return Some(format!("{}*{}", &name[..cut], &name[cut..]));
+    }
+    let three = cuts().find_map(|first| {
+        let second = cuts().find(|&second| second > first && is_name(&name[first..second]) && is_name(&name[second..]))?;
+        is_name(&name[..first]).then_some((first, second))
+    });
+    three.map(|(first, second)| format!("{}*{}*{}", &name[..first], &name[first..second], &name[second..]))
+}

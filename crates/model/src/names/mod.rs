@@ -1,0 +1,16 @@
+//! Names: what is declared, what each name means, in which order definitions can be computed, and which names are the
+//! unknowns of the equations.
+
+mod check;
+mod order;
+mod program;
+mod scope;
+mod traverse;
+mod unknowns;
+
+pub(crate) use check::NameCheck;
+pub(crate) use order::{definition_order, list};
+pub(crate) use program::{Equation, EventEntry, Program};
+pub(crate) use scope::{Meaning, Scope};
+pub(crate) use traverse::{children, for_each, for_each_name};
+pub(crate) use unknowns::{Unknown, find_unknowns};

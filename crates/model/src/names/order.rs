@@ -1,0 +1,109 @@
+//! The order in which definitions can be computed, and the circles in which they cannot.
+
+use super::program::Program;
+use super::scope::Meaning;
+use super::traverse::for_each_name;
+use crate::Diagnostic;
+
+/// Indices of definitions, each after those it uses. Members of circles, and what uses them, are left out; each circle
+/// is told.
+pub(crate) fn definition_order(program: &Program, diagnostics: &mut Vec<Diagnostic>) -> Vec<usize> {
+    let uses = uses(program);
+    let order = sorted(&uses);
+    if order.len() < uses.len() {
+        report_circles(program, &uses, &order, diagnostics);
+    }
+    order
+}
+
+/// For each definition, the definitions it uses, each once.
+fn uses(program: &Program) -> Vec<Vec<usize>> {
+    let uses_of = |value| {
+        let mut used = Vec::new();
+        for_each_name(value, |name, _, _| {
+            if let Some(Meaning::Definition(index)) = program.scope.meaning(name)
+                && !used.contains(&index)
+            {
+                used.push(index);
+            }
+        });
+        used
+    };
+    program.definitions.iter().map(|definition| uses_of(definition.value)).collect()
+}
+
+/// Each index after all that it uses; those for which this is impossible are missing.
+fn sorted(uses: &[Vec<usize>]) -> Vec<usize> {
+    let mut users: Vec<Vec<usize>> = vec![Vec::new(); uses.len()];
+    let mut missing: Vec<usize> = uses.iter().map(Vec::len).collect();
+    for (user, used) in uses.iter().enumerate() {
+        for &index in used {
+            users[index].push(user);
+        }
+    }
+    let mut order: Vec<usize> = (0..uses.len()).filter(|&index| missing[index] == 0).collect();
+    let mut next = 0;
+    while next < order.len() {
+        for &user in &users[order[next]] {
+            missing[user] -= 1;
+            if missing[user] == 0 {
+                order.push(user);
+            }
+        }
+        next += 1;
+    }
+    order
+}
+
+/// Follows uses from each remaining definition until one comes back.
+fn report_circles(program: &Program, uses: &[Vec<usize>], order: &[usize], diagnostics: &mut Vec<Diagnostic>) {
+    let mut remaining = vec![true; uses.len()];
+    order.iter().for_each(|&index| remaining[index] = false);
+    let mut seen = vec![false; uses.len()];
+    for start in 0..uses.len() {
+        let mut path: Vec<usize> = Vec::new();
+        let mut at = start;
+        while remaining[at] && !seen[at] {
+            seen[at] = true;
+            path.push(at);
+            match uses[at].iter().find(|&&used| remaining[used]) {
+                Some(&used) => at = used,
+                None => break,
+            }
+        }
+        if let Some(first) = path.iter().position(|&index| index == at)
+            && uses[path[path.len() - 1]].contains(&at)
+        {
+            diagnostics.push(circle(program, &path[first..]));
+        }
+    }
+}
+
+fn circle(program: &Program, members: &[usize]) -> Diagnostic {
+    let name = |&index: &usize| program.definitions[index].name;
+    let first = name(&members[0]);
+    if members.len() == 1 {
+        let text = &first.text;
+        return Diagnostic::error("cycle", format!("`{text}` is defined by itself"), first.span)
+            .with_hint(format!("for a differential equation write `{text}' = ...` and give `{text}(0)`"));
+    }
+    let names: Vec<String> = members.iter().map(|index| format!("`{}`", name(index).text)).collect();
+    let message = format!("the definitions of {} go in a circle", list(&names));
+    let mut diagnostic = Diagnostic::error("cycle", message, first.span);
+    for (position, index) in members.iter().enumerate() {
+        let next = &name(&members[(position + 1) % members.len()]).text;
+        let text = format!("uses `{next}`");
+        diagnostic = if position == 0 { diagnostic.saying(text) } else { diagnostic.with_label(name(index).span, text) };
+    }
+    let chain: Vec<&str> = members.iter().chain([&members[0]]).map(|index| name(index).text.as_str()).collect();
+    diagnostic.with_note(chain.join(" -> "))
+}
+
+/// `a`, `a and b`, `a, b and c`
+pub(crate) fn list(items: &[String]) -> String {
+    match items {
+        [] => String::new(),
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}

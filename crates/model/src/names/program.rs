@@ -1,0 +1,208 @@
+//! The statements of a model by kind, and the checks that need nothing but the statements: names declared twice,
+//! reserved names, ranges of parameters.
+
+use super::scope::{Meaning, PI, Scope};
+use crate::functions::Function;
+use crate::{Action, Diagnostic, Expression, Name, ParameterStatement, Span, StatedUnit, Statement, StatementKind};
+use std::collections::HashMap;
+use units::Unit;
+
+/// A model by kinds of statement, each in the order of the text.
+#[derive(Debug)]
+pub(crate) struct Program<'a> {
+    pub independent: (String, Unit),
+    pub parameters: Vec<ParameterEntry<'a>>,
+    pub definitions: Vec<Definition<'a>>,
+    pub initial_values: Vec<InitialEntry<'a>>,
+    pub equations: Vec<Equation<'a>>,
+    pub events: Vec<EventEntry<'a>>,
+    pub scope: Scope,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ParameterEntry<'a> {
+    pub statement: &'a ParameterStatement,
+    pub label: Option<&'a str>,
+    pub span: Span,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Definition<'a> {
+    pub name: &'a Name,
+    pub value: &'a Expression,
+    pub unit: Option<&'a StatedUnit>,
+    pub label: Option<&'a str>,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct InitialEntry<'a> {
+    pub name: &'a Name,
+    pub order: u32,
+    pub value: &'a Expression,
+    pub unit: Option<&'a StatedUnit>,
+    pub label: Option<&'a str>,
+    pub span: Span,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Equation<'a> {
+    pub left: &'a Expression,
+    pub right: &'a Expression,
+    pub span: Span,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct EventEntry<'a> {
+    pub condition: &'a Expression,
+    pub actions: &'a [Action],
+    pub span: Span,
+}
+
+impl<'a> Program<'a> {
+    /// Sorts the statements and declares parameters, definitions and the independent variable.
+    pub fn collect(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> Self {
+        let independent = independent(statements, diagnostics);
+        let mut declared: HashMap<&str, Span> = HashMap::new();
+        let mut program = Self {
+            scope: Scope::new(&independent.0),
+            independent,
+            parameters: Vec::new(),
+            definitions: Vec::new(),
+            initial_values: Vec::new(),
+            equations: Vec::new(),
+            events: Vec::new(),
+        };
+        for statement in statements {
+            let span = statement.span;
+            let label = statement.label.as_ref().map(|label| label.text.as_str());
+            match &statement.kind {
+                StatementKind::Parameter(parameter) => {
+                    check_parameter(parameter, diagnostics);
+                    if program.may_declare(&parameter.name, &mut declared, diagnostics) {
+                        let meaning = Meaning::Parameter(program.parameters.len());
+                        program.scope.declare(&parameter.name.text, meaning);
+                        program.parameters.push(ParameterEntry { statement: parameter, label, span });
+                    }
+                }
+                StatementKind::Definition { name, value, unit } => {
+                    if program.may_declare(name, &mut declared, diagnostics) {
+                        let meaning = Meaning::Definition(program.definitions.len());
+                        program.scope.declare(&name.text, meaning);
+                        program.definitions.push(Definition { name, value, unit: unit.as_ref(), label });
+                    }
+                }
+                StatementKind::InitialValue { name, order, value, unit } => {
+                    let order = *order;
+                    program.initial_values.push(InitialEntry { name, order, value, unit: unit.as_ref(), label, span });
+                }
+                StatementKind::Equation { left, right } => program.equations.push(Equation { left, right, span }),
+                StatementKind::Event { condition, actions } => {
+                    program.events.push(EventEntry { condition, actions, span });
+                }
+                StatementKind::Independent { .. } => {}
+            }
+        }
+        program
+    }
+
+    /// Whether a name is free to be declared; if not, says why.
+    fn may_declare<'b>(
+        &self,
+        name: &'b Name,
+        declared: &mut HashMap<&'b str, Span>,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> bool {
+        let text = name.text.as_str();
+        if let Some(&first) = declared.get(text) {
+            let message = format!("`{text}` is declared twice");
+            diagnostics.push(
+                Diagnostic::error("duplicate-name", message, name.span)
+                    .saying("declared again here")
+                    .with_label(first, "first declared here")
+                    .with_hint("give one of them another name"),
+            );
+            return false;
+        }
+        declared.insert(text, name.span);
+        let reason = if text == PI {
+            "it is the constant 3.14159...".to_owned()
+        } else if text == self.independent.0 {
+            "it is the independent variable".to_owned()
+        } else if Function::named(text).is_some() {
+            "it is a function".to_owned()
+        } else {
+            return true;
+        };
+        let mut diagnostic = Diagnostic::error("reserved-name", format!("`{text}` cannot be declared: {reason}"), name.span)
+            .with_hint(format!("choose another name, such as `{text}_1`"));
+        if text == self.independent.0 {
+            let hint = "or name another independent variable: `independent x in [m]`";
+            diagnostic = diagnostic.with_hint(hint);
+        }
+        diagnostics.push(diagnostic);
+        false
+    }
+}
+
+/// The independent variable: `t` in seconds unless a statement names another.
+fn independent(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> (String, Unit) {
+    let mut stated: Option<(&Name, Unit)> = None;
+    for statement in statements {
+        let StatementKind::Independent { name, unit } = &statement.kind else {
+            continue;
+        };
+        if let Some((first, _)) = &stated {
+            diagnostics.push(
+                Diagnostic::error("duplicate-independent", "there is more than one independent variable", name.span)
+                    .with_label(first.span, "the first is named here")
+                    .with_hint("partial differential equations are not solved here; keep one of them"),
+            );
+            continue;
+        }
+        if name.text == PI || Function::named(&name.text).is_some() {
+            let message = format!("`{}` cannot be the independent variable: the name is reserved", name.text);
+            diagnostics.push(Diagnostic::error("reserved-name", message, name.span));
+        }
+        let unit = unit.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
+        stated = Some((name, unit));
+    }
+    match stated {
+        Some((name, unit)) => (name.text.clone(), unit),
+        None => ("t".to_owned(), Unit::si(units::Dimension::TIME)),
+    }
+}
+
+fn check_parameter(parameter: &ParameterStatement, diagnostics: &mut Vec<Diagnostic>) {
+    let name = &parameter.name.text;
+    let unit = parameter.unit.as_ref().map(|stated| format!(" {}", stated.unit)).unwrap_or_default();
+    let value = parameter.value;
+    if !value.is_finite() {
+        let message = format!("the value of `{name}` is too large for a number");
+        diagnostics.push(Diagnostic::error("number-too-large", message, parameter.value_span));
+    }
+    if let Some(bounds) = &parameter.range {
+        let (low, high) = (bounds.low, bounds.high);
+        if low > high {
+            diagnostics.push(
+                Diagnostic::error("empty-range", format!("the range of `{name}` is empty: {low} is greater than {high}"), bounds.span)
+                    .with_hint(format!("write `in {high}..{low}`")),
+            );
+        } else if !(low..=high).contains(&value) {
+            diagnostics.push(
+                Diagnostic::error(
+                    "default-out-of-range",
+                    format!("the value of `{name}`, {value}{unit}, lies outside its range {low}..{high}{unit}"),
+                    parameter.value_span,
+                )
+                .with_label(bounds.span, "the range, in the unit of the value")
+                .with_hint("widen the range or change the value"),
+            );
+        }
+    }
+    if let Some(step) = parameter.step
+        && !(step > 0.0 && step.is_finite())
+    {
+        let message = format!("the step of `{name}` is {step}: it must be greater than 0");
+        diagnostics.push(Diagnostic::error("step-not-positive", message, parameter.name.span));
+    }
+}

@@ -1,0 +1,140 @@
+//! What each name of a model means.
+
+use crate::functions::FUNCTIONS;
+use std::collections::HashMap;
+
+/// What a name stands for. The numbers are indices in the order of declaration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Meaning {
+    /// A number the user can change.
+    Parameter(usize),
+    /// A quantity that an expression defines.
+    Definition(usize),
+    /// An unknown function of the independent variable, which the equations determine.
+    Variable(usize),
+    /// The independent variable.
+    Independent,
+    /// 3.14159...
+    Pi,
+}
+
+/// The names of a model.
+#[derive(Clone, Debug)]
+pub(crate) struct Scope {
+    meanings: HashMap<String, Meaning>,
+    /// In the order of declaration, so that offers do not depend on the hash.
+    names: Vec<String>,
+}
+
+/// The name of the constant.
+pub(crate) const PI: &str = "pi";
+
+impl Scope {
+    /// Only `pi` and the independent variable.
+    pub fn new(independent: &str) -> Self {
+        let mut scope = Self { meanings: HashMap::new(), names: Vec::new() };
+        scope.declare(PI, Meaning::Pi);
+        scope.declare(independent, Meaning::Independent);
+        scope
+    }
+
+    /// Gives a name a meaning, unless it has one already.
+    pub fn declare(&mut self, name: &str, meaning: Meaning) {
+        if !self.meanings.contains_key(name) {
+            self.meanings.insert(name.to_owned(), meaning);
+            self.names.push(name.to_owned());
+        }
+    }
+
+    /// What a name means.
+    pub fn meaning(&self, name: &str) -> Option<Meaning> {
+        self.meanings.get(name).copied()
+    }
+
+    /// All names, in the order of declaration.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.names.iter().map(String::as_str)
+    }
+
+    /// The declared name that `name` was probably meant to be.
+    pub fn near(&self, name: &str) -> Option<&str> {
+        nearest(name, self.names.iter().map(String::as_str))
+    }
+
+    /// The function that `name` was probably meant to be.
+    pub fn near_function(name: &str) -> Option<&'static str> {
+        nearest(name, FUNCTIONS.iter().map(|function| function.name))
+    }
+}
+
+/// The candidate that differs least from `name`, if that is little; the first of several.
+fn nearest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let length = name.chars().count();
+    if length > LONGEST_COMPARED {
+        return None;
+    }
+    let tolerance = if length <= 2 { 1 } else { length.div_ceil(3).min(3) };
+    candidates
+        .filter(|candidate| candidate.chars().count().abs_diff(length) <= tolerance)
+        .map(|candidate| (distance(name, candidate), candidate))
+        .filter(|&(distance, candidate)| distance <= tolerance && (distance < length || similar(name, candidate)))
+        .min_by_key(|&(distance, _)| distance)
+        .map(|(_, candidate)| candidate)
+}
+
+/// Longer names are not compared, which takes time with the square of the length.
+const LONGEST_COMPARED: usize = 64;
+
+/// Whether two names are the same but for capitals: of names of one letter only these are near to each other.
+fn similar(a: &str, b: &str) -> bool {
+    a.eq_ignore_ascii_case(b)
+}
+
+/// How many characters must be inserted, removed, replaced or exchanged with their neighbour.
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut before: Vec<usize> = Vec::new();
+    let mut above: Vec<usize> = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let same = a[i - 1] == b[j - 1];
+            let replaced = above[j - 1] + usize::from(!same);
+            let mut least = replaced.min(above[j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                least = least.min(before[j - 2] + 1);
+            }
+            row.push(least);
+        }
+        before = above;
+        above = row;
+    }
+    above.last().copied().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn offers_the_name_that_was_meant() {
+        let mut scope = Scope::new("t");
+        for (index, name) in ["omega_0", "omega_d", "h_l", "L", "rho", "gamma"].into_iter().enumerate() {
+            scope.declare(name, Meaning::Parameter(index));
+        }
+        for (written, meant) in [
+            ("omega0", Some("omega_0")),
+            ("omgea_d", Some("omega_d")),
+            ("hl", Some("h_l")),
+            ("l", Some("L")),
+            ("Rho", Some("rho")),
+            ("gama", Some("gamma")),
+            ("q", None),
+            ("temperature", None),
+        ] {
+            assert_eq!(scope.near(written), meant, "{written}");
+        }
+        assert_eq!(Scope::near_function("sine"), Some("sin"));
+        assert_eq!(Scope::near_function("squrt"), Some("sqrt"));
+    }
+}

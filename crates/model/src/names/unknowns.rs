@@ -1,0 +1,285 @@
+//! The unknown functions: names with primes that nothing defines. Their highest derivatives are what the equations are
+//! solved for; the lower ones are the states and need initial values.
+
+use super::program::{InitialEntry, Program};
+use super::scope::Meaning;
+use super::traverse::for_each_name;
+use super::{Scope, list};
+use crate::matching::match_equations;
+use crate::notation::primed;
+use crate::{Diagnostic, Expression, Span, limits};
+use std::collections::BTreeMap;
+
+/// An unknown function of the independent variable.
+#[derive(Clone, Debug)]
+pub(crate) struct Unknown<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// How many primes its highest derivative has; as many states belong to it.
+    pub highest: u32,
+    /// The index of the first of its states.
+    pub first_state: usize,
+    /// Where its highest derivative stands in an equation.
+    pub span: Span,
+    /// Its initial values, by their primes.
+    pub initial: Vec<Option<InitialEntry<'a>>>,
+}
+
+/// How often each unknown is primed at most.
+type Orders<'a> = BTreeMap<&'a str, (u32, Span)>;
+
+/// Finds the unknowns, declares them, and tells where there are more of them than equations or fewer, and which initial
+/// values are missing or pointless. `order` is that of the definitions.
+pub(crate) fn find_unknowns<'a>(
+    program: &mut Program<'a>,
+    order: &[usize],
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<Unknown<'a>> {
+    let in_definitions = orders_in_definitions(program, order);
+    let in_equations: Vec<Orders> = program
+        .equations
+        .iter()
+        .map(|equation| {
+            let mut orders = Orders::new();
+            add_orders(program, &in_definitions, equation.left, &mut orders);
+            add_orders(program, &in_definitions, equation.right, &mut orders);
+            orders
+        })
+        .collect();
+    let mut unknowns: Vec<Unknown> = Vec::new();
+    for (&name, &(highest, span)) in in_equations.iter().flatten() {
+        match unknowns.iter_mut().find(|unknown| unknown.name == name) {
+            Some(unknown) if unknown.highest < highest => (unknown.highest, unknown.span) = (highest, span),
+            Some(_) => {}
+            None => unknowns.push(Unknown { name, highest, first_state: 0, span, initial: Vec::new() }),
+        }
+    }
+    unknowns.retain(|unknown| unknown.highest > 0);
+    let too_high = unknowns.iter().find(|unknown| unknown.highest > limits::ORDER);
+    if let Some(Unknown { name, span, .. }) = too_high {
+        let message = format!("`{name}` is differentiated too often; {} times are the most", limits::ORDER);
+        diagnostics.push(Diagnostic::error("too-many-primes", message, *span));
+        unknowns.retain(|unknown| unknown.highest <= limits::ORDER);
+    }
+    for unknown in &mut unknowns {
+        unknown.initial = vec![None; unknown.highest as usize];
+    }
+    for (index, unknown) in unknowns.iter().enumerate() {
+        program.scope.declare(unknown.name, Meaning::Variable(index));
+    }
+    let solvable = check_counts(program, &in_equations, &unknowns, diagnostics);
+    assign_initial_values(program, &mut unknowns, diagnostics);
+    order_states(program, &mut unknowns);
+    for (unknown, solvable) in unknowns.iter().zip(solvable) {
+        if solvable {
+            check_initial_values(unknown, diagnostics);
+        }
+    }
+    unknowns
+}
+
+/// The undefined names in an expression, with their primes. The prime of a definition counts for what is inside it.
+fn add_orders<'a>(program: &Program, definitions: &[Orders<'a>], expression: &'a Expression, orders: &mut Orders<'a>) {
+    for_each_name(expression, |name, order, part| {
+        let mut raise = |name: &'a str, order: u32| {
+            let known = orders.entry(name).or_insert((order, part.span));
+            if known.0 < order {
+                *known = (order, part.span);
+            }
+        };
+        match program.scope.meaning(name) {
+            None | Some(Meaning::Variable(_)) => raise(name, order),
+            Some(Meaning::Definition(index)) => {
+                for (inner, &(inner_order, _)) in &definitions[index] {
+                    raise(inner, inner_order.saturating_add(order).min(limits::ORDER + 1));
+                }
+            }
+            Some(Meaning::Parameter(_) | Meaning::Independent | Meaning::Pi) => {}
+        }
+    });
+}
+
+fn orders_in_definitions<'a>(program: &Program<'a>, order: &[usize]) -> Vec<Orders<'a>> {
+    let mut all = vec![Orders::new(); program.definitions.len()];
+    for &index in order {
+        let mut orders = Orders::new();
+        add_orders(program, &all, program.definitions[index].value, &mut orders);
+        all[index] = orders;
+    }
+    all
+}
+
+/// For each unknown, whether there is an equation to determine it.
+fn check_counts(
+    program: &Program,
+    in_equations: &[Orders],
+    unknowns: &[Unknown],
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<bool> {
+    let contains: Vec<Vec<usize>> = in_equations
+        .iter()
+        .map(|orders| {
+            let is_highest = |unknown: &Unknown| orders.get(unknown.name).is_some_and(|&(order, _)| order == unknown.highest);
+            (0..unknowns.len()).filter(|&index| is_highest(&unknowns[index])).collect()
+        })
+        .collect();
+    let equation_of = match_equations(&contains, unknowns.len());
+    let highest: Vec<String> = unknowns.iter().map(|unknown| format!("`{}`", primed(unknown.name, unknown.highest))).collect();
+    for (index, equation) in program.equations.iter().enumerate() {
+        if equation_of.contains(&Some(index)) {
+            continue;
+        }
+        diagnostics.push(if contains[index].is_empty() {
+            nothing_to_solve_for(program, equation, &in_equations[index], unknowns)
+        } else {
+            let solved: Vec<String> = contains[index].iter().map(|&unknown| highest[unknown].clone()).collect();
+            let count = program.equations.len();
+            let message = format!("there are more equations than unknowns: {count} for {}", list(&highest));
+            let mut diagnostic = Diagnostic::error("too-many-equations", message, equation.span)
+                .saying(format!("{} is already determined without this one", list(&solved)));
+            for (other, entry) in program.equations.iter().enumerate() {
+                if other != index && contains[other].iter().any(|unknown| contains[index].contains(unknown)) {
+                    diagnostic = diagnostic.with_label(entry.span, "by this one");
+                }
+            }
+            diagnostic.with_hint("leave one of them out")
+        });
+    }
+    for (index, unknown) in unknowns.iter().enumerate() {
+        if equation_of[index].is_none() {
+            diagnostics.push(no_equation_for(program, unknown, &highest, unknowns));
+        }
+    }
+    equation_of.iter().map(Option::is_some).collect()
+}
+
+fn nothing_to_solve_for(
+    program: &Program,
+    equation: &super::Equation,
+    orders: &Orders,
+    unknowns: &[Unknown],
+) -> Diagnostic {
+    let message = "there is nothing that this equation could be solved for";
+    let mut diagnostic = Diagnostic::error("nothing-to-solve-for", message, equation.span);
+    let lower: Vec<&Unknown> = unknowns.iter().filter(|unknown| orders.contains_key(unknown.name)).collect();
+    if let Some(unknown) = lower.first() {
+        let highest = primed(unknown.name, unknown.highest);
+        diagnostic = diagnostic
+            .saying(format!("contains no `{highest}`"))
+            .with_label(unknown.span, format!("`{highest}`, the highest derivative, is here"));
+    } else {
+        diagnostic = diagnostic.saying("contains no derivative of an unknown");
+    }
+    let mut defined = None;
+    for side in [equation.left, equation.right] {
+        for_each_name(side, |name, order, _| {
+            if order > 0 && let Some(Meaning::Definition(index)) = program.scope.meaning(name) {
+                defined = defined.or(Some(index));
+            }
+        });
+    }
+    if let Some(index) = defined {
+        let name = program.definitions[index].name;
+        diagnostic = diagnostic.with_label(name.span, format!("`{}` is defined here, and so is no unknown", name.text));
+    }
+    diagnostic.with_hint("to define a quantity, write its name alone on the left: `v = y'`")
+}
+
+fn no_equation_for(program: &Program, unknown: &Unknown, highest: &[String], unknowns: &[Unknown]) -> Diagnostic {
+    let equations = match program.equations.len() {
+        1 => "1 equation".to_owned(),
+        count => format!("{count} equations"),
+    };
+    let missing = primed(unknown.name, unknown.highest);
+    let message = format!("there are more unknowns than equations: {} and {equations}", list(highest));
+    let diagnostic = Diagnostic::error("too-few-equations", message, unknown.span)
+        .saying(format!("no equation is left to determine `{missing}`"));
+    let mut known = Scope::new(&program.independent.0);
+    for other in unknowns.iter().filter(|other| other.name != unknown.name) {
+        known.declare(other.name, Meaning::Pi);
+    }
+    for entry in &program.definitions {
+        known.declare(&entry.name.text, Meaning::Pi);
+    }
+    match known.near(unknown.name) {
+        Some(near) => diagnostic.with_hint(format!("did you mean `{}`?", primed(near, unknown.highest))),
+        None => diagnostic.with_hint(format!("write an equation for `{missing}`, or define it: `{} = ...`", unknown.name)),
+    }
+}
+
+/// Gives each unknown its initial values; tells those that belong to nothing.
+fn assign_initial_values<'a>(program: &Program<'a>, unknowns: &mut [Unknown<'a>], diagnostics: &mut Vec<Diagnostic>) {
+    for entry in &program.initial_values {
+        let name = entry.name.text.as_str();
+        let written = format!("{}(0)", primed(name, entry.order));
+        let error = |code, message: String| Diagnostic::error(code, message, entry.name.span);
+        let diagnostic = match program.scope.meaning(name) {
+            Some(Meaning::Variable(index)) => {
+                let unknown = &mut unknowns[index];
+                let highest = primed(name, unknown.highest);
+                match unknown.initial.get_mut(entry.order as usize) {
+                    Some(slot @ None) => {
+                        *slot = Some(*entry);
+                        continue;
+                    }
+                    Some(Some(first)) => error("duplicate-initial-value", format!("`{written}` is given twice"))
+                        .saying("given again here")
+                        .with_label(first.name.span, "first given here"),
+                    None => error("initial-value-of-highest", format!("`{written}` cannot be given: the equation determines `{highest}`"))
+                        .with_label(unknown.span, "by this equation")
+                        .with_hint("leave it out"),
+                }
+            }
+            Some(Meaning::Definition(index)) => {
+                let defined = program.definitions[index].name;
+                error("initial-value-of-definition", format!("`{name}` is defined, so it has no initial value to be given"))
+                    .with_label(defined.span, "defined here")
+            }
+            Some(Meaning::Parameter(_) | Meaning::Independent | Meaning::Pi) => {
+                error("initial-value-of-constant", format!("`{name}` is not an unknown of the equations, so it has no initial value"))
+            }
+            None => {
+                let diagnostic = error("initial-value-without-equation", format!("no equation contains a derivative of `{name}`"))
+                    .saying(format!("`{written}` is the initial value of nothing"));
+                match program.scope.near(name) {
+                    Some(near) => diagnostic.with_hint(format!("did you mean `{near}`?")),
+                    None => diagnostic.with_hint(format!("write an equation with `{name}'`, or define `{name} = ...`")),
+                }
+            }
+        };
+        diagnostics.push(diagnostic);
+    }
+}
+
+/// Sorts the unknowns' states as the author gives their initial values, else as the equations mention them.
+fn order_states(program: &Program, unknowns: &mut [Unknown]) {
+    let place = |unknown: &Unknown| {
+        let given = program.initial_values.iter().position(|entry| entry.name.text == unknown.name);
+        (given.unwrap_or(usize::MAX), unknown.span.start)
+    };
+    let mut by_place: Vec<usize> = (0..unknowns.len()).collect();
+    by_place.sort_by_key(|&index| place(&unknowns[index]));
+    let mut next = 0;
+    for index in by_place {
+        unknowns[index].first_state = next;
+        next += unknowns[index].highest as usize;
+    }
+}
+
+fn check_initial_values(unknown: &Unknown, diagnostics: &mut Vec<Diagnostic>) {
+    let missing: Vec<String> = (0_u32..)
+        .zip(&unknown.initial)
+        .filter(|(_, entry)| entry.is_none())
+        .map(|(order, _)| format!("`{}(0)`", primed(unknown.name, order)))
+        .collect();
+    if missing.is_empty() {
+        return;
+    }
+    let highest = primed(unknown.name, unknown.highest);
+    let (verb, value) = if missing.len() == 1 { ("is", "its initial value") } else { ("are", "their initial values") };
+    diagnostics.push(
+        Diagnostic::error("missing-initial-value", format!("{} {verb} not given", list(&missing)), unknown.span)
+            .saying(format!("`{highest}` here needs {value}"))
+            .with_hint(missing.iter().map(|written| format!("{} = 0", written.trim_matches('`'))).collect::<Vec<_>>().join(", ")),
+    );
+}

@@ -184,34 +184,49 @@ impl Events {
         let count = self.act(time);
         equations.rates(time, &self.before, &mut self.rates_before);
         equations.rates(time, &self.after, &mut self.rates_after);
-        let mut used_up = self.due.clone();
+        // By event: still to be found where the motion without the action meets the condition, if it has fired at all.
         let mut open = self.due.clone();
+        let mut used_up = self.due.clone();
+        let mut crossed = vec![false; open.len()];
         let mut ahead = resolution.max(f64::MIN_POSITIVE);
         while ahead <= reach && open.contains(&true) {
             follow(&mut self.probe, &self.before, &self.rates_before, ahead);
             self.conditions
                 .evaluate(time + ahead, &self.probe, &mut self.truths);
-            let crossed: Vec<bool> = self.truths.iter().map(|&truth| truth != 0.0).collect();
+            for (crossed, &truth) in crossed.iter_mut().zip(&self.truths) {
+                *crossed = truth != 0.0;
+            }
             follow(&mut self.probe, &self.after, &self.rates_after, ahead);
             self.conditions
                 .evaluate(time + ahead, &self.probe, &mut self.truths);
-            for event in 0..open.len() {
-                if open[event] && crossed[event] {
-                    open[event] = false;
-                    used_up[event] = self.truths[event] != 0.0;
+            let answers = crossed.iter().zip(&self.truths);
+            for ((open, used_up), (&crossed, &truth)) in
+                open.iter_mut().zip(&mut used_up).zip(answers)
+            {
+                if *open && crossed {
+                    *open = false;
+                    *used_up = truth != 0.0;
                 }
             }
             ahead *= 4.0;
         }
+        self.rearm(time, &used_up);
+        count
+    }
+
+    /// Arms the events whose conditions are false after a jump, but for those that are used up. An event that the jump
+    /// of another one has made true stays armed and fires at once, in `cascade`.
+    fn rearm(&mut self, time: f64, used_up: &[bool]) {
         self.conditions
             .evaluate(time, &self.after, &mut self.truths);
-        for event in 0..self.armed.len() {
-            // An event made true by the jump of another one stays armed and fires at once, in `cascade`.
-            if self.due[event] || !self.armed[event] {
-                self.armed[event] = self.truths[event] == 0.0 && !used_up[event];
+        let fired = self.due.iter().zip(used_up);
+        for ((armed, &truth), (&due, &used_up)) in
+            self.armed.iter_mut().zip(&self.truths).zip(fired)
+        {
+            if due || !*armed {
+                *armed = truth == 0.0 && !used_up;
             }
         }
-        count
     }
 
     /// Lets the events act that the last jump has made due, on the state after it; how many there were.
@@ -224,13 +239,7 @@ impl Events {
         }
         self.before.copy_from_slice(&self.after);
         let count = self.act(time);
-        self.conditions
-            .evaluate(time, &self.after, &mut self.truths);
-        for event in 0..self.armed.len() {
-            if self.due[event] || !self.armed[event] {
-                self.armed[event] = self.truths[event] == 0.0;
-            }
-        }
+        self.rearm(time, &vec![false; self.due.len()]);
         count
     }
 

@@ -161,7 +161,7 @@ fn hermite(part: f64, from: f64, to: f64, leaving: f64, arriving: f64) -> f64 {
     let change = to - from;
     let steepest = leaving.abs().max(arriving.abs());
     let plausible = 10.0 * from.abs().max(to.abs());
-    if !(steepest <= plausible) {
+    if steepest > plausible || steepest.is_nan() {
         return from + part * change;
     }
     let rest = 1.0 - part;

@@ -1,16 +1,22 @@
-//! The rows of a run as a table: in display units, for people and for files. The page and the command line write the
-//! same characters.
+//! The rows of a run as a table in display units. The page and the command line write the same characters.
+
+mod write;
 
 use crate::{History, Readings};
-use model::Model;
-use std::fmt;
+use model::{Kind, Model, NodeId};
+use std::rc::Rc;
+use units::Unit;
+
+pub use write::Format;
 
 /// Which columns of a run, and their values at its rows.
 #[derive(Clone, Debug)]
 pub struct Table {
     columns: Vec<Column>,
+    sources: Vec<Source>,
     readings: Readings,
-    row: Vec<Cell>,
+    texts: Vec<Rc<str>>,
+    cells: Vec<Cell>,
 }
 
 /// One column of a [`Table`].
@@ -21,7 +27,18 @@ pub struct Column {
     /// The author's label, if any.
     pub label: Option<String>,
     /// The display unit; its text is empty for a pure number.
-    pub unit: units::Unit,
+    pub unit: Unit,
+}
+
+impl Column {
+    /// The name with its unit, `y' [m/s]`; the name alone for pure numbers, texts and truth values.
+    pub fn heading(&self) -> String {
+        if self.unit.text.is_empty() {
+            self.name.clone()
+        } else {
+            format!("{} [{}]", self.name, self.unit.text)
+        }
+    }
 }
 
 /// A value of a [`Table`] in its column's unit.
@@ -32,7 +49,7 @@ pub enum Cell {
     /// Whether a condition holds.
     Truth(bool),
     /// A text of the document.
-    Text(std::rc::Rc<str>),
+    Text(Rc<str>),
 }
 
 /// A column that does not exist.
@@ -44,35 +61,67 @@ pub struct UnknownColumn {
     pub near: Option<String>,
 }
 
-/// How a table is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Format {
-    /// RFC 4180 with `\n`; one header row `t [s],y [m],y' [m/s]`.
-    #[default]
-    Csv,
-    /// One array of objects.
-    Json,
-    /// An object on each line.
-    JsonLines,
+/// Where the values of a column come from.
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    Independent,
+    State(usize),
+    Parameter(usize),
+    /// The root of this number.
+    Reading(usize, Kind),
 }
 
 impl Table {
     /// All columns: the independent variable, the states, the quantities that vary.
     pub fn new(model: &Model) -> Self {
-        Self {
-            columns: Vec::new(),
-            readings: Readings::new(model, &[]),
-            row: Vec::new(),
-        }
+        let mut chosen = vec![independent(model)];
+        chosen.extend((0..model.states.len()).map(|index| state(model, index)));
+        let varying = model
+            .quantities
+            .iter()
+            .enumerate()
+            .filter(|(_, quantity)| quantity.varies);
+        chosen.extend(varying.map(|(index, _)| quantity(model, index)));
+        Self::of(model, chosen)
     }
 
-    /// The named columns (also constants: parameters and quantities that do not vary), in the order asked for.
+    /// The named columns, in the order asked for: also parameters, quantities that do not vary, and the highest
+    /// derivatives.
     ///
     /// # Errors
     /// A name that does not exist.
     pub fn select(model: &Model, names: &[&str]) -> Result<Self, UnknownColumn> {
-        let _ = names;
-        Ok(Self::new(model))
+        let chosen: Result<Vec<_>, _> = names.iter().map(|name| find(model, name)).collect();
+        Ok(Self::of(model, chosen?))
+    }
+
+    fn of(model: &Model, chosen: Vec<(Column, Origin)>) -> Self {
+        let mut roots = Vec::new();
+        let mut columns = Vec::new();
+        let mut sources = Vec::new();
+        for (column, origin) in chosen {
+            columns.push(column);
+            sources.push(match origin {
+                Origin::Known(source) => source,
+                Origin::Node(node, kind) => {
+                    roots.push(node);
+                    Source::Reading(roots.len() - 1, kind)
+                }
+            });
+        }
+        let readings = Readings::new(model, &roots);
+        let texts = model
+            .texts
+            .iter()
+            .map(|text| Rc::from(text.as_str()))
+            .collect();
+        Self {
+            columns,
+            sources,
+            readings,
+            texts,
+            cells: Vec::new(),
+        }
     }
 
     /// The columns.
@@ -82,41 +131,108 @@ impl Table {
 
     /// The values at a recorded row.
     pub fn row(&mut self, history: &History, row: usize) -> &[Cell] {
-        let _ = self.readings.at_row(history, row);
-        &self.row
+        let read = self.readings.at_row(history, row);
+        self.cells.clear();
+        for (column, source) in self.columns.iter().zip(&self.sources) {
+            let number = |si: f64| Cell::Number(column.unit.from_si(si));
+            self.cells.push(match *source {
+                Source::Independent => number(history.time(row)),
+                Source::State(index) => number(history.column(index)[row]),
+                Source::Parameter(index) => number(history.parameters(row)[index]),
+                Source::Reading(root, Kind::Number) => number(read[root]),
+                Source::Reading(root, Kind::Truth) => Cell::Truth(read[root] != 0.0),
+                Source::Reading(root, Kind::Text) => match self.texts.get(read[root] as usize) {
+                    Some(text) => Cell::Text(text.clone()),
+                    None => Cell::Number(f64::NAN),
+                },
+            });
+        }
+        &self.cells
     }
+}
 
-    /// What comes before the first row.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub fn write_head(&self, format: Format, out: &mut impl fmt::Write) -> fmt::Result {
-        let _ = format;
-        out.write_str("")
-    }
+/// Where the values of a column come from, before the roots are collected.
+enum Origin {
+    Known(Source),
+    Node(NodeId, Kind),
+}
 
-    /// One row; `first` where no row was written before.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub fn write_row(
-        &mut self,
-        format: Format,
-        history: &History,
-        row: usize,
-        first: bool,
-        out: &mut impl fmt::Write,
-    ) -> fmt::Result {
-        let _ = (format, history, row, first);
-        out.write_str("")
-    }
+fn independent(model: &Model) -> (Column, Origin) {
+    let unit = model.independent.unit.clone();
+    (
+        Column {
+            name: model.independent.name.clone(),
+            label: None,
+            unit,
+        },
+        Origin::Known(Source::Independent),
+    )
+}
 
-    /// What comes after the last row.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    pub fn write_end(&self, format: Format, out: &mut impl fmt::Write) -> fmt::Result {
-        let _ = format;
-        out.write_str("")
+fn state(model: &Model, index: usize) -> (Column, Origin) {
+    let state = &model.states[index];
+    let column = Column {
+        name: state.name(),
+        label: state.label.clone(),
+        unit: state.unit.clone(),
+    };
+    (column, Origin::Known(Source::State(index)))
+}
+
+fn parameter(model: &Model, index: usize) -> (Column, Origin) {
+    let parameter = &model.parameters[index];
+    let column = Column {
+        name: parameter.name.clone(),
+        label: parameter.label.clone(),
+        unit: parameter.unit.clone(),
+    };
+    (column, Origin::Known(Source::Parameter(index)))
+}
+
+fn quantity(model: &Model, index: usize) -> (Column, Origin) {
+    let quantity = &model.quantities[index];
+    let value = &quantity.value;
+    let column = Column {
+        name: quantity.name.clone(),
+        label: quantity.label.clone(),
+        unit: value.unit.clone(),
+    };
+    (column, Origin::Node(value.node, value.kind))
+}
+
+fn find(model: &Model, name: &str) -> Result<(Column, Origin), UnknownColumn> {
+    if name == model.independent.name {
+        return Ok(independent(model));
     }
+    if let Some(index) = model.states.iter().position(|state| state.name() == name) {
+        return Ok(state(model, index));
+    }
+    if let Some(index) = model
+        .quantities
+        .iter()
+        .position(|quantity| quantity.name == name)
+    {
+        return Ok(quantity(model, index));
+    }
+    if let Some(index) = model
+        .parameters
+        .iter()
+        .position(|parameter| parameter.name == name)
+    {
+        return Ok(parameter(model, index));
+    }
+    let bare = name.trim_end_matches('\'');
+    let order = (name.len() - bare.len()) as u32;
+    if let Some(value) = model.lookup(bare, order) {
+        let column = Column {
+            name: name.to_owned(),
+            label: None,
+            unit: value.unit,
+        };
+        return Ok((column, Origin::Node(value.node, value.kind)));
+    }
+    Err(UnknownColumn {
+        name: name.to_owned(),
+        near: None,
+    })
 }

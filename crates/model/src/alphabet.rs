@@ -114,7 +114,9 @@ mod tests {
 
     #[test]
     fn greek_letters_have_names_and_back() {
-        for (letter, name) in [('α', "alpha"), ('γ', "gamma"), ('π', "pi"), ('ρ', "rho"), ('ω', "omega"), ('Ω', "Omega")] {
+        for (letter, name) in
+            [('α', "alpha"), ('γ', "gamma"), ('π', "pi"), ('ρ', "rho"), ('ω', "omega"), ('Ω', "Omega")]
+        {
             assert_eq!(greek_name(letter), Some(name));
             assert_eq!(greek_letter(name), Some(letter));
         }

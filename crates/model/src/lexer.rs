@@ -19,7 +19,11 @@ pub(crate) struct Token {
 pub(crate) enum TokenKind {
     Number(f64),
     /// A name in ASCII, the primes directly after it, and where the name alone ends.
-    Name { text: String, order: u32, end: usize },
+    Name {
+        text: String,
+        order: u32,
+        end: usize,
+    },
     Keyword(Keyword),
     Symbol(Symbol),
     /// ² after what it raises.
@@ -138,7 +142,14 @@ const FOREIGN: &[(&str, TokenKind, &str)] = &[
 
 /// The tokens of `source[range]`, ending with [`TokenKind::End`]. `range` lies on character boundaries.
 pub(crate) fn tokens(source: &str, range: Range<usize>) -> (Vec<Token>, Vec<Diagnostic>) {
-    let mut lexer = Lexer { source, at: range.start, end: range.end, tokens: Vec::new(), diagnostics: Vec::new() };
+    let mut lexer = Lexer {
+        source,
+        at: range.start,
+        end: range.end,
+        tokens: Vec::new(),
+        diagnostics: Vec::new(),
+        strange: Vec::new(),
+    };
     while let Some(character) = lexer.peek() {
         lexer.token(character);
     }
@@ -152,6 +163,8 @@ struct Lexer<'a> {
     end: usize,
     tokens: Vec<Token>,
     diagnostics: Vec<Diagnostic>,
+    /// The characters of this line that mean nothing; each is told once.
+    strange: Vec<char>,
 }
 
 impl<'a> Lexer<'a> {
@@ -180,6 +193,7 @@ impl<'a> Lexer<'a> {
         match first {
             '\n' => {
                 self.at += 1;
+                self.strange.clear();
                 self.push(TokenKind::Newline, start);
             }
             '#' => {
@@ -232,7 +246,8 @@ impl<'a> Lexer<'a> {
         }
         let span = Span::new(start, self.at);
         let wrong = "this number is too large";
-        self.diagnostics.push(Diagnostic::error("malformed-number", wrong, span).with_note("the largest is about 1.8e308"));
+        self.diagnostics
+            .push(Diagnostic::error("malformed-number", wrong, span).with_note("the largest is about 1.8e308"));
         self.push(TokenKind::Unknown, start);
     }
 
@@ -300,11 +315,8 @@ impl<'a> Lexer<'a> {
             token.span.end == start && matches!(token.kind, TokenKind::Name { .. } | TokenKind::Primes)
         });
         self.at = start + opening.len_utf8() + inside.trim_end().len();
-        let mut diagnostic = Diagnostic::error(
-            "unclosed-text",
-            "this text has no closing quotation mark",
-            Span::new(start, self.at),
-        );
+        let mut diagnostic =
+            Diagnostic::error("unclosed-text", "this text has no closing quotation mark", Span::new(start, self.at));
         diagnostic = if after_name {
             diagnostic.with_hint("for the second derivative write two primes: y''")
         } else {
@@ -326,7 +338,9 @@ impl<'a> Lexer<'a> {
         }
         self.at = inside_start + inside.trim_end().len();
         let wrong = "this `[` is not closed";
-        self.diagnostics.push(Diagnostic::error("unclosed-bracket", wrong, Span::new(start, start + 1)).with_hint("end the unit with ]"));
+        self.diagnostics.push(
+            Diagnostic::error("unclosed-bracket", wrong, Span::new(start, start + 1)).with_hint("end the unit with ]"),
+        );
         self.push(TokenKind::Unknown, start);
     }
 
@@ -360,21 +374,25 @@ impl<'a> Lexer<'a> {
             return self.push(kind.clone(), start);
         }
         self.at += first.len_utf8();
-        let shown = if first.is_control() { format!("U+{:04X}", first as u32) } else { first.to_string() };
-        let diagnostic = Diagnostic::error(
-            "unexpected-character",
-            format!("the character `{shown}` has no meaning in a model"),
-            Span::new(start, self.at),
-        );
-        self.diagnostics.push(match first {
-            '%' => diagnostic.with_hint("a percentage is written 5 [%], a remainder mod(a, b)"),
-            '\u{307}' | '\u{308}' => diagnostic.with_hint("derivatives are written with primes: y' and y''"),
-            '$' => diagnostic.with_hint("formulas in $...$ belong to the prose around the model"),
-            '\\' => diagnostic.with_hint("write names without a backslash: omega_0, sqrt(x)"),
-            ']' => diagnostic.with_hint("this `]` closes nothing"),
-            _ => diagnostic,
-        });
+        if !self.strange.contains(&first) {
+            self.strange.push(first);
+            self.diagnostics.push(strange_character(first, Span::new(start, self.at)));
+        }
         self.push(TokenKind::Unknown, start);
+    }
+}
+
+fn strange_character(character: char, span: Span) -> Diagnostic {
+    let shown = if character.is_control() { format!("U+{:04X}", character as u32) } else { character.to_string() };
+    let wrong = format!("the character `{shown}` has no meaning in a model");
+    let diagnostic = Diagnostic::error("unexpected-character", wrong, span);
+    match character {
+        '%' => diagnostic.with_hint("a percentage is written 5 [%], a remainder mod(a, b)"),
+        '\u{307}' | '\u{308}' => diagnostic.with_hint("derivatives are written with primes: y' and y''"),
+        '$' => diagnostic.with_hint("formulas in $...$ belong to the prose around the model"),
+        '\\' => diagnostic.with_hint("write names without a backslash: omega_0, sqrt(x)"),
+        ']' => Diagnostic::error("unmatched-bracket", "this `]` closes nothing", span),
+        _ => diagnostic,
     }
 }
 

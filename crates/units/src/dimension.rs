@@ -71,9 +71,7 @@ impl Dimension {
 
     /// The base units it is made of, each with its exponent, which is not 0: `kg`, `m`, `s`, `A`, `K`, `mol`, `cd`.
     pub fn base(&self) -> impl Iterator<Item = (&'static str, Exponent)> + '_ {
-        BASE.into_iter()
-            .zip(self.0)
-            .filter(|(_, exponent)| !exponent.is_zero())
+        BASE.into_iter().zip(self.0).filter(|(_, exponent)| !exponent.is_zero())
     }
 }
 
@@ -106,9 +104,7 @@ mod tests {
     fn products_quotients_powers_and_roots() {
         let speed = Dimension::LENGTH.per(Dimension::TIME).unwrap();
         assert_eq!(speed.to_string(), "m s^-1");
-        let energy = Dimension::MASS
-            .times(speed.power(Exponent::from(2)).unwrap())
-            .unwrap();
+        let energy = Dimension::MASS.times(speed.power(Exponent::from(2)).unwrap()).unwrap();
         assert_eq!(energy.to_string(), "kg m^2 s^-2");
         assert_eq!(energy.per(Dimension::MASS).unwrap().root(2), Some(speed));
         assert_eq!(Dimension::LENGTH.root(2).unwrap().to_string(), "m^(1/2)");
@@ -129,10 +125,7 @@ mod tests {
     #[test]
     fn tells_its_base_units() {
         let dimension = Dimension::from_whole([1, -1, -2, 0, 0, 0, 0]);
-        let base: Vec<_> = dimension
-            .base()
-            .map(|(symbol, exponent)| format!("{symbol}:{exponent}"))
-            .collect();
+        let base: Vec<_> = dimension.base().map(|(symbol, exponent)| format!("{symbol}:{exponent}")).collect();
         assert_eq!(base, ["kg:1", "m:-1", "s:-2"]);
     }
 }

@@ -19,10 +19,7 @@ impl Exponent {
     pub const ONE: Self = Self::whole(1);
 
     const fn whole(value: i32) -> Self {
-        Self {
-            numerator: value,
-            denominator: 1,
-        }
+        Self { numerator: value, denominator: 1 }
     }
 
     /// `numerator / denominator`; `None` for a denominator of 0 and beyond the bound.
@@ -38,10 +35,7 @@ impl Exponent {
         if numerator.abs() > BOUND || denominator > BOUND {
             return None;
         }
-        Some(Self {
-            numerator: numerator as i32,
-            denominator: denominator as i32,
-        })
+        Some(Self { numerator: numerator as i32, denominator: denominator as i32 })
     }
 
     /// The exponent that `value` is: an integer, or a fraction with a denominator up to 12 (0.5, 1.5, 1/3 to the
@@ -50,11 +44,7 @@ impl Exponent {
         (1..=12).find_map(|denominator: i64| {
             let numerator = (value * denominator as f64).round();
             let is_it = numerator.abs() <= BOUND as f64 && numerator / denominator as f64 == value;
-            if is_it {
-                Self::new(numerator as i64, denominator)
-            } else {
-                None
-            }
+            if is_it { Self::new(numerator as i64, denominator) } else { None }
         })
     }
 
@@ -99,10 +89,7 @@ impl Exponent {
 
     /// The opposite.
     pub fn negated(self) -> Self {
-        Self {
-            numerator: -self.numerator,
-            ..self
-        }
+        Self { numerator: -self.numerator, ..self }
     }
 }
 
@@ -154,13 +141,7 @@ mod tests {
 
     #[test]
     fn numbers_become_exponents_when_they_are_simple_fractions() {
-        for (number, text) in [
-            (2.0, "2"),
-            (-0.5, "-1/2"),
-            (1.0 / 3.0, "1/3"),
-            (0.0, "0"),
-            (1.75, "7/4"),
-        ] {
+        for (number, text) in [(2.0, "2"), (-0.5, "-1/2"), (1.0 / 3.0, "1/3"), (0.0, "0"), (1.75, "7/4")] {
             assert_eq!(Exponent::from_number(number).unwrap().to_string(), text);
         }
         for number in [0.123_456, 1e300, f64::NAN, f64::INFINITY, 1001.0] {

@@ -30,17 +30,9 @@ pub(crate) fn parse(text: &str) -> Result<Unit, UnitError> {
     let (multiplier, divisor) = part.scale.quotient();
     let factor = multiplier / divisor;
     if !factor.is_normal() || !multiplier.is_finite() {
-        return Err(error(
-            "malformed-unit",
-            0..text.len(),
-            "this unit is too large or too small for a number",
-        ));
+        return Err(error("malformed-unit", 0..text.len(), "this unit is too large or too small for a number"));
     }
-    let text = if part.text == "1" {
-        String::new()
-    } else {
-        part.text
-    };
+    let text = if part.text == "1" { String::new() } else { part.text };
     Ok(Unit::new(part.dimension, (multiplier, divisor), text))
 }
 
@@ -58,12 +50,7 @@ struct Reader<'a> {
 }
 
 fn error(code: &'static str, range: Range<usize>, message: impl Into<String>) -> UnitError {
-    UnitError {
-        code,
-        range,
-        message: message.into(),
-        hint: None,
-    }
+    UnitError { code, range, message: message.into(), hint: None }
 }
 
 fn hinting(mut error: UnitError, hint: impl Into<String>) -> UnitError {
@@ -72,11 +59,7 @@ fn hinting(mut error: UnitError, hint: impl Into<String>) -> UnitError {
 }
 
 fn too_high(range: Range<usize>) -> UnitError {
-    error(
-        "malformed-unit",
-        range,
-        "an exponent of this unit is too large",
-    )
+    error("malformed-unit", range, "an exponent of this unit is too large")
 }
 
 impl<'a> Reader<'a> {
@@ -104,11 +87,7 @@ impl<'a> Reader<'a> {
     fn unexpected(&self) -> UnitError {
         let Some(found) = self.peek() else {
             let end = self.text.trim_end().len();
-            return error(
-                "malformed-unit",
-                end..end,
-                "the unit ends where a unit symbol should follow",
-            );
+            return error("malformed-unit", end..end, "the unit ends where a unit symbol should follow");
         };
         let range = self.at..self.at + found.len_utf8();
         match found {
@@ -121,11 +100,7 @@ impl<'a> Reader<'a> {
                 "write the number before the bracket, and powers with ^, such as m^2",
             ),
             ')' => error("malformed-unit", range, "this `)` closes nothing"),
-            _ => error(
-                "malformed-unit",
-                range,
-                format!("`{found}` cannot be part of a unit"),
-            ),
+            _ => error("malformed-unit", range, format!("`{found}` cannot be part of a unit")),
         }
     }
 
@@ -146,11 +121,7 @@ impl<'a> Reader<'a> {
             let next = self.factor(depth)?;
             let range = slash..next.range.end;
             let (above, below, next_text) = (above.text, below.text, next.text);
-            let top = if above == "1" {
-                String::new()
-            } else {
-                format!("{above} ")
-            };
+            let top = if above == "1" { String::new() } else { format!("{above} ") };
             return Err(hinting(
                 error(
                     "ambiguous-unit",
@@ -165,22 +136,10 @@ impl<'a> Reader<'a> {
         }
         let range = above.range.start..below.range.end;
         let inverse = below.dimension.inverse();
-        let dimension = above
-            .dimension
-            .times(inverse)
-            .ok_or_else(|| too_high(range.clone()))?;
-        let below_text = if below.text.contains([' ', '/']) {
-            format!("({})", below.text)
-        } else {
-            below.text
-        };
+        let dimension = above.dimension.times(inverse).ok_or_else(|| too_high(range.clone()))?;
+        let below_text = if below.text.contains([' ', '/']) { format!("({})", below.text) } else { below.text };
         let scale = above.scale.times(below.scale.power(Exponent::from(-1)));
-        Ok(Part {
-            dimension,
-            scale,
-            text: format!("{}/{below_text}", above.text),
-            range,
-        })
+        Ok(Part { dimension, scale, text: format!("{}/{below_text}", above.text), range })
     }
 
     fn product(&mut self, depth: usize) -> Result<Part, UnitError> {
@@ -195,45 +154,28 @@ impl<'a> Reader<'a> {
             }
             let factor = self.factor(depth)?;
             let range = product.range.start..factor.range.end;
-            let dimension = product
-                .dimension
-                .times(factor.dimension)
-                .ok_or_else(|| too_high(range.clone()))?;
+            let dimension = product.dimension.times(factor.dimension).ok_or_else(|| too_high(range.clone()))?;
             let quotient = |text: String| {
-                if text.contains('/') {
-                    format!("({text})")
-                } else {
-                    text
-                }
+                if text.contains('/') { format!("({text})") } else { text }
             };
             let text = match (product.text.as_str(), factor.text.as_str()) {
                 ("1", _) => factor.text,
                 (_, "1") => product.text,
                 _ => format!("{} {}", quotient(product.text), quotient(factor.text)),
             };
-            product = Part {
-                dimension,
-                scale: product.scale.times(factor.scale),
-                text,
-                range,
-            };
+            product = Part { dimension, scale: product.scale.times(factor.scale), text, range };
         }
     }
 
     fn starts_factor(&self) -> bool {
-        self.peek()
-            .is_some_and(|c| c == '(' || c == '1' || is_symbol(c))
+        self.peek().is_some_and(|c| c == '(' || c == '1' || is_symbol(c))
     }
 
     fn factor(&mut self, depth: usize) -> Result<Part, UnitError> {
         let start = self.at;
         let mut part = if self.take('(') {
             if depth == DEPTH {
-                return Err(error(
-                    "malformed-unit",
-                    start..start + 1,
-                    "too many parentheses in one another",
-                ));
+                return Err(error("malformed-unit", start..start + 1, "too many parentheses in one another"));
             }
             self.blanks();
             let inner = self.unit(depth + 1)?;
@@ -241,49 +183,24 @@ impl<'a> Reader<'a> {
             if !self.take(')') {
                 let unexpected = self.unexpected();
                 let unclosed = error("malformed-unit", start..start + 1, "this `(` is not closed");
-                return Err(if self.at == self.text.len() {
-                    unclosed
-                } else {
-                    unexpected
-                });
+                return Err(if self.at == self.text.len() { unclosed } else { unexpected });
             }
             inner
         } else if self.rest().starts_with('1')
             && !self.rest()[1..].starts_with(|c: char| c.is_ascii_digit() || c == '.')
         {
             self.at += 1;
-            Part {
-                dimension: Dimension::NONE,
-                scale: Scale::ONE,
-                text: "1".to_owned(),
-                range: start..self.at,
-            }
+            Part { dimension: Dimension::NONE, scale: Scale::ONE, text: "1".to_owned(), range: start..self.at }
         } else {
             self.symbol()?
         };
         let exponent_start = self.at;
         if let Some(exponent) = self.exponent()? {
             let range = exponent_start..self.at;
-            let dimension = part
-                .dimension
-                .power(exponent)
-                .ok_or_else(|| too_high(range))?;
-            let base = if part.text.contains([' ', '/', '^']) {
-                format!("({})", part.text)
-            } else {
-                part.text
-            };
-            let text = if base == "1" {
-                base
-            } else {
-                power_text(&base, exponent)
-            };
-            part = Part {
-                dimension,
-                scale: part.scale.power(exponent),
-                text,
-                range: start..self.at,
-            };
+            let dimension = part.dimension.power(exponent).ok_or_else(|| too_high(range))?;
+            let base = if part.text.contains([' ', '/', '^']) { format!("({})", part.text) } else { part.text };
+            let text = if base == "1" { base } else { power_text(&base, exponent) };
+            part = Part { dimension, scale: part.scale.power(exponent), text, range: start..self.at };
         }
         part.range = start..self.at;
         Ok(part)
@@ -291,10 +208,7 @@ impl<'a> Reader<'a> {
 
     fn symbol(&mut self) -> Result<Part, UnitError> {
         let start = self.at;
-        let length = self
-            .rest()
-            .find(|c| !is_symbol(c))
-            .unwrap_or(self.rest().len());
+        let length = self.rest().find(|c| !is_symbol(c)).unwrap_or(self.rest().len());
         if length == 0 {
             return Err(self.unexpected());
         }
@@ -302,18 +216,10 @@ impl<'a> Reader<'a> {
         let range = start..self.at;
         let written = &self.text[range.clone()];
         // Greek mu and ohm sign, and the angstrom sign, are the letters they look like.
-        let text = written
-            .replace('μ', "µ")
-            .replace('\u{2126}', "Ω")
-            .replace(['\u{212B}'], "Å");
+        let text = written.replace('μ', "µ").replace('\u{2126}', "Ω").replace(['\u{212B}'], "Å");
         if let Some((symbol, tens)) = table::find(&text) {
             let scale = symbol.scale.times(Scale::decimal(1, tens));
-            return Ok(Part {
-                dimension: symbol.dimension(),
-                scale,
-                text,
-                range,
-            });
+            return Ok(Part { dimension: symbol.dimension(), scale, text, range });
         }
         Err(unknown(&text, range))
     }
@@ -322,17 +228,9 @@ impl<'a> Reader<'a> {
         let start = self.at;
         let raised: String = self.rest().chars().map_while(plain_digit).collect();
         if !raised.is_empty() {
-            let length: usize = self
-                .rest()
-                .chars()
-                .take(raised.chars().count())
-                .map(char::len_utf8)
-                .sum();
+            let length: usize = self.rest().chars().take(raised.chars().count()).map(char::len_utf8).sum();
             self.at += length;
-            let value = raised
-                .parse()
-                .ok()
-                .and_then(|value| Exponent::new(value, 1));
+            let value = raised.parse().ok().and_then(|value| Exponent::new(value, 1));
             return value.map(Some).ok_or_else(|| too_high(start..self.at));
         }
         if !self.take('^') {
@@ -345,18 +243,13 @@ impl<'a> Reader<'a> {
                 break;
             }
             let signed = index == 0 && (self.take('-') || self.take('−'));
-            let digits: &str = &self.rest()[..self
-                .rest()
-                .find(|c: char| !c.is_ascii_digit())
-                .unwrap_or(self.rest().len())];
+            let digits: &str =
+                &self.rest()[..self.rest().find(|c: char| !c.is_ascii_digit()).unwrap_or(self.rest().len())];
             self.at += digits.len();
             if digits.is_empty() {
                 let end = self.at + self.peek().map_or(0, char::len_utf8);
-                let wrong = error(
-                    "malformed-unit",
-                    start..end,
-                    "an exponent is a whole number or a fraction in parentheses",
-                );
+                let wrong =
+                    error("malformed-unit", start..end, "an exponent is a whole number or a fraction in parentheses");
                 return Err(hinting(wrong, "such as m^2, s^-1 or m^(1/2)"));
             }
             *number = digits.parse().map_err(|_| too_high(start..self.at))?;
@@ -365,30 +258,20 @@ impl<'a> Reader<'a> {
             }
         }
         if parenthesis && !self.take(')') {
-            let wrong = error(
-                "malformed-unit",
-                start..self.at,
-                "the parenthesis of this exponent is not closed",
-            );
+            let wrong = error("malformed-unit", start..self.at, "the parenthesis of this exponent is not closed");
             return Err(hinting(wrong, "such as m^(1/2)"));
         }
-        Exponent::new(numbers[0], numbers[1])
-            .map(Some)
-            .ok_or_else(|| too_high(start..self.at))
+        Exponent::new(numbers[0], numbers[1]).map(Some).ok_or_else(|| too_high(start..self.at))
     }
 }
 
 fn unknown(text: &str, range: Range<usize>) -> UnitError {
-    if matches!(text, "degC" | "°C" | "℃" | "degF" | "°F" | "℉")
-        || text.eq_ignore_ascii_case("celsius")
-    {
+    if matches!(text, "degC" | "°C" | "℃" | "degF" | "°F" | "℉") || text.eq_ignore_ascii_case("celsius") {
         return hinting(
             error(
                 "temperature-scale",
                 range,
-                format!(
-                    "{text} is a scale with a zero of its own, so it cannot be multiplied like a unit"
-                ),
+                format!("{text} is a scale with a zero of its own, so it cannot be multiplied like a unit"),
             ),
             "give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K]",
         );

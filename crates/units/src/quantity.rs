@@ -18,29 +18,14 @@ const QUANTITIES: &[([i8; 7], &[&str])] = &[
     ([0, 1, -1, 0, 0, 0, 0], &["velocity"]),
     ([0, 1, -2, 0, 0, 0, 0], &["acceleration"]),
     ([0, 1, -3, 0, 0, 0, 0], &["jerk"]),
-    (
-        [0, 0, -1, 0, 0, 0, 0],
-        &["frequency", "angular velocity", "rate"],
-    ),
-    (
-        [0, 0, -2, 0, 0, 0, 0],
-        &["angular acceleration", "squared frequency"],
-    ),
+    ([0, 0, -1, 0, 0, 0, 0], &["frequency", "angular velocity", "rate"]),
+    ([0, 0, -2, 0, 0, 0, 0], &["angular acceleration", "squared frequency"]),
     ([0, 3, -1, 0, 0, 0, 0], &["volume flow"]),
-    (
-        [0, 2, -1, 0, 0, 0, 0],
-        &["kinematic viscosity", "diffusion coefficient"],
-    ),
-    (
-        [0, 2, -2, 0, 0, 0, 0],
-        &["energy per mass", "squared velocity"],
-    ),
+    ([0, 2, -1, 0, 0, 0, 0], &["kinematic viscosity", "diffusion coefficient"]),
+    ([0, 2, -2, 0, 0, 0, 0], &["energy per mass", "squared velocity"]),
     ([1, -3, 0, 0, 0, 0, 0], &["density"]),
     ([1, -2, 0, 0, 0, 0, 0], &["mass per area"]),
-    (
-        [1, -1, 0, 0, 0, 0, 0],
-        &["mass per length", "drag coefficient"],
-    ),
+    ([1, -1, 0, 0, 0, 0, 0], &["mass per length", "drag coefficient"]),
     ([1, 2, 0, 0, 0, 0, 0], &["moment of inertia"]),
     ([1, 1, -1, 0, 0, 0, 0], &["momentum"]),
     ([1, 2, -1, 0, 0, 0, 0], &["angular momentum", "action"]),
@@ -50,15 +35,9 @@ const QUANTITIES: &[([i8; 7], &[&str])] = &[
     ([1, -1, -2, 0, 0, 0, 0], &["pressure", "energy density"]),
     ([1, -1, -1, 0, 0, 0, 0], &["dynamic viscosity"]),
     ([1, 0, -1, 0, 0, 0, 0], &["damping constant", "mass flow"]),
-    (
-        [1, 0, -2, 0, 0, 0, 0],
-        &["spring constant", "surface tension"],
-    ),
+    ([1, 0, -2, 0, 0, 0, 0], &["spring constant", "surface tension"]),
     ([1, 0, -3, 0, 0, 0, 0], &["intensity"]),
-    (
-        [1, -2, -2, 0, 0, 0, 0],
-        &["pressure gradient", "specific weight"],
-    ),
+    ([1, -2, -2, 0, 0, 0, 0], &["pressure gradient", "specific weight"]),
     ([-1, 3, -2, 0, 0, 0, 0], &["gravitational constant"]),
     ([0, 0, 1, 1, 0, 0, 0], &["electric charge"]),
     ([1, 2, -3, -1, 0, 0, 0], &["voltage"]),
@@ -72,10 +51,7 @@ const QUANTITIES: &[([i8; 7], &[&str])] = &[
     ([1, 2, -2, 0, -1, 0, 0], &["heat capacity", "entropy"]),
     ([0, 2, -2, 0, -1, 0, 0], &["specific heat capacity"]),
     ([1, 1, -3, 0, -1, 0, 0], &["thermal conductivity"]),
-    (
-        [1, 2, -2, 0, -1, -1, 0],
-        &["molar heat capacity", "gas constant"],
-    ),
+    ([1, 2, -2, 0, -1, -1, 0], &["molar heat capacity", "gas constant"]),
     ([1, 0, 0, 0, 0, -1, 0], &["molar mass"]),
     ([0, -3, 0, 0, 0, 1, 0], &["concentration"]),
 ];
@@ -110,30 +86,15 @@ mod tests {
             ("T", "magnetic flux density"),
             ("J/(kg K)", "specific heat capacity"),
         ] {
-            assert_eq!(
-                Unit::parse(unit).unwrap().dimension.quantity_names()[0],
-                name,
-                "{unit}"
-            );
+            assert_eq!(Unit::parse(unit).unwrap().dimension.quantity_names()[0], name, "{unit}");
         }
-        assert!(
-            Unit::parse("m^7")
-                .unwrap()
-                .dimension
-                .quantity_names()
-                .is_empty()
-        );
+        assert!(Unit::parse("m^7").unwrap().dimension.quantity_names().is_empty());
     }
 
     #[test]
     fn each_dimension_stands_once() {
         for (index, (exponents, _)) in QUANTITIES.iter().enumerate() {
-            assert!(
-                QUANTITIES[..index]
-                    .iter()
-                    .all(|(earlier, _)| earlier != exponents),
-                "{exponents:?}"
-            );
+            assert!(QUANTITIES[..index].iter().all(|(earlier, _)| earlier != exponents), "{exponents:?}");
         }
     }
 }

@@ -18,32 +18,19 @@ impl Scale {
 
     /// `digits * 10^tens`
     pub(crate) const fn decimal(digits: u64, tens: i32) -> Self {
-        Self {
-            numerator: digits as u128,
-            denominator: 1,
-            tens,
-            rest: 1.0,
-        }
+        Self { numerator: digits as u128, denominator: 1, tens, rest: 1.0 }
     }
 
     /// `rest * numerator / denominator`
     pub(crate) const fn irrational(rest: f64, numerator: u64, denominator: u64) -> Self {
-        Self {
-            numerator: numerator as u128,
-            denominator: denominator as u128,
-            tens: 0,
-            rest,
-        }
+        Self { numerator: numerator as u128, denominator: denominator as u128, tens: 0, rest }
     }
 
     pub(crate) fn times(self, other: Self) -> Self {
         let numerator = self.numerator.checked_mul(other.numerator);
         let denominator = self.denominator.checked_mul(other.denominator);
         let (Some(numerator), Some(denominator)) = (numerator, denominator) else {
-            return Self {
-                rest: self.value() * other.value(),
-                ..Self::ONE
-            };
+            return Self { rest: self.value() * other.value(), ..Self::ONE };
         };
         let divisor = greatest_common_divisor(numerator, denominator);
         Self {
@@ -56,26 +43,14 @@ impl Scale {
 
     fn inverse(self) -> Self {
         let tens = self.tens.saturating_neg();
-        Self {
-            numerator: self.denominator,
-            denominator: self.numerator,
-            tens,
-            rest: 1.0 / self.rest,
-        }
+        Self { numerator: self.denominator, denominator: self.numerator, tens, rest: 1.0 / self.rest }
     }
 
     pub(crate) fn power(self, exponent: Exponent) -> Self {
         if !exponent.is_whole() {
-            return Self {
-                rest: libm::pow(self.value(), exponent.to_number()),
-                ..Self::ONE
-            };
+            return Self { rest: libm::pow(self.value(), exponent.to_number()), ..Self::ONE };
         }
-        let base = if exponent.numerator() < 0 {
-            self.inverse()
-        } else {
-            self
-        };
+        let base = if exponent.numerator() < 0 { self.inverse() } else { self };
         (0..exponent.numerator().unsigned_abs()).fold(Self::ONE, |product, _| product.times(base))
     }
 
@@ -83,18 +58,11 @@ impl Scale {
     pub(crate) fn quotient(self) -> (f64, f64) {
         let exact = || {
             let power = 10_u128.checked_pow(self.tens.unsigned_abs())?;
-            let (grows, stays) = if self.tens > 0 {
-                (power, 1)
-            } else {
-                (1, power)
-            };
+            let (grows, stays) = if self.tens > 0 { (power, 1) } else { (1, power) };
             let numerator = self.numerator.checked_mul(grows)?;
             let denominator = self.denominator.checked_mul(stays)?;
             let divisor = greatest_common_divisor(numerator, denominator);
-            Some((
-                (numerator / divisor) as f64 * self.rest,
-                (denominator / divisor) as f64,
-            ))
+            Some(((numerator / divisor) as f64 * self.rest, (denominator / divisor) as f64))
         };
         exact().unwrap_or_else(|| (self.value(), 1.0))
     }

@@ -21,12 +21,7 @@ impl Symbol {
 }
 
 const fn symbol(text: &'static str, exponents: [i8; 7], scale: Scale, prefixes: bool) -> Symbol {
-    Symbol {
-        text,
-        exponents,
-        scale,
-        prefixes,
-    }
+    Symbol { text, exponents, scale, prefixes }
 }
 
 /// Values of units outside the SI after the SI brochure, 9th edition (2019), table 8, and ISO 80000; the
@@ -171,9 +166,7 @@ pub(crate) fn find(text: &str) -> Option<(&'static Symbol, i32)> {
     }
     PREFIXES.iter().find_map(|(prefix, tens)| {
         let rest = text.strip_prefix(prefix)?;
-        let symbol = SYMBOLS
-            .iter()
-            .find(|symbol| symbol.prefixes && symbol.text == rest)?;
+        let symbol = SYMBOLS.iter().find(|symbol| symbol.prefixes && symbol.text == rest)?;
         Some((symbol, *tens))
     })
 }
@@ -182,9 +175,7 @@ pub(crate) fn find(text: &str) -> Option<(&'static Symbol, i32)> {
 pub(crate) fn near(text: &str) -> Option<String> {
     let lower = text.to_lowercase();
     let singular = lower.strip_suffix('s').unwrap_or(&lower);
-    let named = OTHER_NAMES
-        .iter()
-        .find(|(name, _)| *name == lower || *name == singular);
+    let named = OTHER_NAMES.iter().find(|(name, _)| *name == lower || *name == singular);
     if let Some((_, symbol)) = named {
         return Some((*symbol).to_owned());
     }
@@ -204,20 +195,13 @@ pub(crate) fn near(text: &str) -> Option<String> {
 /// All symbols, the plain ones first, then the usual prefixes.
 fn every() -> impl Iterator<Item = String> {
     let plain = SYMBOLS.iter().map(|symbol| symbol.text.to_owned());
-    let prefixed = ["k", "c", "m", "µ", "M", "h", "n", "G"]
-        .into_iter()
-        .flat_map(|prefix| {
-            SYMBOLS
-                .iter()
-                .filter(|symbol| symbol.prefixes)
-                .map(move |symbol| format!("{prefix}{}", symbol.text))
-        });
+    let prefixed = ["k", "c", "m", "µ", "M", "h", "n", "G"].into_iter().flat_map(|prefix| {
+        SYMBOLS.iter().filter(|symbol| symbol.prefixes).map(move |symbol| format!("{prefix}{}", symbol.text))
+    });
     plain.chain(prefixed)
 }
 
 /// How a dimension's SI unit is written where nobody stated one: with a unit of its own name, if that is what people
 /// say.
-pub(crate) const PREFERRED: &[&str] = &[
-    "N", "Pa", "J", "W", "C", "V", "ohm", "F", "Wb", "T", "H", "Pa s", "N/m", "V/m", "J/K",
-    "J/(kg K)", "W/(m K)",
-];
+pub(crate) const PREFERRED: &[&str] =
+    &["N", "Pa", "J", "W", "C", "V", "ohm", "F", "Wb", "T", "H", "Pa s", "N/m", "V/m", "J/K", "J/(kg K)", "W/(m K)"];

@@ -56,18 +56,8 @@ impl Unit {
         Self::new(Dimension::NONE, (1.0, 1.0), String::new())
     }
 
-    pub(crate) fn new(
-        dimension: Dimension,
-        (multiplier, divisor): (f64, f64),
-        text: String,
-    ) -> Self {
-        Self {
-            dimension,
-            factor: multiplier / divisor,
-            text,
-            multiplier,
-            divisor,
-        }
+    pub(crate) fn new(dimension: Dimension, (multiplier, divisor): (f64, f64), text: String) -> Self {
+        Self { dimension, factor: multiplier / divisor, text, multiplier, divisor }
     }
 
     /// The SI value of `value` in this unit. 40 in `cm` is 0.4 to the last bit.
@@ -110,16 +100,7 @@ fn base_text(dimension: Dimension) -> String {
         let factors: Vec<String> = dimension
             .base()
             .filter(|(_, exponent)| (exponent.numerator() < 0) == negative)
-            .map(|(symbol, exponent)| {
-                power_text(
-                    symbol,
-                    if negative {
-                        exponent.negated()
-                    } else {
-                        exponent
-                    },
-                )
-            })
+            .map(|(symbol, exponent)| power_text(symbol, if negative { exponent.negated() } else { exponent }))
             .collect();
         (factors.len(), factors.join(" "))
     };
@@ -144,8 +125,8 @@ pub(crate) fn power_text(symbol: &str, exponent: Exponent) -> String {
 
 /// The powers of ten that are exact in an `f64`.
 const POWERS: [f64; 23] = [
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
-    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
 ];
 
 /// The number of 14 decimal digits next to `value`; `None` where the powers of ten needed are not exact (below 1e-9,
@@ -163,9 +144,5 @@ fn round_to_14_digits(value: f64) -> Option<f64> {
     };
     let shift = 14 - digits;
     let power = *POWERS.get(shift.unsigned_abs() as usize)?;
-    Some(if shift >= 0 {
-        (value * power).round() / power
-    } else {
-        (value / power).round() * power
-    })
+    Some(if shift >= 0 { (value * power).round() / power } else { (value / power).round() * power })
 }

@@ -44,6 +44,15 @@ impl Cursor<'_> {
             let hint = format!("a value that is computed is a definition: {} = ...", parameter.name.text);
             return self.fail(Diagnostic::error("parameter-value", wrong, place).with_hint(hint));
         };
+        if let TokenKind::Name { .. } = self.peek()
+            && !self.at_word("step")
+        {
+            let place = self.span();
+            let unit = &self.source[place.range()];
+            let wrong = format!("`{unit}` cannot stand directly after a number");
+            let hint = format!("a unit stands in brackets: {} [{unit}]", &self.source[parameter.value_span.range()]);
+            return self.fail(Diagnostic::error("unit-without-brackets", wrong, place).with_hint(hint));
+        }
         if let TokenKind::Brackets(inside) = self.peek().clone() {
             let span = self.advance();
             let Ok(unit) = self.unit(inside) else {
@@ -79,9 +88,8 @@ impl Cursor<'_> {
     fn bounds(&mut self, keyword: Span) -> Read<Bounds> {
         let start = self.span();
         if let TokenKind::Brackets(_) = self.peek() {
-            let unit = &self.source[start.range()];
-            let wrong = "after the `in` of a parameter its range is expected";
-            let hint = format!("write the unit directly after the number, and the range as: in 0..10\nsuch as: 5 {unit}");
+            let wrong = "after the `in` of a parameter its range is expected, not a unit";
+            let hint = "write the unit directly after the number, without `in`";
             return self.fail(Diagnostic::error("parameter-range", wrong, start).with_hint(hint));
         }
         let form = "a range is written LOW..HIGH, such as: in 0..30";
@@ -153,9 +161,7 @@ impl Cursor<'_> {
         };
         self.refuse_equals("condition");
         let mut actions = Vec::new();
-        if matches!(self.peek(), TokenKind::Newline)
-            && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftBrace)
-        {
+        if matches!(self.peek(), TokenKind::Newline) && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftBrace) {
             self.skip_lines();
         }
         let read = self.actions(start, &mut actions);
@@ -225,7 +231,9 @@ impl Cursor<'_> {
         let value = self.expression()?.expression;
         let separated = matches!(
             self.peek(),
-            TokenKind::Newline | TokenKind::End | TokenKind::Symbol(Symbol::Semicolon | Symbol::Comma | Symbol::RightBrace)
+            TokenKind::Newline
+                | TokenKind::End
+                | TokenKind::Symbol(Symbol::Semicolon | Symbol::Comma | Symbol::RightBrace)
         );
         if !separated {
             return self.unexpected_after_expression();
@@ -275,7 +283,11 @@ impl Cursor<'_> {
         if comma && matches!(self.peek_ahead(1), TokenKind::Number(_)) {
             return self.decimal_comma();
         }
-        let ended = comma && { self.advance(); true } || self.take(Symbol::Semicolon).is_some() || self.at_line_end();
+        let ended = comma && {
+            self.advance();
+            true
+        } || self.take(Symbol::Semicolon).is_some()
+            || self.at_line_end();
         if ended { Ok(()) } else { self.unexpected_after_expression() }
     }
 }

@@ -16,7 +16,7 @@ const HIGHEST: usize = 400;
 pub(super) struct Tree {
     pub(super) expression: Expression,
     height: usize,
-    /// Whether it stood in parentheses.
+    /// Whether it stood in parentheses or after a plus, and so is more than what it consists of.
     pub(super) parenthesised: bool,
 }
 
@@ -103,8 +103,8 @@ impl Cursor<'_> {
     }
 
     fn too_deep<T>(&mut self, span: Span, wrong: &str) -> Read<T> {
-        let diagnostic = Diagnostic::error("too-deep", wrong, span)
-            .with_hint("define parts of it as quantities of their own");
+        let diagnostic =
+            Diagnostic::error("too-deep", wrong, span).with_hint("define parts of it as quantities of their own");
         self.fail(diagnostic)
     }
 
@@ -124,7 +124,10 @@ impl Cursor<'_> {
             }
             TokenKind::Symbol(Symbol::Plus) => {
                 self.advance();
-                self.climb(Strength::Signed)
+                let mut operand = self.climb(Strength::Signed)?;
+                operand.expression.span = start.to(operand.expression.span);
+                operand.parenthesised = true;
+                Ok(operand)
             }
             _ => self.operand(),
         }
@@ -195,9 +198,7 @@ impl Cursor<'_> {
     fn begins_operand(&self) -> bool {
         matches!(
             self.peek(),
-            TokenKind::Number(_)
-                | TokenKind::Name { .. }
-                | TokenKind::Symbol(Symbol::LeftParenthesis | Symbol::Root)
+            TokenKind::Number(_) | TokenKind::Name { .. } | TokenKind::Symbol(Symbol::LeftParenthesis | Symbol::Root)
         ) && !self.at_step()
     }
 
@@ -219,11 +220,14 @@ impl Cursor<'_> {
         let diagnostic = Diagnostic::error("missing-operator", wrong, place);
         let is_number = matches!(left.expression.kind, ExpressionKind::Number { unit: None, .. });
         let is_name = matches!(self.peek(), TokenKind::Name { order: 0, .. });
-        let mut diagnostic = if now == "(" || now == "√" {
-            diagnostic.with_hint(format!("a product is written with *: {before}*{now}...{}", if now == "(" { ")" } else { "" }))
-        } else {
-            diagnostic.with_hint(format!("a product is written with *: {before}*{now}"))
+        let is_call = *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftParenthesis);
+        let rest = match now {
+            "(" => "...)",
+            "√" => "...",
+            _ if is_call => "(...)",
+            _ => "",
         };
+        let mut diagnostic = diagnostic.with_hint(format!("a product is written with *: {before}*{now}{rest}"));
         if is_number && is_name && units::Unit::parse(now).is_ok() {
             diagnostic = diagnostic.with_hint(format!("a unit stands in brackets: {before} [{now}]"));
         }
@@ -255,8 +259,11 @@ impl Cursor<'_> {
         let code = if keyword == Keyword::Then { "missing-then" } else { "missing-else" };
         let diagnostic = if self.at_line_end() && *self.peek_ahead(1) == TokenKind::Keyword(keyword) {
             let wrong = format!("the line ends before the `{word}` of this `if`");
+            let end = after(self.last_span());
+            // What follows on the next line belongs to the same mistake.
+            self.advance();
             Diagnostic::error(code, wrong, start)
-                .with_label(after(self.last_span()), "the statement ends here")
+                .with_label(end, "the statement ends here")
                 .with_hint(format!("put `{word}` at the end of this line, or the whole `if` into parentheses"))
         } else {
             let wrong = format!("`{word}` is expected here, not {}", self.found());
@@ -364,8 +371,9 @@ impl Cursor<'_> {
         let end = self.close(parenthesis)?;
         self.refuse_prime()?;
         if name.text == "log" {
-            let diagnostic = Diagnostic::error("ambiguous-logarithm", "it is not clear which logarithm `log` is", name.span)
-                .with_hint("write ln for the natural logarithm or log10 for the decimal one");
+            let diagnostic =
+                Diagnostic::error("ambiguous-logarithm", "it is not clear which logarithm `log` is", name.span)
+                    .with_hint("write ln for the natural logarithm or log10 for the decimal one");
             self.say(diagnostic);
             return Ok(leaf(ExpressionKind::Error, span.to(end)));
         }

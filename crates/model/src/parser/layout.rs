@@ -47,10 +47,9 @@ fn kept(tokens: &[Token]) -> Vec<bool> {
 /// Whether a line that ends in this goes on.
 fn continues(last: &TokenKind) -> bool {
     match last {
-        TokenKind::Symbol(symbol) => !matches!(
-            symbol,
-            Symbol::RightParenthesis | Symbol::LeftBrace | Symbol::RightBrace | Symbol::Semicolon
-        ),
+        TokenKind::Symbol(symbol) => {
+            !matches!(symbol, Symbol::RightParenthesis | Symbol::LeftBrace | Symbol::RightBrace | Symbol::Semicolon)
+        }
         TokenKind::Keyword(_) => true,
         _ => false,
     }

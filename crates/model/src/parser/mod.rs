@@ -39,6 +39,8 @@ mod declaration;
 mod expression;
 mod layout;
 mod statement;
+#[cfg(test)]
+mod tests;
 
 use crate::{Diagnostic, Expression, Name, Span, StatedUnit, Statement, lexer};
 use cursor::Cursor;
@@ -71,10 +73,7 @@ pub fn parse(source: &str, parts: &[Range<usize>]) -> (Vec<Statement>, Vec<Diagn
 }
 
 /// Reads an expression that fills `source[range]`, and the `in [unit]` that may follow it. Line ends mean nothing.
-pub fn parse_expression(
-    source: &str,
-    range: Range<usize>,
-) -> (Expression, Option<StatedUnit>, Vec<Diagnostic>) {
+pub fn parse_expression(source: &str, range: Range<usize>) -> (Expression, Option<StatedUnit>, Vec<Diagnostic>) {
     let (tokens, found) = lexer::tokens(source, on_boundaries(source, &range));
     let mut cursor = Cursor::new(source, layout::one_line(tokens), found);
     let (expression, unit) = cursor.whole_expression();

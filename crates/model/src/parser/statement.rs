@@ -7,6 +7,13 @@ use super::expression::Tree;
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{Diagnostic, Expression, ExpressionKind, Name, Quoted, Span, Statement, StatementKind};
 
+/// What other languages write, and the word it stands for here.
+const OTHER_WORDS: &[(&str, &[&str])] = &[
+    ("parameter", &["parameters", "param", "par", "const", "constant", "let", "var", "input", "parametro"]),
+    ("independent", &["variable"]),
+    ("when", &["event", "on", "while"]),
+];
+
 /// A statement as far as it was read, and whether its end may be looked at.
 pub(super) type Salvaged = (StatementKind, Read<()>);
 
@@ -32,6 +39,10 @@ impl Cursor<'_> {
         let start = self.span();
         self.depth = 0;
         let (kind, mut read) = match self.peek() {
+            TokenKind::Keyword(_) if *self.peek_ahead(1) == TokenKind::Symbol(Symbol::Equals) => {
+                (nothing(start), self.plain_name("a quantity").map(|_| ()))
+            }
+            TokenKind::Name { .. } if self.meant_word().is_some() => (nothing(start), self.unknown_word()),
             TokenKind::Keyword(Keyword::Parameter) => self.parameter(),
             TokenKind::Keyword(Keyword::Independent) => self.independent(),
             TokenKind::Keyword(Keyword::When) => self.event(),
@@ -48,6 +59,23 @@ impl Cursor<'_> {
         Statement { kind, label, span: start.to(self.last_span()) }
     }
 
+    /// The word of the language that was probably meant where a statement begins with two names.
+    fn meant_word(&self) -> Option<&'static str> {
+        let TokenKind::Name { .. } = self.peek_ahead(1) else {
+            return None;
+        };
+        let lower = self.source[self.span().range()].to_lowercase();
+        let is_meant = |(ours, others): &&(&str, &[&str])| *ours == lower || others.contains(&lower.as_str());
+        OTHER_WORDS.iter().find(is_meant).map(|(ours, _)| *ours)
+    }
+
+    fn unknown_word(&mut self) -> Read<()> {
+        let wrong = format!("{} is not a word of the language", self.found());
+        let diagnostic = Diagnostic::error("unknown-word", wrong, self.span());
+        let meant = self.meant_word().unwrap_or_default();
+        self.fail(diagnostic.with_hint(format!("did you mean {meant}?")))
+    }
+
     fn label(&mut self) -> Option<Quoted> {
         let TokenKind::Text(text) = self.peek().clone() else {
             return None;
@@ -62,7 +90,11 @@ impl Cursor<'_> {
         if let Some(span) = self.take(Symbol::Semicolon) {
             let diagnostic = Diagnostic::error("semicolon", "a statement ends with its line, not with `;`", span);
             let another = !self.at_line_end();
-            self.say(if another { diagnostic.with_hint("put the next statement on a line of its own") } else { diagnostic });
+            self.say(if another {
+                diagnostic.with_hint("put the next statement on a line of its own")
+            } else {
+                diagnostic
+            });
             return Ok(());
         }
         if let Some(label) = label {
@@ -95,13 +127,22 @@ impl Cursor<'_> {
             TokenKind::Symbol(Symbol::RightParenthesis) => {
                 Diagnostic::error("unmatched-parenthesis", "this `)` closes nothing", span)
             }
-            TokenKind::Symbol(Symbol::RightBrace) => Diagnostic::error("unmatched-brace", "this `}` closes nothing", span),
+            TokenKind::Symbol(Symbol::RightBrace) => {
+                Diagnostic::error("unmatched-brace", "this `}` closes nothing", span)
+            }
             TokenKind::Symbol(Symbol::LeftBrace) => {
                 Diagnostic::error("unexpected-token", "braces belong to events", span)
                     .with_hint("such as: when y < 0 [m] { y' = -y' }")
             }
-            TokenKind::Primes => Diagnostic::error("prime-after-expression", "a prime belongs to a name", span)
-                .with_hint("write it directly after the name: y'"),
+            TokenKind::Primes => {
+                let rest = self.source[span.end..].lines().next().unwrap_or_default();
+                let diagnostic = Diagnostic::error("prime-after-expression", "a prime belongs to a name", span);
+                if rest.contains(['\'', '’']) {
+                    diagnostic.with_hint("a text stands in double quotation marks")
+                } else {
+                    diagnostic.with_hint("write it directly after the name: y'")
+                }
+            }
             TokenKind::Keyword(Keyword::In) => {
                 Diagnostic::error("unexpected-token", "`in` can stand here only once, and not in parentheses", span)
             }
@@ -183,8 +224,11 @@ impl Cursor<'_> {
         }
         let mut diagnostic = Diagnostic::error("missing-equals", "this is an expression, but not a statement", span);
         diagnostic = if self.next_line_continues() {
+            let end = after(self.last_span());
+            // What follows on the next line belongs to the same mistake.
+            self.advance();
             diagnostic
-                .with_label(after(self.last_span()), "the statement ends with its line")
+                .with_label(end, "the statement ends with its line")
                 .with_hint("to go on with the next line, end this one with the operator, or put all into parentheses")
         } else {
             diagnostic.with_hint("a definition is written NAME = EXPRESSION, an equation LEFT = RIGHT")

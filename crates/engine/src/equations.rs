@@ -65,6 +65,13 @@ impl Equations {
         self.rates.evaluate(time, state, out);
     }
 
+    /// f at the state whose number `k` is `state(k)`.
+    #[inline]
+    pub fn rates_at(&mut self, time: f64, out: &mut [f64], state: impl Fn(usize) -> f64) {
+        self.evaluations += 1;
+        self.rates.evaluate_at(time, out, state);
+    }
+
     /// The derivatives of f: first by each state, one column after the other, then by the independent variable.
     pub fn slopes(&mut self, time: f64, state: &[f64], out: &mut [f64]) {
         self.jacobians += 1;

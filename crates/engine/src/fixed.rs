@@ -120,16 +120,14 @@ impl Fixed {
         let [k_1, k_2, k_3, k_4] = &mut self.rates;
         let half = 0.5 * size;
         let sixth = size / 6.0;
-        equations.rates(time, from, k_1);
-        advance(&mut self.stage, from, half, k_1);
-        equations.rates(time + half, &self.stage, k_2);
-        advance(&mut self.stage, from, half, k_2);
-        equations.rates(time + half, &self.stage, k_3);
-        advance(&mut self.stage, from, size, k_3);
-        equations.rates(time + size, &self.stage, k_4);
-        let slopes = k_1.iter().zip(&*k_2).zip(&*k_3).zip(&*k_4);
-        for ((to, from), (((k_1, k_2), k_3), k_4)) in to.iter_mut().zip(from).zip(slopes) {
-            *to = from + sixth * (k_1 + 2.0 * k_2 + 2.0 * k_3 + k_4);
+        let count = from.len();
+        let (k_1, k_2, k_3, k_4) = (&mut k_1[..count], &mut k_2[..count], &mut k_3[..count], &mut k_4[..count]);
+        equations.rates_at(time, k_1, |k| from[k]);
+        equations.rates_at(time + half, k_2, |k| from[k] + half * k_1[k]);
+        equations.rates_at(time + half, k_3, |k| from[k] + half * k_2[k]);
+        equations.rates_at(time + size, k_4, |k| from[k] + size * k_3[k]);
+        for (k, to) in to.iter_mut().enumerate() {
+            *to = from[k] + sixth * (k_1[k] + 2.0 * k_2[k] + 2.0 * k_3[k] + k_4[k]);
         }
     }
 }

@@ -46,8 +46,19 @@ impl Routine {
     /// Computes all roots at `time` and `state`; `out[i]` becomes the value of `roots[i]`.
     #[inline]
     pub fn evaluate(&mut self, time: f64, state: &[f64], out: &mut [f64]) {
-        self.registers[0] = time;
-        self.registers[1..=self.states].copy_from_slice(state);
+        self.evaluate_at(time, out, |k| state[k]);
+    }
+
+    /// [`Routine::evaluate`] at the state whose number `k` is `state(k)`: what a method needs between two stages goes
+    /// straight into the registers.
+    #[inline]
+    pub(crate) fn evaluate_at(&mut self, time: f64, out: &mut [f64], state: impl Fn(usize) -> f64) {
+        if let Some((clock, registers)) = self.registers.split_first_mut() {
+            *clock = time;
+            for (k, register) in registers.iter_mut().take(self.states).enumerate() {
+                *register = state(k);
+            }
+        }
         instruction::run(&self.body, &mut self.registers, &mut self.systems);
         for (value, &register) in out.iter_mut().zip(&self.roots) {
             *value = self.registers[register as usize];

@@ -1,6 +1,18 @@
 //! Runs kept for comparison, and the ghost of the run that was given up last.
 
-use crate::{Refusal, Session};
+use crate::course::{Course, Recipe};
+use crate::symbol::symbol;
+use crate::traces::Traces;
+use crate::{Announcement, Refusal, Session};
+
+/// How many runs can be kept: no more can be told apart in a plot.
+pub const MOST_KEPT: usize = 5;
+
+/// The most rows that are kept of a run that is only looked at.
+const ROWS_KEPT: usize = 20_000;
+
+/// A ghost with fewer rows than this does not replace another: it is one of the short runs that moving a slider leaves.
+const ROWS_WORTH_SEEING: usize = 20;
 
 /// A kept run in the list.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,36 +23,193 @@ pub struct KeptView {
     pub name: String,
     /// Whether it is drawn.
     pub shown: bool,
-    /// Which ink it is drawn with: `Ink` of the figure by this number.
-    pub ink: u8,
+    /// Which dash pattern it is drawn with: [`figure::Style::Kept`].
+    pub pattern: u8,
+}
+
+/// A run kept for comparison.
+#[derive(Clone, Debug)]
+pub(crate) struct Kept {
+    pub id: u32,
+    pub recipe: Recipe,
+    pub shown: bool,
+    pub pattern: u8,
+    pub traces: Traces,
+}
+
+/// The rows that were given up last.
+#[derive(Clone, Debug)]
+pub(crate) struct Ghost {
+    pub traces: Traces,
 }
 
 impl Session {
     /// Keeps the run as it is now, to be drawn behind later ones.
     pub fn keep(&mut self) -> Result<(), Refusal> {
+        let recipe = self.course.recipe();
+        self.follow();
+        let traces = self.traces.thinned(0, ROWS_KEPT);
+        self.keep_traces(recipe, traces)?;
+        let name = self.kept().pop().map(|kept| kept.name).unwrap_or_default();
+        self.announce(Announcement::Kept(name));
+        Ok(())
+    }
+
+    /// Keeps a run by making it again.
+    pub(crate) fn keep_recipe(&mut self, recipe: &Recipe, budget: usize) -> Result<(), Refusal> {
+        let overhead = self.columns.bytes_per_row();
+        let (mut course, _) = Course::replay(&self.document.model, recipe, overhead, budget);
+        course.show(course.front());
+        let mut present = Vec::new();
+        let mut traces = Traces::default();
+        self.columns.present(&course, &mut present);
+        traces.follow(&course, &mut self.columns, &present);
+        self.keep_traces(recipe.clone(), traces.thinned(0, ROWS_KEPT))
+    }
+
+    fn keep_traces(&mut self, recipe: Recipe, traces: Traces) -> Result<(), Refusal> {
+        if self.kept.len() >= MOST_KEPT {
+            return Err(Refusal::TooManyRuns { most: MOST_KEPT });
+        }
+        let free = |pattern: &u8| self.kept.iter().all(|kept| kept.pattern != *pattern);
+        let pattern = (0..MOST_KEPT as u8).find(free).unwrap_or(0);
+        let id = self.kept.last().map_or(0, |kept| kept.id) + 1;
+        self.kept.push(Kept {
+            id,
+            recipe,
+            shown: true,
+            pattern,
+            traces,
+        });
+        self.revision.runs += 1;
         Ok(())
     }
 
     /// The kept runs, oldest first.
     pub fn kept(&self) -> Vec<KeptView> {
-        Vec::new()
+        let mut views: Vec<KeptView> = Vec::new();
+        for kept in &self.kept {
+            let name = self.recipe_name(&kept.recipe);
+            let same = views
+                .iter()
+                .filter(|view| view.name == name || view.name.starts_with(&format!("{name} (")))
+                .count();
+            let name = if same == 0 {
+                name
+            } else {
+                format!("{name} ({})", same + 1)
+            };
+            views.push(KeptView {
+                id: kept.id,
+                name,
+                shown: kept.shown,
+                pattern: kept.pattern,
+            });
+        }
+        views
     }
 
     /// Draws a kept run or not.
     pub fn show_kept(&mut self, id: u32, shown: bool) {
-        let _ = (id, shown);
+        if let Some(kept) = self.kept.iter_mut().find(|kept| kept.id == id) {
+            kept.shown = shown;
+            self.revision.runs += 1;
+        }
     }
 
     /// Forgets a kept run.
     pub fn remove_kept(&mut self, id: u32) {
-        let _ = id;
+        let Some(view) = self.kept().into_iter().find(|view| view.id == id) else {
+            return;
+        };
+        self.kept.retain(|kept| kept.id != id);
+        self.revision.runs += 1;
+        self.announce(Announcement::Removed(view.name));
     }
 
     /// Whether the rows given up last are drawn.
     pub fn has_ghost(&self) -> bool {
-        false
+        self.ghost.is_some()
     }
 
     /// Forgets the ghost.
-    pub fn clear_ghost(&mut self) {}
+    pub fn clear_ghost(&mut self) {
+        if self.ghost.take().is_some() {
+            self.revision.runs += 1;
+        }
+    }
+
+    /// Makes the rows of the run from `first` on the ghost, if there is something to see.
+    pub(crate) fn keep_ghost(&mut self, first: usize) {
+        self.follow();
+        let rows = self.traces.rows().saturating_sub(first);
+        let worth = if self.ghost.is_some() {
+            ROWS_WORTH_SEEING
+        } else {
+            2
+        };
+        if rows >= worth {
+            // From the row before on, so that the ghost hangs on to the line it left.
+            self.ghost = Some(Ghost {
+                traces: self.traces.thinned(first.saturating_sub(1), ROWS_KEPT),
+            });
+            self.revision.runs += 1;
+        }
+    }
+
+    /// What distinguishes a run from the document's own: `b = 200 kg/s, rk4`.
+    fn recipe_name(&self, recipe: &Recipe) -> String {
+        let model = &self.document.model;
+        let last = recipe
+            .changes
+            .last()
+            .map_or(&recipe.setup.parameters, |(_, last)| last);
+        let mut parts: Vec<String> = Vec::new();
+        for (index, parameter) in model.parameters.iter().enumerate() {
+            let (Some(&first), Some(&value)) =
+                (recipe.setup.parameters.get(index), last.get(index))
+            else {
+                continue;
+            };
+            let changed = std::iter::once(first).chain(
+                recipe
+                    .changes
+                    .iter()
+                    .filter_map(|(_, values)| values.get(index).copied()),
+            );
+            if changed.into_iter().any(|value| value != parameter.value) {
+                let symbol = symbol(&parameter.name);
+                let now = self.quantity_text(value, &parameter.unit);
+                parts.push(if first == value {
+                    format!("{symbol} = {now}")
+                } else {
+                    format!(
+                        "{symbol} = {} → {now}",
+                        self.quantity_text(first, &parameter.unit)
+                    )
+                });
+            }
+        }
+        for (state, &value) in model.states.iter().zip(recipe.setup.start.iter().flatten()) {
+            parts.push(format!(
+                "{}(0) = {}",
+                symbol(&state.name()),
+                self.quantity_text(value, &state.unit)
+            ));
+        }
+        if recipe.setup.method != self.defaults.method {
+            parts.push(self.tongue.method(recipe.setup.method).to_owned());
+        }
+        if recipe.setup.step != self.defaults.step {
+            parts.push(format!(
+                "h = {}",
+                self.quantity_text(recipe.setup.step, &model.independent.unit)
+            ));
+        }
+        if parts.is_empty() {
+            self.tongue.defaults().to_owned()
+        } else {
+            parts.join(", ")
+        }
+    }
 }

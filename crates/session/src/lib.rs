@@ -20,33 +20,48 @@
 //! A [`Refusal`] is the answer to input that cannot be taken; nothing has changed then. Getters that return texts use
 //! the session's language. No method panics; an index that does not exist is ignored or refused.
 
+mod announcement;
+mod course;
+mod drag;
+mod input;
 mod kept;
 mod method;
 pub mod number;
 mod parameter;
 mod plot;
 mod preset;
+mod problem;
 mod question;
 mod readout;
+mod refusal;
 mod session;
 mod share;
+mod slider;
 mod state;
+mod symbol;
 mod table;
+mod traces;
 mod transport;
 mod words;
 
 pub use document;
+pub use engine;
 pub use figure;
 pub use model;
 
-pub use kept::KeptView;
+pub use announcement::Announcement;
+pub use kept::{KeptView, MOST_KEPT};
 pub use method::MethodView;
-pub use parameter::{ParameterView, Slider};
+pub use parameter::ParameterView;
 pub use plot::PlotView;
 pub use preset::{PresetGroup, PresetView};
+pub use problem::Problem;
 pub use question::{Grade, Verdict};
 pub use readout::{Readout, ReadoutKind};
+pub use refusal::Refusal;
 pub use session::{Revision, Session};
+pub use slider::Slider;
 pub use state::StateView;
-pub use transport::{Problem, SPEEDS, Status};
-pub use words::{Announcement, Refusal};
+pub use symbol::symbol;
+pub use transport::{LONGEST_GAP, SPEEDS, STEPS_PER_TICK, Status};
+pub use words::{Tongue, speed_text, words};

@@ -1,6 +1,7 @@
 //! Method and step, chosen in the laboratory.
 
-use crate::{Refusal, Session};
+use crate::{Announcement, Refusal, Session, number};
+use engine::{Method, Run, Setup};
 
 /// A method in the list.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,28 +19,90 @@ pub struct MethodView {
 impl Session {
     /// The methods.
     pub fn methods(&self) -> Vec<MethodView> {
-        Vec::new()
+        let view = |method: Method| MethodView {
+            name: method.name(),
+            label: self.tongue.method(method).to_owned(),
+            selected: method == self.course.begun().method,
+            refused: self
+                .method_refusal(method)
+                .map(|refusal| self.refusal_text(&refusal))
+                .unwrap_or_default(),
+        };
+        Method::ALL.into_iter().map(view).collect()
     }
 
-    /// Chooses a method by its name; the run starts anew.
+    /// Chooses a method by its name; the run starts anew from where it began.
     pub fn set_method(&mut self, name: &str) -> Result<(), Refusal> {
-        let _ = name;
+        let method: Method = name.parse().map_err(|_| Refusal::Unknown {
+            name: name.to_owned(),
+        })?;
+        if let Some(refusal) = self.method_refusal(method) {
+            return Err(refusal);
+        }
+        if method != self.course.begun().method || self.course.history().is_none() {
+            let parameters = self.course.parameters().to_vec();
+            self.restart(Setup {
+                method,
+                parameters,
+                ..self.course.begun().clone()
+            });
+            self.announce(Announcement::Method(method));
+        }
         Ok(())
     }
 
-    /// The step (SI).
+    /// The step (SI); with adaptive methods the distance of the rows.
     pub fn step(&self) -> f64 {
-        0.0
+        self.course.begun().step
     }
 
-    /// The step in the unit of the independent variable, and that unit.
+    /// The step in the unit of the independent variable, and that unit for people.
     pub fn step_text(&self) -> (String, String) {
-        (String::new(), String::new())
+        let unit = &self.model().independent.unit;
+        (
+            number::plain(unit.from_si(self.step()), crate::input::DIGITS, self.style),
+            number::unit_text(&unit.text),
+        )
     }
 
-    /// Sets the step from what was typed; the run starts anew.
+    /// Sets the step from what was typed; the run starts anew from where it began.
     pub fn set_step_text(&mut self, text: &str) -> Result<(), Refusal> {
-        let _ = text;
+        if text.trim() == self.step_text().0 {
+            return Ok(());
+        }
+        let step = self.read_value(text, &self.model().independent.unit)?;
+        self.set_step(step)
+    }
+
+    /// Sets the step (SI); the run starts anew from where it began.
+    pub fn set_step(&mut self, step: f64) -> Result<(), Refusal> {
+        if !(step.is_finite() && step > 0.0) {
+            return Err(Refusal::NotPositive);
+        }
+        if step != self.step() {
+            let parameters = self.course.parameters().to_vec();
+            self.restart(Setup {
+                step,
+                parameters,
+                ..self.course.begun().clone()
+            });
+            self.announce(Announcement::Step(step));
+        }
         Ok(())
+    }
+
+    /// Why a method cannot integrate the model, if it can be integrated at all.
+    fn method_refusal(&self, method: Method) -> Option<Refusal> {
+        let setup = Setup {
+            method,
+            ..self.defaults.clone()
+        };
+        match Run::start(&self.document.model, setup) {
+            Err(error) if METHOD_CODES.contains(&error.code) => Some(Refusal::Method { method }),
+            _ => None,
+        }
     }
 }
+
+/// What the engine says when the fault is the method's.
+const METHOD_CODES: [&str; 1] = ["not-second-order"];

@@ -37,6 +37,48 @@ pub fn steady(value: f64, digits: usize, style: Style) -> String {
     write(value, digits, style, false)
 }
 
+/// As many decimals as `digits` significant digits of `scale`, the greatest size the value has had, need: a swinging
+/// value then keeps its width and its resolution.
+pub fn scaled(value: f64, scale: f64, digits: usize, style: Style) -> String {
+    if !value.is_finite() {
+        return DASH.to_owned();
+    }
+    if scale == 0.0 || !scale.is_finite() {
+        return plain(value, digits, style);
+    }
+    let exponent = decimal_exponent(scale, digits);
+    let power = power_shown(exponent, digits);
+    let decimals = (digits as i32 - 1 - exponent + power).max(0) as usize;
+    if power == 0 {
+        return fixed(value, decimals, style);
+    }
+    let unit: f64 = format!("1e{power}").parse().unwrap_or(1.0);
+    format!(
+        "{}×10{}",
+        fixed(value / unit, decimals, style),
+        superscript(power)
+    )
+}
+
+/// The exponent of the first of `digits` significant decimal digits.
+fn decimal_exponent(value: f64, digits: usize) -> i32 {
+    let scientific = format!("{:.*e}", digits.clamp(1, 17) - 1, value.abs());
+    scientific
+        .split_once('e')
+        .and_then(|(_, exponent)| exponent.parse().ok())
+        .unwrap_or(0)
+}
+
+/// The power of ten to be written out: none between 0.001 and 10^6 (or as many digits as are asked for), else a
+/// multiple of three.
+fn power_shown(exponent: i32, digits: usize) -> i32 {
+    if (-3..6.max(digits as i32)).contains(&exponent) {
+        0
+    } else {
+        exponent.div_euclid(3) * 3
+    }
+}
+
 /// Exactly `decimals` digits after the decimal sign, whatever the size: for the time.
 pub fn fixed(value: f64, decimals: usize, style: Style) -> String {
     if !value.is_finite() {
@@ -47,7 +89,6 @@ pub fn fixed(value: f64, decimals: usize, style: Style) -> String {
     dress(&text, zero, style)
 }
 
-/// The least number of significant digits, at most `most`, that reads back as `value` when it is a round decimal.
 fn write(value: f64, digits: usize, style: Style, trim: bool) -> String {
     if !value.is_finite() {
         return DASH.to_owned();
@@ -73,12 +114,7 @@ fn write(value: f64, digits: usize, style: Style, trim: bool) -> String {
     if trim {
         figures.truncate(figures.trim_end_matches('0').len().max(1));
     }
-    // Between 0.001 and 10^6 (or as many digits as were asked for) no power of ten is needed.
-    let scale = if (-3..6.max(digits as i32)).contains(&exponent) {
-        0
-    } else {
-        exponent.div_euclid(3) * 3
-    };
+    let scale = power_shown(exponent, digits);
     let mut text = String::new();
     if value < 0.0 {
         text.push('-');
@@ -167,6 +203,29 @@ pub fn unit_text(text: &str) -> String {
             '*' => out.push('·'),
             other => out.push(other),
         }
+    }
+    out
+}
+
+/// What people type for a unit as the unit parser reads it: `kg/m³` as `kg/m^3`.
+pub fn unit_source(text: &str) -> String {
+    let mut out = String::new();
+    let mut raised = false;
+    for character in text.trim().chars() {
+        let plain = match character {
+            '0'..='9' | '-' => None,
+            _ => lowered(character).filter(|_| character != '−'),
+        };
+        match plain {
+            Some(digit) => {
+                if !raised {
+                    out.push('^');
+                }
+                out.push(digit);
+            }
+            None => out.push(if character == '·' { '*' } else { character }),
+        }
+        raised = plain.is_some();
     }
     out
 }
@@ -363,6 +422,24 @@ mod tests {
         assert_eq!(unit_text("kg/m^3"), "kg/m³");
         assert_eq!(unit_text("kg m^-1 s^-2"), "kg m⁻¹ s⁻²");
         assert_eq!(unit_text("m^(1/2)"), "m^(1/2)");
+        assert_eq!(unit_source("kg/m³"), "kg/m^3");
+        assert_eq!(unit_source(" kg·m⁻¹ s⁻²"), "kg*m^-1 s^-2");
+    }
+
+    #[test]
+    fn swinging_values_keep_their_resolution() {
+        for (value, scale, expected) in [
+            (0.5, 0.5, "0.5000"),
+            (-1.2e-17, 0.5, "0.0000"),
+            (0.04321, 0.5, "0.0432"),
+            (123.456, 200.0, "123.5"),
+            (1.5e7, 2e7, "15.00×10⁶"),
+            (-2e-5, 4e-4, "−20.0×10⁻⁶"),
+            (0.0, 0.0, "0"),
+            (f64::NAN, 1.0, "–"),
+        ] {
+            assert_eq!(scaled(value, scale, 4, POINT), expected, "{value}");
+        }
     }
 
     #[test]

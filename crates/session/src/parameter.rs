@@ -1,13 +1,17 @@
 //! Parameters: what their controls show, and setting them.
 
-use crate::{Refusal, Session};
+use crate::input::DIGITS;
+use crate::slider::Mapping;
+use crate::{Announcement, Refusal, Session, Slider, number};
+use engine::Setup;
+use model::Parameter;
 
 /// A parameter as its control shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParameterView {
     /// Which of [`model::Model::parameters`].
     pub index: usize,
-    /// The ASCII name, `h_l`; typeset it with [`model::typeset_name`].
+    /// The ASCII name, `h_l`.
     pub name: String,
     /// The label in the session's language; the name where there is none.
     pub label: String,
@@ -29,17 +33,6 @@ pub struct ParameterView {
     pub restarts: bool,
 }
 
-/// A slider with whole positions, 0 to `positions`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Slider {
-    /// The greatest position.
-    pub positions: u32,
-    /// The present one.
-    pub position: u32,
-    /// How many positions a large step (Page Up) is.
-    pub page: u32,
-}
-
 impl Session {
     /// All parameters, in the order of the text.
     pub fn parameters(&self) -> Vec<ParameterView> {
@@ -50,33 +43,161 @@ impl Session {
 
     /// One parameter.
     pub fn parameter(&self, index: usize) -> Option<ParameterView> {
-        let _ = index;
-        None
+        let parameter = self.model().parameters.get(index)?;
+        let &value = self.course.parameters().get(index)?;
+        let shown = |value: f64| number::plain(parameter.unit.from_si(value), DIGITS, self.style);
+        Some(ParameterView {
+            index,
+            name: parameter.name.clone(),
+            label: self.parameter_label(index).to_owned(),
+            unit: number::unit_text(&parameter.unit.text),
+            value,
+            text: shown(value),
+            spoken: self.quantity_text(value, &parameter.unit),
+            range: parameter.range.map(|(low, high)| (shown(low), shown(high))),
+            slider: Mapping::of(parameter).map(|mapping| mapping.slider(value)),
+            is_default: value == parameter.value,
+            restarts: parameter.restarts,
+        })
     }
 
     /// Sets a parameter to an SI value. One on which an initial value depends starts the run anew; any other takes
     /// effect from the next step on.
     pub fn set_parameter(&mut self, index: usize, value: f64) -> Result<(), Refusal> {
-        let _ = (index, value);
+        let value = self.admit(index, value)?;
+        let mut parameters = self.course.parameters().to_vec();
+        let Some(old) = parameters.get_mut(index) else {
+            return Ok(());
+        };
+        if old.to_bits() == value.to_bits() {
+            return Ok(());
+        }
+        *old = value;
+        self.change_parameters(parameters);
+        self.announce(Announcement::ParameterSet(index, value));
         Ok(())
     }
 
-    /// Sets a parameter from what was typed: a number in the parameter's unit, or with a unit of the same dimension.
+    /// Sets a parameter from what was typed: a number in the parameter's unit, or with a unit of the same dimension. The
+    /// text that the field shows leaves the value as it is, although it may be rounded.
     pub fn set_parameter_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
-        let _ = (index, text);
-        Ok(())
+        let view = self.parameter(index).ok_or_else(|| Refusal::Unknown {
+            name: index.to_string(),
+        })?;
+        if text.trim() == view.text {
+            return Ok(());
+        }
+        let value = match self.model().parameters.get(index) {
+            Some(parameter) => self.read_value(text, &parameter.unit)?,
+            None => return Ok(()),
+        };
+        self.set_parameter(index, value)
     }
 
     /// Sets a parameter to the value at a position of its slider.
     pub fn slide(&mut self, index: usize, position: u32) {
-        let _ = (index, position);
+        let Some(mapping) = self.model().parameters.get(index).and_then(Mapping::of) else {
+            return;
+        };
+        // Values of a slider lie in the range, so this cannot be refused.
+        let _ = self.set_parameter(index, mapping.value(position));
     }
 
     /// Sets one parameter to its default.
     pub fn reset_parameter(&mut self, index: usize) {
-        let _ = index;
+        if let Some(value) = self
+            .model()
+            .parameters
+            .get(index)
+            .map(|parameter| parameter.value)
+        {
+            let _ = self.set_parameter(index, value);
+        }
     }
 
     /// Sets all parameters to their defaults.
-    pub fn reset_parameters(&mut self) {}
+    pub fn reset_parameters(&mut self) {
+        self.change_parameters(self.defaults.parameters.clone());
+        self.announce(Announcement::ParametersReset);
+    }
+
+    /// The label of a parameter in the session's language; its name where it has none.
+    pub(crate) fn parameter_label(&self, index: usize) -> &str {
+        let Some(parameter) = self.model().parameters.get(index) else {
+            return "";
+        };
+        parameter
+            .label
+            .as_deref()
+            .map_or(parameter.name.as_str(), |label| self.text(label))
+    }
+
+    /// The value if the parameter may have it.
+    pub(crate) fn admit(&self, index: usize, value: f64) -> Result<f64, Refusal> {
+        let parameter = self
+            .model()
+            .parameters
+            .get(index)
+            .ok_or_else(|| Refusal::Unknown {
+                name: index.to_string(),
+            })?;
+        let name = self.parameter_label(index).to_owned();
+        if !value.is_finite() {
+            return Err(Refusal::NoValue { name });
+        }
+        let Some((low, high)) = parameter.range else {
+            return Ok(value);
+        };
+        // What is typed in another unit may miss the end of the range by a rounding.
+        let slack = (high - low) * 1e-12;
+        if value < low - slack {
+            Err(Refusal::TooSmall {
+                name,
+                least: self.quantity_text(low, &parameter.unit),
+            })
+        } else if value > high + slack {
+            Err(Refusal::TooLarge {
+                name,
+                greatest: self.quantity_text(high, &parameter.unit),
+            })
+        } else {
+            Ok(value.max(low).min(high))
+        }
+    }
+
+    /// Puts other parameters into force. Where the run has to start anew because of them, it does.
+    pub(crate) fn change_parameters(&mut self, parameters: Vec<f64>) {
+        let old = self.course.parameters();
+        if old == parameters {
+            return;
+        }
+        let deciding = |(index, parameter): (usize, &Parameter)| {
+            (parameter.restarts && old.get(index) != parameters.get(index)).then_some(index)
+        };
+        let decides = self
+            .model()
+            .parameters
+            .iter()
+            .enumerate()
+            .find_map(deciding);
+        self.revision.parameters += 1;
+        if decides.is_some() || self.course.history().is_none() {
+            let setup = Setup {
+                parameters,
+                start: None,
+                ..self.course.begun().clone()
+            };
+            let begun = self.course.front() > 0.0;
+            self.restart(setup);
+            if let (Some(index), true) = (decides, begun) {
+                self.announce(Announcement::Restarted(index));
+            }
+        } else {
+            self.branch();
+            self.course.set_parameters(&self.document.model, parameters);
+            self.traces.truncate(self.course.rows().saturating_sub(1));
+            self.revision.transport += 1;
+            self.frame_changed();
+        }
+    }
 }

@@ -1,7 +1,11 @@
 //! The plots: figures of what has been recorded, zoomed, panned and read by pointer or keyboard.
 
-use crate::Session;
-use figure::{Direction, Figure, Palette, Point, Readout, Settings};
+use crate::symbol::symbol;
+use crate::{Session, number};
+use figure::{
+    Axis, Direction, Figure, Interval, Palette, Plot, Point, Readout, Series, Settings, Style, View,
+};
+use model::Node;
 
 /// A plot in the list.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,46 +20,115 @@ pub struct PlotView {
     pub automatic: bool,
 }
 
+/// What is chosen for a plot, and what is kept of it from frame to frame.
+#[derive(Debug)]
+pub(crate) struct PlotState {
+    pub shown: bool,
+    view: View,
+    figure: Figure,
+    /// The row at which the keyboard reads.
+    cursor: Option<usize>,
+    labels: Labels,
+}
+
+/// The texts of a plot in the session's language.
+#[derive(Debug, Default)]
+struct Labels {
+    title: String,
+    description: String,
+    x: (String, String),
+    /// Name and unit of each axis.
+    axes: Vec<(String, String)>,
+    curves: Vec<String>,
+}
+
+impl Default for PlotState {
+    fn default() -> Self {
+        Self {
+            shown: true,
+            view: View::default(),
+            figure: Figure::default(),
+            cursor: None,
+            labels: Labels::default(),
+        }
+    }
+}
+
+/// A plot against the independent variable begins with room for so many steps.
+const STEPS_AT_FIRST: f64 = 200.0;
+
 impl Session {
     /// The plots, in the order of the text.
     pub fn plots(&self) -> Vec<PlotView> {
-        Vec::new()
+        let view = |(index, plot): (usize, &PlotState)| PlotView {
+            index,
+            title: plot.labels.title.clone(),
+            shown: plot.shown,
+            automatic: plot.view.is_automatic(),
+        };
+        self.plots.iter().enumerate().map(view).collect()
     }
 
     /// Shows a plot or not.
     pub fn show_plot(&mut self, index: usize, shown: bool) {
-        let _ = (index, shown);
+        if let Some(plot) = self.plots.get_mut(index) {
+            plot.shown = shown;
+            self.revision.plots += 1;
+        }
     }
 
     /// Lays a plot out for the time shown; the figure's buffers are kept from frame to frame. `None` if there is no such
     /// plot.
     pub fn layout_plot(&mut self, index: usize, settings: &Settings) -> Option<&Figure> {
-        let _ = (index, settings);
-        None
+        self.follow();
+        let mut figure = std::mem::take(&mut self.plots.get_mut(index)?.figure);
+        if let Some(plot) = self.figure_plot(index) {
+            figure::layout_into(&mut figure, &plot, settings);
+        }
+        let state = self.plots.get_mut(index)?;
+        state.figure = figure;
+        Some(&state.figure)
     }
 
     /// The figure of the last [`Session::layout_plot`].
     pub fn plot_figure(&self, index: usize) -> Option<&Figure> {
-        let _ = index;
-        None
+        self.plots.get(index).map(|plot| &plot.figure)
     }
 
     /// The plot as a standalone SVG file.
     pub fn plot_svg(&mut self, index: usize, settings: &Settings, palette: &Palette) -> String {
-        let _ = (index, settings, palette);
-        String::new()
+        self.follow();
+        self.figure_plot(index).map_or_else(String::new, |plot| {
+            figure::layout(&plot, settings).svg(palette)
+        })
     }
 
-    /// What lies at a pixel of the last layout. Any keyboard cursor moves there.
+    /// What lies at a pixel of the last layout. The keyboard's cursor moves there.
     pub fn hover_plot(&mut self, index: usize, at: Point) -> Option<Readout> {
-        let _ = (index, at);
-        None
+        let readout = self
+            .plot_figure(index)?
+            .hover(&self.figure_plot(index)?, at)?;
+        let first = self.series_behind(index);
+        let sample = readout.samples.iter().find(|sample| sample.series >= first);
+        if let (Some(sample), Some(state)) = (sample, self.plots.get_mut(index)) {
+            state.cursor = Some(sample.row);
+        }
+        Some(readout)
     }
 
-    /// Moves the keyboard cursor by so many rows along the first series (from the present row at first) and reads there.
+    /// Moves the keyboard's cursor by so many rows along the run (from the present row at first) and reads there.
     pub fn move_cursor(&mut self, index: usize, rows: isize) -> Option<Readout> {
-        let _ = (index, rows);
-        None
+        let present = self.course.rows_until_shown().saturating_sub(1);
+        let row = self.plots.get(index)?.cursor.unwrap_or(present);
+        let series = self.series_behind(index);
+        let plot = self.figure_plot(index)?;
+        let figure = self.plot_figure(index)?;
+        let row = figure.step(&plot, series, row, rows)?;
+        let readout = figure.readout(&plot, series, row);
+        if let Some(state) = self.plots.get_mut(index) {
+            state.cursor = Some(row);
+        }
+        readout
     }
 
     /// Zooms by `factor` (2 shows half as much) about a pixel; about the centre without one.
@@ -66,21 +139,160 @@ impl Session {
         factor: f64,
         direction: Direction,
     ) {
-        let _ = (index, at, factor, direction);
+        if !(factor.is_finite() && factor > 0.0) {
+            return;
+        }
+        self.set_view(index, |figure| match at {
+            Some(at) => figure.zoom(at, factor, direction),
+            None => figure.zoom_centre(factor, direction),
+        });
     }
 
     /// Zooms to the rectangle between two pixels.
     pub fn zoom_plot_to(&mut self, index: usize, one: Point, other: Point) {
-        let _ = (index, one, other);
+        self.set_view(index, |figure| figure.zoom_to(one, other));
     }
 
     /// Moves what is shown by so many pixels.
     pub fn pan_plot(&mut self, index: usize, right: f64, down: f64) {
-        let _ = (index, right, down);
+        self.set_view(index, |figure| figure.pan(right, down));
     }
 
     /// Shows all of the data again.
     pub fn reset_plot(&mut self, index: usize) {
-        let _ = index;
+        self.set_view(index, |_| View::default());
+    }
+
+    fn set_view(&mut self, index: usize, change: impl FnOnce(&Figure) -> View) {
+        if let Some(plot) = self.plots.get_mut(index) {
+            plot.view = change(&plot.figure);
+            self.revision.plots += 1;
+        }
+    }
+
+    /// How many series are drawn behind those of the present run.
+    fn series_behind(&self, index: usize) -> usize {
+        let curves = self.columns.plot(index).map_or(0, |plot| plot.curves.len());
+        let behind =
+            usize::from(self.ghost.is_some()) + self.kept.iter().filter(|kept| kept.shown).count();
+        curves * behind
+    }
+
+    /// What is drawn: the ghost, then the kept runs, then the present run on top, in the same colours.
+    fn figure_plot(&self, index: usize) -> Option<Plot<'_>> {
+        let state = self.plots.get(index)?;
+        let columns = self.columns.plot(index)?;
+        let labels = &state.labels;
+        let ghosts = self.ghost.iter().map(|ghost| (&ghost.traces, Style::Ghost));
+        let kept = self.kept.iter().filter(|kept| kept.shown);
+        let kept = kept.map(|kept| (&kept.traces, Style::Kept(kept.pattern)));
+        let mut series: Vec<Series<'_>> = Vec::new();
+        for (traces, style) in ghosts.chain(kept).chain([(&self.traces, Style::Line)]) {
+            let present_run = style == Style::Line;
+            for (number, &(column, axis)) in columns.curves.iter().enumerate() {
+                let present = self
+                    .present
+                    .get(columns.x)
+                    .copied()
+                    .zip(self.present.get(column).copied());
+                series.push(Series {
+                    label: labels
+                        .curves
+                        .get(number)
+                        .filter(|_| present_run)
+                        .map_or("", String::as_str),
+                    axis,
+                    colour: number as u8,
+                    style,
+                    x: traces.column(columns.x),
+                    y: traces.column(column),
+                    breaks: traces.breaks(),
+                    present: present.filter(|_| present_run),
+                });
+            }
+        }
+        let independent = self.is_against_independent(index);
+        let unit = &self.model().independent.unit;
+        let first = Interval::new(0.0, unit.from_si(self.step() * STEPS_AT_FIRST));
+        Some(Plot {
+            title: &labels.title,
+            description: &labels.description,
+            x: Axis {
+                label: &labels.x.0,
+                unit: &labels.x.1,
+                include: independent.then_some(first),
+            },
+            y: labels
+                .axes
+                .iter()
+                .map(|(label, unit)| Axis {
+                    label,
+                    unit,
+                    include: None,
+                })
+                .collect(),
+            series,
+            marker: if independent {
+                self.present.get(columns.x).copied()
+            } else {
+                None
+            },
+            view: state.view.clone(),
+            ordered: independent,
+        })
+    }
+
+    fn is_against_independent(&self, index: usize) -> bool {
+        let node = self.document.plots.get(index).map(|plot| plot.x.value.node);
+        node.is_some_and(|node| self.model().graph.node(node) == Node::Independent)
+    }
+
+    /// Writes the texts of all plots in the session's language.
+    pub(crate) fn label_plots(&mut self) {
+        for index in 0..self.plots.len() {
+            let Some(labels) = self.labels_of(index) else {
+                continue;
+            };
+            if let Some(state) = self.plots.get_mut(index) {
+                state.labels = labels;
+            }
+        }
+        self.revision.plots += 1;
+    }
+
+    fn labels_of(&self, index: usize) -> Option<Labels> {
+        let plot = self.document.plots.get(index)?;
+        let columns = self.columns.plot(index)?;
+        let title = self.text(&plot.title).to_owned();
+        let named = |curve: &document::Curve| match &curve.label {
+            Some(label) => format!("{} ({})", self.text(label), symbol(&curve.expression)),
+            None => symbol(&curve.expression),
+        };
+        let names: Vec<String> = plot.curves.iter().map(named).collect();
+        let description = self.tongue.against(&names.join(", "), &named(&plot.x));
+        let curves: Vec<String> = plot
+            .curves
+            .iter()
+            .map(|curve| symbol(&curve.expression))
+            .collect();
+        let axes = columns.axes.iter().enumerate().map(|(axis, unit)| {
+            let here = columns
+                .curves
+                .iter()
+                .zip(&curves)
+                .filter(|((_, of), _)| *of == axis);
+            let names: Vec<&str> = here.map(|(_, name)| name.as_str()).collect();
+            (names.join(", "), number::unit_text(&unit.text))
+        });
+        Some(Labels {
+            axes: axes.collect(),
+            description: format!("{title}: {description}"),
+            title,
+            x: (
+                symbol(&plot.x.expression),
+                number::unit_text(&plot.x.value.unit.text),
+            ),
+            curves,
+        })
     }
 }

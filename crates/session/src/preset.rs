@@ -1,6 +1,9 @@
 //! Presets: named sets of parameter values.
 
-use crate::{Refusal, Session};
+use crate::symbol::symbol;
+use crate::{Announcement, Refusal, Session};
+use document::Assignment;
+use engine::Readings;
 
 /// Presets that belong together.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,21 +21,137 @@ pub struct PresetView {
     pub index: usize,
     /// Its name in the session's language.
     pub name: String,
-    /// What it sets, for a tooltip: `rho = 13534 kg/m³`.
+    /// What it sets, for a tooltip: `ρ = 13534 kg/m³`.
     pub description: String,
-    /// Whether the parameters have its values.
+    /// Whether the parameters have its values: applying it would change nothing.
     pub selected: bool,
 }
 
+/// Values that differ by less than this part are the same: those of expressions are rounded.
+const SAME: f64 = 1e-9;
+
 impl Session {
     /// The presets by group, in the order of the text.
-    pub fn presets(&self) -> Vec<PresetGroup> {
-        Vec::new()
+    pub fn presets(&mut self) -> Vec<PresetGroup> {
+        let mut groups: Vec<(Option<String>, PresetGroup)> = Vec::new();
+        for index in 0..self.document.presets.len() {
+            let now = self.course.parameters().to_vec();
+            let then = self.preset_parameters(index);
+            let Some(preset) = self.document.presets.get(index) else {
+                continue;
+            };
+            let near =
+                |(now, then): (&f64, &f64)| (now - then).abs() <= SAME * now.abs().max(then.abs());
+            let view = PresetView {
+                index,
+                name: self.text(&preset.name).to_owned(),
+                description: self.assignments_text(&preset.values, &then),
+                selected: now.iter().zip(&then).all(near),
+            };
+            match groups.last_mut() {
+                Some((group, last)) if *group == preset.group => last.presets.push(view),
+                _ => {
+                    let name = preset
+                        .group
+                        .as_deref()
+                        .map_or("", |group| self.text(group))
+                        .to_owned();
+                    groups.push((
+                        preset.group.clone(),
+                        PresetGroup {
+                            name,
+                            presets: vec![view],
+                        },
+                    ));
+                }
+            }
+        }
+        groups.into_iter().map(|(_, group)| group).collect()
     }
 
-    /// Sets the parameters of a preset, one after the other; all of them or, when one is refused, none.
+    /// Sets the parameters of a preset, each computed with those before it; all of them or, when one is refused, none.
     pub fn apply_preset(&mut self, index: usize) -> Result<(), Refusal> {
-        let _ = index;
+        let parameters = self.preset_parameters(index);
+        let preset = self
+            .document
+            .presets
+            .get(index)
+            .ok_or_else(|| Refusal::Unknown {
+                name: index.to_string(),
+            })?;
+        let parameters = self.admit_assignments(&preset.values, parameters)?;
+        self.change_parameters(parameters);
+        self.announce(Announcement::Preset(index));
         Ok(())
     }
+
+    fn preset_parameters(&mut self, index: usize) -> Vec<f64> {
+        let presets = &self.document.presets;
+        let first = presets
+            .iter()
+            .take(index)
+            .map(|preset| preset.values.len())
+            .sum();
+        let values = presets.get(index).map_or(&[][..], |preset| &preset.values);
+        assign(
+            &mut self.evaluators.presets,
+            first,
+            values,
+            self.course.parameters(),
+            self.course.initial(),
+        )
+    }
+
+    /// `b = 0 kg/s, ρ = 13534 kg/m³`
+    pub(crate) fn assignments_text(
+        &self,
+        assignments: &[Assignment],
+        parameters: &[f64],
+    ) -> String {
+        let text = |assignment: &Assignment| {
+            let parameter = self.model().parameters.get(assignment.parameter)?;
+            let value = parameters.get(assignment.parameter)?;
+            Some(format!(
+                "{} = {}",
+                symbol(&parameter.name),
+                self.quantity_text(*value, &parameter.unit)
+            ))
+        };
+        let texts: Vec<String> = assignments.iter().filter_map(text).collect();
+        texts.join(", ")
+    }
+
+    /// The parameters if each of those assigned may have its value.
+    pub(crate) fn admit_assignments(
+        &self,
+        assignments: &[Assignment],
+        mut parameters: Vec<f64>,
+    ) -> Result<Vec<f64>, Refusal> {
+        for assignment in assignments {
+            if let Some(value) = parameters.get_mut(assignment.parameter) {
+                *value = self.admit(assignment.parameter, *value)?;
+            }
+        }
+        Ok(parameters)
+    }
+}
+
+/// The parameters after `assignments`, whose values are the readings from `first` on; each is computed with the
+/// parameters that those before it have left.
+pub(crate) fn assign(
+    readings: &mut Readings,
+    first: usize,
+    assignments: &[Assignment],
+    parameters: &[f64],
+    initial: &[f64],
+) -> Vec<f64> {
+    let mut parameters = parameters.to_vec();
+    for (offset, assignment) in assignments.iter().enumerate() {
+        let values = readings.at(&parameters, initial, 0.0, initial);
+        let value = values.get(first + offset).copied().unwrap_or(f64::NAN);
+        if let Some(parameter) = parameters.get_mut(assignment.parameter) {
+            *parameter = value;
+        }
+    }
+    parameters
 }

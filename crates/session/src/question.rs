@@ -1,6 +1,8 @@
 //! Questions: what an answer is worth.
 
-use crate::{Refusal, Session};
+use crate::preset::assign;
+use crate::{Announcement, Refusal, Session, number};
+use document::Tolerance;
 
 /// What an answer is worth, and in words.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,48 +20,144 @@ pub enum Grade {
     Correct,
     /// Within five times the tolerance.
     Close,
-    /// The magnitude is right, the sign is not.
+    /// The size is right, the sign is not.
     WrongSign,
-    /// The number is right by a power of ten or two: most likely the unit.
+    /// Right but for a power of ten: most likely the unit.
     WrongScale,
     /// Off.
     Wrong,
     /// Not an answer: no number, an unknown unit, or a unit of something else.
     Unreadable,
+    /// There is no answer for the present parameters: `omega_d` when overdamped.
+    Unanswerable,
 }
+
+/// How many tolerances away an answer is still close.
+const CLOSE: f64 = 5.0;
 
 impl Session {
     /// Judges an answer: a number in the unit asked for, or with a unit of the same dimension.
     pub fn check_answer(&mut self, question: usize, text: &str) -> Verdict {
-        let _ = (question, text);
-        Verdict {
-            grade: Grade::Unreadable,
-            text: String::new(),
+        let right = self.right_answer(question);
+        let Some(asked) = self.document.questions.get(question) else {
+            return self.verdict(Grade::Unanswerable);
+        };
+        match self.read_value(text, &asked.unit) {
+            Err(refusal) => Verdict {
+                grade: Grade::Unreadable,
+                text: self.refusal_text(&refusal),
+            },
+            Ok(given) => self.verdict(grade(given, right, asked.tolerance)),
         }
     }
 
-    /// The right answer with its unit, for the parameters as they are (or as the question supposes).
+    /// The right answer with its unit, for the parameters as they are (or as the question supposes); a dash if there is
+    /// none.
     pub fn reveal_answer(&mut self, question: usize) -> String {
-        let _ = question;
-        String::new()
+        let right = self.right_answer(question);
+        let Some(asked) = self.document.questions.get(question) else {
+            return String::new();
+        };
+        self.with_unit(
+            number::plain(asked.unit.from_si(right), 4, self.style),
+            &asked.unit,
+        )
     }
 
     /// The unit in which an answer is asked for, for people.
     pub fn question_unit(&self, question: usize) -> String {
-        let _ = question;
-        String::new()
+        self.document
+            .questions
+            .get(question)
+            .map_or_else(String::new, |asked| number::unit_text(&asked.unit.text))
     }
 
     /// The parameter values a question supposes, `b = 0 kg/s, h_l = 3 m`, and whether they are set now; `None` if it
     /// supposes none.
-    pub fn question_setup(&self, question: usize) -> Option<(String, bool)> {
-        let _ = question;
-        None
+    pub fn question_setup(&mut self, question: usize) -> Option<(String, bool)> {
+        let parameters = self.supposed_parameters(question);
+        let asked = self
+            .document
+            .questions
+            .get(question)
+            .filter(|asked| !asked.setup.is_empty())?;
+        let set = self.course.parameters() == parameters;
+        Some((self.assignments_text(&asked.setup, &parameters), set))
     }
 
     /// Sets the parameters that a question supposes.
     pub fn apply_question_setup(&mut self, question: usize) -> Result<(), Refusal> {
-        let _ = question;
+        let parameters = self.supposed_parameters(question);
+        let unknown = || Refusal::Unknown {
+            name: question.to_string(),
+        };
+        let asked = self.document.questions.get(question).ok_or_else(unknown)?;
+        let parameters = self.admit_assignments(&asked.setup, parameters)?;
+        self.change_parameters(parameters);
+        self.announce(Announcement::QuestionSetup(question));
         Ok(())
+    }
+
+    fn verdict(&self, grade: Grade) -> Verdict {
+        Verdict {
+            grade,
+            text: self.tongue.grade(grade).to_owned(),
+        }
+    }
+
+    /// The answer (SI), not a number if there is none.
+    fn right_answer(&mut self, question: usize) -> f64 {
+        let parameters = self.supposed_parameters(question);
+        let initial = self.initial_for(&parameters);
+        let answers = self
+            .evaluators
+            .answers
+            .at(&parameters, &initial, 0.0, &initial);
+        answers.get(question).copied().unwrap_or(f64::NAN)
+    }
+
+    /// The present parameters with those that a question supposes in their place.
+    fn supposed_parameters(&mut self, question: usize) -> Vec<f64> {
+        let questions = &self.document.questions;
+        let first = questions
+            .iter()
+            .take(question)
+            .map(|question| question.setup.len())
+            .sum();
+        let setup = questions
+            .get(question)
+            .map_or(&[][..], |asked| &asked.setup);
+        assign(
+            &mut self.evaluators.setups,
+            first,
+            setup,
+            self.course.parameters(),
+            self.course.initial(),
+        )
+    }
+}
+
+/// What `given` is worth where `right` is asked for (both SI).
+fn grade(given: f64, right: f64, tolerance: Tolerance) -> Grade {
+    let wider = match tolerance {
+        Tolerance::Relative(fraction) => Tolerance::Relative(fraction * CLOSE),
+        Tolerance::Absolute(amount) => Tolerance::Absolute(amount * CLOSE),
+    };
+    let scaled = |power: i32| {
+        let factor: f64 = format!("1e{power}").parse().unwrap_or(1.0);
+        right != 0.0 && tolerance.accepts(given * factor, right)
+    };
+    if !right.is_finite() {
+        Grade::Unanswerable
+    } else if tolerance.accepts(given, right) {
+        Grade::Correct
+    } else if tolerance.accepts(-given, right) {
+        Grade::WrongSign
+    } else if tolerance.accepts(given, right) || wider.accepts(given, right) {
+        Grade::Close
+    } else if [-6, -3, -2, -1, 1, 2, 3, 6].into_iter().any(scaled) {
+        Grade::WrongScale
+    } else {
+        Grade::Wrong
     }
 }

@@ -1,6 +1,7 @@
-//! What is read off: time, states and quantities with their units.
+//! What is read off: time, states and quantities with their units; the values of the scene; the pitch.
 
-use crate::Session;
+use crate::{Session, number};
+use model::{Compiled, Kind};
 
 /// What a readout shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,7 +19,7 @@ pub enum ReadoutKind {
 pub struct Readout {
     /// What it is.
     pub kind: ReadoutKind,
-    /// The ASCII name, `omega_0`, `y'`; typeset it with [`model::typeset_name`].
+    /// The ASCII name, `omega_0`, `y'`.
     pub name: String,
     /// The label in the session's language; empty where the author gave none.
     pub label: String,
@@ -30,26 +31,153 @@ pub struct Readout {
     pub varies: bool,
 }
 
+/// Significant digits of a value that moves.
+const MOVING_DIGITS: usize = 4;
+
 impl Session {
     /// Everything that can be read off at the time shown: the independent variable, the states, the quantities.
     pub fn readouts(&mut self) -> Vec<Readout> {
-        Vec::new()
+        let model = &self.document.model;
+        let mut readouts = vec![Readout {
+            kind: ReadoutKind::Independent,
+            name: model.independent.name.clone(),
+            label: String::new(),
+            value: self.time_number(self.course.time()),
+            unit: number::unit_text(&model.independent.unit.text),
+            varies: true,
+        }];
+        for (index, state) in model.states.iter().enumerate() {
+            let value = self.course.state().get(index).copied().unwrap_or(f64::NAN);
+            readouts.push(Readout {
+                kind: ReadoutKind::State(index),
+                name: state.name(),
+                label: state
+                    .label
+                    .as_deref()
+                    .map_or("", |label| self.text(label))
+                    .to_owned(),
+                value: self.state_number(index, state, value),
+                unit: number::unit_text(&state.unit.text),
+                varies: true,
+            });
+        }
+        let values = self.quantity_values();
+        for (index, (quantity, &value)) in self
+            .document
+            .model
+            .quantities
+            .iter()
+            .zip(&values)
+            .enumerate()
+        {
+            let scale = self
+                .scales
+                .get(self.document.model.states.len() + index)
+                .copied()
+                .unwrap_or_default();
+            let unit = &quantity.value.unit;
+            let shown = match quantity.value.kind {
+                Kind::Number if quantity.varies => number::scaled(
+                    unit.from_si(value),
+                    unit.from_si(scale),
+                    MOVING_DIGITS,
+                    self.style,
+                ),
+                Kind::Number => number::plain(unit.from_si(value), MOVING_DIGITS, self.style),
+                Kind::Truth | Kind::Text => self.word_value(&quantity.value, value),
+            };
+            readouts.push(Readout {
+                kind: ReadoutKind::Quantity(index),
+                name: quantity.name.clone(),
+                label: quantity
+                    .label
+                    .as_deref()
+                    .map_or("", |label| self.text(label))
+                    .to_owned(),
+                value: shown,
+                unit: number::unit_text(&unit.text),
+                varies: quantity.varies,
+            });
+        }
+        readouts
     }
 
     /// The values of [`document::Scene::values`] at the time shown, SI, for attributes. Computed once for each time.
     pub fn scene_values(&mut self) -> &[f64] {
-        &[]
+        let frame = (self.revision.frame, self.revision.parameters);
+        if self.evaluators.scene_frame != Some(frame) {
+            let course = &self.course;
+            let values = self.evaluators.scene.at(
+                course.parameters(),
+                course.initial(),
+                course.time(),
+                course.state(),
+            );
+            self.evaluators.scene_values.clear();
+            self.evaluators.scene_values.extend_from_slice(values);
+            self.evaluators.scene_frame = Some(frame);
+        }
+        &self.evaluators.scene_values
     }
 
     /// Value `index` of the scene at the time shown, for people, with its unit.
     pub fn scene_text(&mut self, index: usize, decimals: Option<u8>) -> String {
-        let _ = (index, decimals);
-        String::new()
+        let Some(&value) = self.scene_values().get(index) else {
+            return String::new();
+        };
+        let scene = self.document.scene(&self.language);
+        let Some(shown) = scene.and_then(|scene| scene.values.get(index)) else {
+            return String::new();
+        };
+        if shown.kind != Kind::Number {
+            return self.word_value(shown, value);
+        }
+        let in_unit = shown.unit.from_si(value);
+        let number = match decimals {
+            Some(decimals) => number::fixed(in_unit, usize::from(decimals), self.style),
+            None => number::steady(in_unit, MOVING_DIGITS, self.style),
+        };
+        self.with_unit(number, &shown.unit)
     }
 
-    /// The pitch in hertz at which the first state sounds: two octaves around 440 Hz for the range it has had in this
-    /// run. `None` while there is nothing to hear.
+    /// The pitch in hertz at which the first state sounds while the run is playing or held: 440 Hz at 0, an octave up or
+    /// down at the greatest value it has had in this run. `None` while there is nothing to hear.
     pub fn pitch(&self) -> Option<f64> {
-        None
+        let (&value, &scale) = (self.course.state().first()?, self.scales.first()?);
+        let sounding = (self.playing || self.hold.is_some()) && value.is_finite() && scale > 0.0;
+        sounding.then(|| 440.0 * libm::exp2((value / scale).clamp(-1.0, 1.0)))
+    }
+
+    fn quantity_values(&mut self) -> Vec<f64> {
+        let course = &self.course;
+        let values = self.evaluators.quantities.at(
+            course.parameters(),
+            course.initial(),
+            course.time(),
+            course.state(),
+        );
+        let states = self.document.model.states.len();
+        for (scale, value) in self.scales.iter_mut().skip(states).zip(values) {
+            if value.is_finite() {
+                *scale = scale.max(value.abs());
+            }
+        }
+        values.to_vec()
+    }
+
+    /// A text or truth value in the session's language.
+    fn word_value(&self, compiled: &Compiled, value: f64) -> String {
+        if !value.is_finite() {
+            return number::DASH.to_owned();
+        }
+        match compiled.kind {
+            Kind::Text => self
+                .model()
+                .texts
+                .get(value as usize)
+                .map_or(number::DASH, |text| self.text(text))
+                .to_owned(),
+            _ => self.tongue.truth(value != 0.0).to_owned(),
+        }
     }
 }

@@ -1,22 +1,29 @@
 //! The session itself: a document, a run of it, and what the person has chosen.
 
+use crate::announcement::{Announcement, Announcements};
+use crate::course::Course;
+use crate::drag::Hold;
+use crate::kept::{Ghost, Kept};
+use crate::number::Style;
+use crate::plot::PlotState;
+use crate::traces::{Columns, Traces};
+use crate::words::Tongue;
 use document::Document;
-use model::Model;
+use engine::{Method, Readings, RunError, Setup};
+use model::{Model, NodeId};
 
 /// Counts changes, so that the shell draws only what has changed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Revision {
-    /// The time or the state shown: scene, readouts, plots.
+    /// The time or the state shown: scene, readouts, plots, table.
     pub frame: u64,
     /// Parameters, method, step.
     pub parameters: u64,
-    /// Transport: status, speed, problem.
+    /// Status, speed, problem.
     pub transport: u64,
-    /// Rows were recorded or dropped: plots, table, the time line's length.
-    pub rows: u64,
     /// Kept runs and ghost.
     pub runs: u64,
-    /// Plots shown, zoom.
+    /// Plots shown and zoomed.
     pub plots: u64,
     /// The language.
     pub language: u64,
@@ -25,20 +32,89 @@ pub struct Revision {
 /// A laboratory with one document open.
 #[derive(Debug)]
 pub struct Session {
-    document: Document,
-    language: String,
-    revision: Revision,
+    pub(crate) document: Document,
+    pub(crate) language: String,
+    pub(crate) tongue: Tongue,
+    pub(crate) style: Style,
+    pub(crate) revision: Revision,
+    pub(crate) announcements: Announcements,
+    /// What the document asks for.
+    pub(crate) defaults: Setup,
+    pub(crate) course: Course,
+    pub(crate) playing: bool,
+    /// Whether the run stopped because its memory is used up.
+    pub(crate) full: bool,
+    pub(crate) speed: f64,
+    pub(crate) slippage: f64,
+    pub(crate) hold: Option<Hold>,
+    pub(crate) columns: Columns,
+    pub(crate) traces: Traces,
+    pub(crate) present: Vec<f64>,
+    pub(crate) ghost: Option<Ghost>,
+    pub(crate) kept: Vec<Kept>,
+    pub(crate) plots: Vec<PlotState>,
+    pub(crate) evaluators: Evaluators,
+    /// The greatest size that each state and then each quantity has shown in this run.
+    pub(crate) scales: Vec<f64>,
+}
+
+/// What evaluates the expressions of the document, by subject.
+#[derive(Debug)]
+pub(crate) struct Evaluators {
+    pub quantities: Readings,
+    /// The values of the scene in the session's language, and when they were last computed.
+    pub scene: Readings,
+    pub scene_values: Vec<f64>,
+    pub scene_frame: Option<(u64, u64)>,
+    pub initial: Readings,
+    /// All assignments of all presets.
+    pub presets: Readings,
+    /// All assignments that questions suppose.
+    pub setups: Readings,
+    pub answers: Readings,
 }
 
 impl Session {
     /// Opens a document: the first row is drawn and the run stands still at 0.
     pub fn open(document: Document) -> Self {
+        let model = &document.model;
+        let columns = Columns::new(model, &document.plots);
+        let (defaults, unknown_method) = defaults(&document);
+        let course = match unknown_method {
+            None => Course::start(model, defaults.clone(), columns.bytes_per_row()),
+            Some(error) => Course::failed(model, defaults.clone(), error),
+        };
         let language = document.language.clone();
-        Self {
+        let mut session = Self {
+            tongue: Tongue::of(&language),
+            style: Style::of(&language),
+            revision: Revision::default(),
+            announcements: Announcements::default(),
+            scales: vec![0.0; model.states.len() + model.quantities.len()],
+            evaluators: Evaluators::new(&document, &language),
+            plots: document
+                .plots
+                .iter()
+                .map(|_| PlotState::default())
+                .collect(),
             document,
             language,
-            revision: Revision::default(),
-        }
+            defaults,
+            course,
+            playing: false,
+            full: false,
+            speed: 1.0,
+            slippage: 0.0,
+            hold: None,
+            columns,
+            traces: Traces::default(),
+            present: Vec::new(),
+            ghost: None,
+            kept: Vec::new(),
+        };
+        session.label_plots();
+        session.frame_changed();
+        session
     }
 
     /// The document.
@@ -56,10 +132,21 @@ impl Session {
         &self.language
     }
 
-    /// Chooses the language; any tag, what has no translation stays in the document's own.
+    /// Chooses the language; any tag. The document's texts stay in its own language where they have no translation, the
+    /// session's words in English.
     pub fn set_language(&mut self, language: &str) {
         language.clone_into(&mut self.language);
+        self.tongue = Tongue::of(language);
+        self.style = Style::of(language);
+        self.evaluators.scene = Evaluators::scene(&self.document, language);
+        self.evaluators.scene_frame = None;
+        self.label_plots();
         self.revision.language += 1;
+    }
+
+    /// How the session's language writes numbers.
+    pub fn style(&self) -> Style {
+        self.style
     }
 
     /// A text of the document in the session's language.
@@ -67,8 +154,131 @@ impl Session {
         self.document.text(&self.language, original)
     }
 
-    /// What has changed since when.
+    /// What has changed how often.
     pub fn revision(&self) -> Revision {
         self.revision
+    }
+
+    /// The parameters in force at the time shown, SI, in the order of the model.
+    pub fn parameter_values(&self) -> &[f64] {
+        self.course.parameters()
+    }
+
+    pub(crate) fn announce(&mut self, announcement: Announcement) {
+        self.announcements.push(announcement);
+    }
+
+    /// To be called whenever the time, the state or the parameters shown have changed.
+    pub(crate) fn frame_changed(&mut self) {
+        self.revision.frame += 1;
+        self.columns.present(&self.course, &mut self.present);
+        for (scale, value) in self.scales.iter_mut().zip(self.course.state()) {
+            if value.is_finite() {
+                *scale = scale.max(value.abs());
+            }
+        }
+    }
+
+    /// Brings the columns up to the front of the run.
+    pub(crate) fn follow(&mut self) {
+        self.traces
+            .follow(&self.course, &mut self.columns, &self.present);
+    }
+
+    /// Starts another run; the present one stays behind as a ghost if there is something to see of it.
+    pub(crate) fn restart(&mut self, setup: Setup) {
+        self.keep_ghost(0);
+        let overhead = self.columns.bytes_per_row();
+        let course = Course::start(&self.document.model, setup, overhead);
+        self.replace_course(course);
+    }
+
+    /// Puts another run in the place of the present one.
+    pub(crate) fn replace_course(&mut self, course: Course) {
+        self.course = course;
+        self.traces = Traces::default();
+        self.scales.iter_mut().for_each(|scale| *scale = 0.0);
+        self.full = false;
+        self.slippage = 0.0;
+        self.revision.parameters += 1;
+        self.revision.transport += 1;
+        if self.course.error().is_some() {
+            self.playing = false;
+            self.announce(Announcement::Failed);
+        }
+        self.frame_changed();
+    }
+
+    /// The initial state that the model gives for some parameters.
+    pub(crate) fn initial_for(&mut self, parameters: &[f64]) -> Vec<f64> {
+        let nothing = vec![0.0; self.document.model.states.len()];
+        self.evaluators
+            .initial
+            .at(parameters, &nothing, 0.0, &nothing)
+            .to_vec()
+    }
+}
+
+/// What the document asks for, and what is wrong with the method it names.
+fn defaults(document: &Document) -> (Setup, Option<RunError>) {
+    let mut setup = Setup::defaults(&document.model);
+    setup.step = document.step.unwrap_or(setup.step);
+    setup.tolerance = document.tolerance.unwrap_or(setup.tolerance);
+    let error = match document.method.as_deref().map(str::parse::<Method>) {
+        None => None,
+        Some(Ok(method)) => {
+            setup.method = method;
+            None
+        }
+        Some(Err(unknown)) => Some(RunError {
+            code: "unknown-method",
+            message: unknown.to_string(),
+            time: 0.0,
+            span: Some(document.method_span),
+            hint: None,
+        }),
+    };
+    (setup, error)
+}
+
+impl Evaluators {
+    fn new(document: &Document, language: &str) -> Self {
+        let model = &document.model;
+        let reading = |nodes: Vec<NodeId>| Readings::new(model, &nodes);
+        let presets = document.presets.iter().flat_map(|preset| &preset.values);
+        let setups = document
+            .questions
+            .iter()
+            .flat_map(|question| &question.setup);
+        Self {
+            quantities: reading(
+                model
+                    .quantities
+                    .iter()
+                    .map(|quantity| quantity.value.node)
+                    .collect(),
+            ),
+            scene: Self::scene(document, language),
+            scene_values: Vec::new(),
+            scene_frame: None,
+            initial: reading(model.states.iter().map(|state| state.initial).collect()),
+            presets: reading(presets.map(|assignment| assignment.value.node).collect()),
+            setups: reading(setups.map(|assignment| assignment.value.node).collect()),
+            answers: reading(
+                document
+                    .questions
+                    .iter()
+                    .map(|question| question.answer.node)
+                    .collect(),
+            ),
+        }
+    }
+
+    fn scene(document: &Document, language: &str) -> Readings {
+        let nodes: Vec<NodeId> = document
+            .scene(language)
+            .map(|scene| scene.values.iter().map(|value| value.node).collect())
+            .unwrap_or_default();
+        Readings::new(&document.model, &nodes)
     }
 }

@@ -1,16 +1,274 @@
 //! A state of the laboratory as a short text, for links and for the next visit.
+//!
+//! The text begins with its version and has fields `key=value` separated by `&`; every character may stand in the
+//! fragment of a URL. Numbers are SI and in the shortest form that reads back exactly.
+//!
+//! | key | value |
+//! |---|---|
+//! | `p` | parameters at the start that differ from the document's: `b:200,h_l:3.5` |
+//! | `y` | a start state set by hand, one value for each state: `0.5,0` |
+//! | `m`, `h` | method and step, if they differ |
+//! | `c` | a change on the way, once for each: the first row it holds for, and the parameters: `100,b:300` |
+//! | `e` | how far the run goes, if further than `t` |
+//! | `t` | the time shown |
+//! | `k` | (no value) a kept run: the fields up to the next `k` describe it and not the present one |
+//! | `x` | the speed |
+//! | `v` | plots not shown: `0,2` |
 
-use crate::{Refusal, Session};
+use crate::course::{Course, Recipe};
+use crate::{Announcement, Refusal, Session};
+use engine::{Method, Setup};
+
+/// What the text begins with.
+const VERSION: &str = "1";
+
+/// The most steps that a run is made again with.
+const MOST_STEPS: usize = 200_000;
+
+/// More changes of parameters than this do not fit into a link: its run begins at the state shown.
+const MOST_CHANGES: usize = 300;
 
 impl Session {
     /// What differs from the freshly opened document, safe in the fragment of a URL; empty if nothing does.
     pub fn share(&self) -> String {
-        String::new()
+        let mut fields: Vec<String> = Vec::new();
+        let mut recipe = self.course.recipe();
+        if recipe.changes.len() > MOST_CHANGES
+            && self.course.state().iter().all(|value| value.is_finite())
+        {
+            let parameters = self.course.parameters().to_vec();
+            let start = Some(self.course.state().to_vec());
+            recipe = Recipe {
+                setup: Setup {
+                    parameters,
+                    start,
+                    ..recipe.setup
+                },
+                changes: Vec::new(),
+                front: 0.0,
+                time: 0.0,
+            };
+        }
+        self.write_recipe(&recipe, &mut fields);
+        if self.speed != 1.0 {
+            fields.push(format!("x={}", exact(self.speed)));
+        }
+        let hidden = self
+            .plots
+            .iter()
+            .enumerate()
+            .filter(|(_, plot)| !plot.shown);
+        let hidden: Vec<String> = hidden.map(|(index, _)| index.to_string()).collect();
+        if !hidden.is_empty() {
+            fields.push(format!("v={}", hidden.join(",")));
+        }
+        for kept in &self.kept {
+            fields.push("k".to_owned());
+            self.write_recipe(&kept.recipe, &mut fields);
+        }
+        if fields.is_empty() {
+            String::new()
+        } else {
+            format!("{VERSION}&{}", fields.join("&"))
+        }
     }
 
     /// Brings back a state. What does not fit the document is left out and named in the refusal; the rest is applied.
     pub fn restore(&mut self, fragment: &str) -> Result<(), Refusal> {
-        let _ = fragment;
-        Ok(())
+        let fragment = fragment.trim_start_matches('#');
+        if fragment.is_empty() {
+            return Ok(());
+        }
+        let mut fields = fragment.split('&');
+        if fields.next() != Some(VERSION) {
+            return Err(Refusal::UnreadableState);
+        }
+        let mut reader = Reader {
+            session: self,
+            left_out: Vec::new(),
+        };
+        let fields: Vec<&str> = fields.collect();
+        let mut sections = fields.split(|field| *field == "k");
+        let present = reader.recipe(sections.next().unwrap_or_default());
+        let kept: Vec<Recipe> = sections.map(|section| reader.recipe(section)).collect();
+        let mut left_out = reader.left_out;
+        let overhead = self.columns.bytes_per_row();
+        let (course, complete) =
+            Course::replay(&self.document.model, &present, overhead, MOST_STEPS);
+        if !complete {
+            left_out.push(format!("t={}", exact(present.front)));
+        }
+        self.playing = false;
+        self.hold = None;
+        self.ghost = None;
+        self.kept.clear();
+        self.revision.runs += 1;
+        self.replace_course(course);
+        for recipe in &kept {
+            if self.keep_recipe(recipe, MOST_STEPS).is_err() {
+                left_out.push("k".to_owned());
+            }
+        }
+        self.announce(Announcement::Restored);
+        if left_out.is_empty() {
+            Ok(())
+        } else {
+            Err(Refusal::PartlyRestored { left_out })
+        }
     }
+
+    fn write_recipe(&self, recipe: &Recipe, fields: &mut Vec<String>) {
+        let setup = &recipe.setup;
+        let parameters = self.differing(&self.defaults.parameters, &setup.parameters);
+        if !parameters.is_empty() {
+            fields.push(format!("p={}", parameters.join(",")));
+        }
+        if let Some(start) = &setup.start {
+            let values: Vec<String> = start.iter().map(|&value| exact(value)).collect();
+            fields.push(format!("y={}", values.join(",")));
+        }
+        if setup.method != self.defaults.method {
+            fields.push(format!("m={}", setup.method));
+        }
+        if setup.step != self.defaults.step {
+            fields.push(format!("h={}", exact(setup.step)));
+        }
+        let mut before = &setup.parameters;
+        for (row, parameters) in &recipe.changes {
+            fields.push(format!(
+                "c={row},{}",
+                self.differing(before, parameters).join(",")
+            ));
+            before = parameters;
+        }
+        if recipe.front != recipe.time {
+            fields.push(format!("e={}", exact(recipe.front)));
+        }
+        if recipe.time != 0.0 || recipe.front != recipe.time {
+            fields.push(format!("t={}", exact(recipe.time)));
+        }
+    }
+
+    /// `b:200` for each parameter that differs.
+    fn differing(&self, from: &[f64], to: &[f64]) -> Vec<String> {
+        let values = self.model().parameters.iter().zip(from.iter().zip(to));
+        let differing = values.filter(|(_, (from, to))| from.to_bits() != to.to_bits());
+        differing
+            .map(|(parameter, (_, to))| format!("{}:{}", parameter.name, exact(*to)))
+            .collect()
+    }
+}
+
+/// Reads fields; what does not fit is collected.
+struct Reader<'a> {
+    session: &'a mut Session,
+    left_out: Vec<String>,
+}
+
+impl Reader<'_> {
+    fn recipe(&mut self, fields: &[&str]) -> Recipe {
+        let mut recipe = Recipe {
+            setup: self.session.defaults.clone(),
+            changes: Vec::new(),
+            front: 0.0,
+            time: f64::NAN,
+        };
+        for field in fields {
+            let (key, value) = field.split_once('=').unwrap_or((field, ""));
+            if self.field(key, value, &mut recipe).is_none() {
+                self.left_out.push(field.chars().take(40).collect());
+            }
+        }
+        if recipe.time.is_nan() {
+            recipe.time = recipe.front;
+        }
+        recipe.front = recipe.front.max(recipe.time);
+        recipe
+    }
+
+    /// Takes one field into the recipe or the session; `None` if it does not fit.
+    fn field(&mut self, key: &str, value: &str, recipe: &mut Recipe) -> Option<()> {
+        match key {
+            "p" => {
+                let parameters = self.parameters(value.split(','), &recipe.setup.parameters);
+                recipe.setup.parameters = parameters;
+            }
+            "y" => {
+                let start: Vec<f64> = value.split(',').map(number).collect::<Option<_>>()?;
+                if start.len() != self.session.model().states.len() {
+                    return None;
+                }
+                recipe.setup.start = Some(start);
+            }
+            "m" => recipe.setup.method = value.parse::<Method>().ok()?,
+            "h" => recipe.setup.step = number(value).filter(|&step| step > 0.0)?,
+            "c" => {
+                let (row, values) = value.split_once(',')?;
+                let row: usize = row.parse().ok()?;
+                let last = recipe.changes.last();
+                if row == 0
+                    || last.is_some_and(|(before, _)| *before >= row)
+                    || recipe.changes.len() >= MOST_CHANGES
+                {
+                    return None;
+                }
+                let before = last
+                    .map_or(&recipe.setup.parameters, |(_, parameters)| parameters)
+                    .clone();
+                let parameters = self.parameters(values.split(','), &before);
+                recipe.changes.push((row, parameters));
+            }
+            "e" => recipe.front = number(value).filter(|&time| time >= 0.0)?,
+            "t" => recipe.time = number(value).filter(|&time| time >= 0.0)?,
+            "x" => self.session.set_speed(number(value)?),
+            "v" => {
+                for index in value.split(',') {
+                    let index: usize = index.parse().ok()?;
+                    self.session.plots.get(index)?;
+                    self.session.show_plot(index, false);
+                }
+            }
+            _ => return None,
+        }
+        Some(())
+    }
+
+    /// `before` with some parameters replaced; those that do not fit are collected.
+    fn parameters<'t>(
+        &mut self,
+        values: impl Iterator<Item = &'t str>,
+        before: &[f64],
+    ) -> Vec<f64> {
+        let mut parameters = before.to_vec();
+        for text in values {
+            let admitted = text.split_once(':').and_then(|(name, value)| {
+                let index = self
+                    .session
+                    .model()
+                    .parameters
+                    .iter()
+                    .position(|parameter| parameter.name == name)?;
+                Some((index, self.session.admit(index, number(value)?).ok()?))
+            });
+            match admitted.and_then(|(index, value)| parameters.get_mut(index).zip(Some(value))) {
+                Some((parameter, value)) => *parameter = value,
+                None => self.left_out.push(text.chars().take(40).collect()),
+            }
+        }
+        parameters
+    }
+}
+
+/// The shorter of the two exact ways to write a number: `0.05`, `1e300`.
+fn exact(value: f64) -> String {
+    let (plain, scientific) = (format!("{value}"), format!("{value:e}"));
+    if plain.len() <= scientific.len() {
+        plain
+    } else {
+        scientific
+    }
+}
+
+fn number(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|value: &f64| value.is_finite())
 }

@@ -1,13 +1,15 @@
-//! The state by hand: typed while paused, or dragged in the scene. Either starts a new run from there until reset.
+//! The state by hand: typed while the run stands still. It starts a new run from there, until reset.
 
-use crate::{Refusal, Session};
+use crate::{Announcement, Refusal, Session, number};
+use engine::Setup;
+use model::State;
 
 /// A state as its field shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateView {
     /// Which of [`model::Model::states`].
     pub index: usize,
-    /// `y'`; typeset it with [`model::typeset_name`].
+    /// `y'`.
     pub name: String,
     /// The label in the session's language; the name where there is none.
     pub label: String,
@@ -17,6 +19,8 @@ pub struct StateView {
     pub value: f64,
     /// The value in the unit.
     pub text: String,
+    /// The value with its unit, for `aria-valuetext`.
+    pub spoken: String,
     /// Whether it can be set now: only while the run stands still.
     pub editable: bool,
 }
@@ -24,36 +28,108 @@ pub struct StateView {
 impl Session {
     /// All states, in the order of the model.
     pub fn states(&self) -> Vec<StateView> {
-        Vec::new()
+        (0..self.model().states.len())
+            .filter_map(|index| self.state(index))
+            .collect()
+    }
+
+    /// One state.
+    pub fn state(&self, index: usize) -> Option<StateView> {
+        let state = self.model().states.get(index)?;
+        let &value = self.course.state().get(index)?;
+        let text = self.state_number(index, state, value);
+        Some(StateView {
+            index,
+            name: state.name(),
+            label: self.state_label(index),
+            unit: number::unit_text(&state.unit.text),
+            value,
+            spoken: self.with_unit(text.clone(), &state.unit),
+            text,
+            editable: !self.playing,
+        })
     }
 
     /// Starts a new run from the state shown with one value replaced (SI). Refused while the run is playing.
     pub fn set_state(&mut self, index: usize, value: f64) -> Result<(), Refusal> {
-        let _ = (index, value);
+        if self.playing {
+            return Err(Refusal::NotPaused);
+        }
+        if !value.is_finite() {
+            return Err(Refusal::NoValue {
+                name: self.state_label(index),
+            });
+        }
+        let mut state = self.course.state().to_vec();
+        match state.get_mut(index) {
+            Some(old) => *old = value,
+            None => {
+                return Err(Refusal::Unknown {
+                    name: index.to_string(),
+                });
+            }
+        }
+        if let Some(missing) = state.iter().position(|value| !value.is_finite()) {
+            return Err(Refusal::NoValue {
+                name: self.state_label(missing),
+            });
+        }
+        self.start_from(state);
+        self.announce(Announcement::StateSet(index, value));
         Ok(())
     }
 
-    /// The same from what was typed, in the state's unit or with a unit of the same dimension.
+    /// The same from what was typed, in the state's unit or with a unit of the same dimension. The text that the field
+    /// shows leaves the state as it is.
     pub fn set_state_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
-        let _ = (index, text);
-        Ok(())
+        let view = self.state(index).ok_or_else(|| Refusal::Unknown {
+            name: index.to_string(),
+        })?;
+        if text.trim() == view.text {
+            return Ok(());
+        }
+        let value = match self.model().states.get(index) {
+            Some(state) => self.read_value(text, &state.unit)?,
+            None => return Ok(()),
+        };
+        self.set_state(index, value)
     }
 
-    /// Takes hold of a part of the scene; the run stands still meanwhile.
-    pub fn drag_begin(&mut self, drag: &document::Drag) {
-        let _ = drag;
+    /// Whether the run began from a state set by hand and not from the model's initial values.
+    pub fn is_started_by_hand(&self) -> bool {
+        self.course.begun().start.is_some()
     }
 
-    /// The pointer is now `right` and `up` scene units from where it took hold (up is positive).
-    pub fn drag_move(&mut self, right: f64, up: f64) {
-        let _ = (right, up);
+    /// Starts a run from a state, with the parameters shown.
+    pub(crate) fn start_from(&mut self, state: Vec<f64>) {
+        let parameters = self.course.parameters().to_vec();
+        let setup = Setup {
+            parameters,
+            start: Some(state),
+            ..self.course.begun().clone()
+        };
+        self.restart(setup);
     }
 
-    /// Lets go: the run begins from there, and goes on if it was going on before.
-    pub fn drag_end(&mut self) {}
+    /// The label of a state in the session's language; its name where it has none.
+    pub(crate) fn state_label(&self, index: usize) -> String {
+        let Some(state) = self.model().states.get(index) else {
+            return String::new();
+        };
+        state
+            .label
+            .as_deref()
+            .map_or_else(|| state.name(), |label| self.text(label).to_owned())
+    }
 
-    /// Whether a part of the scene is held.
-    pub fn is_dragging(&self) -> bool {
-        false
+    /// A state's value in its unit, with the resolution that its swing in this run calls for.
+    pub(crate) fn state_number(&self, index: usize, state: &State, value: f64) -> String {
+        let scale = self.scales.get(index).copied().unwrap_or_default();
+        number::scaled(
+            state.unit.from_si(value),
+            state.unit.from_si(scale),
+            4,
+            self.style,
+        )
     }
 }

@@ -1,32 +1,74 @@
 //! The recorded run as a table.
 
-use crate::Session;
+use crate::symbol::symbol;
+use crate::{Session, number};
+use engine::table::{Cell, Format, Table};
 use std::ops::Range;
+
+/// Significant digits in a cell.
+const DIGITS: usize = 6;
 
 impl Session {
     /// `t [s]`, `y [m]`, ...: the heads of the columns.
     pub fn table_header(&self) -> Vec<String> {
-        Vec::new()
+        let table = Table::new(self.model());
+        let head = |column: &engine::table::Column| {
+            let name = symbol(&column.name);
+            match column.unit.text.as_str() {
+                "" => name,
+                unit => format!("{name} [{}]", number::unit_text(unit)),
+            }
+        };
+        table.columns().iter().map(head).collect()
     }
 
     /// How many rows are recorded.
     pub fn table_length(&self) -> usize {
-        0
+        self.course.rows()
     }
 
-    /// Some rows, their cells in the session's language.
-    pub fn table_rows(&mut self, rows: Range<usize>) -> Vec<Vec<String>> {
-        let _ = rows;
-        Vec::new()
+    /// Some rows, their cells in the session's language. What lies beyond the last row is left out.
+    pub fn table_rows(&self, rows: Range<usize>) -> Vec<Vec<String>> {
+        let Some(history) = self.course.history() else {
+            return Vec::new();
+        };
+        let mut table = Table::new(self.model());
+        let rows = rows.start..rows.end.min(self.course.rows());
+        rows.map(|row| {
+            table
+                .row(history, row)
+                .iter()
+                .map(|cell| self.cell_text(cell))
+                .collect()
+        })
+        .collect()
     }
 
-    /// The row at the time shown.
+    /// The last row at or before the time shown.
     pub fn table_row_now(&self) -> usize {
-        0
+        self.course.rows_until_shown().saturating_sub(1)
     }
 
     /// The whole run as CSV, the same bytes as the command line writes for the same run.
-    pub fn csv(&mut self) -> String {
-        String::new()
+    pub fn csv(&self) -> String {
+        let mut out = String::new();
+        let mut table = Table::new(self.model());
+        // Writing to a string does not fail.
+        let _ = table.write_head(Format::Csv, &mut out);
+        if let Some(history) = self.course.history() {
+            for row in 0..self.course.rows() {
+                let _ = table.write_row(Format::Csv, history, row, row == 0, &mut out);
+            }
+        }
+        let _ = table.write_end(Format::Csv, &mut out);
+        out
+    }
+
+    fn cell_text(&self, cell: &Cell) -> String {
+        match cell {
+            Cell::Number(value) => number::plain(*value, DIGITS, self.style),
+            Cell::Truth(value) => self.tongue.truth(*value).to_owned(),
+            Cell::Text(text) => self.text(text).to_owned(),
+        }
     }
 }

@@ -1,6 +1,8 @@
 //! The clock and the transport: play, pause, step, scrub.
 
-use crate::Session;
+use crate::course::Outcome;
+use crate::{Announcement, Session, number};
+use engine::Setup;
 
 /// What the run is doing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,106 +11,242 @@ pub enum Status {
     Paused,
     /// Going on with the clock.
     Playing,
-    /// Standing still because the history is full; reset or scrub back to go on.
+    /// Standing still because the history is full; reset, or scrub back, to go on.
     Full,
     /// Standing still because the run cannot go on; [`Session::problem`] says why.
     Failed,
 }
 
-/// Why the run cannot go on, in the session's language.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Problem {
-    /// A stable name.
-    pub code: &'static str,
-    /// What is wrong.
-    pub message: String,
-    /// What to do; may be empty.
-    pub hint: String,
-    /// Where in the document's source, if there is a place.
-    pub span: Option<model::Span>,
-}
-
 /// The speeds that are offered.
 pub const SPEEDS: [f64; 7] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
+
+/// The longest gap between ticks, in seconds, that the run makes up. Browsers wake a hidden page about once a second, at
+/// worst once a minute: its run goes on with the clock. A longer gap is a machine that slept, and its run slept too.
+pub const LONGEST_GAP: f64 = 60.0;
+
+/// The most steps computed in one tick; what is missing then is [`Session::slippage`].
+pub const STEPS_PER_TICK: usize = 5_000;
 
 impl Session {
     /// Lets `seconds` of wall time pass. Returns whether anything that is shown has changed.
     pub fn tick(&mut self, seconds: f64) -> bool {
-        let _ = seconds;
-        false
+        if !self.playing || !seconds.is_finite() || seconds <= 0.0 || seconds > LONGEST_GAP {
+            return false;
+        }
+        let to = self.course.time() + seconds * self.speed;
+        self.proceed(to);
+        true
     }
 
-    /// Goes on from the time shown.
-    pub fn play(&mut self) {}
+    /// Goes on from the time shown. After scrubbing the rows after it are given up and stay as a ghost.
+    pub fn play(&mut self) {
+        if self.playing {
+            return;
+        }
+        self.hold = None;
+        self.branch();
+        self.playing = !self.full && self.course.history().is_some();
+        self.slippage = 0.0;
+        self.revision.transport += 1;
+        self.announce(if self.playing {
+            Announcement::Playing
+        } else if self.full {
+            Announcement::Full
+        } else {
+            Announcement::Failed
+        });
+    }
 
     /// Stands still.
-    pub fn pause(&mut self) {}
+    pub fn pause(&mut self) {
+        if self.playing {
+            self.stop();
+            self.announce(Announcement::Paused(self.course.time()));
+        }
+    }
 
     /// Plays if paused, pauses if playing.
-    pub fn toggle(&mut self) {}
+    pub fn toggle(&mut self) {
+        if self.playing {
+            self.pause();
+        } else {
+            self.play();
+        }
+    }
 
-    /// Pauses and goes one step of the grid forward.
-    pub fn step_forward(&mut self) {}
+    /// Pauses and goes to the next time of the grid. After scrubbing the run goes on from the time shown, as with
+    /// [`Session::play`].
+    pub fn step_forward(&mut self) {
+        self.stop();
+        self.branch();
+        self.proceed(self.course.next_grid_time());
+        self.announce(Announcement::Stepped(self.course.time()));
+    }
 
-    /// Pauses and shows the time one step of the grid earlier.
-    pub fn step_back(&mut self) {}
+    /// Pauses and shows the previous time of the grid.
+    pub fn step_back(&mut self) {
+        self.stop();
+        self.show(self.course.previous_grid_time());
+        self.announce(Announcement::Stepped(self.course.time()));
+    }
 
-    /// Back to time 0 with the initial values of the present parameters; paused.
-    pub fn reset(&mut self) {}
+    /// Back to time 0 and to the initial values of the present parameters; paused. A state set by hand and the ghost are
+    /// forgotten.
+    pub fn reset(&mut self) {
+        self.stop();
+        self.hold = None;
+        let parameters = self.course.parameters().to_vec();
+        let setup = Setup {
+            parameters,
+            start: None,
+            ..self.course.begun().clone()
+        };
+        self.restart(setup);
+        self.clear_ghost();
+        self.announce(Announcement::Reset);
+    }
 
     /// Pauses and shows an earlier time (clamped to what is recorded).
     pub fn scrub(&mut self, time: f64) {
-        let _ = time;
+        self.stop();
+        self.show(time);
+        self.announce(Announcement::Scrubbed(self.course.time()));
     }
 
     /// How many simulated seconds pass in one second.
     pub fn speed(&self) -> f64 {
-        1.0
+        self.speed
     }
 
     /// Sets the speed to the nearest of [`SPEEDS`].
     pub fn set_speed(&mut self, speed: f64) {
-        let _ = speed;
+        let distance =
+            |offered: &f64| (libm::log2(*offered) - libm::log2(speed.max(f64::MIN_POSITIVE))).abs();
+        let nearest = SPEEDS
+            .into_iter()
+            .min_by(|one, other| distance(one).total_cmp(&distance(other)));
+        if let Some(nearest) = nearest.filter(|&nearest| nearest != self.speed && speed.is_finite())
+        {
+            self.speed = nearest;
+            self.revision.transport += 1;
+            self.announce(Announcement::Speed(nearest));
+        }
     }
 
     /// What the run is doing.
     pub fn status(&self) -> Status {
-        Status::Paused
+        if self.playing {
+            Status::Playing
+        } else if self.course.is_scrubbed() {
+            Status::Paused
+        } else if self.course.error().is_some() {
+            Status::Failed
+        } else if self.full {
+            Status::Full
+        } else {
+            Status::Paused
+        }
     }
 
     /// Whether the run goes on with the clock.
     pub fn is_playing(&self) -> bool {
-        self.status() == Status::Playing
+        self.playing
     }
 
     /// The time shown (SI).
     pub fn time(&self) -> f64 {
-        0.0
+        self.course.time()
     }
 
-    /// The last time that can be scrubbed to (SI): the front of the run, and where it was before scrubbing.
+    /// The last time that can be scrubbed to (SI): how far the run has come.
     pub fn end(&self) -> f64 {
-        0.0
+        self.course.front()
     }
 
-    /// Whether an earlier time than the front of the run is shown.
+    /// Whether an earlier time than [`Session::end`] is shown.
     pub fn is_scrubbed(&self) -> bool {
-        false
+        self.course.is_scrubbed()
     }
 
-    /// `12,35 s`: the time shown, with a steady number of decimals.
+    /// `12,35 s`: the time shown, with as many decimals as the step has, at least two.
     pub fn time_text(&self) -> String {
-        String::new()
+        self.time_words(self.course.time())
+    }
+
+    /// Any time in the same way, for the ends of the time line and for `aria-valuetext`.
+    pub fn time_words(&self, time: f64) -> String {
+        let unit = &self.model().independent.unit;
+        let number = self.time_number(time);
+        if unit.text.is_empty() {
+            number
+        } else {
+            format!("{number} {}", number::unit_text(&unit.text))
+        }
+    }
+
+    pub(crate) fn time_number(&self, time: f64) -> String {
+        let unit = &self.model().independent.unit;
+        let step = number::plain(
+            unit.from_si(self.course.begun().step),
+            3,
+            number::Style::default(),
+        );
+        let decimals = step
+            .split_once('.')
+            .map_or(0, |(_, decimals)| decimals.len());
+        number::fixed(unit.from_si(time), decimals.clamp(2, 6), self.style)
     }
 
     /// Wall seconds by which the run has fallen behind the clock since it was last started or reset, because the
-    /// machine could not compute fast enough.
+    /// machine could not compute more than [`STEPS_PER_TICK`] steps in each tick.
     pub fn slippage(&self) -> f64 {
-        0.0
+        self.slippage
     }
 
-    /// Why the run cannot go on.
-    pub fn problem(&self) -> Option<Problem> {
-        None
+    fn stop(&mut self) {
+        if self.playing {
+            self.playing = false;
+            self.revision.transport += 1;
+        }
+    }
+
+    fn show(&mut self, time: f64) {
+        self.follow();
+        self.course.show(time);
+        self.revision.parameters += 1;
+        self.revision.transport += 1;
+        self.frame_changed();
+    }
+
+    /// Makes the moment shown the front of the run: what was recorded after it becomes the ghost.
+    pub(crate) fn branch(&mut self) {
+        if !self.course.is_scrubbed() {
+            return;
+        }
+        self.keep_ghost(self.course.rows_until_shown());
+        self.course.resume();
+        self.traces.truncate(self.course.rows());
+        self.full = false;
+        self.revision.parameters += 1;
+        self.revision.transport += 1;
+        self.frame_changed();
+    }
+
+    fn proceed(&mut self, to: f64) {
+        match self.course.proceed(to, STEPS_PER_TICK) {
+            Outcome::Reached => {}
+            Outcome::Behind(missing) => self.slippage += missing / self.speed,
+            Outcome::Full => {
+                self.full = true;
+                self.stop();
+                self.announce(Announcement::Full);
+            }
+            Outcome::Failed => {
+                self.stop();
+                self.revision.transport += 1;
+                self.announce(Announcement::Failed);
+            }
+        }
+        self.frame_changed();
     }
 }

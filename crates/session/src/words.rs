@@ -1,128 +1,282 @@
-//! What the session says, as values and in words.
+//! The session's words in every language it speaks. What the document says is translated by the document.
 
-use crate::Session;
+use crate::{Announcement, Grade, Refusal, Session, number};
+use engine::Method;
 
-/// Something happened that a screen reader should tell.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Announcement {
-    /// The run goes on.
-    Playing,
-    /// The run stands still at this time (SI).
-    Paused(f64),
-    /// A step was made or shown; the time now.
-    Stepped(f64),
-    /// An earlier time is shown.
-    Scrubbed(f64),
-    /// Back at the initial values.
-    Reset,
-    /// The run began anew because this parameter decides an initial value.
-    Restarted(usize),
-    /// A parameter has this SI value now.
-    ParameterSet(usize, f64),
-    /// All parameters have their defaults.
-    ParametersReset,
-    /// A preset was applied.
-    Preset(usize),
-    /// A state was given this SI value, and the run begins from there.
-    StateSet(usize, f64),
-    /// Model time passes so many times as fast as wall time.
-    Speed(f64),
-    /// The run was kept under this name.
-    Kept(String),
-    /// The kept run of this name was removed.
-    Removed(String),
-    /// The history is full.
-    Full,
-    /// The run cannot go on: see [`Session::problem`].
-    Failed,
-    /// The method was chosen, by its name in the engine.
-    Method(&'static str),
-    /// The step was set (SI).
-    Step(f64),
-    /// A state was restored from a link or the last visit.
-    Restored,
+/// A language the session speaks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tongue {
+    /// English, also in place of all others.
+    English,
+    /// Spanish.
+    Spanish,
 }
 
-/// Why input was not taken.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Refusal {
-    /// There is no number in it.
-    NotANumber {
-        /// What was typed.
-        typed: String,
-    },
-    /// The unit is unknown.
-    UnknownUnit {
-        /// The unit typed.
-        typed: String,
-    },
-    /// The unit measures something else.
-    WrongUnit {
-        /// The unit typed.
-        typed: String,
-        /// A unit that would do.
-        expected: String,
-    },
-    /// The value is below the least allowed one.
-    TooSmall {
-        /// The name of what was to be set.
-        name: String,
-        /// The least value, with its unit.
-        least: String,
-    },
-    /// The value is above the greatest allowed one.
-    TooLarge {
-        /// The name of what was to be set.
-        name: String,
-        /// The greatest value, with its unit.
-        greatest: String,
-    },
-    /// The value is not finite: an expression of a preset has no value here.
-    NoValue {
-        /// The name of what was to be set.
-        name: String,
-    },
-    /// It must be greater than zero.
-    NotPositive,
-    /// The state can be set only while the run is paused.
-    NotPaused,
-    /// The method cannot integrate this model; why, from the engine.
-    Method {
-        /// The reason, for people.
-        reason: String,
-    },
-    /// No more runs can be kept.
-    TooManyRuns {
-        /// How many there may be.
-        most: usize,
-    },
-    /// Nothing of that number or name exists.
-    Unknown {
-        /// What was asked for.
-        name: String,
-    },
-    /// A saved state was not written by this program, or for another version of it.
-    UnreadableState,
-    /// Parts of a saved state do not fit this document and were left out.
-    PartlyRestored {
-        /// Which.
-        left_out: Vec<String>,
-    },
+/// The language of a tag such as `es-MX`; English where the session does not speak it.
+pub fn words(language: &str) -> Tongue {
+    Tongue::of(language)
+}
+
+impl Tongue {
+    /// The language of a tag such as `es-MX`; English where the session does not speak it.
+    pub fn of(language: &str) -> Self {
+        match language
+            .split(['-', '_'])
+            .next()
+            .unwrap_or_default()
+            .to_ascii_lowercase()
+            .as_str()
+        {
+            "es" => Self::Spanish,
+            _ => Self::English,
+        }
+    }
+
+    pub(crate) fn pick<T>(self, english: T, spanish: T) -> T {
+        match self {
+            Self::English => english,
+            Self::Spanish => spanish,
+        }
+    }
+
+    /// What a run with the document's own values is called.
+    pub fn defaults(self) -> &'static str {
+        self.pick("initial settings", "ajustes iniciales")
+    }
+
+    /// A truth value.
+    pub fn truth(self, value: bool) -> &'static str {
+        if value {
+            self.pick("yes", "sí")
+        } else {
+            self.pick("no", "no")
+        }
+    }
+
+    /// The name of a method.
+    pub fn method(self, method: Method) -> &'static str {
+        match method {
+            Method::Euler => "Euler",
+            Method::EulerRichardson => "Euler-Richardson",
+            Method::VelocityVerlet => self.pick("velocity Verlet", "Verlet de velocidades"),
+            Method::RungeKutta4 => self.pick("Runge-Kutta, order 4", "Runge-Kutta, orden 4"),
+            Method::DormandPrince => self.pick(
+                "Dormand-Prince 5(4), adaptive",
+                "Dormand-Prince 5(4), adaptativo",
+            ),
+            Method::Rosenbrock => {
+                self.pick("Rosenbrock (RODAS), stiff", "Rosenbrock (RODAS), rígido")
+            }
+        }
+    }
+
+    /// What a plot shows.
+    pub(crate) fn against(self, curves: &str, x: &str) -> String {
+        self.pick(
+            format!("{curves} against {x}."),
+            format!("{curves} frente a {x}."),
+        )
+    }
+
+    /// What an answer is worth.
+    pub fn grade(self, grade: Grade) -> &'static str {
+        match grade {
+            Grade::Correct => self.pick("Correct.", "Correcto."),
+            Grade::Close => self.pick(
+                "Close, but not close enough. Measure again.",
+                "Cerca, pero no lo suficiente. Mide otra vez.",
+            ),
+            Grade::WrongSign => self.pick(
+                "The size is right; think about the sign.",
+                "El tamaño es correcto; piensa en el signo.",
+            ),
+            Grade::WrongScale => self.pick(
+                "The digits are right, but not the power of ten. Check the unit.",
+                "Las cifras son correctas, pero no la potencia de diez. Revisa la unidad.",
+            ),
+            Grade::Wrong => self.pick("Not yet.", "Todavía no."),
+            Grade::Unreadable => self.pick("This is not a number.", "Esto no es un número."),
+            Grade::Unanswerable => self.pick(
+                "With the present parameters this has no answer.",
+                "Con los parámetros actuales esto no tiene respuesta.",
+            ),
+        }
+    }
+
+    /// Why input was not taken.
+    pub fn refusal(self, refusal: &Refusal) -> String {
+        match refusal {
+            Refusal::NotANumber { typed } if typed.is_empty() => {
+                self.pick("Type a number.", "Escribe un número.").to_owned()
+            }
+            Refusal::NotANumber { typed } => self.pick(
+                format!("“{typed}” is not a number."),
+                format!("«{typed}» no es un número."),
+            ),
+            Refusal::UnknownUnit { typed } => self.pick(
+                format!("“{typed}” is not a known unit."),
+                format!("«{typed}» no es una unidad conocida."),
+            ),
+            Refusal::WrongUnit { typed, expected } if expected.is_empty() => self.pick(
+                format!("{typed} measures something else; this is a pure number."),
+                format!("{typed} mide otra cosa; esto es un número puro."),
+            ),
+            Refusal::WrongUnit { typed, expected } => self.pick(
+                format!("{typed} measures something else; a unit such as {expected} is needed."),
+                format!("{typed} mide otra cosa; hace falta una unidad como {expected}."),
+            ),
+            Refusal::TooSmall { name, least } => self.pick(
+                format!("{name}: at least {least}."),
+                format!("{name}: como mínimo {least}."),
+            ),
+            Refusal::TooLarge { name, greatest } => self.pick(
+                format!("{name}: at most {greatest}."),
+                format!("{name}: como máximo {greatest}."),
+            ),
+            Refusal::NoValue { name } => self.pick(
+                format!("{name} would have no finite value."),
+                format!("{name} no tendría un valor finito."),
+            ),
+            Refusal::NotPositive => self
+                .pick(
+                    "It must be greater than zero.",
+                    "Tiene que ser mayor que cero.",
+                )
+                .to_owned(),
+            Refusal::NotPaused => self
+                .pick(
+                    "Pause first, then set the state.",
+                    "Pausa primero y luego cambia el estado.",
+                )
+                .to_owned(),
+            Refusal::Method { method } => {
+                let name = self.method(*method);
+                self.pick(
+                    format!("{name} is for equations of second order only."),
+                    format!("{name} solo sirve para ecuaciones de segundo orden."),
+                )
+            }
+            Refusal::TooManyRuns { most } => self.pick(
+                format!("{most} runs are kept already; remove one first."),
+                format!("Ya hay {most} series guardadas; quita una primero."),
+            ),
+            Refusal::Unknown { name } => self.pick(
+                format!("There is no “{name}” here."),
+                format!("Aquí no hay «{name}»."),
+            ),
+            Refusal::UnreadableState => self
+                .pick(
+                    "The link was not understood; the document opens as it is.",
+                    "No se entendió el enlace; el documento se abre tal como es.",
+                )
+                .to_owned(),
+            Refusal::PartlyRestored { left_out } => {
+                let parts = left_out.join(", ");
+                self.pick(
+                    format!(
+                        "Parts of the link do not fit this document and were left out: {parts}."
+                    ),
+                    format!(
+                        "Partes del enlace no encajan en este documento y se omitieron: {parts}."
+                    ),
+                )
+            }
+        }
+    }
 }
 
 impl Session {
-    /// The next thing to tell, oldest first.
-    pub fn take_announcement(&mut self) -> Option<Announcement> {
-        None
+    /// A refusal in the session's language.
+    pub fn refusal_text(&self, refusal: &Refusal) -> String {
+        self.tongue.refusal(refusal)
     }
 
     /// An announcement in the session's language.
     pub fn announcement_text(&self, announcement: &Announcement) -> String {
-        format!("{announcement:?}")
+        let say = |english: &str, spanish: &str| self.tongue.pick(english, spanish).to_owned();
+        let with =
+            |english: &str, spanish: &str, value: &str| say(english, spanish).replace("{}", value);
+        let time = |time: f64| self.time_words(time);
+        match announcement {
+            Announcement::Playing => say("Playing", "En marcha"),
+            Announcement::Paused(at) => with("Paused at {}", "En pausa en {}", &time(*at)),
+            Announcement::Stepped(at) => with("Step, {}", "Paso, {}", &time(*at)),
+            Announcement::Scrubbed(at) => time(*at),
+            Announcement::Reset => say(
+                "Reset to the initial values",
+                "De vuelta a los valores iniciales",
+            ),
+            Announcement::Restarted(index) => with(
+                "The run starts anew: {} changed",
+                "La serie comienza de nuevo: cambió {}",
+                self.parameter_label(*index),
+            ),
+            Announcement::ParameterSet(index, value) => {
+                let unit = self
+                    .model()
+                    .parameters
+                    .get(*index)
+                    .map(|parameter| &parameter.unit);
+                let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
+                format!("{}: {value}", self.parameter_label(*index))
+            }
+            Announcement::ParametersReset => say(
+                "All parameters have their initial settings",
+                "Todos los parámetros tienen su ajuste inicial",
+            ),
+            Announcement::Preset(index) => self
+                .document
+                .presets
+                .get(*index)
+                .map_or("", |preset| self.text(&preset.name))
+                .to_owned(),
+            Announcement::StateSet(index, value) => {
+                let unit = self.model().states.get(*index).map(|state| &state.unit);
+                let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
+                let label = self.state_label(*index);
+                with(
+                    "{}; the run starts from there",
+                    "{}; la serie parte de ahí",
+                    &format!("{label}: {value}"),
+                )
+            }
+            Announcement::Speed(speed) => with("Speed {}", "Velocidad {}", &speed_text(*speed)),
+            Announcement::Kept(name) => with("Run kept: {}", "Serie guardada: {}", name),
+            Announcement::Removed(name) => with("Run removed: {}", "Serie quitada: {}", name),
+            Announcement::Full => say(
+                "Paused: the recording is full",
+                "En pausa: el registro está lleno",
+            ),
+            Announcement::Failed => self
+                .problem()
+                .map_or_else(String::new, |problem| problem.message),
+            Announcement::Method(method) => {
+                with("Method: {}", "Método: {}", self.tongue.method(*method))
+            }
+            Announcement::Step(step) => with(
+                "Step: {}",
+                "Paso: {}",
+                &self.quantity_text(*step, &self.model().independent.unit),
+            ),
+            Announcement::QuestionSetup(_) => say(
+                "Parameters set for the question",
+                "Parámetros ajustados para la pregunta",
+            ),
+            Announcement::Restored => {
+                say("The saved state is back", "Se recuperó el estado guardado")
+            }
+        }
     }
+}
 
-    /// A refusal in the session's language.
-    pub fn refusal_text(&self, refusal: &Refusal) -> String {
-        format!("{refusal:?}")
+/// `1/8×`, `1×`, `8×`
+pub fn speed_text(speed: f64) -> String {
+    if speed > 0.0 && speed < 1.0 {
+        format!(
+            "1/{}×",
+            number::plain(1.0 / speed, 3, number::Style::default())
+        )
+    } else {
+        format!("{}×", number::plain(speed, 3, number::Style::default()))
     }
 }

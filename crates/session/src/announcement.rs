@@ -1,0 +1,74 @@
+//! What happened, for screen readers: a short queue.
+
+use crate::Session;
+use std::collections::VecDeque;
+
+/// Something happened that a screen reader should tell.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Announcement {
+    /// The run goes on.
+    Playing,
+    /// The run stands still at this time (SI).
+    Paused(f64),
+    /// A step was made or shown; the time now.
+    Stepped(f64),
+    /// An earlier time is shown.
+    Scrubbed(f64),
+    /// Back at the initial values.
+    Reset,
+    /// The run began anew because this parameter decides an initial value.
+    Restarted(usize),
+    /// A parameter has this SI value now.
+    ParameterSet(usize, f64),
+    /// All parameters have their defaults.
+    ParametersReset,
+    /// A preset was applied.
+    Preset(usize),
+    /// A state was given this SI value, and the run begins from there.
+    StateSet(usize, f64),
+    /// Model time passes so many times as fast as wall time.
+    Speed(f64),
+    /// The run was kept under this name.
+    Kept(String),
+    /// The kept run of this name was removed.
+    Removed(String),
+    /// The history is full.
+    Full,
+    /// The run cannot go on: see [`Session::problem`].
+    Failed,
+    /// The method was chosen.
+    Method(engine::Method),
+    /// The step was set (SI).
+    Step(f64),
+    /// The parameters that question supposes were set.
+    QuestionSetup(usize),
+    /// A state was restored from a link or the last visit.
+    Restored,
+}
+
+/// Announcements that have not been taken.
+#[derive(Debug, Default)]
+pub(crate) struct Announcements(VecDeque<Announcement>);
+
+/// Nobody listens to more at once.
+const MOST: usize = 16;
+
+impl Announcements {
+    /// Adds one. Of several of one kind in a row (a slider being moved) only the last is worth telling.
+    pub fn push(&mut self, announcement: Announcement) {
+        let same = |last: &Announcement| {
+            std::mem::discriminant(last) == std::mem::discriminant(&announcement)
+        };
+        if self.0.back().is_some_and(same) || self.0.len() == MOST {
+            self.0.pop_back();
+        }
+        self.0.push_back(announcement);
+    }
+}
+
+impl Session {
+    /// The next thing to tell, oldest first.
+    pub fn take_announcement(&mut self) -> Option<Announcement> {
+        self.announcements.0.pop_front()
+    }
+}

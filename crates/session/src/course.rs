@@ -1,0 +1,317 @@
+//! The course of one run: what is computed, what of it has been reached, and which moment of it is shown.
+//!
+//! The run is computed a little ahead: the time shown lies inside the last step or on its end. What lies behind the
+//! *front*, the greatest time reached, can be shown again; what lies before it is nobody's business yet.
+
+use engine::{Advance, CAPACITY, History, Run, RunError, Setup};
+use model::Model;
+
+/// The same run again: from these values, with these changes of parameters on the way.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Recipe {
+    /// What it starts with.
+    pub setup: Setup,
+    /// Parameters, each with the first row they hold for; ascending.
+    pub changes: Vec<(usize, Vec<f64>)>,
+    /// How far it goes (SI).
+    pub front: f64,
+    /// Which moment is shown (SI).
+    pub time: f64,
+}
+
+/// How far [`Course::proceed`] got.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Outcome {
+    /// Where it was to go.
+    Reached,
+    /// As far as the budget of steps allowed; so much is missing (SI).
+    Behind(f64),
+    /// As far as the memory allowed.
+    Full,
+    /// As far as the equations allow.
+    Failed,
+}
+
+/// One run, and which moment of it is shown.
+#[derive(Debug)]
+pub(crate) struct Course {
+    /// Absent when it could not start.
+    run: Option<Run>,
+    error: Option<RunError>,
+    /// What it was started with.
+    begun: Setup,
+    changes: Vec<(usize, Vec<f64>)>,
+    time: f64,
+    front: f64,
+    state: Vec<f64>,
+    /// What the rest of the session keeps for each row, in bytes.
+    overhead: usize,
+}
+
+impl Course {
+    /// Starts a run; a failure is kept as [`Course::error`].
+    pub fn start(model: &Model, setup: Setup, overhead: usize) -> Self {
+        let mut course = Self {
+            run: None,
+            error: None,
+            begun: setup.clone(),
+            changes: Vec::new(),
+            time: 0.0,
+            front: 0.0,
+            state: vec![f64::NAN; model.states.len()],
+            overhead,
+        };
+        match Run::start(model, setup) {
+            Ok(run) => course.run = Some(run),
+            Err(error) => course.error = Some(error),
+        }
+        course.show(0.0);
+        course
+    }
+
+    /// A run that could not even be tried.
+    pub fn failed(model: &Model, setup: Setup, error: RunError) -> Self {
+        Self {
+            run: None,
+            error: Some(error),
+            begun: setup,
+            changes: Vec::new(),
+            time: 0.0,
+            front: 0.0,
+            state: vec![f64::NAN; model.states.len()],
+            overhead: 0,
+        }
+    }
+
+    /// Runs a recipe with at most `budget` steps. Returns whether it could be followed to its end.
+    pub fn replay(model: &Model, recipe: &Recipe, overhead: usize, budget: usize) -> (Self, bool) {
+        let mut course = Self::start(model, recipe.setup.clone(), overhead);
+        let mut left = budget;
+        for (row, parameters) in &recipe.changes {
+            while course.rows_computed() < *row && left > 0 {
+                left -= 1;
+                if matches!(course.advance(), None | Some(Advance::Full)) {
+                    break;
+                }
+            }
+            if course.rows_computed() != *row {
+                course.proceed(course.last_time(), 0);
+                return (course, false);
+            }
+            course.set_parameters(model, parameters.clone());
+        }
+        let complete = course.proceed(recipe.front, left) == Outcome::Reached;
+        course.show(recipe.time.min(course.front));
+        (course, complete)
+    }
+
+    /// How to make this run again.
+    pub fn recipe(&self) -> Recipe {
+        Recipe {
+            setup: self.begun.clone(),
+            changes: self.changes.clone(),
+            front: self.front,
+            time: self.time,
+        }
+    }
+
+    /// What it was started with.
+    pub fn begun(&self) -> &Setup {
+        &self.begun
+    }
+
+    /// Why it cannot start or go on.
+    pub fn error(&self) -> Option<&RunError> {
+        self.error.as_ref()
+    }
+
+    /// The recorded rows; absent when it could not start.
+    pub fn history(&self) -> Option<&History> {
+        self.run.as_ref().map(Run::history)
+    }
+
+    /// How many rows lie at or behind the front.
+    pub fn rows(&self) -> usize {
+        self.history()
+            .map_or(0, |history| history.row_at(self.front) + 1)
+    }
+
+    /// How many rows lie at or before the moment shown.
+    pub fn rows_until_shown(&self) -> usize {
+        self.history()
+            .map_or(0, |history| history.row_at(self.time) + 1)
+    }
+
+    /// The time shown.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The greatest time reached.
+    pub fn front(&self) -> f64 {
+        self.front
+    }
+
+    /// The state at the time shown.
+    pub fn state(&self) -> &[f64] {
+        &self.state
+    }
+
+    /// The state at the start, what `y(0)` is; not numbers when it could not start.
+    pub fn initial(&self) -> &[f64] {
+        self.run.as_ref().map_or(&self.state, Run::initial)
+    }
+
+    /// Whether an earlier moment than the front is shown.
+    pub fn is_scrubbed(&self) -> bool {
+        self.time < self.front
+    }
+
+    /// The parameters in force at the time shown: those of the step it lies in, at the front those of the next step.
+    pub fn parameters(&self) -> &[f64] {
+        match &self.run {
+            None => &self.begun.parameters,
+            Some(run) if self.is_scrubbed() => run.history().parameters(self.row_ahead(run)),
+            Some(run) => &run.setup().parameters,
+        }
+    }
+
+    /// Shows a moment between the start and the front.
+    pub fn show(&mut self, time: f64) {
+        self.time = if time.is_finite() {
+            time.clamp(0.0, self.front)
+        } else {
+            self.front
+        };
+        if let Some(run) = &mut self.run {
+            run.interpolate(self.time, &mut self.state);
+        }
+    }
+
+    /// Goes on to `to` with at most `budget` steps and shows that moment. Only from the front: see [`Course::resume`].
+    pub fn proceed(&mut self, to: f64, budget: usize) -> Outcome {
+        let mut outcome = Outcome::Reached;
+        let mut left = budget;
+        while self.last_time() < to {
+            if left == 0 {
+                outcome = Outcome::Behind(to - self.last_time());
+                break;
+            }
+            left -= 1;
+            match self.advance() {
+                Some(Advance::Full) => {
+                    outcome = Outcome::Full;
+                    break;
+                }
+                Some(_) => {}
+                None => {
+                    outcome = Outcome::Failed;
+                    break;
+                }
+            }
+        }
+        self.front = self.front.max(to.min(self.last_time()));
+        self.show(self.front);
+        outcome
+    }
+
+    /// The grid time after the one shown.
+    pub fn next_grid_time(&self) -> f64 {
+        self.grid_time((self.time / self.begun.step + NEAR).floor() + 1.0)
+    }
+
+    /// The grid time before the one shown; 0 at the start.
+    pub fn previous_grid_time(&self) -> f64 {
+        self.grid_time((self.time / self.begun.step - NEAR).ceil() - 1.0)
+            .max(0.0)
+    }
+
+    /// The row at which the run goes on from an earlier moment: the end of the step that the moment lies in.
+    pub fn resume_row(&self) -> Option<usize> {
+        let run = self.run.as_ref()?;
+        self.is_scrubbed().then(|| self.row_ahead(run))
+    }
+
+    /// Gives up the rows after the step that the moment shown lies in, so that the run goes on from there with the
+    /// parameters then in force.
+    pub fn resume(&mut self) {
+        let Some(row) = self.resume_row() else { return };
+        if let Some(run) = &mut self.run {
+            run.truncate(row);
+            self.changes.retain(|&(first, _)| first <= row);
+            self.front = self.time;
+            self.error = None;
+        }
+    }
+
+    /// Changes the parameters from the next step on; at the very start, from the start on. None of them may decide an
+    /// initial value.
+    pub fn set_parameters(&mut self, model: &Model, parameters: Vec<f64>) {
+        self.error = None;
+        let Some(run) = self.run.as_mut().filter(|run| run.history().len() > 1) else {
+            let setup = Setup {
+                parameters,
+                ..self.begun.clone()
+            };
+            *self = Self::start(model, setup, self.overhead);
+            return;
+        };
+        let row = run.history().len();
+        self.changes.retain(|&(first, _)| first < row);
+        let before = self
+            .changes
+            .last()
+            .map_or(&self.begun.parameters, |(_, last)| last);
+        if *before != parameters {
+            self.changes.push((row, parameters.clone()));
+        }
+        run.set_parameters(parameters);
+    }
+
+    /// One step further; `None` when it fails.
+    fn advance(&mut self) -> Option<Advance> {
+        let run = self.run.as_mut()?;
+        let history = run.history();
+        if history.bytes() + self.overhead * history.len() >= CAPACITY {
+            return Some(Advance::Full);
+        }
+        match run.advance() {
+            Ok(advance) => Some(advance),
+            Err(error) => {
+                self.error = Some(error);
+                None
+            }
+        }
+    }
+
+    fn rows_computed(&self) -> usize {
+        self.history().map_or(0, History::len)
+    }
+
+    fn last_time(&self) -> f64 {
+        self.history()
+            .and_then(|history| history.times().last().copied())
+            .unwrap_or(0.0)
+    }
+
+    fn grid_time(&self, index: f64) -> f64 {
+        index * self.begun.step
+    }
+
+    /// The last row at the first grid time at or after the time shown. Rows off the grid (events) are passed over: the
+    /// rest of their step belongs to them.
+    fn row_ahead(&self, run: &Run) -> usize {
+        let times = run.history().times();
+        let step = self.begun.step;
+        let on_grid = |time: f64| (time / step - (time / step).round()).abs() < NEAR;
+        let last = times.len().saturating_sub(1);
+        let mut row = times.partition_point(|&time| time < self.time).min(last);
+        while row + 1 < times.len() && (!on_grid(times[row]) || times[row + 1] == times[row]) {
+            row += 1;
+        }
+        row
+    }
+}
+
+/// Grid times closer than this part of a step are the same: quotients of times are rounded.
+const NEAR: f64 = 1e-6;

@@ -1,0 +1,232 @@
+//! Where the values of a parameter lie on its slider. A slider has whole positions; each stands for a round number.
+
+use crate::number;
+use model::Parameter;
+
+/// A slider with whole positions, 0 to `positions`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slider {
+    /// The greatest position.
+    pub positions: u32,
+    /// The present one.
+    pub position: u32,
+    /// How many positions a large step (Page Up) is.
+    pub page: u32,
+}
+
+/// From position to value and back.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Mapping<'a> {
+    parameter: &'a Parameter,
+    /// In the parameter's unit.
+    low: f64,
+    high: f64,
+    scale: Scale,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Scale {
+    /// Every position is `step` further, from the low end; the last one is the high end.
+    Even { step: f64, positions: u32 },
+    /// Fine near the low end: the distance from it grows with the cube of the position.
+    Fine,
+}
+
+/// More than this many positions are no use on a screen.
+const MOST_POSITIONS: f64 = 100_000.0;
+
+/// Positions of a fine slider: adjacent ones differ by at most 1.5 % of the range.
+const FINE_POSITIONS: u32 = 200;
+
+impl<'a> Mapping<'a> {
+    /// The slider of a parameter; `None` without a range.
+    pub fn of(parameter: &'a Parameter) -> Option<Self> {
+        let (low, high) = parameter.range?;
+        let unit = &parameter.unit;
+        let (low, high) = (unit.from_si(low), unit.from_si(high));
+        if !(low < high && (high - low).is_finite()) {
+            return None;
+        }
+        let step = parameter
+            .step
+            .map(|step| unit.from_si(step))
+            .filter(|step| (high - low) / step <= MOST_POSITIONS);
+        let scale = match step.filter(|step| *step > 0.0) {
+            Some(step) => even(low, high, step),
+            None if is_wide(low, high, unit.from_si(parameter.value)) => Scale::Fine,
+            None => even(low, high, round_step((high - low) / 100.0)),
+        };
+        Some(Self {
+            parameter,
+            low,
+            high,
+            scale,
+        })
+    }
+
+    /// The slider at a value (SI): at the nearest position.
+    pub fn slider(&self, value: f64) -> Slider {
+        let value = self
+            .parameter
+            .unit
+            .from_si(value)
+            .clamp(self.low, self.high);
+        let (positions, place) = match self.scale {
+            Scale::Even { step, positions } => (positions, (value - self.low) / step),
+            Scale::Fine => {
+                let part = (value - self.low) / (self.high - self.low);
+                (FINE_POSITIONS, libm::cbrt(part) * f64::from(FINE_POSITIONS))
+            }
+        };
+        let position = if value == self.high {
+            positions
+        } else {
+            (place.round() as u32).min(positions)
+        };
+        Slider {
+            positions,
+            position,
+            page: (positions / 10).max(1),
+        }
+    }
+
+    /// The value (SI) at a position.
+    pub fn value(&self, position: u32) -> f64 {
+        let value = match self.scale {
+            Scale::Even { step, positions } if position < positions => {
+                // The round number that the sum misses by rounding: 0.15, not 0.15000000000000002.
+                let value = self.low + f64::from(position) * step;
+                number::roundest(value - step * 1e-6, value + step * 1e-6)
+            }
+            Scale::Fine if position == 0 => self.low,
+            Scale::Fine if position < FINE_POSITIONS => {
+                let place = f64::from(position);
+                number::roundest(self.fine(place - 0.5), self.fine(place + 0.5))
+            }
+            _ => self.high,
+        };
+        let si = self.parameter.unit.to_si(value.clamp(self.low, self.high));
+        self.parameter
+            .range
+            .map_or(si, |(low, high)| si.max(low).min(high))
+    }
+
+    fn fine(&self, place: f64) -> f64 {
+        let part = place / f64::from(FINE_POSITIONS);
+        self.low + (self.high - self.low) * part * part * part
+    }
+}
+
+fn even(low: f64, high: f64, step: f64) -> Scale {
+    let positions = ((high - low) / step - 1e-6).ceil().max(1.0);
+    Scale::Even {
+        step,
+        positions: positions as u32,
+    }
+}
+
+/// Whether an even slider would leave no room for the small values that matter: the default lies in the first
+/// twentieth of a range of positive values, or the ends are further apart than a factor of a thousand.
+fn is_wide(low: f64, high: f64, default: f64) -> bool {
+    low >= 0.0 && (default - low < (high - low) / 20.0 || (low > 0.0 && high / low > 1000.0))
+}
+
+/// The greatest of 1, 2 or 5 times a power of ten that is at most `step`.
+fn round_step(step: f64) -> f64 {
+    let scientific = format!("{step:e}");
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let mantissa: f64 = mantissa.parse().unwrap_or(1.0);
+    let round = if mantissa >= 5.0 {
+        5
+    } else if mantissa >= 2.0 {
+        2
+    } else {
+        1
+    };
+    format!("{round}e{exponent}").parse().unwrap_or(step)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use model::Span;
+    use units::Unit;
+
+    fn parameter(unit: Unit, default: f64, low: f64, high: f64, step: Option<f64>) -> Parameter {
+        Parameter {
+            name: "b".to_owned(),
+            label: None,
+            value: unit.to_si(default),
+            range: Some((unit.to_si(low), unit.to_si(high))),
+            step: step.map(|step| unit.to_si(step)),
+            unit,
+            span: Span::default(),
+            restarts: false,
+        }
+    }
+
+    #[test]
+    fn every_position_has_a_value_and_every_value_its_position() {
+        let none = Unit::dimensionless();
+        let percent = Unit {
+            factor: 0.01,
+            text: "%".to_owned(),
+            ..Unit::dimensionless()
+        };
+        for parameter in [
+            parameter(none.clone(), 3.0, 2.0, 9.0, Some(0.5)),
+            parameter(none.clone(), 0.05, 0.01, 2.0, Some(0.01)),
+            parameter(none.clone(), 1000.0, 50.0, 13_600.0, Some(50.0)),
+            parameter(none.clone(), 9.8, 0.0, 30.0, None),
+            parameter(none.clone(), 0.0, -5.0, 5.0, None),
+            parameter(none.clone(), 50.0, 0.0, 20_000.0, None),
+            parameter(none.clone(), 1.0, 0.001, 1000.0, None),
+            parameter(none, 1.0, 0.0, 1.0, Some(0.3)),
+            parameter(percent, 10.0, 0.0, 100.0, Some(1.0)),
+        ] {
+            let mapping = Mapping::of(&parameter).unwrap();
+            let positions = mapping.slider(parameter.value).positions;
+            let mut before = f64::NEG_INFINITY;
+            for position in 0..=positions {
+                let value = mapping.value(position);
+                assert_eq!(
+                    mapping.slider(value).position,
+                    position,
+                    "{value} of {parameter:?}"
+                );
+                assert!(value > before, "{value} after {before} of {parameter:?}");
+                before = value;
+            }
+            let (low, high) = parameter.range.unwrap();
+            assert_eq!((mapping.value(0), mapping.value(positions)), (low, high));
+            assert_eq!(mapping.value(u32::MAX), high);
+        }
+    }
+
+    #[test]
+    fn a_step_gives_the_decimals_that_one_would_write() {
+        let parameter = parameter(Unit::dimensionless(), 0.05, 0.01, 2.0, Some(0.01));
+        let mapping = Mapping::of(&parameter).unwrap();
+        assert_eq!(mapping.value(4), 0.05);
+        assert_eq!(mapping.value(14), 0.15);
+        assert_eq!(mapping.slider(0.05).positions, 199);
+    }
+
+    #[test]
+    fn a_wide_slider_is_fine_near_zero() {
+        let parameter = parameter(Unit::dimensionless(), 50.0, 0.0, 20_000.0, None);
+        let mapping = Mapping::of(&parameter).unwrap();
+        assert_eq!(mapping.value(1), 0.005);
+        assert_eq!(mapping.value(mapping.slider(50.0).position), 50.0);
+        let near: Vec<f64> = (10..14).map(|position| mapping.value(position)).collect();
+        assert_eq!(near, [2.5, 3.0, 4.0, 5.0]);
+    }
+
+    #[test]
+    fn a_range_that_is_none_has_no_slider() {
+        let mut parameter = parameter(Unit::dimensionless(), 1.0, 1.0, 1.0, None);
+        assert_eq!(Mapping::of(&parameter), None);
+        parameter.range = None;
+        assert_eq!(Mapping::of(&parameter), None);
+    }
+}

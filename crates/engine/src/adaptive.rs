@@ -112,8 +112,9 @@ impl Adaptive {
         &self.to
     }
 
-    /// Makes the next step. The controller is that of Hairer, Norsett & Wanner I, section IV.2 (2.43'), with the
-    /// constants of their codes: proportional-integral, safety 0.9, at most five times smaller or ten times larger.
+    /// Makes the next step. The controller is proportional-integral (Hairer & Wanner, Solving Ordinary Differential
+    /// Equations II, section IV.2) with the constants of their code DOPRI5: safety 0.9, at most five times smaller or ten
+    /// times larger, and not larger right after a rejection.
     pub fn extend(&mut self, equations: &mut Equations) -> Result<(), Stuck> {
         let time = self.end();
         let order = match self.pair {

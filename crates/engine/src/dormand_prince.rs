@@ -153,3 +153,77 @@ fn weighted(weights: &[f64], rates: &[Vec<f64>], k: usize) -> f64 {
         .zip(rates)
         .fold(0.0, |sum, (weight, rates)| sum + weight * rates[k])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::order_conditions::Method;
+
+    fn method(weights: Vec<f64>) -> Method {
+        let mut matrix = vec![vec![0.0; STAGES]; STAGES];
+        for (row, weights) in matrix.iter_mut().zip(STAGE_WEIGHTS) {
+            row[..weights.len()].copy_from_slice(weights);
+        }
+        Method {
+            single: matrix.clone(),
+            several: matrix,
+            weights,
+        }
+    }
+
+    fn weights() -> Vec<f64> {
+        let mut weights = STAGE_WEIGHTS[STAGES - 1].to_vec();
+        weights.push(0.0);
+        weights
+    }
+
+    #[test]
+    fn the_coefficients_fulfil_the_conditions_of_their_orders() {
+        let embedded: Vec<f64> = weights()
+            .iter()
+            .zip(ERROR_WEIGHTS)
+            .map(|(weight, error)| weight - error)
+            .collect();
+        for order in 1..=5 {
+            assert!(
+                method(weights()).residual(order, 1.0) < 1e-15,
+                "order {order}"
+            );
+        }
+        for order in 1..=4 {
+            assert!(
+                method(embedded.clone()).residual(order, 1.0) < 1e-15,
+                "embedded, order {order}"
+            );
+        }
+        assert!(method(weights()).residual(6, 1.0) > 1e-4);
+        assert!(method(embedded).residual(5, 1.0) > 1e-4);
+        for (node, weights) in NODES.iter().zip(STAGE_WEIGHTS) {
+            assert!((node - weights.iter().sum::<f64>()).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn the_dense_output_has_order_4_everywhere() {
+        for part in [0.0, 0.2, 0.5, 0.9, 1.0] {
+            // The weights of each stage at this part of the step: the output where only that stage is not zero.
+            let weights_there: Vec<f64> = (0..STAGES)
+                .map(|stage| {
+                    let mut pair = DormandPrince::new(1);
+                    pair.rates[stage][0] = 1.0;
+                    let mut coefficients = std::array::from_fn(|_| vec![0.0]);
+                    pair.dense(1.0, &[0.0], &[weights()[stage]], &mut coefficients);
+                    let mut value = [0.0];
+                    dense_value(&coefficients, part, &mut value);
+                    value[0]
+                })
+                .collect();
+            for order in 1..=4 {
+                assert!(
+                    method(weights_there.clone()).residual(order, part) < 1e-14,
+                    "order {order} at {part}"
+                );
+            }
+        }
+    }
+}

@@ -121,7 +121,12 @@ impl Fixed {
         let half = 0.5 * size;
         let sixth = size / 6.0;
         let count = from.len();
-        let (k_1, k_2, k_3, k_4) = (&mut k_1[..count], &mut k_2[..count], &mut k_3[..count], &mut k_4[..count]);
+        let (k_1, k_2, k_3, k_4) = (
+            &mut k_1[..count],
+            &mut k_2[..count],
+            &mut k_3[..count],
+            &mut k_4[..count],
+        );
         equations.rates_at(time, k_1, |k| from[k]);
         equations.rates_at(time + half, k_2, |k| from[k] + half * k_1[k]);
         equations.rates_at(time + half, k_3, |k| from[k] + half * k_2[k]);

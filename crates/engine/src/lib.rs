@@ -11,6 +11,8 @@ mod instruction;
 mod linear;
 mod method;
 pub mod number;
+#[cfg(test)]
+mod order_conditions;
 mod places;
 mod readings;
 mod rosenbrock;

@@ -111,3 +111,64 @@ impl Factors {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn solve(matrix: &[f64], right: &[f64]) -> Vec<f64> {
+        let mut factors = Factors::new(right.len());
+        factors.values.copy_from_slice(matrix);
+        factors.factorize();
+        let mut solution = right.to_vec();
+        factors.solve(&mut solution);
+        solution
+    }
+
+    #[test]
+    fn solves_with_exchanges() {
+        let solution = solve(
+            &[0.0, 2.0, 1.0, 1.0, 1.0, 1.0, 2.0, 1.0, 0.0],
+            &[7.0, 6.0, 4.0],
+        );
+        assert_eq!(solution, [1.0, 2.0, 3.0]);
+    }
+
+    #[test]
+    fn a_hilbert_matrix_keeps_its_bits() {
+        let matrix: Vec<f64> = (0..16)
+            .map(|k| 1.0 / f64::from(k / 4 + k % 4 + 1))
+            .collect();
+        let solution = solve(&matrix, &[1.0, 0.0, 0.0, 0.0]);
+        for (value, exact) in solution.iter().zip([16.0, -120.0, 240.0, -140.0]) {
+            assert!((value - exact).abs() < 1e-10);
+        }
+        let bits: Vec<u64> = solution.iter().map(|value| value.to_bits()).collect();
+        assert_eq!(bits, HILBERT_BITS);
+    }
+
+    /// As computed on the first machine; any other order of operations changes them.
+    const HILBERT_BITS: [u64; 4] = [
+        4_625_196_817_309_498_996,
+        13_861_516_703_092_964_796,
+        4_642_648_265_865_559_352,
+        13_862_501_865_511_452_203,
+    ];
+
+    #[test]
+    fn a_singular_matrix_has_no_solution() {
+        for matrix in [
+            [1.0, 2.0, 2.0, 4.0],
+            [0.0; 4],
+            [f64::NAN, 1.0, 1.0, 1.0],
+            [f64::INFINITY, 1.0, 1.0, 1.0],
+        ] {
+            assert!(
+                solve(&matrix, &[1.0, 1.0])
+                    .iter()
+                    .all(|value| value.is_nan()),
+                "{matrix:?}"
+            );
+        }
+    }
+}

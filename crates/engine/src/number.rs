@@ -12,3 +12,36 @@ pub fn shortest(value: f64) -> String {
         format!("{value:e}")
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::shortest;
+
+    #[test]
+    fn readable_and_exact() {
+        for (value, text) in [
+            (0.0, "0"),
+            (-0.0, "-0"),
+            (0.1, "0.1"),
+            (0.1 + 0.2, "0.30000000000000004"),
+            (1000.0, "1000"),
+            (0.00001, "0.00001"),
+            (0.0000099, "9.9e-6"),
+            (1e-7, "1e-7"),
+            (-2.5e300, "-2.5e300"),
+            (9_007_199_254_740_993.0, "9007199254740992"),
+            (1e16, "1e16"),
+            (f64::NAN, ""),
+            (f64::NEG_INFINITY, ""),
+        ] {
+            assert_eq!(shortest(value), text);
+            if value.is_finite() {
+                assert_eq!(
+                    text.parse::<f64>().map(f64::to_bits),
+                    Ok(value.to_bits()),
+                    "{text}"
+                );
+            }
+        }
+    }
+}

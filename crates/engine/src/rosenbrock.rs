@@ -184,3 +184,139 @@ fn weighted(weights: &[f64], solved: &[Vec<f64>], k: usize) -> f64 {
         .zip(solved)
         .fold(0.0, |sum, (weight, solved)| sum + weight * solved[k])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::order_conditions::Method;
+
+    fn lower(rows: [&[f64]; STAGES]) -> Vec<Vec<f64>> {
+        rows.iter()
+            .map(|row| {
+                (0..STAGES)
+                    .map(|k| row.get(k).copied().unwrap_or_default())
+                    .collect()
+            })
+            .collect()
+    }
+
+    /// Gamma = (I/gamma - C)^-1, column by column.
+    fn gammas() -> Vec<Vec<f64>> {
+        let solved = lower(SOLVED_WEIGHTS);
+        let mut factors = Factors::new(STAGES);
+        for row in 0..STAGES {
+            for column in 0..STAGES {
+                let diagonal = if row == column { 1.0 / GAMMA } else { 0.0 };
+                factors.values[row * STAGES + column] = diagonal - solved[row][column];
+            }
+        }
+        factors.factorize();
+        let mut gammas = vec![vec![0.0; STAGES]; STAGES];
+        for column in 0..STAGES {
+            let mut right: Vec<f64> = (0..STAGES)
+                .map(|row| if row == column { 1.0 } else { 0.0 })
+                .collect();
+            factors.solve(&mut right);
+            for (row, value) in right.into_iter().enumerate() {
+                gammas[row][column] = value;
+            }
+        }
+        gammas
+    }
+
+    /// From weights of the transformed stages to those of the original ones.
+    fn original(weights: &[f64]) -> Vec<f64> {
+        let gammas = gammas();
+        (0..STAGES)
+            .map(|k| (0..STAGES).map(|j| weights[j] * gammas[j][k]).sum())
+            .collect()
+    }
+
+    fn method(weights: &[f64]) -> Method {
+        let several: Vec<Vec<f64>> = lower(STAGE_WEIGHTS)
+            .iter()
+            .map(|row| original(row))
+            .collect();
+        let single = several
+            .iter()
+            .zip(gammas())
+            .map(|(alphas, gammas)| {
+                alphas
+                    .iter()
+                    .zip(gammas)
+                    .map(|(alpha, gamma)| alpha + gamma)
+                    .collect()
+            })
+            .collect();
+        Method {
+            single,
+            several,
+            weights: original(weights),
+        }
+    }
+
+    const RESULT: [f64; STAGES] = [
+        STAGE_WEIGHTS[5][0],
+        STAGE_WEIGHTS[5][1],
+        STAGE_WEIGHTS[5][2],
+        STAGE_WEIGHTS[5][3],
+        1.0,
+        1.0,
+    ];
+
+    #[test]
+    fn the_coefficients_fulfil_the_conditions_of_their_orders() {
+        let result = method(&RESULT);
+        let embedded = method(&[RESULT[0], RESULT[1], RESULT[2], RESULT[3], 1.0, 0.0]);
+        for order in 1..=4 {
+            let residual = result.residual(order, 1.0);
+            assert!(residual < 1e-13, "order {order}: {residual:e}");
+        }
+        for order in 1..=3 {
+            let residual = embedded.residual(order, 1.0);
+            assert!(residual < 1e-13, "embedded, order {order}: {residual:e}");
+        }
+        assert!(embedded.residual(4, 1.0) > 1e-4);
+        assert!(result.residual(5, 1.0) > 1e-5);
+    }
+
+    #[test]
+    fn the_weights_of_time_are_the_sums_of_their_rows() {
+        let method = method(&RESULT);
+        for stage in 0..STAGES {
+            assert!((method.several[stage].iter().sum::<f64>() - NODES[stage]).abs() < 1e-13);
+            assert!((gammas()[stage].iter().sum::<f64>() - TIME_WEIGHTS[stage]).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn it_is_stiffly_accurate_and_damps_infinitely_stiff_parts_at_once() {
+        // The result is the last stage's argument, b_j = alpha_6j + gamma_6j: then R(infinity) = 0, and with all
+        // diagonal elements gamma = 1/4 the method is L-stable (Hairer & Wanner II, table IV.6.4).
+        let method = method(&RESULT);
+        for stage in 0..STAGES {
+            assert!((method.weights[stage] - method.single[STAGES - 1][stage]).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn the_dense_output_has_order_3_everywhere() {
+        for part in [0.0, 0.3, 0.5, 0.8, 1.0] {
+            let weights: Vec<f64> = (0..STAGES)
+                .map(|stage| {
+                    let mut step = Rosenbrock::new(1);
+                    step.solved[stage][0] = 1.0;
+                    let mut coefficients = std::array::from_fn(|_| vec![0.0]);
+                    step.dense(&[0.0], &[RESULT[stage]], &mut coefficients);
+                    let mut value = [0.0];
+                    crate::dormand_prince::dense_value(&coefficients, part, &mut value);
+                    value[0]
+                })
+                .collect();
+            for order in 1..=3 {
+                let residual = method(&weights).residual(order, part);
+                assert!(residual < 1e-13, "order {order} at {part}: {residual:e}");
+            }
+        }
+    }
+}

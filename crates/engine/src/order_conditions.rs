@@ -1,0 +1,89 @@
+//! Order conditions of one-step methods by rooted trees (Hairer, Norsett & Wanner I, section II.2, theorem 2.13; for
+//! Rosenbrock methods Hairer & Wanner II, section IV.7, theorem 7.3), to check coefficients in tests.
+
+/// A rooted tree: its subtrees, in no particular order.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Tree(Vec<Tree>);
+
+impl Tree {
+    /// All trees of `order` vertices.
+    pub fn of_order(order: usize) -> Vec<Self> {
+        let mut trees: Vec<Self> = forests(order - 1).into_iter().map(Tree).collect();
+        trees.sort();
+        trees.dedup();
+        trees
+    }
+
+    fn order(&self) -> usize {
+        1 + self.0.iter().map(Self::order).sum::<usize>()
+    }
+
+    fn density(&self) -> f64 {
+        self.order() as f64 * self.0.iter().map(Self::density).product::<f64>()
+    }
+
+    /// The product over the subtrees at stage `i`.
+    fn product(&self, method: &Method, stage: usize) -> f64 {
+        // Rosenbrock methods: a vertex with a single branch stands for the Jacobian, which the matrix gamma is for.
+        let matrix = if self.0.len() == 1 {
+            &method.single
+        } else {
+            &method.several
+        };
+        let sum = |subtree: &Self| -> f64 {
+            (0..method.weights.len())
+                .map(|j| matrix[stage][j] * subtree.product(method, j))
+                .sum()
+        };
+        self.0.iter().map(sum).product()
+    }
+}
+
+/// All sorted lists of trees with `vertices` vertices together.
+fn forests(vertices: usize) -> Vec<Vec<Tree>> {
+    if vertices == 0 {
+        return vec![Vec::new()];
+    }
+    let mut found = Vec::new();
+    for first in 1..=vertices {
+        for tree in Tree::of_order(first) {
+            for mut rest in forests(vertices - first) {
+                rest.push(tree.clone());
+                rest.sort();
+                found.push(rest);
+            }
+        }
+    }
+    found
+}
+
+/// A method as full square matrices.
+pub(crate) struct Method {
+    /// For vertices with one branch: alpha + gamma; of an explicit method the same as `several`.
+    pub single: Vec<Vec<f64>>,
+    /// For vertices with several branches: alpha.
+    pub several: Vec<Vec<f64>>,
+    /// b, perhaps of a continuous extension.
+    pub weights: Vec<f64>,
+}
+
+impl Method {
+    /// The greatest violation of the conditions of `order` for the solution at `part` of the step.
+    pub fn residual(&self, order: usize, part: f64) -> f64 {
+        let power = (0..order).fold(1.0, |power, _| power * part);
+        let mut greatest = 0.0_f64;
+        for tree in Tree::of_order(order) {
+            let weight: f64 = (0..self.weights.len())
+                .map(|stage| self.weights[stage] * tree.product(self, stage))
+                .sum();
+            greatest = greatest.max((weight - power / tree.density()).abs());
+        }
+        greatest
+    }
+}
+
+#[test]
+fn there_are_as_many_trees_as_cayley_counted() {
+    let counts: Vec<usize> = (1..=6).map(|order| Tree::of_order(order).len()).collect();
+    assert_eq!(counts, [1, 1, 2, 4, 9, 20]);
+}

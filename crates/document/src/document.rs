@@ -82,6 +82,31 @@ impl Document {
             .map_or(original, String::as_str)
     }
 
+    /// The texts that [`Self::text`] may be asked for.
+    pub(crate) fn translatable(&self) -> Vec<&str> {
+        let model = &self.model;
+        let labels = (model.parameters.iter().map(|parameter| &parameter.label))
+            .chain(model.states.iter().map(|state| &state.label))
+            .chain(model.quantities.iter().map(|quantity| &quantity.label));
+        let curves = self
+            .plots
+            .iter()
+            .flat_map(|plot| plot.curves.iter().chain([&plot.x]))
+            .map(|curve| &curve.label);
+        let groups = self.presets.iter().map(|preset| &preset.group);
+        let optional = labels.chain(curves).chain(groups).flatten();
+        let named = self
+            .plots
+            .iter()
+            .map(|plot| &plot.title)
+            .chain(self.presets.iter().map(|preset| &preset.name));
+        optional
+            .chain(named)
+            .chain(&model.texts)
+            .map(String::as_str)
+            .collect()
+    }
+
     /// The scene with its texts in `language`.
     pub fn scene(&self, language: &str) -> Option<&Scene> {
         self.edition(language).scene.as_ref()

@@ -2,14 +2,21 @@
 //! files that translate it. Opening one never fails: what cannot be read is a [`model::Diagnostic`] with its place.
 
 mod document;
+mod expressions;
 mod fences;
 mod front_matter;
 mod near;
 mod open;
 pub mod page;
+mod plots;
+mod presets;
 mod prose;
+mod questions;
+mod scan;
 mod scene;
+mod settings;
 mod source;
+mod translation;
 
 pub use document::{
     Assignment, Curve, Document, Edition, Opened, Plot, Preset, Question, QuestionText, Tolerance,

@@ -1,12 +1,350 @@
 //! From text to document.
 
-use crate::Opened;
+use crate::document::{Document, Edition, Opened, Question, QuestionText};
+use crate::expressions::Expressions;
+use crate::fences::{self, Fence, FenceKind, Part};
+use crate::front_matter::{self, FrontMatter};
+use crate::prose::Prose;
+use crate::questions::{self, QUESTIONS, RawQuestion};
+use crate::settings;
+use crate::translation::Texts;
+use crate::{Section, plots, presets, scene};
+use model::{Diagnostic, Span};
+use std::collections::BTreeMap;
+use std::ops::Range;
 
-/// Reads a document and its translations and checks everything in them.
+/// How long a document may be, in bytes.
+const LENGTH: usize = 1 << 20;
+/// How many findings are kept of each file.
+const FINDINGS: usize = 100;
+
+/// Reads a document and its translations and checks everything in them. There is no document if its model has errors;
+/// any other faulty part is left out of it.
 pub fn open(source: &str, translations: &[&str]) -> Opened {
-    let _ = (source, translations);
+    let mut file = File::read(source);
+    if let Some(base) = file.matter.get("translates") {
+        let hint = format!("open {}, and this file with it", base.text);
+        file.diagnostics.push(
+            Diagnostic::error(
+                "translation",
+                "this is a translation, which has no model of its own",
+                base.span,
+            )
+            .with_hint(hint),
+        );
+    }
+    let model = file.model();
+    let (mut document, raw_questions) = match model {
+        Some(model) => {
+            let (document, raw_questions) = file.document(model);
+            (Some(document), raw_questions)
+        }
+        None => (None, Vec::new()),
+    };
+    let scene = file
+        .fences(FenceKind::Scene)
+        .first()
+        .map(|fence| fence.content.clone());
+    let mut diagnostics = vec![file.diagnostics];
+    for text in translations {
+        let mut translation = File::read(text);
+        if let Some(document) = &mut document {
+            translation.translate(document, &scene, &raw_questions);
+        }
+        diagnostics.push(translation.diagnostics);
+    }
+    let diagnostics = diagnostics.into_iter().enumerate();
     Opened {
-        document: None,
-        diagnostics: Vec::new(),
+        document,
+        diagnostics: diagnostics
+            .flat_map(|(file, found)| bounded(found).into_iter().map(move |d| (file, d)))
+            .collect(),
+    }
+}
+
+/// The findings in the order of their places; if there are too many, errors go before warnings.
+fn bounded(mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    if found.len() > FINDINGS {
+        found.sort_by_key(|diagnostic| std::cmp::Reverse(diagnostic.severity));
+        found.truncate(FINDINGS);
+    }
+    found.sort_by_key(|diagnostic| diagnostic.span().start);
+    found
+}
+
+/// A file taken apart.
+struct File<'a> {
+    source: &'a str,
+    matter: FrontMatter,
+    parts: Vec<Part>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl<'a> File<'a> {
+    fn read(source: &'a str) -> Self {
+        let mut diagnostics = Vec::new();
+        if source.len() > LENGTH {
+            let end = source.chars().next().map_or(0, char::len_utf8);
+            let message = format!(
+                "a document cannot be longer than {LENGTH} bytes; this one has {}",
+                source.len()
+            );
+            diagnostics.push(Diagnostic::error("too-large", message, Span::new(0, end)));
+            return Self {
+                source: "",
+                matter: FrontMatter::default(),
+                parts: Vec::new(),
+                diagnostics,
+            };
+        }
+        let matter = front_matter::read(source, &mut diagnostics);
+        let parts = fences::split(source, matter.end..source.len(), &mut diagnostics);
+        Self {
+            source,
+            matter,
+            parts,
+            diagnostics,
+        }
+    }
+
+    fn fences(&self, kind: FenceKind) -> Vec<&Fence> {
+        let fences = self.parts.iter().filter_map(|part| match part {
+            Part::Fence(fence) => Some(fence),
+            Part::Prose(_) => None,
+        });
+        fences.filter(|fence| fence.kind == kind).collect()
+    }
+
+    fn model(&mut self) -> Option<model::Model> {
+        let parts: Vec<Range<usize>> = self
+            .fences(FenceKind::Model)
+            .into_iter()
+            .map(|fence| fence.content.clone())
+            .collect();
+        if parts.is_empty() {
+            if self.diagnostics.is_empty() {
+                let start = Span::new(self.matter.end, self.matter.end);
+                self.diagnostics.push(
+                    Diagnostic::error("no-model", "the document has no model", start).with_hint(
+                        "write its equations in a block that begins with a line \"```model\"",
+                    ),
+                );
+            }
+            return None;
+        }
+        let (model, found) = model::compile(self.source, &parts);
+        self.diagnostics.extend(found);
+        model
+    }
+
+    /// Everything else, and the questions as written.
+    fn document(&mut self, mut model: model::Model) -> (Document, Vec<Option<usize>>) {
+        let settings = settings::read(&self.matter, &model, &mut self.diagnostics);
+        let mut expressions = Expressions::new(self.source, &mut model);
+        let mut plots = Vec::new();
+        for fence in self.fences(FenceKind::Plots) {
+            plots::read(&mut expressions, fence.content.clone(), &mut plots);
+        }
+        let mut presets = Vec::new();
+        for fence in self.fences(FenceKind::Presets) {
+            presets::read(&mut expressions, fence.content.clone(), &mut presets);
+        }
+        let scenes = self.fences(FenceKind::Scene);
+        let scene = scenes.first().and_then(|fence| {
+            scene::build(
+                &mut expressions,
+                fence.content.clone(),
+                &mut Texts::default(),
+            )
+        });
+        let mut further: Vec<Diagnostic> = (scenes.iter().skip(1))
+            .map(|fence| Diagnostic::error("fence", "a document has one scene", fence.opening))
+            .collect();
+        further.extend(self.fences(FenceKind::Translations).into_iter().map(|fence| {
+            Diagnostic::error("fence", "translations stand in a file of their own", fence.opening)
+                .with_hint("such as `utube.es.md`, whose front matter says `language: es` and `translates: utube.md`")
+        }));
+        let mut compiled: Vec<Question> = Vec::new();
+        let (sections, texts, numbers) = self.prose(&mut further, |raw| {
+            let question = questions::compile(&mut expressions, raw)?;
+            compiled.push(question);
+            Some(compiled.len() - 1)
+        });
+        further.append(&mut expressions.diagnostics);
+        self.diagnostics.extend(further);
+        let edition = Edition {
+            language: settings.language.clone(),
+            title: settings.title.clone(),
+            sections,
+            questions: texts,
+            scene,
+            texts: BTreeMap::new(),
+        };
+        let document = Document {
+            source: self.source.to_owned(),
+            translations: Vec::new(),
+            title: settings.title,
+            language: settings.language,
+            editions: vec![edition],
+            model,
+            method: settings.method.as_ref().map(|method| method.text.clone()),
+            method_span: settings
+                .method
+                .map(|method| method.span)
+                .unwrap_or_default(),
+            step: settings.step,
+            until: settings.until,
+            tolerance: settings.tolerance,
+            plots,
+            presets,
+            questions: compiled,
+        };
+        (document, numbers)
+    }
+
+    /// The prose with its questions. `place` says which question one as written is, if it is any. Also the words of the
+    /// questions by that number, and the number of each question as written.
+    fn prose(
+        &self,
+        diagnostics: &mut Vec<Diagnostic>,
+        mut place: impl FnMut(&RawQuestion) -> Option<usize>,
+    ) -> (Vec<Section>, Vec<QuestionText>, Vec<Option<usize>>) {
+        let mut prose = Prose::new(self.source);
+        let mut texts: Vec<QuestionText> = Vec::new();
+        let mut numbers = Vec::new();
+        for part in &self.parts {
+            match part {
+                Part::Prose(range) => prose.markdown(range.clone()),
+                Part::Fence(fence) if fence.kind == FenceKind::Question => {
+                    if numbers.len() == QUESTIONS {
+                        let message =
+                            format!("a document cannot have more than {QUESTIONS} questions");
+                        diagnostics.push(Diagnostic::error("too-large", message, fence.opening));
+                        break;
+                    }
+                    let raw = questions::split(self.source, fence.content.clone(), diagnostics);
+                    let number = place(&raw);
+                    numbers.push(number);
+                    let words = questions::words(&mut prose, &raw);
+                    if let Some(number) = number {
+                        texts.resize_with(texts.len().max(number + 1), QuestionText::default);
+                        texts[number] = words;
+                        prose.question(number);
+                    }
+                }
+                Part::Fence(_) => {}
+            }
+        }
+        let (sections, found) = prose.finish();
+        diagnostics.extend(found);
+        (sections, texts, numbers)
+    }
+
+    /// Adds this file to `document` as its edition in another language. `numbers` are those of the original's questions.
+    fn translate(
+        &mut self,
+        document: &mut Document,
+        scene: &Option<Range<usize>>,
+        numbers: &[Option<usize>],
+    ) {
+        document.translations.push(self.source.to_owned());
+        let Some(language) = self.matter.get("language").cloned() else {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    "translation",
+                    "the translation does not say its language",
+                    Span::new(0, 0),
+                )
+                .with_hint("its front matter must have a line such as `language: es`"),
+            );
+            return;
+        };
+        if document.languages().any(|known| known == language.text) {
+            let message = format!("the document exists in `{}` already", language.text);
+            self.diagnostics
+                .push(Diagnostic::error("translation", message, language.span));
+            return;
+        }
+        let mut found = Vec::new();
+        self.check_kinds(&mut found);
+        let mut texts = Texts::default();
+        for fence in self.fences(FenceKind::Translations) {
+            texts.read(self.source, fence.content.clone());
+        }
+        let mut written = 0;
+        let mut surplus = Vec::new();
+        let mut warnings = Vec::new();
+        let (sections, questions, _) = self.prose(&mut found, |raw| {
+            questions::check_translation(raw, &mut warnings);
+            written += 1;
+            if written > numbers.len() {
+                surplus.push(Span::new(raw.place.start, raw.place.end));
+            }
+            numbers.get(written - 1).copied().flatten()
+        });
+        found.extend(warnings);
+        found.extend(surplus.into_iter().map(|span| {
+            Diagnostic::error(
+                "translation",
+                format!("the original has {} questions only", numbers.len()),
+                span,
+            )
+        }));
+        if written < numbers.len() {
+            let message = format!("{} questions have no translation", numbers.len() - written);
+            found.push(Diagnostic::warning("untranslated", message, language.span));
+        }
+        let scene = scene.clone().and_then(|range| {
+            let mut expressions = Expressions::new(&document.source, &mut document.model);
+            // What is wrong with the scene itself has been said of the original.
+            scene::build(&mut expressions, range, &mut texts)
+        });
+        let mut table = BTreeMap::new();
+        for original in document.translatable() {
+            if let Some((text, _)) = texts.translate(original, scene::has_word(original)) {
+                table.insert(original.to_owned(), text);
+            }
+        }
+        found.extend(texts.finish(language.span));
+        let title = self
+            .matter
+            .get("title")
+            .map_or_else(|| document.title.clone(), |title| title.text.clone());
+        document.editions.push(Edition {
+            language: language.text,
+            title,
+            sections,
+            questions,
+            scene,
+            texts: table,
+        });
+        self.diagnostics.extend(found);
+    }
+
+    /// What belongs to the original only.
+    fn check_kinds(&self, found: &mut Vec<Diagnostic>) {
+        for kind in [
+            FenceKind::Model,
+            FenceKind::Scene,
+            FenceKind::Plots,
+            FenceKind::Presets,
+        ] {
+            for fence in self.fences(kind) {
+                let message = format!("a translation has no `{}` of its own", kind.word());
+                found.push(
+                    Diagnostic::error("translation", message, fence.opening)
+                        .with_hint("the original's is used"),
+                );
+            }
+        }
+        for key in ["method", "step", "until", "tolerance"] {
+            if let Some(value) = self.matter.get(key) {
+                let message = format!("`{key}` in a translation means nothing");
+                found.push(
+                    Diagnostic::warning("translation", message, value.span)
+                        .with_hint("the original's is used"),
+                );
+            }
+        }
     }
 }

@@ -18,7 +18,9 @@ impl Formulas {
     /// A converter without macros of its own.
     pub fn new() -> Self {
         // Only a macro can be refused, and there is none.
-        Self { converter: LatexToMathML::new(MathCoreConfig::default()).unwrap_or_default() }
+        Self {
+            converter: LatexToMathML::new(MathCoreConfig::default()).unwrap_or_default(),
+        }
     }
 
     /// The MathML of `latex`, which stands at `span` of the source; in case of an error, the text itself.
@@ -30,16 +32,28 @@ impl Formulas {
         diagnostics: &mut Vec<Diagnostic>,
     ) -> String {
         let problem = if latex.len() > LENGTH {
-            Diagnostic::error("math", format!("a formula cannot be longer than {LENGTH} bytes"), span)
+            Diagnostic::error(
+                "math",
+                format!("a formula cannot be longer than {LENGTH} bytes"),
+                span,
+            )
         } else if nesting(latex) > DEPTH {
-            Diagnostic::error("math", format!("a formula cannot be nested deeper than {DEPTH} levels"), span)
+            Diagnostic::error(
+                "math",
+                format!("a formula cannot be nested deeper than {DEPTH} levels"),
+                span,
+            )
         } else {
             match self.converter.convert_with_local_state(latex, display) {
                 Ok(result) => return result.mathml,
                 Err(error) => {
                     let message = error.to_string();
                     let message = message.trim_end_matches('.');
-                    Diagnostic::error("math", format!("the formula cannot be read: {}", lower(message)), span)
+                    Diagnostic::error(
+                        "math",
+                        format!("the formula cannot be read: {}", lower(message)),
+                        span,
+                    )
                 }
             }
         };
@@ -51,7 +65,9 @@ impl Formulas {
 /// With a small first letter, as after a colon.
 fn lower(text: &str) -> String {
     let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
+    letters.next().map_or(String::new(), |first| {
+        first.to_lowercase().chain(letters).collect()
+    })
 }
 
 /// An upper bound of how deep `latex` is nested: open groups, and commands and scripts that wait for an argument.
@@ -103,7 +119,9 @@ fn close(waiting: &mut Vec<usize>) {
 }
 
 fn takes_two(command: &str) -> bool {
-    ["frac", "binom", "set", "rel", "mod"].iter().any(|part| command.contains(part))
+    ["frac", "binom", "set", "rel", "mod"]
+        .iter()
+        .any(|part| command.contains(part))
 }
 
 #[cfg(test)]
@@ -112,7 +130,12 @@ mod tests {
 
     fn html(latex: &str) -> (String, Vec<String>) {
         let mut diagnostics = Vec::new();
-        let html = Formulas::new().html(latex, MathDisplay::Inline, Span::new(0, 0), &mut diagnostics);
+        let html = Formulas::new().html(
+            latex,
+            MathDisplay::Inline,
+            Span::new(0, 0),
+            &mut diagnostics,
+        );
         (html, diagnostics.into_iter().map(|d| d.message).collect())
     }
 
@@ -120,7 +143,10 @@ mod tests {
     fn formulas_become_mathml() {
         assert_eq!(
             html("y'' < 2"),
-            ("<math><msup><mi>y</mi><mo>″</mo></msup><mo>&lt;</mo><mn>2</mn></math>".to_owned(), vec![])
+            (
+                "<math><msup><mi>y</mi><mo>″</mo></msup><mo>&lt;</mo><mn>2</mn></math>".to_owned(),
+                vec![]
+            )
         );
     }
 
@@ -150,9 +176,27 @@ mod tests {
     #[test]
     fn deep_nesting_is_refused_before_it_is_tried() {
         for unit in [
-            "{", "\\sqrt", "\\sqrt{", "x^{", "\\frac", "\\left(", "\\frac1{", "\\frac1", "\\hat", "\\mathbf{",
-            "\\not", "\\begin{cases}", "\\overset{", "x_", "\\mathrm", "\\frac 1 ", "\\overset x", "\\sqrt[",
-            "\\left", "\\hat ", "^\\hat",
+            "{",
+            "\\sqrt",
+            "\\sqrt{",
+            "x^{",
+            "\\frac",
+            "\\left(",
+            "\\frac1{",
+            "\\frac1",
+            "\\hat",
+            "\\mathbf{",
+            "\\not",
+            "\\begin{cases}",
+            "\\overset{",
+            "x_",
+            "\\mathrm",
+            "\\frac 1 ",
+            "\\overset x",
+            "\\sqrt[",
+            "\\left",
+            "\\hat ",
+            "^\\hat",
         ] {
             let latex = unit.repeat(3_900 / unit.len());
             std::thread::Builder::new()

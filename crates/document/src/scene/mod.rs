@@ -1,5 +1,14 @@
 //! The drawing: SVG with `{expressions}`, reduced to what is known to be harmless.
 
+mod allowed;
+mod build;
+mod style;
+mod template;
+mod xml;
+
+pub(crate) use build::{build, has_word};
+pub(crate) use template::normalised;
+
 use model::Compiled;
 
 /// A drawing whose attributes and texts follow the model.
@@ -29,7 +38,8 @@ pub struct Element {
 pub struct Attribute {
     /// Its name.
     pub name: String,
-    /// Its value; values in it are written as bare SI numbers.
+    /// Its value; values in it are written as bare SI numbers. While one of them is not finite, the attribute keeps what
+    /// it had.
     pub value: Template,
 }
 

@@ -1,0 +1,327 @@
+//! Expressions outside the model: read, completed with the scene's own names, and compiled against the model.
+
+use crate::Assignment;
+use model::{
+    Compiled, Diagnostic, Expression, ExpressionKind, Kind, Model, Span, StatedUnit, StatementKind,
+};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// How many nodes an expression may have, and how deep they may be nested, when the scene's own names have been replaced
+/// by what they stand for.
+const NODES: usize = 5_000;
+const DEPTH: usize = 150;
+
+/// Reads and compiles expressions of one document.
+pub struct Expressions<'a> {
+    /// The document.
+    pub source: &'a str,
+    /// The model, to whose graph they are added.
+    pub model: &'a mut Model,
+    /// What was found.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Names that mean an expression.
+    local: BTreeMap<String, Expression>,
+}
+
+impl<'a> Expressions<'a> {
+    /// For the expressions of `source`.
+    pub fn new(source: &'a str, model: &'a mut Model) -> Self {
+        Self {
+            source,
+            model,
+            diagnostics: Vec::new(),
+            local: BTreeMap::new(),
+        }
+    }
+
+    /// The expression that fills `range`. None if it has an error.
+    pub fn compile(&mut self, range: Range<usize>) -> Option<Compiled> {
+        let (expression, unit, diagnostics) = model::parse_expression(self.source, range);
+        let failed = model::has_errors(&diagnostics);
+        self.diagnostics.extend(diagnostics);
+        if failed {
+            None
+        } else {
+            self.finish(expression, unit.as_ref())
+        }
+    }
+
+    /// The number that fills `range`.
+    pub fn number(&mut self, range: Range<usize>) -> Option<Compiled> {
+        let compiled = self.compile(range)?;
+        self.expect_number(compiled)
+    }
+
+    /// The number that fills `range` and stays the same during a run.
+    pub fn constant(&mut self, range: Range<usize>, what: &str) -> Option<Compiled> {
+        let compiled = self.number(range)?;
+        self.expect_constant(compiled, what)
+    }
+
+    /// `rho = 13534 [kg/m^3], b = 2*m*omega_0`
+    pub fn assignments(&mut self, range: Range<usize>) -> Vec<Assignment> {
+        let (assignments, diagnostics) = model::parse_assignments(self.source, range);
+        self.diagnostics.extend(diagnostics);
+        let mut result: Vec<Assignment> = Vec::new();
+        for assignment in assignments {
+            let name = &assignment.name;
+            let Some(parameter) = self.parameter(name) else {
+                continue;
+            };
+            if result.iter().any(|earlier| earlier.parameter == parameter) {
+                self.error(
+                    "duplicate-name",
+                    format!("`{}` is set twice", name.text),
+                    name.span,
+                );
+                continue;
+            }
+            let Some(value) = self.finish(assignment.value, assignment.unit.as_ref()) else {
+                continue;
+            };
+            let Some(value) = self.expect_number(value) else {
+                continue;
+            };
+            let Some(value) = self.expect_constant(value, "the value of a parameter") else {
+                continue;
+            };
+            let declared = &self.model.parameters[parameter];
+            if value.dimension() != declared.unit.dimension {
+                let diagnostic = dimension_error(
+                    format!("`{}` cannot have this value", name.text),
+                    (value.span, value.dimension()),
+                    (declared.span, declared.unit.dimension),
+                );
+                self.diagnostics.push(diagnostic);
+                continue;
+            }
+            result.push(Assignment { parameter, value });
+        }
+        result
+    }
+
+    /// Which parameter a name is.
+    fn parameter(&mut self, name: &model::Name) -> Option<usize> {
+        let found = self
+            .model
+            .parameters
+            .iter()
+            .position(|parameter| parameter.name == name.text);
+        if found.is_none() {
+            let message = format!("`{}` is not a parameter of the model", name.text);
+            let names = self
+                .model
+                .parameters
+                .iter()
+                .map(|parameter| parameter.name.as_str());
+            let hint = match crate::near::nearest(&name.text, names) {
+                Some(near) => Some(format!("did you mean `{near}`?")),
+                None if self.model.lookup(&name.text, 0).is_some() => Some(
+                    "only parameters can be set; what is computed follows from them".to_owned(),
+                ),
+                None => None,
+            };
+            let mut diagnostic = Diagnostic::error("unknown-name", message, name.span);
+            diagnostic.hints.extend(hint);
+            self.diagnostics.push(diagnostic);
+        }
+        found
+    }
+
+    /// Reads definitions `name = expression`, which later expressions may use.
+    pub fn define(&mut self, range: Range<usize>) {
+        let (statements, diagnostics) = model::parse(self.source, &[range]);
+        self.diagnostics.extend(diagnostics);
+        for statement in statements {
+            let StatementKind::Definition {
+                name,
+                mut value,
+                unit,
+            } = statement.kind
+            else {
+                self.error(
+                    "scene-definition",
+                    "before the drawing only definitions can stand: `name = expression`",
+                    statement.span,
+                );
+                continue;
+            };
+            if self.model.lookup(&name.text, 0).is_some() {
+                self.error(
+                    "duplicate-name",
+                    format!("`{}` is already a name of the model", name.text),
+                    name.span,
+                );
+            } else if self.local.contains_key(&name.text) {
+                self.error(
+                    "duplicate-name",
+                    format!("`{}` is defined twice", name.text),
+                    name.span,
+                );
+            } else {
+                let whole = value.clone();
+                if self.finish(whole, unit.as_ref()).is_none() {
+                    // Said once, here; what uses the name is passed over.
+                    value.kind = ExpressionKind::Error;
+                } else {
+                    self.replace(&mut value, &mut 0);
+                }
+                self.local.insert(name.text, value);
+            }
+        }
+    }
+
+    /// Forgets the names that [`Self::define`] has read.
+    pub fn forget(&mut self) {
+        self.local.clear();
+    }
+
+    fn finish(
+        &mut self,
+        mut expression: Expression,
+        unit: Option<&StatedUnit>,
+    ) -> Option<Compiled> {
+        let mut nodes = 0;
+        self.replace(&mut expression, &mut nodes);
+        if nodes > NODES || depth(&expression) > DEPTH {
+            self.error(
+                "too-large",
+                "with the scene's own names written out this expression is too large",
+                expression.span,
+            );
+            return None;
+        }
+        if has_gap(&expression) {
+            return None;
+        }
+        match self.model.compile_expression(&expression, unit) {
+            Ok(compiled) => Some(compiled),
+            Err(diagnostics) => {
+                self.diagnostics.extend(diagnostics);
+                None
+            }
+        }
+    }
+
+    /// Puts expressions in the place of the scene's own names, counting nodes; stops when there are too many.
+    fn replace(&self, expression: &mut Expression, nodes: &mut usize) {
+        *nodes += 1;
+        if *nodes > NODES {
+            return;
+        }
+        if let ExpressionKind::Name { name, order: 0 } = &expression.kind
+            && let Some(meaning) = self.local.get(name)
+        {
+            // Its own names were replaced when it was defined.
+            expression.kind = meaning.kind.clone();
+            *nodes += count(expression);
+            return;
+        }
+        for operand in operands_mut(expression) {
+            self.replace(operand, nodes);
+        }
+    }
+
+    fn expect_number(&mut self, compiled: Compiled) -> Option<Compiled> {
+        let what = match compiled.kind {
+            Kind::Number => return Some(compiled),
+            Kind::Truth => "this is true or false, and a number is needed",
+            Kind::Text => "this is a text, and a number is needed",
+        };
+        self.error("not-a-number", what, compiled.span);
+        None
+    }
+
+    fn expect_constant(&mut self, compiled: Compiled, what: &str) -> Option<Compiled> {
+        let dependence = self.model.depends(compiled.node);
+        let culprit = match dependence.states.first() {
+            Some(state) => format!("`{}`", self.model.states[*state as usize].name()),
+            None if dependence.independent => format!("`{}`", self.model.independent.name),
+            None => return Some(compiled),
+        };
+        self.diagnostics.push(
+            Diagnostic::error(
+                "varies",
+                format!("{what} cannot change during the run"),
+                compiled.span,
+            )
+            .saying(format!("depends on {culprit}"))
+            .with_hint(
+                "use parameters, quantities made of them, and values at the start such as `y(0)`",
+            ),
+        );
+        None
+    }
+
+    /// Adds an error.
+    pub fn error(&mut self, code: &'static str, message: impl Into<String>, span: Span) {
+        self.diagnostics
+            .push(Diagnostic::error(code, message, span));
+    }
+}
+
+/// An error that shows the dimension there is and the one there should be.
+pub fn dimension_error(
+    message: String,
+    found: (Span, units::Dimension),
+    expected: (Span, units::Dimension),
+) -> Diagnostic {
+    let describe = |dimension: units::Dimension| {
+        let names = dimension.quantity_names().join(", ");
+        let text = if dimension.is_none() {
+            "a pure number".to_owned()
+        } else {
+            dimension.to_string()
+        };
+        if names.is_empty() || dimension.is_none() {
+            text
+        } else {
+            format!("{text} ({names})")
+        }
+    };
+    Diagnostic::error("dimension-mismatch", message, found.0)
+        .saying(describe(found.1))
+        .with_label(expected.0, describe(expected.1))
+}
+
+/// Whether something in an expression could not be read.
+fn has_gap(expression: &Expression) -> bool {
+    matches!(expression.kind, ExpressionKind::Error)
+        || operands(expression).into_iter().any(has_gap)
+}
+
+fn count(expression: &Expression) -> usize {
+    1 + operands(expression).into_iter().map(count).sum::<usize>()
+}
+
+/// Stops counting a little beyond [`DEPTH`].
+fn depth(expression: &Expression) -> usize {
+    let mut level = vec![expression];
+    let mut depth = 0;
+    while !level.is_empty() && depth <= DEPTH {
+        level = level.into_iter().flat_map(operands).collect();
+        depth += 1;
+    }
+    depth
+}
+
+fn operands(expression: &Expression) -> Vec<&Expression> {
+    match &expression.kind {
+        ExpressionKind::Unary(_, operand) => vec![operand],
+        ExpressionKind::Binary(_, left, right) => vec![left, right],
+        ExpressionKind::If(condition, yes, no) => vec![condition, yes, no],
+        ExpressionKind::Call { arguments, .. } => arguments.iter().collect(),
+        _ => Vec::new(),
+    }
+}
+
+fn operands_mut(expression: &mut Expression) -> Vec<&mut Expression> {
+    match &mut expression.kind {
+        ExpressionKind::Unary(_, operand) => vec![operand],
+        ExpressionKind::Binary(_, left, right) => vec![left, right],
+        ExpressionKind::If(condition, yes, no) => vec![condition, yes, no],
+        ExpressionKind::Call { arguments, .. } => arguments.iter_mut().collect(),
+        _ => Vec::new(),
+    }
+}

@@ -1,0 +1,178 @@
+//! Questions: words, and an answer that the document computes.
+
+use crate::expressions::{Expressions, dimension_error};
+use crate::prose::Prose;
+use crate::scan::find_word;
+use crate::source::{lines, trim};
+use crate::{Question, QuestionText, Tolerance};
+use model::{Diagnostic, ExpressionKind, Span};
+use std::ops::Range;
+
+/// How many questions a document may have.
+pub const QUESTIONS: usize = 200;
+
+/// The keys of a question; what stands before the first is the question itself.
+const KEYS: [&str; 4] = ["set", "answer", "hint", "explanation"];
+
+/// A question as written.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct RawQuestion {
+    /// Where it stands, without its fence.
+    pub place: Range<usize>,
+    prompt: Range<usize>,
+    fields: Vec<(&'static str, Range<usize>)>,
+}
+
+impl RawQuestion {
+    fn field(&self, key: &str) -> Option<Range<usize>> {
+        self.fields
+            .iter()
+            .find(|(name, _)| *name == key)
+            .map(|(_, range)| range.clone())
+    }
+}
+
+/// Takes the question in `range` apart. A key goes on until the next key.
+pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> RawQuestion {
+    let mut question = RawQuestion {
+        place: trim(source, range.clone()),
+        ..RawQuestion::default()
+    };
+    question.prompt = range.start..range.end;
+    for line in lines(source, range.clone()) {
+        let Some((word, _)) = line.text(source).split_once(':') else {
+            continue;
+        };
+        let Some(key) = KEYS.iter().find(|key| **key == word) else {
+            continue;
+        };
+        match question.fields.last_mut() {
+            Some((_, last)) => last.end = line.start,
+            None => question.prompt.end = line.start,
+        }
+        if question.field(key).is_some() {
+            let span = Span::new(line.start, line.start + key.len());
+            diagnostics.push(Diagnostic::error(
+                "duplicate-key",
+                format!("the question has two `{key}:`"),
+                span,
+            ));
+        }
+        question
+            .fields
+            .push((key, line.start + key.len() + 1..range.end));
+    }
+    question
+}
+
+/// The words of a question.
+pub fn words(prose: &mut Prose, raw: &RawQuestion) -> QuestionText {
+    QuestionText {
+        prompt: prose.fragment(raw.prompt.clone()),
+        hint: raw.field("hint").map(|range| prose.fragment(range)),
+        explanation: raw.field("explanation").map(|range| prose.fragment(range)),
+    }
+}
+
+/// A question of a translation has words only.
+pub fn check_translation(raw: &RawQuestion, diagnostics: &mut Vec<Diagnostic>) {
+    for (key, range) in &raw.fields {
+        if matches!(*key, "answer" | "set") {
+            let span = Span::new(range.start - key.len() - 1, range.end);
+            diagnostics.push(
+                Diagnostic::warning(
+                    "translation",
+                    format!("`{key}:` in a translation means nothing"),
+                    span,
+                )
+                .with_hint("the original says it; a translation has the words only"),
+            );
+        }
+    }
+}
+
+/// Compiles what a question computes.
+pub fn compile(expressions: &mut Expressions, raw: &RawQuestion) -> Option<Question> {
+    let source = expressions.source;
+    let span = Span::new(raw.place.start, raw.place.end);
+    let Some(answer) = raw.field("answer") else {
+        expressions.diagnostics.push(
+            Diagnostic::error("question-syntax", "the question has no answer", span)
+                .with_hint("add a line such as `answer: 2*pi/omega_d in [s] within 2 %`"),
+        );
+        return None;
+    };
+    let setup = raw
+        .field("set")
+        .map_or(Vec::new(), |range| expressions.assignments(range));
+    let answer = trim(source, answer);
+    let Some(within) = find_word(source, answer.clone(), "within") else {
+        expressions.diagnostics.push(
+            Diagnostic::error(
+                "question-syntax",
+                "how exact must the answer be?",
+                Span::new(answer.start, answer.end),
+            )
+            .with_hint("end it with `within 2 %` or, say, `within 0.1 [s]`"),
+        );
+        return None;
+    };
+    let compiled = expressions.constant(answer.start..within.start, "an answer")?;
+    let tolerance = tolerance(expressions, trim(source, within.end..answer.end), &compiled)?;
+    Some(Question {
+        setup,
+        unit: compiled.unit.clone(),
+        answer: compiled,
+        tolerance,
+        span,
+    })
+}
+
+/// `2 %` or `0.1 [s]`
+fn tolerance(
+    expressions: &mut Expressions,
+    range: Range<usize>,
+    answer: &model::Compiled,
+) -> Option<Tolerance> {
+    let span = Span::new(range.start, range.end);
+    let text = &expressions.source[range.clone()];
+    let tolerance = if let Some(percent) = text.strip_suffix('%') {
+        percent
+            .trim()
+            .parse()
+            .ok()
+            .map(|percent: f64| Tolerance::Relative(percent / 100.0))
+    } else {
+        let (expression, _, _) = model::parse_expression(expressions.source, range);
+        match expression.kind {
+            ExpressionKind::Number { value, unit } => {
+                let unit = unit.unwrap_or_else(units::Unit::dimensionless);
+                if unit.dimension != answer.dimension() {
+                    let message =
+                        "the tolerance and the answer have different dimensions".to_owned();
+                    let expected = (answer.span, answer.dimension());
+                    expressions.diagnostics.push(dimension_error(
+                        message,
+                        (span, unit.dimension),
+                        expected,
+                    ));
+                    return None;
+                }
+                Some(Tolerance::Absolute(unit.to_si(value)))
+            }
+            _ => None,
+        }
+    };
+    let is_sensible = |tolerance: &Tolerance| {
+        let (Tolerance::Relative(amount) | Tolerance::Absolute(amount)) = tolerance;
+        amount.is_finite() && *amount > 0.0
+    };
+    let tolerance = tolerance.filter(is_sensible);
+    if tolerance.is_none() {
+        expressions.diagnostics.push(
+            Diagnostic::error("question-syntax", "a tolerance is a positive number", span)
+                .with_hint("write `within 2 %` or, say, `within 0.1 [s]`"),
+        );
+    }
+    tolerance
+}

@@ -1,0 +1,134 @@
+//! Finding commas, colons and words outside brackets, quotation marks and comments.
+
+use std::ops::Range;
+
+/// The characters of `range` that stand outside brackets, texts and comments, with their places.
+pub fn top_level(source: &str, range: Range<usize>) -> impl Iterator<Item = (usize, char)> {
+    let start = range.start;
+    let mut depth = 0usize;
+    let mut quoted = false;
+    let mut comment = false;
+    source[range]
+        .char_indices()
+        .filter_map(move |(at, letter)| {
+            let outside = !quoted && !comment && depth == 0;
+            match letter {
+                '\n' => {
+                    comment = false;
+                    quoted = false;
+                }
+                _ if comment => {}
+                '"' => quoted = !quoted,
+                _ if quoted => {}
+                '#' => {
+                    comment = true;
+                    return None;
+                }
+                '(' | '[' | '{' => depth += 1,
+                ')' | ']' | '}' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            outside.then_some((start + at, letter))
+        })
+}
+
+/// The parts of `range` between the `separator`s at the top level.
+pub fn split(source: &str, range: Range<usize>, separator: char) -> Vec<Range<usize>> {
+    let mut parts = Vec::new();
+    let mut start = range.start;
+    for (at, letter) in top_level(source, range.clone()) {
+        if letter == separator {
+            parts.push(start..at);
+            start = at + separator.len_utf8();
+        }
+    }
+    parts.push(start..range.end);
+    parts
+}
+
+/// The place of the last `word` at the top level.
+pub fn find_word(source: &str, range: Range<usize>, word: &str) -> Option<Range<usize>> {
+    let is_boundary =
+        |letter: Option<char>| letter.is_none_or(|c| !c.is_alphanumeric() && c != '_');
+    top_level(source, range.clone())
+        .filter(|(at, _)| source[*at..range.end].starts_with(word))
+        .filter(|(at, _)| {
+            is_boundary(source[range.start..*at].chars().next_back())
+                && is_boundary(source[at + word.len()..range.end].chars().next())
+        })
+        .map(|(at, _)| at..at + word.len())
+        .last()
+}
+
+/// The text in quotation marks with which `range` begins: the text inside, and where it ends, marks included.
+pub fn leading_text(source: &str, range: Range<usize>) -> Option<(&str, usize)> {
+    let inner = source[range.clone()].strip_prefix('"')?;
+    let end = inner.find(['"', '\n'])?;
+    inner[end..]
+        .starts_with('"')
+        .then(|| (&inner[..end], range.start + end + 2))
+}
+
+/// The statements in `range`: lines, where one that ends with a comma or colon goes on in the next. Comments and empty
+/// lines are left out.
+pub fn statements(source: &str, range: Range<usize>) -> Vec<Range<usize>> {
+    let mut statements: Vec<Range<usize>> = Vec::new();
+    let mut goes_on = false;
+    for line in crate::source::lines(source, range) {
+        let line = without_comment(source, line.range());
+        if line.is_empty() {
+            continue;
+        }
+        match statements.last_mut() {
+            Some(last) if goes_on => last.end = line.end,
+            _ => statements.push(line.clone()),
+        }
+        goes_on = source[line].ends_with([',', ':']);
+    }
+    statements
+}
+
+/// A line without its comment and the blanks around it.
+fn without_comment(source: &str, line: Range<usize>) -> Range<usize> {
+    let mut quoted = false;
+    let end = source[line.clone()]
+        .find(|letter| {
+            quoted ^= letter == '"';
+            letter == '#' && !quoted
+        })
+        .map_or(line.end, |at| line.start + at);
+    crate::source::trim(source, line.start..end)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn separators_inside_brackets_and_texts_do_not_count() {
+        let source = "f(a, b), \"c, d\" [m, s], e # f, g";
+        let parts: Vec<_> = split(source, 0..source.len(), ',')
+            .into_iter()
+            .map(|part| &source[part])
+            .collect();
+        assert_eq!(parts, ["f(a, b)", " \"c, d\" [m, s]", " e # f, g"]);
+    }
+
+    #[test]
+    fn words_are_whole() {
+        let source = "against_x, (against) against t";
+        assert_eq!(find_word(source, 0..source.len(), "against"), Some(21..28));
+        assert_eq!(find_word("x againsty", 0..10, "against"), None);
+        assert_eq!(find_word("é within é", 0..12, "within"), Some(3..9));
+    }
+
+    #[test]
+    fn statements_go_on_after_commas() {
+        let source = "# a\n\"b # c\": d, # e\n  f\n\ng";
+        let found: Vec<_> = statements(source, 0..source.len())
+            .into_iter()
+            .map(|range| &source[range])
+            .collect();
+        assert_eq!(found, ["\"b # c\": d, # e\n  f", "g"]);
+    }
+}

@@ -1,0 +1,186 @@
+//! Texts with `{expressions}` in them.
+
+use super::xml::placeholder;
+use model::{Diagnostic, Span};
+use std::ops::Range;
+
+/// A part of a text, not compiled.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum RawPiece {
+    /// A text, decoded.
+    Literal(String),
+    /// `{expression:.2}`
+    Placeholder {
+        /// The expression.
+        expression: Range<usize>,
+        /// How many decimals are asked for.
+        decimals: Option<u8>,
+    },
+}
+
+/// Takes the text in `range` of `source` apart.
+pub fn split(
+    source: &str,
+    range: Range<usize>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<RawPiece> {
+    let mut pieces = Vec::new();
+    let mut literal = String::new();
+    let mut at = range.start;
+    while let Some(letter) = source[at..range.end].chars().next() {
+        let rest = &source[at..range.end];
+        let length = match letter {
+            '{' | '}' => match placeholder(rest) {
+                Some(2) if rest.starts_with("{{") || rest.starts_with("}}") => {
+                    literal.push(letter);
+                    2
+                }
+                Some(length) => {
+                    if !literal.is_empty() {
+                        pieces.push(RawPiece::Literal(std::mem::take(&mut literal)));
+                    }
+                    pieces.push(read_placeholder(source, at + 1..at + length - 1));
+                    length
+                }
+                None => {
+                    diagnostics.push(
+                        Diagnostic::error("scene-brace", format!("this `{letter}` has no partner on its line"), Span::new(at, at + 1))
+                            .with_hint(format!("an expression stands in `{{...}}`; for the character itself write `{letter}{letter}`")),
+                    );
+                    literal.push(letter);
+                    1
+                }
+            },
+            '&' => read_entity(rest, Span::new(at, at + 1), &mut literal, diagnostics),
+            _ => {
+                literal.push(letter);
+                letter.len_utf8()
+            }
+        };
+        at += length;
+    }
+    if !literal.is_empty() {
+        pieces.push(RawPiece::Literal(literal));
+    }
+    pieces
+}
+
+/// `t:.2`, without its braces.
+fn read_placeholder(source: &str, range: Range<usize>) -> RawPiece {
+    let text = &source[range.clone()];
+    let format = text.rsplit_once(":.").and_then(|(expression, digits)| {
+        let decimals: u8 = digits
+            .trim()
+            .parse()
+            .ok()
+            .filter(|decimals| *decimals <= 12)?;
+        Some((range.start..range.start + expression.len(), decimals))
+    });
+    match format {
+        Some((expression, decimals)) => RawPiece::Placeholder {
+            expression,
+            decimals: Some(decimals),
+        },
+        None => RawPiece::Placeholder {
+            expression: range,
+            decimals: None,
+        },
+    }
+}
+
+/// Decodes `&lt;`, `&#916;` and the like. The length of what was read.
+fn read_entity(
+    text: &str,
+    place: Span,
+    literal: &mut String,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> usize {
+    let name = text[1..]
+        .find(';')
+        .filter(|end| *end <= 8)
+        .map(|end| &text[1..1 + end]);
+    let decoded = name.and_then(|name| match name {
+        "lt" => Some('<'),
+        "gt" => Some('>'),
+        "amp" => Some('&'),
+        "quot" => Some('"'),
+        "apos" => Some('\''),
+        "nbsp" => Some('\u{a0}'),
+        _ => {
+            let number = name.strip_prefix('#')?;
+            let code = match number.strip_prefix(['x', 'X']) {
+                Some(hexadecimal) => u32::from_str_radix(hexadecimal, 16).ok()?,
+                None => number.parse().ok()?,
+            };
+            char::from_u32(code).filter(|c| !c.is_control())
+        }
+    });
+    match (name, decoded) {
+        (Some(name), Some(letter)) => {
+            literal.push(letter);
+            name.len() + 2
+        }
+        _ => {
+            diagnostics.push(
+                Diagnostic::error("scene-syntax", "this `&` begins no character", place)
+                    .with_hint("for the character itself write `&amp;`"),
+            );
+            literal.push('&');
+            1
+        }
+    }
+}
+
+/// Blanks as a browser shows them: one for any number. The key under which a text is translated.
+pub fn normalised(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(text: &str, expected: &[&str], messages: &[&str]) {
+        let mut diagnostics = Vec::new();
+        let pieces: Vec<String> = split(text, 0..text.len(), &mut diagnostics)
+            .into_iter()
+            .map(|piece| match piece {
+                RawPiece::Literal(text) => format!("{text:?}"),
+                RawPiece::Placeholder {
+                    expression,
+                    decimals,
+                } => format!("{} {decimals:?}", &text[expression]),
+            })
+            .collect();
+        assert_eq!(pieces, expected);
+        assert_eq!(
+            diagnostics
+                .iter()
+                .map(|d| d.message.as_str())
+                .collect::<Vec<_>>(),
+            messages
+        );
+    }
+
+    #[test]
+    fn placeholders_stand_in_braces() {
+        check("t = {t:.2}", &["\"t = \"", "t Some(2)"], &[]);
+        check("{y in [cm]}{a < b}", &["y in [cm] None", "a < b None"], &[]);
+        check("{{x}} &lt;&#916;&#x394;&nbsp;", &[r#""{x} <ΔΔ\u{a0}""#], &[]);
+    }
+
+    #[test]
+    fn faults_are_literal() {
+        check("{y", &["\"{y\""], &["this `{` has no partner on its line"]);
+        check(
+            "y} é",
+            &["\"y} é\""],
+            &["this `}` has no partner on its line"],
+        );
+        check(
+            "a & b &#0; &x;",
+            &["\"a & b &#0; &x;\""],
+            &["this `&` begins no character"; 3],
+        );
+    }
+}

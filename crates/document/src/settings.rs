@@ -1,0 +1,144 @@
+//! What the front matter says about the run.
+
+use crate::expressions::dimension_error;
+use crate::front_matter::{FrontMatter, Value};
+use model::{Diagnostic, Model, Span};
+use units::{Dimension, Unit};
+
+/// The front matter, checked. Values are SI.
+pub struct Settings {
+    /// The title; `Untitled` without one.
+    pub title: String,
+    /// The language; `en` unless stated.
+    pub language: String,
+    /// The method's name as written.
+    pub method: Option<Value>,
+    /// The step of the independent variable.
+    pub step: Option<f64>,
+    /// Where the run stops.
+    pub until: Option<f64>,
+    /// The relative tolerance of adaptive methods.
+    pub tolerance: Option<f64>,
+}
+
+/// Checks the front matter against the model.
+pub fn read(matter: &FrontMatter, model: &Model, diagnostics: &mut Vec<Diagnostic>) -> Settings {
+    let independent = &model.independent.unit;
+    let language = matter.get("language").filter(|language| {
+        let good = is_language(&language.text);
+        if !good {
+            diagnostics.push(
+                Diagnostic::error(
+                    "language",
+                    format!("`{}` is not a language", language.text),
+                    language.span,
+                )
+                .with_hint("write its code, such as `en`, `es` or `pt-BR`"),
+            );
+        }
+        good
+    });
+    Settings {
+        title: matter
+            .get("title")
+            .map_or_else(|| "Untitled".to_owned(), |title| title.text.clone()),
+        language: language.map_or_else(|| "en".to_owned(), |language| language.text.clone()),
+        method: matter.get("method").cloned(),
+        step: matter
+            .get("step")
+            .and_then(|value| quantity("step", value, independent, diagnostics)),
+        until: matter
+            .get("until")
+            .and_then(|value| quantity("until", value, independent, diagnostics)),
+        tolerance: matter
+            .get("tolerance")
+            .and_then(|value| tolerance(value, diagnostics)),
+    }
+}
+
+/// Whether a text can be a language code (BCP 47, roughly).
+pub fn is_language(text: &str) -> bool {
+    text.len() <= 20
+        && text.split('-').all(|part| {
+            (1..=8).contains(&part.len()) && part.chars().all(|c| c.is_ascii_alphanumeric())
+        })
+        && text.starts_with(|c: char| c.is_ascii_alphabetic())
+}
+
+fn tolerance(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
+    let tolerance = quantity("tolerance", value, &Unit::dimensionless(), diagnostics)?;
+    if tolerance <= 0.1 {
+        return Some(tolerance);
+    }
+    diagnostics.push(
+        Diagnostic::error("setting", "the tolerance is too large", value.span)
+            .with_hint("it is relative; `1e-8` is usual and 0.1 the greatest"),
+    );
+    None
+}
+
+/// A positive number, bare (then in `unit`) or with a unit of its dimension. SI.
+fn quantity(
+    key: &str,
+    value: &Value,
+    unit: &Unit,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<f64> {
+    let (number, stated) = match value.text.split_once('[') {
+        Some((number, rest)) => (number.trim(), rest.trim_end().strip_suffix(']')),
+        None => (value.text.as_str(), Some("")),
+    };
+    let malformed = || {
+        let example = if unit.text.is_empty() {
+            format!("{key}: 1e-8")
+        } else {
+            format!("{key}: 0.05 [{unit}]")
+        };
+        Diagnostic::error(
+            "setting",
+            format!("`{key}` must be a positive number"),
+            value.span,
+        )
+        .with_hint(format!("write `{example}`"))
+    };
+    let number: Option<f64> = number
+        .parse()
+        .ok()
+        .filter(|number: &f64| number.is_finite() && *number > 0.0);
+    let (Some(number), Some(stated)) = (number, stated) else {
+        diagnostics.push(malformed());
+        return None;
+    };
+    if stated.is_empty() {
+        return Some(unit.to_si(number));
+    }
+    match Unit::parse(stated) {
+        Ok(stated) if stated.dimension == unit.dimension => Some(stated.to_si(number)),
+        Ok(stated) => {
+            diagnostics.push(mismatch(key, value.span, stated.dimension, unit.dimension));
+            None
+        }
+        Err(error) => {
+            let mut diagnostic = Diagnostic::error(error.code, error.message, value.span);
+            diagnostic.hints.extend(error.hint);
+            diagnostics.push(diagnostic);
+            None
+        }
+    }
+}
+
+fn mismatch(key: &str, span: Span, found: Dimension, expected: Dimension) -> Diagnostic {
+    let mut diagnostic = dimension_error(
+        format!("`{key}` has the wrong dimension"),
+        (span, found),
+        (span, expected),
+    );
+    // Both labels would lie on one another.
+    let expected = diagnostic
+        .labels
+        .pop()
+        .map(|label| label.text)
+        .unwrap_or_default();
+    diagnostic = diagnostic.with_note(format!("it must be {expected}"));
+    diagnostic
+}

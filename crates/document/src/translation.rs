@@ -1,0 +1,121 @@
+//! The texts of a document in another language: lines `"Damping" = "Amortiguamiento"`.
+
+use crate::near::nearest;
+use crate::scan::{leading_text, statements};
+use crate::scene::normalised;
+use crate::source::trim;
+use model::{Diagnostic, Span};
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+
+/// Texts and their translations.
+#[derive(Debug, Default)]
+pub struct Texts {
+    entries: BTreeMap<String, Entry>,
+    known: BTreeSet<String>,
+    missing: BTreeSet<String>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+#[derive(Debug)]
+struct Entry {
+    text: String,
+    span: Span,
+}
+
+impl Texts {
+    /// Reads the translations in `range`.
+    pub fn read(&mut self, source: &str, range: Range<usize>) {
+        for statement in statements(source, range) {
+            let span = Span::new(statement.start, statement.end);
+            let Some((original, text)) = entry(source, statement) else {
+                self.diagnostics.push(
+                    Diagnostic::error(
+                        "translation",
+                        "a translation is a text, `=` and a text",
+                        span,
+                    )
+                    .with_hint("write `\"Damping\" = \"Amortiguamiento\"`"),
+                );
+                continue;
+            };
+            let original = normalised(original);
+            if let Some(first) = self.entries.get(&original) {
+                let message = format!("\"{original}\" is translated twice");
+                self.diagnostics.push(
+                    Diagnostic::error("translation", message, span)
+                        .with_label(first.span, "here first"),
+                );
+                continue;
+            }
+            self.entries.insert(
+                original,
+                Entry {
+                    text: text.to_owned(),
+                    span,
+                },
+            );
+        }
+    }
+
+    /// The translation of a text of the document and where it stands. `needed` says whether one should be missed.
+    pub fn translate(&mut self, original: &str, needed: bool) -> Option<(String, Span)> {
+        let key = normalised(original);
+        let found = self
+            .entries
+            .get(&key)
+            .map(|entry| (entry.text.clone(), entry.span));
+        if found.is_none() && needed {
+            self.missing.insert(key.clone());
+        }
+        self.known.insert(key);
+        found
+    }
+
+    /// Adds a finding about a translation.
+    pub fn refuse(&mut self, diagnostic: Diagnostic) {
+        self.diagnostics.push(diagnostic);
+    }
+
+    /// What was found, together with what is missing (reported at `place`) and what translates nothing.
+    pub fn finish(mut self, place: Span) -> Vec<Diagnostic> {
+        for (original, entry) in &self.entries {
+            if self.known.contains(original) {
+                continue;
+            }
+            let message = format!("the document has no text \"{original}\"");
+            let mut diagnostic = Diagnostic::warning("translation", message, entry.span);
+            let near = nearest(original, self.missing.iter().map(String::as_str));
+            diagnostic
+                .hints
+                .extend(near.map(|near| format!("did you mean \"{near}\"?")));
+            self.diagnostics.push(diagnostic);
+        }
+        if !self.missing.is_empty() {
+            let message = match self.missing.len() {
+                1 => "a text has no translation".to_owned(),
+                number => format!("{number} texts have no translation"),
+            };
+            let mut diagnostic = Diagnostic::warning("untranslated", message, place);
+            for text in self.missing.iter().take(20) {
+                diagnostic = diagnostic.with_note(format!("\"{text}\""));
+            }
+            self.diagnostics.push(
+                diagnostic.with_hint("add them to a `translations` block: `\"Damping\" = \"...\"`"),
+            );
+        }
+        self.diagnostics
+    }
+}
+
+/// `"original" = "translation"`
+fn entry(source: &str, statement: Range<usize>) -> Option<(&str, &str)> {
+    let (original, end) = leading_text(source, statement.clone())?;
+    let equals = trim(source, end..statement.end);
+    if !source[equals.clone()].starts_with('=') {
+        return None;
+    }
+    let rest = trim(source, equals.start + 1..equals.end);
+    let (text, end) = leading_text(source, rest.clone())?;
+    (end == rest.end && !original.trim().is_empty()).then_some((original, text))
+}

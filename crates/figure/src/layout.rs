@@ -149,6 +149,9 @@ impl Figure {
         for (index, ticks) in self.y_ticks.iter().enumerate() {
             let labels = ticks.widest_label(small, self.decimal_comma);
             let mut gutter = labels + TICK + 0.4 * font;
+            if index > 0 && index + 1 < plot.y.len() {
+                gutter += font;
+            }
             if index >= 2 {
                 let mut title = String::new();
                 let axis = &plot.y[index];

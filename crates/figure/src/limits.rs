@@ -21,7 +21,7 @@ pub(crate) fn drawable(value: f64) -> bool {
 pub(crate) struct Extent {
     pub(crate) low: f64,
     pub(crate) high: f64,
-    /// Whether the values both rise and fall somewhere.
+    /// Whether the values both rise and fall somewhere, as far as it matters for showing them close up.
     pub(crate) turned: bool,
 }
 
@@ -35,19 +35,33 @@ impl Extent {
 
     /// The extent of the drawable values of a column.
     pub(crate) fn of(column: &[f64]) -> Extent {
-        let mut extent = Extent::EMPTY;
-        let (mut rises, mut falls) = (false, false);
-        let mut previous = f64::NAN;
+        // This runs over every row for every frame: comparisons alone, which are false for what is not a number.
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for &value in column {
-            if drawable(value) {
-                extent.low = extent.low.min(value);
-                extent.high = extent.high.max(value);
-                rises |= value > previous;
-                falls |= value < previous;
-                previous = value;
-            }
+            low = if value < low && value >= -LARGEST {
+                value
+            } else {
+                low
+            };
+            high = if value > high && value <= LARGEST {
+                value
+            } else {
+                high
+            };
         }
-        extent.turned = rises && falls;
+        // Values beyond the largest on one side must not count on the other.
+        low = if low > LARGEST { f64::INFINITY } else { low };
+        high = if high < -LARGEST {
+            f64::NEG_INFINITY
+        } else {
+            high
+        };
+        let mut extent = Extent {
+            low,
+            high,
+            turned: true,
+        };
+        extent.turned = extent.close_up() && turns(column);
         extent
     }
 
@@ -99,6 +113,21 @@ impl Extent {
             && length < 0.3 * magnitude
             && length > 1e-4 * magnitude
     }
+}
+
+/// Whether the drawable values of a column both rise and fall.
+fn turns(column: &[f64]) -> bool {
+    let (mut rises, mut falls) = (false, false);
+    let mut previous = f64::NAN;
+    for &value in column.iter().filter(|value| drawable(**value)) {
+        rises |= value > previous;
+        falls |= value < previous;
+        previous = value;
+        if rises && falls {
+            return true;
+        }
+    }
+    false
 }
 
 /// An interval that can be drawn: finite, and long enough for doubles to tell its pixels apart.
@@ -360,15 +389,28 @@ mod tests {
 
     #[test]
     fn extents_leave_out_what_cannot_be_drawn() {
-        let extent = Extent::of(&[f64::NAN, 1.0, f64::INFINITY, 3.0, 2.0, -1e301]);
-        assert_eq!(
-            extent,
-            Extent {
-                low: 1.0,
-                high: 3.0,
-                turned: true
-            }
-        );
+        let cases: [(&[f64], (f64, f64), bool); 5] = [
+            (
+                &[f64::NAN, 1.0, f64::INFINITY, 3.0, 2.0, -1e301],
+                (1.0, 3.0),
+                false,
+            ),
+            (&[2e300, -2e300, 7.0], (7.0, 7.0), false),
+            (&[10.0, 10.4, f64::NAN, 10.1], (10.0, 10.4), true),
+            (&[10.0, 10.2, 10.4], (10.0, 10.4), false),
+            (
+                &[2e300, f64::NAN],
+                (f64::INFINITY, f64::NEG_INFINITY),
+                false,
+            ),
+        ];
+        for (column, (low, high), turned) in cases {
+            assert_eq!(
+                Extent::of(column),
+                Extent { low, high, turned },
+                "{column:?}"
+            );
+        }
         assert_eq!(Extent::of(&[]), Extent::EMPTY);
         assert_eq!(
             Extent::of_ordered(&[f64::NAN, 1.0, 5.0, f64::NAN]),

@@ -18,7 +18,7 @@ fn advance(character: char) -> f64 {
         '\u{300}'..='\u{36f}' => 0.0,
         // Ideographs and their kin fill the em.
         '\u{1100}'..='\u{11ff}' | '\u{2e80}'..='\u{d7ff}' | '\u{ff00}'..='\u{ff60}' => 1.05,
-        _ => 0.62,
+        _ => 0.64,
     }
 }
 
@@ -30,7 +30,7 @@ mod tests {
     fn widths_grow_with_text_and_size() {
         assert_eq!(width("", 13.0), 0.0);
         assert!(width("−0.25", 13.0) > width("0.25", 13.0));
-        assert!((width("10", 20.0) - 24.8).abs() < 1e-9);
+        assert!((width("10", 20.0) - 25.6).abs() < 1e-9);
         // DejaVu Sans, the widest of the usual ones, has digits of 0.636 and a point of 0.318 em.
         assert!(width("0.25", 100.0) > 0.95 * (3.0 * 63.6 + 31.8));
     }

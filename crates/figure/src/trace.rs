@@ -67,7 +67,8 @@ impl<'a> Tracer<'a> {
 
     /// Takes the next point of a line of which many points may share a column of pixels.
     pub(crate) fn dense(&mut self, x: f32, y: f32) {
-        let number = x.floor() as i32;
+        // Towards zero: left of the figure, where nothing is drawn, two columns count as one.
+        let number = x as i32;
         match &mut self.column {
             Some(column) if column.number == number => {
                 column.count += 1;
@@ -212,7 +213,8 @@ impl<'a> Tracer<'a> {
         self.reach = self.reach.max(distance);
         // Anything nearer than the tolerance leaves every direction open.
         if distance > TOLERANCE {
-            let (across_x, across_y) = (-dy / distance * TOLERANCE, dx / distance * TOLERANCE);
+            let ratio = TOLERANCE / distance;
+            let (across_x, across_y) = (-dy * ratio, dx * ratio);
             let own = (
                 (dx - across_x, dy - across_y),
                 (dx + across_x, dy + across_y),

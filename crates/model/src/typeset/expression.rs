@@ -1,0 +1,449 @@
+//! Expressions as MathML: fractions, powers, roots and products without a sign, with no more parentheses than needed.
+
+use super::symbols::{escaped, has_power_of_ten, is_word, name, number, unit_after_number};
+use crate::{BinaryOperator, Expression, ExpressionKind, Name, UnaryOperator};
+
+/// How tightly the outermost operation of an expression binds.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Level {
+    Branches,
+    Or,
+    And,
+    Not,
+    Comparison,
+    Sum,
+    Product,
+    Operand,
+}
+
+/// Sets expressions; texts in them are translated on the way.
+pub(super) struct Typesetter<'a> {
+    pub(super) translate: &'a dyn Fn(&str) -> String,
+}
+
+/// Where an expression stands: in exponents fractions are written with a slash.
+#[derive(Clone, Copy, PartialEq)]
+enum Place {
+    Line,
+    Exponent,
+}
+
+fn level(expression: &Expression, place: Place) -> Level {
+    use BinaryOperator::{Add, And, Divide, Multiply, Or, Power, Subtract};
+    match &expression.kind {
+        ExpressionKind::If(..) => Level::Branches,
+        ExpressionKind::Unary(UnaryOperator::Not, _) => Level::Not,
+        ExpressionKind::Unary(UnaryOperator::Negate, _) => Level::Sum,
+        ExpressionKind::Binary(Or, ..) => Level::Or,
+        ExpressionKind::Binary(And, ..) => Level::And,
+        ExpressionKind::Binary(Add | Subtract, ..) => Level::Sum,
+        ExpressionKind::Binary(Multiply | Divide, ..) if leading_minus(expression) => Level::Sum,
+        ExpressionKind::Binary(Multiply, ..) => Level::Product,
+        ExpressionKind::Binary(Divide, ..) if place == Place::Exponent => Level::Product,
+        ExpressionKind::Binary(Divide | Power, ..) => Level::Operand,
+        ExpressionKind::Binary(..) => Level::Comparison,
+        ExpressionKind::Number { value, .. } if *value < 0.0 => Level::Sum,
+        ExpressionKind::Number { unit: Some(unit), .. } if !unit.text.is_empty() => Level::Product,
+        ExpressionKind::Number { value, .. } if has_power_of_ten(*value) => Level::Product,
+        _ => Level::Operand,
+    }
+}
+
+/// Whether a minus is the first thing that is printed of a product or quotient.
+fn leading_minus(expression: &Expression) -> bool {
+    match &expression.kind {
+        ExpressionKind::Unary(UnaryOperator::Negate, _) => true,
+        ExpressionKind::Binary(BinaryOperator::Multiply | BinaryOperator::Divide, left, _) => leading_minus(left),
+        ExpressionKind::Number { value, .. } => *value < 0.0,
+        _ => false,
+    }
+}
+
+/// What stands in a product.
+enum Factor<'a> {
+    Plain(&'a Expression),
+    /// The factors above and below the line.
+    Quotient(Vec<Factor<'a>>, Vec<&'a Expression>),
+}
+
+/// The factors of a product or quotient from left to right, without the minus before the first, and whether there
+/// was one. `a/b/c` is one quotient.
+fn factors(expression: &Expression) -> (bool, Vec<Factor<'_>>) {
+    match &expression.kind {
+        ExpressionKind::Binary(BinaryOperator::Multiply, left, right) => {
+            let (negative, mut all) = factors(left);
+            match factors(right) {
+                (false, more) => all.extend(more),
+                (true, _) => all.push(Factor::Plain(right)),
+            }
+            (negative, all)
+        }
+        ExpressionKind::Binary(BinaryOperator::Divide, above, below) => {
+            let (negative, mut above) = factors(above);
+            if let [Factor::Quotient(_, before)] = above.as_mut_slice() {
+                before.push(below);
+                return (negative, above);
+            }
+            (negative, vec![Factor::Quotient(above, vec![below])])
+        }
+        ExpressionKind::Unary(UnaryOperator::Negate, operand) => match factors(operand) {
+            (false, all) => (true, all),
+            (true, _) => (true, vec![Factor::Plain(operand)]),
+        },
+        _ => (false, vec![Factor::Plain(expression)]),
+    }
+}
+
+impl Typesetter<'_> {
+    /// An expression as one element.
+    pub(super) fn expression(&self, expression: &Expression) -> String {
+        self.set(expression, Place::Line)
+    }
+
+    fn set(&self, expression: &Expression, place: Place) -> String {
+        match &expression.kind {
+            ExpressionKind::Number { value, unit: None } => number(*value),
+            ExpressionKind::Number { value, unit: Some(unit) } => {
+                format!("<mrow>{}{}</mrow>", number(*value), unit_after_number(unit))
+            }
+            ExpressionKind::Text(text) => format!("<mtext>{}</mtext>", escaped(&(self.translate)(text))),
+            ExpressionKind::Name { name: text, order } => name(text, *order, None),
+            ExpressionKind::InitialValue { name, order } => initial_value(name, *order),
+            ExpressionKind::Unary(UnaryOperator::Not, operand) => {
+                format!("<mrow><mo>¬</mo>{}</mrow>", self.at_least(operand, Level::Operand, place))
+            }
+            ExpressionKind::Binary(BinaryOperator::Power, base, exponent) => self.power(base, exponent, place),
+            ExpressionKind::Unary(UnaryOperator::Negate, _)
+            | ExpressionKind::Binary(BinaryOperator::Multiply | BinaryOperator::Divide, ..) => {
+                let (negative, factors) = factors(expression);
+                let product = self.product(&factors, place);
+                if negative { format!("<mrow><mo>−</mo>{product}</mrow>") } else { product }
+            }
+            ExpressionKind::Binary(operator, left, right) => self.infix(*operator, left, right, place),
+            ExpressionKind::Call { function, arguments } => self.function(function, arguments, None, true),
+            ExpressionKind::If(condition, yes, no) => self.branches(condition, yes, no),
+            ExpressionKind::Error => "<mtext>?</mtext>".to_owned(),
+        }
+    }
+
+    /// The expression, in parentheses if it binds less tightly than `least`.
+    fn at_least(&self, expression: &Expression, least: Level, place: Place) -> String {
+        let inside = self.set(expression, place);
+        if level(expression, place) < least { parenthesised(&inside) } else { inside }
+    }
+
+    fn infix(&self, operator: BinaryOperator, left: &Expression, right: &Expression, place: Place) -> String {
+        let (sign, own, right_least) = match operator {
+            BinaryOperator::Or => ("∨", Level::Or, Level::Or),
+            BinaryOperator::And => ("∧", Level::And, Level::And),
+            BinaryOperator::Add => ("+", Level::Sum, Level::Sum),
+            BinaryOperator::Subtract => ("−", Level::Sum, Level::Product),
+            BinaryOperator::Less => ("&lt;", Level::Sum, Level::Sum),
+            BinaryOperator::LessOrEqual => ("≤", Level::Sum, Level::Sum),
+            BinaryOperator::Greater => ("&gt;", Level::Sum, Level::Sum),
+            BinaryOperator::GreaterOrEqual => ("≥", Level::Sum, Level::Sum),
+            BinaryOperator::NotEqual => ("≠", Level::Sum, Level::Sum),
+            _ => ("=", Level::Sum, Level::Sum),
+        };
+        // `a + -b` needs parentheses, and so does `a - -b`; `a < -b` does not.
+        let after_sign = matches!(operator, BinaryOperator::Add | BinaryOperator::Subtract);
+        let right_least = if after_sign && leading_minus(right) { Level::Operand } else { right_least };
+        let left = self.at_least(left, own, place);
+        let right = self.at_least(right, right_least, place);
+        format!("<mrow>{left}<mo>{sign}</mo>{right}</mrow>")
+    }
+
+    fn product(&self, factors: &[Factor<'_>], place: Place) -> String {
+        match factors {
+            [Factor::Plain(only)] => return self.at_least(only, Level::Product, place),
+            [Factor::Quotient(above, below)] => return self.quotient(above, below, place),
+            _ => {}
+        }
+        let mut row = String::from("<mrow>");
+        let mut before = None;
+        for (index, factor) in factors.iter().enumerate() {
+            if let Some(before) = before {
+                row += separator(before, factor);
+            }
+            before = Some(factor);
+            let last = index + 1 == factors.len();
+            row += &match factor {
+                Factor::Quotient(above, below) => {
+                    let quotient = self.quotient(above, below, place);
+                    if place == Place::Exponent { parenthesised(&quotient) } else { quotient }
+                }
+                Factor::Plain(factor) => match &factor.kind {
+                    // What follows would seem to belong to the argument: sin(x) y, and not sin x y.
+                    ExpressionKind::Call { function, arguments } if !last => {
+                        self.function(function, arguments, None, false)
+                    }
+                    // A number with its unit is a product itself, but nothing is lost without parentheses.
+                    ExpressionKind::Number { value, .. } if *value >= 0.0 => self.set(factor, place),
+                    _ => self.at_least(factor, Level::Operand, place),
+                },
+            };
+        }
+        row + "</mrow>"
+    }
+
+    /// A fraction; in exponents with a slash.
+    fn quotient(&self, above: &[Factor<'_>], below: &[&Expression], place: Place) -> String {
+        let below_factors: Vec<Factor<'_>> = below.iter().map(|factor| Factor::Plain(factor)).collect();
+        if place == Place::Line {
+            let alone = |factors: &[Factor<'_>]| match factors {
+                // Above and below the line a sum stands alone.
+                [Factor::Plain(only)] => self.set(only, place),
+                several => self.product(several, place),
+            };
+            return format!("<mfrac>{}{}</mfrac>", alone(above), alone(&below_factors));
+        }
+        let above = self.product(above, place);
+        let below = match below {
+            [only] => self.at_least(only, Level::Operand, place),
+            _ => parenthesised(&self.product(&below_factors, place)),
+        };
+        format!("<mrow>{above}<mo lspace=\"0\" rspace=\"0\">/</mo>{below}</mrow>")
+    }
+
+    fn power(&self, base: &Expression, exponent: &Expression, place: Place) -> String {
+        let above = self.set(exponent, Place::Exponent);
+        match &base.kind {
+            ExpressionKind::Name { name: text, order } => name(text, *order, Some(above)),
+            // sin²(x), as usual; but sin⁻¹ would be the inverse function.
+            ExpressionKind::Call { function, arguments }
+                if is_trigonometric(function) && is_positive_number(exponent) =>
+            {
+                self.function(function, arguments, Some(&above), false)
+            }
+            ExpressionKind::Call { function, arguments } if has_own_brackets(function, arguments) => {
+                format!("<msup>{}{above}</msup>", self.function(function, arguments, None, true))
+            }
+            ExpressionKind::Number { value, unit: None } if *value >= 0.0 && !has_power_of_ten(*value) => {
+                format!("<msup>{}{above}</msup>", number(*value))
+            }
+            _ => format!("<msup>{}{above}</msup>", parenthesised(&self.set(base, place))),
+        }
+    }
+
+    /// A call. Where `bare` allows it, the parentheses around a single name are left out: cos φ.
+    fn function(&self, function: &Name, arguments: &[Expression], exponent: Option<&str>, bare: bool) -> String {
+        if let ([argument], None) = (arguments, exponent) {
+            let inside = || self.set(argument, Place::Line);
+            match function.text.as_str() {
+                "sqrt" => return format!("<msqrt>{}</msqrt>", inside()),
+                "cbrt" => return format!("<mroot>{}<mn>3</mn></mroot>", inside()),
+                "abs" => return fenced("|", &inside(), "|"),
+                "floor" => return fenced("⌊", &inside(), "⌋"),
+                "ceil" => return fenced("⌈", &inside(), "⌉"),
+                "exp" => {
+                    let above = self.set(argument, Place::Exponent);
+                    return format!("<msup><mi mathvariant=\"normal\">e</mi>{above}</msup>");
+                }
+                _ => {}
+            }
+        }
+        let mut sign = function_sign(&function.text);
+        if let Some(exponent) = exponent {
+            sign = format!("<msup>{sign}{exponent}</msup>");
+        }
+        let inside = match arguments {
+            [argument] => {
+                let inside = self.set(argument, Place::Line);
+                let is_short = matches!(argument.kind, ExpressionKind::Name { order: 0, .. });
+                if bare && is_short && is_trigonometric(function) {
+                    return format!("<mrow>{sign}<mo>&#x2061;</mo><mspace width=\"0.1667em\"/>{inside}</mrow>");
+                }
+                inside
+            }
+            several => {
+                let several: Vec<String> = several.iter().map(|argument| self.expression(argument)).collect();
+                format!("<mrow>{}</mrow>", several.join("<mo>,</mo>"))
+            }
+        };
+        format!("<mrow>{sign}<mo>&#x2061;</mo>{}</mrow>", parenthesised(&inside))
+    }
+
+    /// Cases behind a brace. The last one says when it holds if that can be known without words: what is left of
+    /// less, equal and greater.
+    fn branches(&self, condition: &Expression, yes: &Expression, no: &Expression) -> String {
+        let mut rows = vec![(self.expression(yes), Some(self.expression(condition)))];
+        let mut left_over = Remaining::after(condition);
+        let mut rest = no;
+        while let ExpressionKind::If(condition, yes, no) = &rest.kind {
+            rows.push((self.expression(yes), Some(self.expression(condition))));
+            left_over = left_over.and_then(|remaining| remaining.without(condition));
+            rest = no;
+        }
+        let last = left_over.and_then(|remaining| {
+            let sign = remaining.sign()?;
+            let (left, right) = (self.expression(remaining.left), self.expression(remaining.right));
+            Some(format!("<mrow>{left}<mo>{sign}</mo>{right}</mrow>"))
+        });
+        rows.push((self.expression(rest), last));
+        let mut table = String::new();
+        for (value, condition) in rows {
+            let condition = condition.unwrap_or_default();
+            table += &format!(
+                "<mtr><mtd style=\"text-align:left\">{value}</mtd><mtd style=\"text-align:left\">{condition}</mtd></mtr>"
+            );
+        }
+        format!("<mrow><mo fence=\"true\" form=\"prefix\">{{</mo><mtable>{table}</mtable></mrow>")
+    }
+}
+
+/// Which of less, equal and greater have not been asked for yet, between two expressions.
+struct Remaining<'a> {
+    left: &'a Expression,
+    right: &'a Expression,
+    /// Less, equal, greater.
+    relations: [bool; 3],
+}
+
+impl<'a> Remaining<'a> {
+    fn after(condition: &'a Expression) -> Option<Self> {
+        let ExpressionKind::Binary(_, left, right) = &condition.kind else {
+            return None;
+        };
+        Self { left, right, relations: [true; 3] }.without(condition)
+    }
+
+    fn without(mut self, condition: &Expression) -> Option<Self> {
+        let ExpressionKind::Binary(operator, left, right) = &condition.kind else {
+            return None;
+        };
+        let asked = match operator {
+            BinaryOperator::Less => [true, false, false],
+            BinaryOperator::LessOrEqual => [true, true, false],
+            BinaryOperator::Equal => [false, true, false],
+            BinaryOperator::GreaterOrEqual => [false, true, true],
+            BinaryOperator::Greater => [false, false, true],
+            BinaryOperator::NotEqual => [true, false, true],
+            _ => return None,
+        };
+        if !same(self.left, left) || !same(self.right, right) {
+            return None;
+        }
+        for (remains, asked) in self.relations.iter_mut().zip(asked) {
+            *remains &= !asked;
+        }
+        Some(self)
+    }
+
+    fn sign(&self) -> Option<&'static str> {
+        Some(match self.relations {
+            [true, false, false] => "&lt;",
+            [true, true, false] => "≤",
+            [false, true, false] => "=",
+            [false, true, true] => "≥",
+            [false, false, true] => "&gt;",
+            [true, false, true] => "≠",
+            _ => return None,
+        })
+    }
+}
+
+/// Whether two expressions are the same but for their places.
+fn same(one: &Expression, other: &Expression) -> bool {
+    match (&one.kind, &other.kind) {
+        (ExpressionKind::Unary(a, x), ExpressionKind::Unary(b, y)) => a == b && same(x, y),
+        (ExpressionKind::Binary(a, x, v), ExpressionKind::Binary(b, y, w)) => a == b && same(x, y) && same(v, w),
+        (ExpressionKind::Call { function: a, arguments: x }, ExpressionKind::Call { function: b, arguments: y }) => {
+            a.text == b.text && x.len() == y.len() && x.iter().zip(y).all(|(x, y)| same(x, y))
+        }
+        (ExpressionKind::If(..), _) => false,
+        (a, b) => a == b,
+    }
+}
+
+/// `y′(0)`
+pub(super) fn initial_value(text: &str, order: u32) -> String {
+    format!("<mrow>{}<mo>&#x2061;</mo>{}</mrow>", name(text, order, None), parenthesised("<mn>0</mn>"))
+}
+
+fn parenthesised(inside: &str) -> String {
+    fenced("(", inside, ")")
+}
+
+fn fenced(open: &str, inside: &str, close: &str) -> String {
+    format!(
+        "<mrow><mo fence=\"true\" form=\"prefix\">{open}</mo>{inside}<mo fence=\"true\" form=\"postfix\">{close}</mo></mrow>"
+    )
+}
+
+/// What stands between two factors: nothing to be seen between letters, a space beside words and functions, a dot
+/// before numbers and after units.
+fn separator(before: &Factor<'_>, after: &Factor<'_>) -> &'static str {
+    if starts_with_number(after) || ends_with_unit(before) {
+        "<mo>⋅</mo>"
+    } else if is_wide(before) || is_wide(after) {
+        "<mo>&#x2062;</mo><mspace width=\"0.1667em\"/>"
+    } else {
+        "<mo>&#x2062;</mo>"
+    }
+}
+
+fn starts_with_number(factor: &Factor<'_>) -> bool {
+    let Factor::Plain(expression) = factor else {
+        return false;
+    };
+    match &expression.kind {
+        ExpressionKind::Number { .. } => true,
+        ExpressionKind::Binary(BinaryOperator::Power, base, _) => matches!(base.kind, ExpressionKind::Number { .. }),
+        _ => false,
+    }
+}
+
+fn ends_with_unit(factor: &Factor<'_>) -> bool {
+    let Factor::Plain(expression) = factor else {
+        return false;
+    };
+    matches!(&expression.kind, ExpressionKind::Number { unit: Some(unit), .. } if !unit.text.is_empty())
+}
+
+/// Whether a factor would run into its neighbour: words, functions and fractions.
+fn is_wide(factor: &Factor<'_>) -> bool {
+    let Factor::Plain(expression) = factor else {
+        return true;
+    };
+    let base = match &expression.kind {
+        ExpressionKind::Binary(BinaryOperator::Power, base, _) => base,
+        _ => *expression,
+    };
+    match &base.kind {
+        ExpressionKind::Name { name, .. } | ExpressionKind::InitialValue { name, .. } => is_word(name),
+        ExpressionKind::Call { function, .. } => !matches!(function.text.as_str(), "sqrt" | "exp" | "abs"),
+        _ => false,
+    }
+}
+
+fn is_trigonometric(function: &Name) -> bool {
+    matches!(function.text.as_str(), "sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" | "ln" | "log10")
+}
+
+fn is_positive_number(exponent: &Expression) -> bool {
+    matches!(exponent.kind, ExpressionKind::Number { value, unit: None } if value > 0.0)
+}
+
+/// Calls that are drawn with brackets of their own, which an exponent may follow.
+fn has_own_brackets(function: &Name, arguments: &[Expression]) -> bool {
+    arguments.len() == 1 && matches!(function.text.as_str(), "abs" | "floor" | "ceil")
+}
+
+/// The name of a function as it is printed.
+fn function_sign(function: &str) -> String {
+    let printed = match function {
+        "asin" => "arcsin",
+        "acos" => "arccos",
+        "atan" => "arctan",
+        "asinh" => "arsinh",
+        "acosh" => "arcosh",
+        "atanh" => "artanh",
+        "sign" => "sgn",
+        "log10" => return "<msub><mi>log</mi><mn>10</mn></msub>".to_owned(),
+        other => other,
+    };
+    if printed.chars().count() == 1 {
+        return format!("<mi mathvariant=\"normal\">{}</mi>", escaped(printed));
+    }
+    format!("<mi>{}</mi>", escaped(printed))
+}

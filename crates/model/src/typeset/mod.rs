@@ -1,0 +1,55 @@
+//! The model's equations as a textbook prints them: MathML Core from the syntax tree.
+
+mod expression;
+mod symbols;
+#[cfg(test)]
+mod tests;
+
+use crate::{Action, Expression, Model, Statement, StatementKind};
+use expression::{Typesetter, initial_value};
+
+impl Model {
+    /// Each displayed statement as a `<math display="block">` element, in the order of the text: definitions,
+    /// equations, initial values and events. Parameters are controls and not shown here. `translate` is given the
+    /// texts that are values (`"underdamped"`).
+    pub fn typeset(&self, translate: &dyn Fn(&str) -> String) -> Vec<String> {
+        let typesetter = Typesetter { translate };
+        self.statements.iter().filter_map(|statement| typesetter.statement(statement)).collect()
+    }
+}
+
+/// An expression as a `<math>` element for a line of text.
+pub fn typeset_expression(expression: &Expression) -> String {
+    format!("<math>{}</math>", Typesetter { translate: &str::to_owned }.expression(expression))
+}
+
+/// A name, with the primes that follow it (`omega_0`, `y'`), as a `<math>` element for a line of text.
+pub fn typeset_name(name: &str) -> String {
+    let plain = name.trim_end_matches('\'');
+    let order = u32::try_from(name.len() - plain.len()).unwrap_or(u32::MAX);
+    format!("<math>{}</math>", symbols::name(plain, order, None))
+}
+
+impl Typesetter<'_> {
+    fn statement(&self, statement: &Statement) -> Option<String> {
+        let equals = |left: String, right: &Expression| format!("{left}<mo>=</mo>{}", self.expression(right));
+        let row = match &statement.kind {
+            StatementKind::Parameter(_) | StatementKind::Independent { .. } => return None,
+            StatementKind::Definition { name, value, .. } => equals(symbols::name(&name.text, 0, None), value),
+            StatementKind::InitialValue { name, order, value, .. } => equals(initial_value(&name.text, *order), value),
+            StatementKind::Equation { left, right } => equals(self.expression(left), right),
+            StatementKind::Event { condition, actions } => {
+                let actions: Vec<String> = actions.iter().map(|action| self.action(action)).collect();
+                let condition = self.expression(condition);
+                format!("{condition}<mo>⟹</mo>{}", actions.join("<mo separator=\"true\">,</mo>"))
+            }
+        };
+        Some(format!("<math display=\"block\"><mrow>{row}</mrow></math>"))
+    }
+
+    /// The value after an event, from those before it.
+    fn action(&self, action: &Action) -> String {
+        let target = symbols::name(&action.name.text, action.order, None);
+        format!("<mrow>{target}<mo>←</mo>{}</mrow>", self.expression(&action.value))
+    }
+}

@@ -1,0 +1,136 @@
+//! Names, numbers, units and texts as MathML.
+
+use crate::alphabet::greek_letter;
+use units::Unit;
+
+/// Texts may not end the element they stand in.
+pub(super) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// What a name is made of: ω with the subscript d for `omega_d`, h with 1 for `h1`.
+struct NameParts {
+    base: String,
+    subscript: Option<String>,
+}
+
+fn name_parts(name: &str) -> NameParts {
+    let (base, mut lower) = match name.split_once('_') {
+        Some((base, lower)) if !base.is_empty() && !lower.is_empty() => (base, vec![lower]),
+        _ => (name, Vec::new()),
+    };
+    let letters = base.trim_end_matches(|c: char| c.is_ascii_digit());
+    let digits = &base[letters.len()..];
+    let single = |text: &str| text.chars().count() == 1 || greek_letter(text).is_some();
+    let base = if !digits.is_empty() && single(letters) {
+        lower.insert(0, digits);
+        letters
+    } else {
+        base
+    };
+    let subscript: Vec<String> = lower.iter().flat_map(|part| part.split('_')).map(identifier).collect();
+    let subscript = match subscript.as_slice() {
+        [] => None,
+        [one] => Some(one.clone()),
+        several => Some(format!("<mrow>{}</mrow>", several.join("<mo>,</mo>"))),
+    };
+    NameParts { base: identifier(base), subscript }
+}
+
+/// One word: a Greek letter by its name, a number, a letter, or the word itself, which `mi` sets upright.
+fn identifier(word: &str) -> String {
+    if word == "pi" {
+        return "<mi mathvariant=\"normal\">π</mi>".to_owned();
+    }
+    if let Some(letter) = greek_letter(word) {
+        return format!("<mi>{letter}</mi>");
+    }
+    // A difference or a small change: Δx is written `Deltax`.
+    for prefix in ["Delta", "delta"] {
+        if let Some(rest) = word.strip_prefix(prefix)
+            && (rest.chars().count() == 1 || greek_letter(rest).is_some())
+        {
+            let sign = greek_letter(prefix).unwrap_or('Δ');
+            let rest = greek_letter(rest).map_or_else(|| escaped(rest), String::from);
+            return format!("<mrow><mi mathvariant=\"normal\">{sign}</mi><mi>{rest}</mi></mrow>");
+        }
+    }
+    if word.chars().all(|c| c.is_ascii_digit()) {
+        return format!("<mn>{word}</mn>");
+    }
+    format!("<mi>{}</mi>", escaped(word))
+}
+
+/// The sign of a derivative: primes up to the fourth, then the order in parentheses.
+fn order_sign(order: u32) -> Option<String> {
+    match order {
+        0 => None,
+        1 => Some("<mo>′</mo>".to_owned()),
+        2 => Some("<mo>″</mo>".to_owned()),
+        3 => Some("<mo>‴</mo>".to_owned()),
+        4 => Some("<mo>⁗</mo>".to_owned()),
+        _ => Some(format!("<mrow><mo>(</mo><mn>{order}</mn><mo>)</mo></mrow>")),
+    }
+}
+
+/// A name with its primes and an exponent, each in its place: y′² has one superscript, not one upon the other.
+pub(super) fn name(name: &str, order: u32, exponent: Option<String>) -> String {
+    let NameParts { base, subscript } = name_parts(name);
+    let above = match (order_sign(order), exponent) {
+        (None, None) => None,
+        (Some(one), None) | (None, Some(one)) => Some(one),
+        (Some(sign), Some(exponent)) => Some(format!("<mrow>{sign}{exponent}</mrow>")),
+    };
+    match (subscript, above) {
+        (None, None) => base,
+        (Some(below), None) => format!("<msub>{base}{below}</msub>"),
+        (None, Some(above)) => format!("<msup>{base}{above}</msup>"),
+        (Some(below), Some(above)) => format!("<msubsup>{base}{below}{above}</msubsup>"),
+    }
+}
+
+/// Whether a name is set as a word and not as a letter, so that its neighbours need a space.
+pub(super) fn is_word(name: &str) -> bool {
+    let base = name.split('_').next().unwrap_or(name).trim_end_matches(|c: char| c.is_ascii_digit());
+    base.chars().count() > 1 && greek_letter(base).is_none() && !base.starts_with("Delta")
+}
+
+/// Whether [`number`] writes `value` with a power of ten, which is a product.
+pub(super) fn has_power_of_ten(value: f64) -> bool {
+    value != 0.0 && !(1e-4..1e6).contains(&value.abs())
+}
+
+/// A number as it was written, the very large and small ones with a power of ten.
+pub(super) fn number(value: f64) -> String {
+    let (sign, size) = if value < 0.0 { ("<mo>−</mo>", -value) } else { ("", value) };
+    if !has_power_of_ten(size) {
+        return if sign.is_empty() {
+            format!("<mn>{size}</mn>")
+        } else {
+            format!("<mrow>{sign}<mn>{size}</mn></mrow>")
+        };
+    }
+    let text = format!("{size:e}");
+    let (digits, tens) = text.split_once('e').unwrap_or((&text, "0"));
+    let tens = match tens.strip_prefix('-') {
+        Some(tens) => format!("<mrow><mo>−</mo><mn>{tens}</mn></mrow>"),
+        None => format!("<mn>{tens}</mn>"),
+    };
+    let power = format!("<msup><mn>10</mn>{tens}</msup>");
+    if digits == "1" {
+        return if sign.is_empty() { power } else { format!("<mrow>{sign}{power}</mrow>") };
+    }
+    format!("<mrow>{sign}<mn>{digits}</mn><mo>×</mo>{power}</mrow>")
+}
+
+/// A unit after its number, upright. An angle's degree sign and the per cent stand close to the number.
+pub(super) fn unit_after_number(unit: &Unit) -> String {
+    if unit.text.is_empty() {
+        return String::new();
+    }
+    let text = escaped(&unit.pretty());
+    if matches!(unit.text.as_str(), "°" | "deg") {
+        return "<mtext>°</mtext>".to_owned();
+    }
+    format!("<mspace width=\"0.1667em\"/><mtext>{text}</mtext>")
+}

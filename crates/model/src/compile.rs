@@ -1,11 +1,76 @@
-//! From text to a checked model.
+//! From text to a checked model: syntax, names, dimensions, and then the graph.
 
-use crate::{Diagnostic, Model};
+use crate::dimensions::check_dimensions;
+use crate::lowering::assemble;
+use crate::names::{NameCheck, Program, Unknown, check_event, definition_order, find_unknowns};
+use crate::{Diagnostic, Model, Span, Statement, has_errors, limits, parse};
 use std::ops::Range;
 
 /// Compiles the model that stands in `parts` of a document's `source`, which may be several fences. Places in the
 /// diagnostics count bytes of `source`. There is no model if there are errors; there may be warnings beside one.
 pub fn compile(source: &str, parts: &[Range<usize>]) -> (Option<Model>, Vec<Diagnostic>) {
-    let _ = (source, parts);
-    (None, Vec::new())
+    let length: usize = parts.iter().map(Range::len).sum();
+    if length > limits::SOURCE {
+        let start = parts.first().map_or(0, |part| part.start);
+        let message = format!("the model has {length} bytes; {} are the most", limits::SOURCE);
+        return (None, vec![Diagnostic::error("model-too-large", message, Span::new(start, start))]);
+    }
+    let (statements, mut diagnostics) = parse(source, parts);
+    // What could not be read leaves gaps; telling their consequences would hide the cause.
+    let model = if has_errors(&diagnostics) { None } else { checked(statements, &mut diagnostics) };
+    diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
+    (model, diagnostics)
+}
+
+fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Option<Model> {
+    if let Some(beyond) = statements.get(limits::STATEMENTS) {
+        let message = format!("the model has more than {} statements", limits::STATEMENTS);
+        diagnostics.push(Diagnostic::error("model-too-large", message, beyond.span));
+        return None;
+    }
+    let mut program = Program::collect(&statements, diagnostics);
+    let order = definition_order(&program, diagnostics);
+    let unknowns = find_unknowns(&mut program, &order, diagnostics);
+    let states: u32 = unknowns.iter().map(|unknown| unknown.highest).sum();
+    if states as usize > limits::STATES {
+        let span = unknowns.last().map(|unknown| unknown.span).unwrap_or_default();
+        let message = format!("the model has {states} states; {} are the most", limits::STATES);
+        diagnostics.push(Diagnostic::error("model-too-large", message, span));
+    }
+    check_names(&program, &unknowns, diagnostics);
+    let types = check_dimensions(&program, &order, &unknowns, diagnostics);
+    if has_errors(diagnostics) {
+        return None;
+    }
+    match assemble(&program, &order, &unknowns, &types) {
+        Ok(model) => Some(Model { statements, ..model }),
+        Err(mut told) => {
+            diagnostics.append(&mut told);
+            None
+        }
+    }
+}
+
+fn check_names(program: &Program, unknowns: &[Unknown], diagnostics: &mut Vec<Diagnostic>) {
+    let initial = program.initial_values.iter().map(|entry| entry.name.text.as_str());
+    let told = initial.filter(|name| program.scope.meaning(name).is_none()).collect();
+    let mut check = NameCheck::new(&program.scope, told);
+    for definition in &program.definitions {
+        check.expression(definition.value);
+    }
+    for entry in &program.initial_values {
+        check.expression(entry.value);
+    }
+    for equation in &program.equations {
+        check.expression(equation.left);
+        check.expression(equation.right);
+    }
+    for event in &program.events {
+        check.expression(event.condition);
+        for action in event.actions {
+            check.expression(&action.value);
+        }
+        check_event(program, unknowns, event, diagnostics);
+    }
+    diagnostics.append(&mut check.finish());
 }

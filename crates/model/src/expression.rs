@@ -1,6 +1,10 @@
 //! Expressions of the document (scene, plots, presets, answers) against a checked model.
 
-use crate::{Compiled, Diagnostic, Expression, Model, NodeId, StatedUnit};
+use crate::dimensions::{Form, Inference, Solver, Type, Types};
+use crate::lowering::{Chain, Lowering, TooManyNodes, too_many_nodes};
+use crate::names::{Meaning, NameCheck, Scope, for_each};
+use crate::{Compiled, Diagnostic, Expression, ExpressionKind, Kind, Model, Node, NodeId, Span, StatedUnit, has_errors};
+use units::Unit;
 
 /// What a node is computed from. The numbers are sorted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -24,7 +28,7 @@ impl Dependence {
 
 impl Model {
     /// Adds an expression of the document to the model's graph. `unit`, where stated, is checked and becomes the
-    /// display unit.
+    /// display unit. What could not be parsed is refused without a further word.
     ///
     /// # Errors
     /// Unknown names, mismatching dimensions, and whatever else would be wrong with it inside the model.
@@ -33,21 +37,140 @@ impl Model {
         expression: &Expression,
         unit: Option<&StatedUnit>,
     ) -> Result<Compiled, Vec<Diagnostic>> {
-        let _ = (expression, unit);
-        Err(Vec::new())
+        let mut unreadable = false;
+        for_each(expression, |part| unreadable |= part.kind == ExpressionKind::Error);
+        if unreadable {
+            return Err(Vec::new());
+        }
+        let variables = self.variables();
+        let scope = self.scope(&variables);
+        let mut check = NameCheck::new(&scope, Vec::new());
+        check.expression(expression);
+        let mut diagnostics = check.finish();
+        let mut inference = Inference {
+            scope: &scope,
+            types: self.types(&variables),
+            solver: Solver::default(),
+            diagnostics: Vec::new(),
+        };
+        let mut found = inference.expression(expression);
+        if let Some(stated) = unit {
+            inference.check_stated(expression, &found, stated);
+        }
+        if let Type::Number(form) = &found {
+            // What nothing decides, such as a literal 0, takes the stated unit or is a pure number.
+            found = Type::Number(inference.solver.resolve(form).map_or_else(|_| Form::pure(), |form| form.known.into()));
+        }
+        diagnostics.append(&mut inference.diagnostics);
+        if has_errors(&diagnostics) {
+            return Err(diagnostics);
+        }
+        let chains: Vec<Chain> = variables.iter().map(|(_, chain)| *chain).collect();
+        let mut lowering = Lowering::new(&mut self.graph, &mut self.texts, &scope, &chains);
+        lowering.definitions = self.quantities.iter().map(|quantity| Some(quantity.value.node)).collect();
+        let node =
+            lowering.expression(expression).map_err(|TooManyNodes| vec![too_many_nodes(expression.span)])?;
+        let unit = unit
+            .map(|stated| stated.unit.clone())
+            .or_else(|| match &expression.kind {
+                ExpressionKind::Name { name, order } => self.lookup(name, *order).map(|named| named.unit),
+                _ => None,
+            })
+            .unwrap_or_else(|| Unit::si(found.dimension()));
+        Ok(Compiled { node, kind: found.kind(), unit, span: expression.span })
     }
 
     /// The value of a name with `order` primes: a parameter, a state, a highest derivative, a defined quantity, the
     /// independent variable. `None` for an unknown name, and for derivatives that the model does not already have
     /// (primes of defined quantities): these are for [`Model::compile_expression`].
     pub fn lookup(&self, name: &str, order: u32) -> Option<Compiled> {
-        let _ = (name, order);
-        None
+        let number = |node, unit: &Unit, span| Compiled { node, kind: Kind::Number, unit: unit.clone(), span };
+        if let Some(index) = self.states.iter().position(|state| state.variable == name && state.order == order) {
+            let state = &self.states[index];
+            return Some(number(self.graph.find(Node::State(index as u32))?, &state.unit, state.span));
+        }
+        let (_, chain) = self.variables().into_iter().find(|(variable, _)| variable == name).unzip();
+        if let Some(chain) = chain
+            && chain.highest == order
+        {
+            let state = &self.states[chain.first_state + order as usize - 1];
+            let dimension = state.unit.dimension.per(self.independent.unit.dimension)?;
+            return Some(number(chain.rate, &Unit::si(dimension), state.span));
+        }
+        if order > 0 {
+            return None;
+        }
+        if name == self.independent.name {
+            return Some(number(self.graph.find(Node::Independent)?, &self.independent.unit, Span::default()));
+        }
+        if let Some(index) = self.parameters.iter().position(|parameter| parameter.name == name) {
+            let parameter = &self.parameters[index];
+            return Some(number(self.graph.find(Node::Parameter(index as u32))?, &parameter.unit, parameter.span));
+        }
+        self.quantities.iter().find(|quantity| quantity.name == name).map(|quantity| quantity.value.clone())
     }
 
     /// What `node` is computed from.
     pub fn depends(&self, node: NodeId) -> Dependence {
-        let _ = node;
-        Dependence::default()
+        let mut dependence = Dependence::default();
+        for id in self.graph.reachable(&[node]) {
+            match self.graph.node(id) {
+                Node::Parameter(index) => dependence.parameters.push(index),
+                Node::Initial(index) => dependence.initial.push(index),
+                Node::State(index) => dependence.states.push(index),
+                Node::Independent => dependence.independent = true,
+                _ => {}
+            }
+        }
+        for numbers in [&mut dependence.parameters, &mut dependence.initial, &mut dependence.states] {
+            numbers.sort_unstable();
+        }
+        dependence
+    }
+
+    /// The unknown functions by name, in the order of their states.
+    fn variables(&self) -> Vec<(String, Chain)> {
+        let mut variables: Vec<(String, Chain)> = Vec::new();
+        for (index, state) in self.states.iter().enumerate() {
+            if state.order == 0 {
+                let chain = Chain { first_state: index, highest: 0, rate: state.derivative };
+                variables.push((state.variable.clone(), chain));
+            }
+            if let Some((_, chain)) = variables.last_mut() {
+                chain.highest = state.order + 1;
+                chain.rate = state.derivative;
+            }
+        }
+        variables
+    }
+
+    fn scope(&self, variables: &[(String, Chain)]) -> Scope {
+        let mut scope = Scope::new(&self.independent.name);
+        for (index, parameter) in self.parameters.iter().enumerate() {
+            scope.declare(&parameter.name, Meaning::Parameter(index));
+        }
+        for (index, quantity) in self.quantities.iter().enumerate() {
+            scope.declare(&quantity.name, Meaning::Definition(index));
+        }
+        for (index, (name, _)) in variables.iter().enumerate() {
+            scope.declare(name, Meaning::Variable(index));
+        }
+        scope
+    }
+
+    fn types(&self, variables: &[(String, Chain)]) -> Types {
+        let of_quantity = |value: &Compiled| match value.kind {
+            Kind::Number => Type::Number(value.unit.dimension.into()),
+            Kind::Truth => Type::Truth,
+            Kind::Text => Type::Text,
+        };
+        Types {
+            independent: self.independent.unit.dimension.into(),
+            parameters: self.parameters.iter().map(|parameter| parameter.unit.dimension.into()).collect(),
+            definitions: self.quantities.iter().map(|quantity| of_quantity(&quantity.value)).collect(),
+            numbers: self.quantities.iter().map(|quantity| self.graph.as_constant(quantity.value.node)).collect(),
+            unknowns: variables.iter().map(|(_, chain)| self.states[chain.first_state].unit.dimension.into()).collect(),
+            unknown_names: variables.iter().map(|(name, _)| name.clone()).collect(),
+        }
     }
 }

@@ -121,6 +121,11 @@ impl Graph {
         id
     }
 
+    /// The node for `node`, if it is there.
+    pub fn find(&self, node: Node) -> Option<NodeId> {
+        self.known.get(&node).copied()
+    }
+
     /// Adds a linear system, or finds the equal one; its unknowns are then `Node::Solution { system, row }`.
     pub fn insert_system(&mut self, system: LinearSystem) -> u32 {
         if let Some(known) = self.systems.iter().position(|known| *known == system) {

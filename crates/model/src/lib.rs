@@ -12,6 +12,7 @@ mod functions;
 mod graph;
 mod lexer;
 mod limits;
+mod lowering;
 mod matching;
 mod names;
 mod notation;

@@ -51,62 +51,59 @@ impl Graph {
         (0..needed.len()).filter(|&number| needed[number]).map(|number| NodeId(number as u32)).collect()
     }
 
-    /// Which of the nodes up to the greatest of `roots` is computed from a node that `matches`, itself included. Nodes
-    /// that no root needs are answered too.
-    pub fn depending_on(&self, mut matches: impl FnMut(Node) -> bool) -> Vec<bool> {
-        let mut depends = vec![false; self.len()];
-        let mut systems: HashMap<u32, bool> = HashMap::new();
-        for number in 0..self.len() {
-            let id = NodeId(number as u32);
-            let node = self.node(id);
-            let known = if let Node::Solution { system, .. } = node { systems.get(&system).copied() } else { None };
-            let depending = known.unwrap_or_else(|| {
-                let mut any = matches(node);
-                self.for_each_operand(id, |operand| any |= depends[operand.0 as usize]);
-                any
-            });
-            if let Node::Solution { system, .. } = node {
-                systems.insert(system, depending);
-            }
-            depends[number] = depending;
-        }
-        depends
-    }
-
     /// Rebuilds `roots` inside `target`, with `replace` giving the new node for those inputs that change. The inputs
     /// are [`Node::Parameter`], [`Node::Initial`], [`Node::Independent`] and [`Node::State`].
     pub fn rebuild_into(
         &self,
         target: &mut Graph,
         roots: &[NodeId],
-        mut replace: impl FnMut(&mut Graph, Node) -> Option<NodeId>,
+        replace: impl FnMut(&mut Graph, Node) -> Option<NodeId>,
     ) -> Vec<NodeId> {
-        let mut rebuilt: HashMap<NodeId, NodeId> = HashMap::new();
-        let mut systems: HashMap<u32, u32> = HashMap::new();
-        for id in self.reachable(roots) {
-            let node = self.node(id);
-            let new = match node {
-                Node::Constant(_) => target.insert(node),
-                Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) => {
-                    replace(target, node).unwrap_or_else(|| target.insert(node))
-                }
-                Node::Unary(function, x) => target.unary(function, rebuilt[&x]),
-                Node::Binary(function, a, b) => target.binary(function, rebuilt[&a], rebuilt[&b]),
-                Node::Select(condition, chosen, other) => {
-                    target.select(rebuilt[&condition], rebuilt[&chosen], rebuilt[&other])
-                }
-                Node::Solution { system, row } => {
-                    let system = *systems.entry(system).or_insert_with(|| {
-                        let LinearSystem { matrix, right } = &self.systems()[system as usize];
-                        let matrix = matrix.iter().map(|entry| rebuilt[entry]).collect();
-                        let right = right.iter().map(|entry| rebuilt[entry]).collect();
-                        target.insert_system(LinearSystem { matrix, right })
-                    });
-                    target.insert(Node::Solution { system, row })
-                }
-            };
-            rebuilt.insert(id, new);
-        }
-        roots.iter().map(|root| rebuilt[root]).collect()
+        rebuild(Some(self), target, roots, replace)
     }
+
+    /// [`Graph::rebuild_into`] inside the graph itself.
+    pub fn substitute(
+        &mut self,
+        roots: &[NodeId],
+        replace: impl FnMut(&mut Graph, Node) -> Option<NodeId>,
+    ) -> Vec<NodeId> {
+        rebuild(None, self, roots, replace)
+    }
+}
+
+/// Rebuilds from `source`, or from `target` itself.
+fn rebuild(
+    source: Option<&Graph>,
+    target: &mut Graph,
+    roots: &[NodeId],
+    mut replace: impl FnMut(&mut Graph, Node) -> Option<NodeId>,
+) -> Vec<NodeId> {
+    let mut rebuilt: HashMap<NodeId, NodeId> = HashMap::new();
+    let mut systems: HashMap<u32, u32> = HashMap::new();
+    for id in source.unwrap_or(target).reachable(roots) {
+        let node = source.unwrap_or(target).node(id);
+        let new = match node {
+            Node::Constant(_) => target.insert(node),
+            Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) => {
+                replace(target, node).unwrap_or_else(|| target.insert(node))
+            }
+            Node::Unary(function, x) => target.unary(function, rebuilt[&x]),
+            Node::Binary(function, a, b) => target.binary(function, rebuilt[&a], rebuilt[&b]),
+            Node::Select(condition, chosen, other) => {
+                target.select(rebuilt[&condition], rebuilt[&chosen], rebuilt[&other])
+            }
+            Node::Solution { system, row } => {
+                let system = *systems.entry(system).or_insert_with(|| {
+                    let LinearSystem { matrix, right } = &source.unwrap_or(target).systems()[system as usize];
+                    let matrix = matrix.iter().map(|entry| rebuilt[entry]).collect();
+                    let right = right.iter().map(|entry| rebuilt[entry]).collect();
+                    target.insert_system(LinearSystem { matrix, right })
+                });
+                target.insert(Node::Solution { system, row })
+            }
+        };
+        rebuilt.insert(id, new);
+    }
+    roots.iter().map(|root| rebuilt[root]).collect()
 }

@@ -104,7 +104,8 @@ impl Inference<'_> {
 
     /// What becomes the value of a state must have its dimension.
     fn assigned(&mut self, value: &Expression, written: &str, own: &Form, span: crate::Span) {
-        let Some(form) = self.numeric(value, &format!("`{written}`")) else { return };
+        let found = self.expression(value);
+        let Some(form) = self.as_number(value, &found, &format!("`{written}`")) else { return };
         match self.solver.unify(own, &form, value.span) {
             Ok(()) => {}
             Err(Conflict::TooLarge) => {
@@ -117,10 +118,10 @@ impl Inference<'_> {
         }
     }
 
-    /// The dimension of an expression that must be a number.
-    fn numeric(&mut self, value: &Expression, user: &str) -> Option<Form> {
-        let kind = match self.expression(value) {
-            Type::Number(form) => return Some(form),
+    /// The dimension of what must be a number.
+    fn as_number(&mut self, value: &Expression, found: &Type, user: &str) -> Option<Form> {
+        let kind = match found {
+            Type::Number(form) => return Some(form.clone()),
             Type::Unknown => return None,
             Type::Truth => "true or false",
             Type::Text => "a text",
@@ -130,9 +131,15 @@ impl Inference<'_> {
         None
     }
 
+    /// Infers a value and checks it against the unit stated for it.
+    fn stated(&mut self, value: &Expression, stated: &StatedUnit) {
+        let found = self.expression(value);
+        self.check_stated(value, &found, stated);
+    }
+
     /// Checks a value against the unit stated for it.
-    pub fn stated(&mut self, value: &Expression, stated: &StatedUnit) {
-        let Some(form) = self.numeric(value, "what has a unit") else { return };
+    pub fn check_stated(&mut self, value: &Expression, found: &Type, stated: &StatedUnit) {
+        let Some(form) = self.as_number(value, found, "what has a unit") else { return };
         let needed = Form::from(stated.unit.dimension);
         match self.solver.unify(&form, &needed, stated.span) {
             Ok(()) => {}

@@ -52,7 +52,6 @@ impl Inference<'_> {
             ExpressionKind::Number { value: 0.0, unit: None } => Type::Number(self.solver.fresh()),
             ExpressionKind::Number { .. } => Type::Number(Form::pure()),
             ExpressionKind::Text(_) => Type::Text,
-            ExpressionKind::InitialValue { name, order: 0 } if Function::named(name).is_some() => self.of_zero(name),
             ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } => {
                 self.name(name, *order, expression.span)
             }
@@ -74,14 +73,6 @@ impl Inference<'_> {
                 self.same_kind((chosen, chosen_type), (other, other_type), Place::Branches)
             }
             ExpressionKind::Error => Type::Unknown,
-        }
-    }
-
-    /// `f(0)` for a function, which looks like an initial value.
-    fn of_zero(&mut self, name: &str) -> Type {
-        match Function::named(name).map(|function| function.dimensions) {
-            Some(Rule::Same | Rule::Root(_)) => Type::Number(self.solver.fresh()),
-            _ => Type::Number(Form::pure()),
         }
     }
 

@@ -11,14 +11,16 @@ use crate::{Diagnostic, Expression, ExpressionKind, Name, Span};
 #[derive(Debug)]
 pub(crate) struct NameCheck<'a> {
     scope: &'a Scope,
+    /// Names that have no meaning, which was told elsewhere.
+    told: Vec<&'a str>,
     unknown: Vec<(&'a str, u32, Vec<Span>)>,
     diagnostics: Vec<Diagnostic>,
 }
 
 impl<'a> NameCheck<'a> {
-    /// Nothing looked at yet.
-    pub fn new(scope: &'a Scope) -> Self {
-        Self { scope, unknown: Vec::new(), diagnostics: Vec::new() }
+    /// Nothing looked at yet. About the names `told`, nothing more is said.
+    pub fn new(scope: &'a Scope, told: Vec<&'a str>) -> Self {
+        Self { scope, told, unknown: Vec::new(), diagnostics: Vec::new() }
     }
 
     /// Looks at one expression.
@@ -52,14 +54,6 @@ impl<'a> NameCheck<'a> {
     }
 
     fn initial_value(&mut self, name: &'a str, order: u32, span: Span) {
-        if order == 0
-            && let Some(function) = Function::named(name)
-        {
-            if !function.takes(1) {
-                self.wrong_count(function, 1, span);
-            }
-            return;
-        }
         self.name(name, order, span);
         if order == 0
             && let Some(Meaning::Parameter(_) | Meaning::Pi | Meaning::Independent) = self.scope.meaning(name)
@@ -73,6 +67,9 @@ impl<'a> NameCheck<'a> {
     }
 
     fn unknown(&mut self, name: &'a str, order: u32, span: Span) {
+        if self.told.contains(&name) {
+            return;
+        }
         match self.unknown.iter_mut().find(|(known, ..)| *known == name) {
             Some((_, greatest, places)) => {
                 *greatest = order.max(*greatest);

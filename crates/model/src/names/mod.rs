@@ -2,6 +2,7 @@
 //! unknowns of the equations.
 
 mod check;
+mod events;
 mod order;
 mod program;
 mod scope;
@@ -9,8 +10,9 @@ mod traverse;
 mod unknowns;
 
 pub(crate) use check::NameCheck;
+pub(crate) use events::check_event;
 pub(crate) use order::{definition_order, list};
-pub(crate) use program::{Equation, EventEntry, Program};
+pub(crate) use program::{Equation, EventEntry, ParameterEntry, Program};
 pub(crate) use scope::{Meaning, Scope};
 pub(crate) use traverse::{children, for_each, for_each_name};
 pub(crate) use unknowns::{Unknown, find_unknowns};

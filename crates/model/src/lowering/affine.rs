@@ -1,0 +1,167 @@
+//! How expressions depend on the highest derivatives: as a sum of coefficients times highest derivatives and a rest, or
+//! in no such way.
+
+use super::expression::TooManyNodes;
+use crate::{Binary, Graph, Node, NodeId, Unary, limits};
+use std::collections::BTreeMap;
+
+/// `sum of coefficient*unknown + rest`; an absent coefficient or rest is 0.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Affine {
+    pub coefficients: BTreeMap<u32, NodeId>,
+    pub rest: Option<NodeId>,
+}
+
+/// How a node depends on the unknowns.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Shape {
+    /// Not at all.
+    Free,
+    /// Linearly.
+    Affine(Affine),
+    /// Otherwise.
+    Nonlinear,
+}
+
+/// Shapes of the nodes of one graph.
+#[derive(Debug, Default)]
+pub(crate) struct Shapes {
+    known: Vec<Option<Shape>>,
+}
+
+impl Shapes {
+    /// The shape of `root`. `unknown` tells which nodes are the unknowns, and their numbers.
+    pub fn of(
+        &mut self,
+        graph: &mut Graph,
+        root: NodeId,
+        unknown: impl Fn(Node) -> Option<u32>,
+    ) -> Result<Shape, TooManyNodes> {
+        for id in graph.reachable(&[root]) {
+            if self.get(id).is_none() {
+                let shape = self.compute(graph, id, &unknown);
+                if graph.len() > 2 * limits::NODES {
+                    return Err(TooManyNodes);
+                }
+                self.known.resize(self.known.len().max(id.0 as usize + 1), None);
+                self.known[id.0 as usize] = Some(shape);
+            }
+        }
+        Ok(self.shape(root))
+    }
+
+    fn get(&self, id: NodeId) -> Option<&Shape> {
+        self.known.get(id.0 as usize).and_then(Option::as_ref)
+    }
+
+    fn shape(&self, id: NodeId) -> Shape {
+        self.get(id).cloned().unwrap_or(Shape::Free)
+    }
+
+    /// The shape of a node whose operands' shapes are known.
+    fn compute(&self, graph: &mut Graph, id: NodeId, unknown: &impl Fn(Node) -> Option<u32>) -> Shape {
+        let node = graph.node(id);
+        if let Some(number) = unknown(node) {
+            let one = graph.constant(1.0);
+            return Shape::Affine(Affine { coefficients: BTreeMap::from([(number, one)]), rest: None });
+        }
+        let mut free = true;
+        let mut nonlinear = false;
+        graph.for_each_operand(id, |operand| match self.get(operand) {
+            None | Some(Shape::Free) => {}
+            Some(Shape::Affine(_)) => free = false,
+            Some(Shape::Nonlinear) => nonlinear = true,
+        });
+        if nonlinear {
+            return Shape::Nonlinear;
+        }
+        if free {
+            return Shape::Free;
+        }
+        let affine = match node {
+            Node::Unary(Unary::Negate, x) => Some(self.affine(x).map(|part| graph.negate(part))),
+            Node::Binary(Binary::Add, a, b) => Some(combine(graph, self.affine(a), self.affine(b), Binary::Add)),
+            Node::Binary(Binary::Subtract, a, b) => {
+                Some(combine(graph, self.affine(a), self.affine(b), Binary::Subtract))
+            }
+            Node::Binary(Binary::Multiply, a, b) if self.is_free(a) => {
+                Some(self.affine(b).map(|part| graph.multiply(a, part)))
+            }
+            Node::Binary(Binary::Multiply, a, b) if self.is_free(b) => {
+                Some(self.affine(a).map(|part| graph.multiply(part, b)))
+            }
+            Node::Binary(Binary::Divide, a, b) if self.is_free(b) => {
+                Some(self.affine(a).map(|part| graph.divide(part, b)))
+            }
+            Node::Select(condition, chosen, other) if self.is_free(condition) => {
+                Some(choose(graph, condition, &self.affine(chosen), &self.affine(other)))
+            }
+            _ => None,
+        };
+        affine.map_or(Shape::Nonlinear, Shape::Affine)
+    }
+
+    fn is_free(&self, id: NodeId) -> bool {
+        matches!(self.get(id), None | Some(Shape::Free))
+    }
+
+    /// The form of a node that is not nonlinear.
+    fn affine(&self, id: NodeId) -> Affine {
+        match self.get(id) {
+            Some(Shape::Affine(affine)) => affine.clone(),
+            _ => Affine { coefficients: BTreeMap::new(), rest: Some(id) },
+        }
+    }
+}
+
+impl Affine {
+    fn map(self, mut change: impl FnMut(NodeId) -> NodeId) -> Self {
+        let coefficients = self.coefficients.into_iter().map(|(unknown, part)| (unknown, change(part))).collect();
+        Self { coefficients, rest: self.rest.map(change) }
+    }
+
+    fn drop_zeros(mut self, graph: &Graph) -> Self {
+        let is_zero = |id: NodeId| graph.as_constant(id) == Some(0.0);
+        self.coefficients.retain(|_, &mut part| !is_zero(part));
+        self.rest = self.rest.filter(|&part| !is_zero(part));
+        self
+    }
+}
+
+/// The sum or difference. Equal coefficients cancel: they are coefficients of finite unknowns.
+fn combine(graph: &mut Graph, a: Affine, b: Affine, function: Binary) -> Affine {
+    let mut join = |left: Option<NodeId>, right: Option<NodeId>| match (left, right) {
+        (Some(left), Some(right)) if left == right && function == Binary::Subtract => None,
+        (Some(left), Some(right)) => Some(graph.binary(function, left, right)),
+        (None, Some(right)) if function == Binary::Subtract => Some(graph.negate(right)),
+        (left, right) => left.or(right),
+    };
+    let rest = join(a.rest, b.rest);
+    let mut coefficients = BTreeMap::new();
+    for &unknown in a.coefficients.keys().chain(b.coefficients.keys()) {
+        if !coefficients.contains_key(&unknown) {
+            let joined = join(a.coefficients.get(&unknown).copied(), b.coefficients.get(&unknown).copied());
+            coefficients.insert(unknown, joined);
+        }
+    }
+    let coefficients = coefficients.into_iter().filter_map(|(unknown, part)| Some((unknown, part?))).collect();
+    Affine { coefficients, rest }.drop_zeros(graph)
+}
+
+fn choose(graph: &mut Graph, condition: NodeId, chosen: &Affine, other: &Affine) -> Affine {
+    let zero = graph.constant(0.0);
+    let mut join = |chosen: Option<NodeId>, other: Option<NodeId>| {
+        (chosen.is_some() || other.is_some())
+            .then(|| graph.select(condition, chosen.unwrap_or(zero), other.unwrap_or(zero)))
+    };
+    let rest = join(chosen.rest, other.rest);
+    let unknowns: Vec<u32> = chosen.coefficients.keys().chain(other.coefficients.keys()).copied().collect();
+    let mut coefficients = BTreeMap::new();
+    for unknown in unknowns {
+        let parts = (chosen.coefficients.get(&unknown).copied(), other.coefficients.get(&unknown).copied());
+        if let Some(part) = join(parts.0, parts.1) {
+            coefficients.insert(unknown, part);
+        }
+    }
+    Affine { coefficients, rest }.drop_zeros(graph)
+}

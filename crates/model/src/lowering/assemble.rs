@@ -1,0 +1,223 @@
+//! Putting the model together from what was checked and lowered.
+
+use super::expression::{Chain, Lowering, TooManyNodes};
+use super::solve::{solve, too_many_nodes};
+use crate::dimensions::{Type, Types};
+use crate::matching::blocks;
+use crate::names::{EventEntry, Meaning, Program, Unknown, list};
+use crate::notation::primed;
+use crate::{
+    BinaryOperator, Compiled, Diagnostic, Event, Expression, ExpressionKind, Graph, Independent, Kind, Model, Node, NodeId,
+    Parameter, Quantity, State,
+};
+use units::{Dimension, Exponent, Unit};
+
+/// Builds the model, all but its statements. `order` is that of the definitions.
+pub(crate) fn assemble(
+    program: &Program,
+    order: &[usize],
+    unknowns: &[Unknown],
+    types: &Types,
+) -> Result<Model, Vec<Diagnostic>> {
+    let mut graph = Graph::default();
+    let mut texts = Vec::new();
+    // What has a name is always there to be looked up.
+    graph.insert(Node::Independent);
+    for index in 0..program.parameters.len() {
+        graph.insert(Node::Parameter(index as u32));
+    }
+    for number in 0..unknowns.iter().map(|unknown| unknown.highest).sum() {
+        graph.insert(Node::State(number));
+    }
+    let rates = solve(program, order, unknowns, &mut graph)?;
+    let chain = |(unknown, rate): (&Unknown, NodeId)| Chain { first_state: unknown.first_state, highest: unknown.highest, rate };
+    let chains: Vec<Chain> = unknowns.iter().zip(rates).map(chain).collect();
+    let mut lowering = Lowering::new(&mut graph, &mut texts, &program.scope, &chains);
+    lowering.definitions = vec![None; program.definitions.len()];
+    for &index in order {
+        let value = lower(&mut lowering, program.definitions[index].value)?;
+        lowering.definitions[index] = Some(value);
+    }
+    let states = states(&mut lowering, unknowns, types)?;
+    let events = program.events.iter().map(|event| lower_event(&mut lowering, event)).collect::<Result<_, _>>()?;
+    let values = lowering.definitions;
+    let mut model = Model {
+        statements: Vec::new(),
+        independent: Independent { name: program.independent.0.clone(), unit: program.independent.1.clone() },
+        parameters: parameters(program),
+        states,
+        quantities: Vec::new(),
+        events,
+        graph,
+        texts,
+    };
+    close_initial_values(&mut model)?;
+    for ((definition, found), node) in program.definitions.iter().zip(&types.definitions).zip(values.into_iter().flatten()) {
+        let stated = definition.unit.map(|stated| stated.unit.clone());
+        let unit = stated.unwrap_or_else(|| Unit::si(found.dimension()));
+        let value = Compiled { node, kind: found.kind(), unit, span: definition.value.span };
+        let label = definition.label.map(str::to_owned);
+        let varies = model.depends(node).varies();
+        model.quantities.push(Quantity { name: definition.name.text.clone(), label, value, varies });
+    }
+    // A quantity that is but another name for something is shown in that one's unit.
+    for &index in order {
+        let definition = &program.definitions[index];
+        if let (None, ExpressionKind::Name { name, order }) = (definition.unit, &definition.value.kind)
+            && let Some(named) = model.lookup(name, *order)
+        {
+            model.quantities[index].value.unit = named.unit;
+        }
+    }
+    Ok(model)
+}
+
+impl Type {
+    /// What the value is; an unknown type counts as a number.
+    pub fn kind(&self) -> Kind {
+        match self {
+            Self::Number(_) | Self::Unknown => Kind::Number,
+            Self::Truth => Kind::Truth,
+            Self::Text => Kind::Text,
+        }
+    }
+
+    /// The dimension, once everything is known.
+    pub fn dimension(&self) -> Dimension {
+        match self {
+            Self::Number(form) => form.known,
+            Self::Truth | Self::Text | Self::Unknown => Dimension::NONE,
+        }
+    }
+}
+
+fn lower(lowering: &mut Lowering, expression: &Expression) -> Result<NodeId, Vec<Diagnostic>> {
+    lowering.expression(expression).map_err(|TooManyNodes| vec![too_many_nodes(expression.span)])
+}
+
+fn parameters(program: &Program) -> Vec<Parameter> {
+    let parameter = |entry: &crate::names::ParameterEntry| {
+        let statement = entry.statement;
+        let unit = statement.unit.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
+        Parameter {
+            name: statement.name.text.clone(),
+            label: entry.label.map(str::to_owned),
+            value: unit.to_si(statement.value),
+            range: statement.range.as_ref().map(|bounds| (unit.to_si(bounds.low), unit.to_si(bounds.high))),
+            step: statement.step.map(|step| unit.to_si(step)),
+            span: entry.span,
+            restarts: false,
+            unit,
+        }
+    };
+    program.parameters.iter().map(parameter).collect()
+}
+
+/// The states in the order of their numbers. Their initial values may still be computed from each other.
+fn states(lowering: &mut Lowering, unknowns: &[Unknown], types: &Types) -> Result<Vec<State>, Vec<Diagnostic>> {
+    let mut states = Vec::new();
+    let mut in_order: Vec<usize> = (0..unknowns.len()).collect();
+    in_order.sort_by_key(|&index| unknowns[index].first_state);
+    for index in in_order {
+        let (unknown, chain) = (&unknowns[index], lowering.chains[index]);
+        for (order, entry) in (0_u32..).zip(unknown.initial.iter().flatten()) {
+            let dimension = types.unknowns[index].known.per(power(types.independent.known, order)).unwrap_or(Dimension::NONE);
+            let unit = entry.unit.map_or_else(|| Unit::si(dimension), |stated| stated.unit.clone());
+            states.push(State {
+                variable: unknown.name.to_owned(),
+                order,
+                label: entry.label.map(str::to_owned),
+                unit,
+                initial: lower(lowering, entry.value)?,
+                derivative: chain.node(lowering.graph, order + 1).unwrap_or(chain.rate),
+                span: entry.value.span,
+            });
+        }
+    }
+    Ok(states)
+}
+
+/// A power that has been computed before without leaving the bound.
+fn power(dimension: Dimension, order: u32) -> Dimension {
+    Exponent::new(i64::from(order), 1).and_then(|order| dimension.power(order)).unwrap_or(Dimension::NONE)
+}
+
+fn lower_event(lowering: &mut Lowering, event: &EventEntry) -> Result<Event, Vec<Diagnostic>> {
+    let condition = lower(lowering, event.condition)?;
+    let mut crossing = None;
+    if let ExpressionKind::Binary(operator, left, right) = &event.condition.kind
+        && matches!(
+            operator,
+            BinaryOperator::Less | BinaryOperator::LessOrEqual | BinaryOperator::Greater | BinaryOperator::GreaterOrEqual
+        )
+    {
+        let (left, right) = (lower(lowering, left)?, lower(lowering, right)?);
+        crossing = Some(lowering.graph.subtract(left, right));
+    }
+    let mut actions = Vec::new();
+    for action in event.actions {
+        if let Some(Meaning::Variable(index)) = lowering.scope.meaning(&action.name.text) {
+            let number = lowering.chains[index].first_state as u32 + action.order;
+            actions.push((number, lower(lowering, &action.value)?));
+        }
+    }
+    Ok(Event { condition, crossing, actions, span: event.span })
+}
+
+/// Makes initial values depend on parameters alone, and marks the parameters they depend on.
+fn close_initial_values(model: &mut Model) -> Result<(), Vec<Diagnostic>> {
+    let dependences: Vec<_> = model.states.iter().map(|state| model.depends(state.initial)).collect();
+    let mut diagnostics = Vec::new();
+    for (state, dependence) in model.states.iter().zip(&dependences) {
+        if !dependence.varies() {
+            continue;
+        }
+        let (what, hint) = match dependence.states.first().map(|&number| model.states[number as usize].name()) {
+            Some(name) => (format!("`{name}`"), format!("for its initial value write `{name}(0)`")),
+            None => (format!("`{}`", model.independent.name), "leave it out: the run starts at 0".to_owned()),
+        };
+        let message = format!("the initial value of `{}` depends on {what}, which changes", state.name());
+        diagnostics.push(Diagnostic::error("initial-value-varies", message, state.span).with_hint(hint));
+    }
+    let needs: Vec<Vec<usize>> =
+        dependences.iter().map(|dependence| dependence.initial.iter().map(|&number| number as usize).collect()).collect();
+    for block in blocks(&needs) {
+        let is_circle = block.len() > 1 || block.iter().any(|&number| needs[number].contains(&number));
+        if is_circle {
+            diagnostics.push(initial_circle(model, &block));
+        }
+        for number in block.into_iter().filter(|_| !is_circle) {
+            let values: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
+            let closed = model.graph.substitute(&[values[number]], |_, input| match input {
+                Node::Initial(other) => values.get(other as usize).copied(),
+                _ => None,
+            });
+            model.states[number].initial = closed.first().copied().unwrap_or(values[number]);
+        }
+    }
+    for state in 0..model.states.len() {
+        for number in model.depends(model.states[state].initial).parameters {
+            model.parameters[number as usize].restarts = true;
+        }
+    }
+    if diagnostics.is_empty() { Ok(()) } else { Err(diagnostics) }
+}
+
+fn initial_circle(model: &Model, members: &[usize]) -> Diagnostic {
+    let written = |&number: &usize| {
+        let state = &model.states[number];
+        format!("`{}(0)`", primed(&state.variable, state.order))
+    };
+    let names: Vec<String> = members.iter().map(written).collect();
+    let span = |number: usize| model.states[number].span;
+    let message = if names.len() == 1 {
+        format!("the initial value {} is given by itself", list(&names))
+    } else {
+        format!("the initial values {} go in a circle", list(&names))
+    };
+    let mut diagnostic = Diagnostic::error("cycle", message, span(members[0]));
+    for &other in &members[1..] {
+        diagnostic = diagnostic.with_label(span(other), "and this");
+    }
+    diagnostic
+}

@@ -1,0 +1,97 @@
+//! Why equations cannot be solved for their highest derivatives.
+
+use super::affine::{Shape, Shapes};
+use super::expression::{Lowering, TooManyNodes};
+use super::solve::highest_names;
+use crate::names::{Equation, Meaning, Program, Unknown, children};
+use crate::notation::quote;
+use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Node};
+
+/// Finds the innermost part of an equation that is not linear in the highest derivatives, through definitions.
+pub(crate) fn nonlinear(
+    program: &Program,
+    equation: &Equation,
+    lowering: &mut Lowering,
+    shapes: &mut Shapes,
+    unknown: impl Fn(Node) -> Option<u32>,
+) -> Result<Diagnostic, TooManyNodes> {
+    let mut is_nonlinear = |expression: &Expression| {
+        let node = lowering.expression(expression)?;
+        Ok(shapes.of(lowering.graph, node, &unknown)? == Shape::Nonlinear)
+    };
+    let mut at = if is_nonlinear(equation.left)? { equation.left } else { equation.right };
+    let mut through: Vec<usize> = Vec::new();
+    loop {
+        let mut inner = None;
+        if let ExpressionKind::Name { name, order: 0 } = &at.kind
+            && let Some(Meaning::Definition(index)) = program.scope.meaning(name)
+        {
+            through.push(index);
+            inner = Some(program.definitions[index].value);
+        } else {
+            for child in children(at) {
+                if is_nonlinear(child)? {
+                    inner = Some(child);
+                    break;
+                }
+            }
+        }
+        match inner {
+            Some(next) => at = next,
+            None => break,
+        }
+    }
+    let message = format!("the equation is not linear in its highest derivatives: {}", reason(at));
+    let mut diagnostic = Diagnostic::error("nonlinear-highest-derivative", message, at.span)
+        .with_label(equation.span, "in this equation");
+    for index in through {
+        let name = program.definitions[index].name;
+        diagnostic = diagnostic.with_label(name.span, format!("through `{}`", name.text));
+    }
+    Ok(diagnostic.with_hint(
+        "equations are solved for their highest derivatives, which may be added and multiplied by what contains none: \
+         rewrite the equation so",
+    ))
+}
+
+fn reason(expression: &Expression) -> String {
+    let quoted = quote(expression);
+    match &expression.kind {
+        ExpressionKind::Binary(BinaryOperator::Multiply, ..) => format!("`{quoted}` multiplies them with each other"),
+        ExpressionKind::Binary(BinaryOperator::Divide, ..) => format!("`{quoted}` divides by one"),
+        ExpressionKind::Binary(BinaryOperator::Power, ..) => format!("`{quoted}` is a power of one"),
+        ExpressionKind::Call { function, .. } => format!("one stands inside `{}`", function.text),
+        ExpressionKind::If(..) => format!("one decides `{quoted}`"),
+        _ => format!("`{quoted}` depends on them in another way"),
+    }
+}
+
+/// Tells which unknowns have no equation left with a coefficient other than 0.
+pub(crate) fn not_solvable(
+    program: &Program,
+    unknowns: &[Unknown],
+    contains: &[Vec<usize>],
+    equation_of: &[Option<usize>],
+) -> Vec<Diagnostic> {
+    let mut diagnostics = Vec::new();
+    for (index, unknown) in unknowns.iter().enumerate().filter(|(index, _)| equation_of[*index].is_none()) {
+        let highest = highest_names(unknowns, &[index]);
+        let diagnostic = if contains.iter().any(|members| members.contains(&index)) {
+            let message = format!("the equations do not determine {highest}");
+            Diagnostic::error("equations-dependent", message, unknown.span)
+        } else {
+            let message = format!("the coefficient of {highest} is 0, so no equation can be solved for it");
+            Diagnostic::error("coefficient-zero", message, unknown.span)
+        };
+        diagnostics.push(diagnostic);
+    }
+    for (index, equation) in program.equations.iter().enumerate() {
+        if contains[index].is_empty()
+            && let Some(first) = diagnostics.first_mut()
+            && !first.labels.iter().any(|label| label.span == equation.span)
+        {
+            *first = first.clone().with_label(equation.span, "nothing is left here to solve for");
+        }
+    }
+    diagnostics
+}

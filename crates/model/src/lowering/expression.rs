@@ -1,0 +1,210 @@
+//! From checked expressions to nodes of the graph.
+
+use crate::differentiate::along;
+use crate::functions::Function;
+use crate::names::{Meaning, Scope};
+use crate::{
+    Binary, BinaryOperator, Expression, ExpressionKind, Graph, Node, NodeId, Unary, UnaryOperator, limits,
+};
+use std::collections::HashMap;
+
+/// An unknown function as the graph sees it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Chain {
+    /// The index of its first state, the function itself.
+    pub first_state: usize,
+    /// How many states it has: the number of primes of its highest derivative.
+    pub highest: u32,
+    /// Its highest derivative.
+    pub rate: NodeId,
+}
+
+impl Chain {
+    /// The state with `order` primes, or the highest derivative; nothing beyond.
+    pub fn node(&self, graph: &mut Graph, order: u32) -> Option<NodeId> {
+        match order.cmp(&self.highest) {
+            std::cmp::Ordering::Less => Some(graph.insert(Node::State((self.first_state as u32) + order))),
+            std::cmp::Ordering::Equal => Some(self.rate),
+            std::cmp::Ordering::Greater => None,
+        }
+    }
+}
+
+/// The graph has more nodes than [`limits::NODES`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct TooManyNodes;
+
+/// Turns expressions into nodes. The expressions have passed all checks of names and dimensions; what those have refused
+/// becomes an undefined number here.
+#[derive(Debug)]
+pub(crate) struct Lowering<'a> {
+    pub graph: &'a mut Graph,
+    pub texts: &'a mut Vec<String>,
+    pub scope: &'a Scope,
+    pub chains: &'a [Chain],
+    /// The values of definitions; each is there before it is used.
+    pub definitions: Vec<Option<NodeId>>,
+    /// Derivatives that were already asked for.
+    derivatives: HashMap<(Meaning, u32), NodeId>,
+}
+
+impl<'a> Lowering<'a> {
+    /// Knows no definitions yet.
+    pub fn new(graph: &'a mut Graph, texts: &'a mut Vec<String>, scope: &'a Scope, chains: &'a [Chain]) -> Self {
+        Self { graph, texts, scope, chains, definitions: Vec::new(), derivatives: HashMap::new() }
+    }
+
+    /// The node of an expression.
+    pub fn expression(&mut self, expression: &Expression) -> Result<NodeId, TooManyNodes> {
+        if self.graph.len() > limits::NODES {
+            return Err(TooManyNodes);
+        }
+        let node = match &expression.kind {
+            ExpressionKind::Number { value, unit } => {
+                let value = unit.as_ref().map_or(*value, |unit| unit.to_si(*value));
+                self.graph.constant(value)
+            }
+            ExpressionKind::Text(text) => self.text(text),
+            ExpressionKind::Name { name, order } => self.name(name, *order)?,
+            ExpressionKind::InitialValue { name, order } => {
+                let node = self.name(name, *order)?;
+                at_start(self.graph, node)
+            }
+            ExpressionKind::Unary(operator, operand) => {
+                let operand = self.expression(operand)?;
+                let function = match operator {
+                    UnaryOperator::Negate => Unary::Negate,
+                    UnaryOperator::Not => Unary::Not,
+                };
+                self.graph.unary(function, operand)
+            }
+            ExpressionKind::Binary(operator, left, right) => {
+                let (left, right) = (self.expression(left)?, self.expression(right)?);
+                self.binary(*operator, left, right)
+            }
+            ExpressionKind::Call { function, arguments } => {
+                let arguments =
+                    arguments.iter().map(|argument| self.expression(argument)).collect::<Result<Vec<_>, _>>()?;
+                match Function::named(&function.text) {
+                    Some(function) => function.build(self.graph, &arguments),
+                    None => self.undefined(),
+                }
+            }
+            ExpressionKind::If(condition, chosen, other) => {
+                let condition = self.expression(condition)?;
+                let (chosen, other) = (self.expression(chosen)?, self.expression(other)?);
+                self.graph.select(condition, chosen, other)
+            }
+            ExpressionKind::Error => self.undefined(),
+        };
+        Ok(node)
+    }
+
+    fn binary(&mut self, operator: BinaryOperator, left: NodeId, right: NodeId) -> NodeId {
+        let function = match operator {
+            BinaryOperator::Add => Binary::Add,
+            BinaryOperator::Subtract => Binary::Subtract,
+            BinaryOperator::Multiply => Binary::Multiply,
+            BinaryOperator::Divide => Binary::Divide,
+            BinaryOperator::Power => Binary::Power,
+            BinaryOperator::Less => Binary::Less,
+            BinaryOperator::LessOrEqual => Binary::LessOrEqual,
+            BinaryOperator::Greater => return self.graph.binary(Binary::Less, right, left),
+            BinaryOperator::GreaterOrEqual => return self.graph.binary(Binary::LessOrEqual, right, left),
+            BinaryOperator::Equal => Binary::Equal,
+            BinaryOperator::NotEqual => Binary::NotEqual,
+            BinaryOperator::And => Binary::And,
+            BinaryOperator::Or => Binary::Or,
+        };
+        self.graph.binary(function, left, right)
+    }
+
+    fn undefined(&mut self) -> NodeId {
+        self.graph.constant(f64::NAN)
+    }
+
+    fn text(&mut self, text: &str) -> NodeId {
+        let known = self.texts.iter().position(|known| known == text);
+        let index = known.unwrap_or_else(|| {
+            self.texts.push(text.to_owned());
+            self.texts.len() - 1
+        });
+        self.graph.constant(index as f64)
+    }
+
+    /// The value of a name with `order` primes.
+    pub fn name(&mut self, name: &str, order: u32) -> Result<NodeId, TooManyNodes> {
+        let Some(meaning) = self.scope.meaning(name) else {
+            return Ok(self.undefined());
+        };
+        let node = match meaning {
+            Meaning::Parameter(index) => self.graph.insert(Node::Parameter(index as u32)),
+            Meaning::Independent => self.graph.insert(Node::Independent),
+            Meaning::Pi => self.graph.constant(std::f64::consts::PI),
+            Meaning::Variable(index) => {
+                let chain = self.chains[index];
+                let available = order.min(chain.highest);
+                let node = chain.node(self.graph, available).unwrap_or(chain.rate);
+                return self.derivative(meaning, node, available, order);
+            }
+            Meaning::Definition(index) => {
+                let value = self.definitions.get(index).copied().flatten();
+                value.unwrap_or_else(|| self.undefined())
+            }
+        };
+        self.derivative(meaning, node, 0, order)
+    }
+
+    /// Differentiates `node`, which has `order` primes, until it has `wanted`.
+    fn derivative(
+        &mut self,
+        meaning: Meaning,
+        mut node: NodeId,
+        order: u32,
+        wanted: u32,
+    ) -> Result<NodeId, TooManyNodes> {
+        for order in order..wanted {
+            node = match self.derivatives.get(&(meaning, order)) {
+                Some(&known) => known,
+                None => {
+                    let derivative = total_derivative(self.graph, self.chains, node);
+                    self.derivatives.insert((meaning, order), derivative);
+                    derivative
+                }
+            };
+            if self.graph.len() > limits::NODES {
+                return Err(TooManyNodes);
+            }
+        }
+        Ok(node)
+    }
+}
+
+/// The rate of change along a solution of the equations.
+fn total_derivative(graph: &mut Graph, chains: &[Chain], node: NodeId) -> NodeId {
+    let one = graph.constant(1.0);
+    let mut rates: HashMap<u32, NodeId> = HashMap::new();
+    for chain in chains {
+        for order in 0..chain.highest {
+            if let Some(rate) = chain.node(graph, order + 1) {
+                rates.insert(chain.first_state as u32 + order, rate);
+            }
+        }
+    }
+    let derivatives = along(graph, &[node], |input| match input {
+        Node::Independent => Some(one),
+        Node::State(index) => rates.get(&index).copied(),
+        _ => None,
+    });
+    derivatives.first().copied().unwrap_or(node)
+}
+
+/// The value that `node` had at the start of the run, where the independent variable is 0.
+fn at_start(graph: &mut Graph, node: NodeId) -> NodeId {
+    let values = graph.substitute(&[node], |graph, input| match input {
+        Node::State(index) => Some(graph.insert(Node::Initial(index))),
+        Node::Independent => Some(graph.constant(0.0)),
+        _ => None,
+    });
+    values.first().copied().unwrap_or(node)
+}

@@ -1,0 +1,214 @@
+//! Solving the equations for their highest derivatives.
+
+use super::affine::{Affine, Shape, Shapes};
+use super::collect::Collector;
+use super::explain::{nonlinear, not_solvable};
+use super::expression::{Chain, Lowering, TooManyNodes};
+use crate::matching::{blocks, match_equations};
+use crate::names::{Equation, Meaning, Program, Unknown, for_each_name, list};
+use crate::notation::primed;
+use crate::{Diagnostic, Graph, LinearSystem, Node, NodeId, Span, limits};
+
+/// The highest derivative of each unknown as an expression in `graph`. `order` is that of the definitions.
+pub(crate) fn solve(
+    program: &Program,
+    order: &[usize],
+    unknowns: &[Unknown],
+    graph: &mut Graph,
+) -> Result<Vec<NodeId>, Vec<Diagnostic>> {
+    // The equations are built in a graph of their own, in which the highest derivatives are further states.
+    let mut scratch = Graph::default();
+    let states: u32 = unknowns.iter().map(|unknown| unknown.highest).sum();
+    let chains: Vec<Chain> = (states..)
+        .zip(unknowns)
+        .map(|(number, Unknown { highest, first_state, .. })| Chain {
+            first_state: *first_state,
+            highest: *highest,
+            rate: scratch.insert(Node::State(number)),
+        })
+        .collect();
+    let affine = linear_equations(program, order, (states, &chains), &mut scratch)?;
+    let affine = copied(&affine, &scratch, graph);
+    let contains: Vec<Vec<usize>> =
+        affine.iter().map(|form| form.coefficients.keys().map(|&unknown| unknown as usize).collect()).collect();
+    let equation_of = match_equations(&contains, unknowns.len());
+    let paired: Vec<usize> = equation_of.iter().copied().flatten().collect();
+    if paired.len() < unknowns.len() {
+        return Err(not_solvable(program, unknowns, &contains, &equation_of));
+    }
+    let needs: Vec<Vec<usize>> = (0..unknowns.len())
+        .map(|unknown| contains[paired[unknown]].iter().copied().filter(|&other| other != unknown).collect())
+        .collect();
+    let mut solved = Solved { graph, rates: vec![None; unknowns.len()], collector: Collector::default() };
+    for block in blocks(&needs) {
+        match block.as_slice() {
+            &[unknown] => solved.alone(&affine[paired[unknown]], unknown),
+            members if members.len() > limits::COUPLED => {
+                return Err(vec![too_coupled(members, unknowns)]);
+            }
+            members => {
+                let forms: Vec<&Affine> = members.iter().map(|&member| &affine[paired[member]]).collect();
+                solved.together(&forms, members);
+            }
+        }
+    }
+    Ok(solved.rates.into_iter().flatten().collect())
+}
+
+fn too_coupled(members: &[usize], unknowns: &[Unknown]) -> Diagnostic {
+    let message = format!("{} equations are coupled through their highest derivatives; {} are the most", members.len(), limits::COUPLED);
+    let span = members.first().map(|&member| unknowns[member].span).unwrap_or_default();
+    Diagnostic::error("too-many-coupled-equations", message, span)
+}
+
+/// Each equation as left side minus right side, linear in the highest derivatives.
+fn linear_equations(
+    program: &Program,
+    order: &[usize],
+    (states, chains): (u32, &[Chain]),
+    scratch: &mut Graph,
+) -> Result<Vec<Affine>, Vec<Diagnostic>> {
+    let mut texts = Vec::new();
+    let mut lowering = Lowering::new(scratch, &mut texts, &program.scope, chains);
+    lowering.definitions = vec![None; program.definitions.len()];
+    let too_many = |span: Span| vec![too_many_nodes(span)];
+    for index in used_definitions(program, order) {
+        let definition = &program.definitions[index];
+        let value = lowering.expression(definition.value).map_err(|TooManyNodes| too_many(definition.name.span))?;
+        lowering.definitions[index] = Some(value);
+    }
+    let mut shapes = Shapes::default();
+    let unknown = |node: Node| match node {
+        Node::State(number) if number >= states => Some(number - states),
+        _ => None,
+    };
+    let mut forms = Vec::new();
+    let mut diagnostics = Vec::new();
+    for equation in &program.equations {
+        let too_many = |TooManyNodes| too_many(equation.span);
+        let left = lowering.expression(equation.left).map_err(too_many)?;
+        let right = lowering.expression(equation.right).map_err(too_many)?;
+        let difference = lowering.graph.subtract(left, right);
+        if uses_initial_highest(lowering.graph, difference, states) {
+            diagnostics.push(initial_highest(equation));
+            continue;
+        }
+        match shapes.of(lowering.graph, difference, unknown).map_err(too_many)? {
+            Shape::Affine(form) => forms.push(form),
+            Shape::Free => forms.push(Affine { rest: Some(difference), ..Affine::default() }),
+            Shape::Nonlinear => {
+                let told = nonlinear(program, equation, &mut lowering, &mut shapes, unknown);
+                diagnostics.push(told.map_err(too_many)?);
+            }
+        }
+    }
+    if diagnostics.is_empty() { Ok(forms) } else { Err(diagnostics) }
+}
+
+/// The model asks for too much.
+pub(crate) fn too_many_nodes(span: Span) -> Diagnostic {
+    let message = "the model becomes too large here: the expressions it stands for have too many operations";
+    Diagnostic::error("model-too-large", message, span)
+}
+
+/// The definitions that the equations use, in the order of computation.
+fn used_definitions(program: &Program, order: &[usize]) -> Vec<usize> {
+    let mut used = vec![false; program.definitions.len()];
+    let mark = |expression, used: &mut Vec<bool>| {
+        for_each_name(expression, |name, _, _| {
+            if let Some(Meaning::Definition(index)) = program.scope.meaning(name) {
+                used[index] = true;
+            }
+        });
+    };
+    for equation in &program.equations {
+        mark(equation.left, &mut used);
+        mark(equation.right, &mut used);
+    }
+    for &index in order.iter().rev() {
+        if used[index] {
+            mark(program.definitions[index].value, &mut used);
+        }
+    }
+    order.iter().copied().filter(|&index| used[index]).collect()
+}
+
+fn uses_initial_highest(graph: &Graph, root: NodeId, states: u32) -> bool {
+    graph.reachable(&[root]).into_iter().any(|id| matches!(graph.node(id), Node::Initial(number) if number >= states))
+}
+
+fn initial_highest(equation: &Equation) -> Diagnostic {
+    let message = "the equation uses the initial value of a highest derivative, which only its solution gives";
+    Diagnostic::error("initial-value-of-highest", message, equation.span)
+}
+
+/// The forms with their nodes rebuilt in another graph: they are free of highest derivatives, so nothing changes.
+fn copied(forms: &[Affine], from: &Graph, to: &mut Graph) -> Vec<Affine> {
+    let nodes = |form: &Affine| form.coefficients.values().copied().chain(form.rest).collect::<Vec<_>>();
+    let roots: Vec<NodeId> = forms.iter().flat_map(nodes).collect();
+    let mut rebuilt = from.rebuild_into(to, &roots, |_, _| None).into_iter();
+    forms
+        .iter()
+        .map(|form| Affine {
+            coefficients: form.coefficients.keys().copied().zip(rebuilt.by_ref()).collect(),
+            rest: form.rest.and_then(|_| rebuilt.next()),
+        })
+        .collect()
+}
+
+/// The solution as far as it has come.
+struct Solved<'a> {
+    graph: &'a mut Graph,
+    rates: Vec<Option<NodeId>>,
+    collector: Collector,
+}
+
+impl Solved<'_> {
+    fn or_zero(&mut self, id: Option<NodeId>) -> NodeId {
+        id.unwrap_or_else(|| self.graph.constant(0.0))
+    }
+
+    /// Minus everything in the equation but the `members`.
+    fn right(&mut self, form: &Affine, members: &[usize]) -> NodeId {
+        let mut sum = self.or_zero(form.rest);
+        for (&unknown, &coefficient) in &form.coefficients {
+            if let (false, Some(rate)) = (members.contains(&(unknown as usize)), self.rates[unknown as usize]) {
+                let term = self.graph.multiply(coefficient, rate);
+                sum = self.graph.add(sum, term);
+            }
+        }
+        self.graph.negate(sum)
+    }
+
+    /// One equation for one unknown: a division.
+    fn alone(&mut self, form: &Affine, unknown: usize) {
+        let right = self.right(form, &[unknown]);
+        let coefficient = self.or_zero(form.coefficients.get(&(unknown as u32)).copied());
+        self.rates[unknown] = Some(self.collector.quotient(self.graph, right, coefficient));
+    }
+
+    /// Coupled equations: a linear system.
+    fn together(&mut self, forms: &[&Affine], members: &[usize]) {
+        let one = self.graph.constant(1.0);
+        let mut matrix = Vec::with_capacity(members.len() * members.len());
+        let mut right = Vec::with_capacity(members.len());
+        for form in forms {
+            for &member in members {
+                let coefficient = self.or_zero(form.coefficients.get(&(member as u32)).copied());
+                matrix.push(coefficient);
+            }
+            let value = self.right(form, members);
+            right.push(self.collector.quotient(self.graph, value, one));
+        }
+        let system = self.graph.insert_system(LinearSystem { matrix, right });
+        for (row, &member) in members.iter().enumerate() {
+            self.rates[member] = Some(self.graph.insert(Node::Solution { system, row: row as u32 }));
+        }
+    }
+}
+
+/// `y''`, `x''` and so on, in quotation marks.
+pub(crate) fn highest_names(unknowns: &[Unknown], members: &[usize]) -> String {
+    let quoted = |&member: &usize| format!("`{}`", primed(unknowns[member].name, unknowns[member].highest));
+    list(&members.iter().map(quoted).collect::<Vec<_>>())
+}

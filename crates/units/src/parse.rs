@@ -113,8 +113,8 @@ impl<'a> Reader<'a> {
         self.blanks();
         let below = self.factor(depth)?;
         self.blanks();
-        if self.take('*') || self.take('·') {
-            self.blanks();
+        if self.multiplication() && !self.starts_factor() {
+            return Err(self.unexpected());
         }
         if self.starts_factor() {
             let start = self.at;
@@ -146,10 +146,7 @@ impl<'a> Reader<'a> {
         let mut product = self.factor(depth)?;
         loop {
             self.blanks();
-            let operator = self.take('*') || self.take('·') || self.take('×') || self.take('⋅');
-            if operator {
-                self.blanks();
-            } else if !self.starts_factor() {
+            if !self.multiplication() && !self.starts_factor() {
                 return Ok(product);
             }
             let factor = self.factor(depth)?;
@@ -165,6 +162,15 @@ impl<'a> Reader<'a> {
             };
             product = Part { dimension, scale: product.scale.times(factor.scale), text, range };
         }
+    }
+
+    /// Reads a multiplication sign and the blanks after it, if one comes next.
+    fn multiplication(&mut self) -> bool {
+        let found = ['*', '·', '⋅', '×'].into_iter().any(|sign| self.take(sign));
+        if found {
+            self.blanks();
+        }
+        found
     }
 
     fn starts_factor(&self) -> bool {
@@ -215,8 +221,8 @@ impl<'a> Reader<'a> {
         self.at += length;
         let range = start..self.at;
         let written = &self.text[range.clone()];
-        // Greek mu and ohm sign, and the angstrom sign, are the letters they look like.
-        let text = written.replace('μ', "µ").replace('\u{2126}', "Ω").replace(['\u{212B}'], "Å");
+        // The Greek mu, the ohm and angstrom signs and the raised o of Spanish keyboards are what they look like.
+        let text = written.replace('μ', "µ").replace('\u{2126}', "Ω").replace('\u{212B}', "Å").replace('º', "°");
         if let Some((symbol, tens)) = table::find(&text) {
             let scale = symbol.scale.times(Scale::decimal(1, tens));
             return Ok(Part { dimension: symbol.dimension(), scale, text, range });
@@ -232,6 +238,9 @@ impl<'a> Reader<'a> {
             self.at += length;
             let value = raised.parse().ok().and_then(|value| Exponent::new(value, 1));
             return value.map(Some).ok_or_else(|| too_high(start..self.at));
+        }
+        if self.rest().trim_start().starts_with('^') {
+            self.blanks();
         }
         if !self.take('^') {
             return Ok(None);

@@ -139,6 +139,7 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("joule", "J"),
     ("watt", "W"),
     ("coulomb", "C"),
+    ("ohm", "ohm"),
     ("volt", "V"),
     ("siemens", "S"),
     ("farad", "F"),
@@ -179,29 +180,30 @@ pub(crate) fn near(text: &str) -> Option<String> {
     if let Some((_, symbol)) = named {
         return Some((*symbol).to_owned());
     }
-    // `Kg`, `KM`, `HZ`: the right letters, the wrong case.
-    if let Some(symbol) = every().find(|candidate| candidate.to_lowercase() == lower) {
-        return Some(symbol);
-    }
-    // `Ns` for N s, `Pas` for Pa s; `kgm` for kg m
-    for at in text.char_indices().skip(1).map(|(at, _)| at) {
-        if find(&text[..at]).is_some() && find(&text[at..]).is_some() {
-            return Some(format!("{} {}", &text[..at], &text[at..]));
-        }
-    }
-    None
+    // `Kg`, `HZ`: the right letters, the wrong case.
+    let alike = |prefixes: &[&str]| {
+        let prefixed = |prefix: &&str| {
+            let symbols = SYMBOLS.iter().filter(|symbol| symbol.prefixes || prefix.is_empty());
+            let mut texts = symbols.map(|symbol| format!("{prefix}{}", symbol.text));
+            texts.find(|candidate| candidate.to_lowercase() == lower)
+        };
+        prefixes.iter().find_map(prefixed)
+    };
+    alike(&["", "k", "c", "m", "h"]).or_else(|| together(text)).or_else(|| alike(&["µ", "M", "n", "G"]))
 }
 
-/// All symbols, the plain ones first, then the usual prefixes.
-fn every() -> impl Iterator<Item = String> {
-    let plain = SYMBOLS.iter().map(|symbol| symbol.text.to_owned());
-    let prefixed = ["k", "c", "m", "µ", "M", "h", "n", "G"].into_iter().flat_map(|prefix| {
-        SYMBOLS.iter().filter(|symbol| symbol.prefixes).map(move |symbol| format!("{prefix}{}", symbol.text))
-    });
-    plain.chain(prefixed)
+/// `Nm` for N m, `Pas` for Pa s, `kWh` for kW h
+fn together(text: &str) -> Option<String> {
+    let usual = |part: &str| find(part).is_some_and(|(_, tens)| matches!(tens, 0 | 3));
+    text.char_indices().skip(1).find_map(|(at, _)| {
+        let (first, second) = text.split_at(at);
+        (usual(first) && usual(second)).then(|| format!("{first} {second}"))
+    })
 }
 
 /// How a dimension's SI unit is written where nobody stated one: with a unit of its own name, if that is what people
 /// say.
-pub(crate) const PREFERRED: &[&str] =
-    &["N", "Pa", "J", "W", "C", "V", "ohm", "F", "Wb", "T", "H", "Pa s", "N/m", "V/m", "J/K", "J/(kg K)", "W/(m K)"];
+pub(crate) const PREFERRED: &[&str] = &[
+    "N", "Pa", "J", "W", "C", "V", "ohm", "F", "Wb", "T", "H", "Pa s", "N/m", "V/m", "J/K", "W/m^2", "J/(kg K)",
+    "W/(m K)",
+];

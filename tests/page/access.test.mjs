@@ -1,0 +1,176 @@
+// For everyone: axe on every view, in both languages and themes; the phone; the whole laboratory by keyboard.
+
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
+import { eventually, visit } from "./lab.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** Nothing that axe knows is wrong with the page as it is. */
+async function isAccessible(lab, view) {
+  await lab.page.evaluate(axe);
+  const { violations } = await lab.page.evaluate(() => window.axe.run(document));
+  const found = violations.map(({ id, help, nodes }) => `${id}: ${help}\n    ${nodes.map((node) => node.html.slice(0, 200)).join("\n    ")}`);
+  assert.deepEqual(found, [], `in ${view}`);
+}
+
+for (const language of ["en-GB", "es-ES"]) {
+  for (const theme of ["light", "dark"]) {
+    for (const [device, size] of [["desk", {}], ["phone", { width: 390, height: 844, touch: true }]]) {
+      visit(`axe finds nothing: ${language}, ${theme}, ${device}`, { language, theme, ...size }, async (lab) => {
+        await isAccessible(lab, "the page as it opens");
+        await lab.page.locator("#keep").click();
+        await lab.page.locator("#step-forward").click();
+        for (const summary of await lab.page.locator("summary:visible").all()) await summary.click();
+        for (const tab of await lab.page.getByRole("tab").all()) {
+          await tab.click();
+          for (const summary of await lab.page.locator("[role=tabpanel]:visible details:not([open]) > summary").all()) await summary.click();
+          await isAccessible(lab, await tab.innerText());
+        }
+        await lab.page.locator("#parameter-0").fill("nonsense");
+        await lab.page.locator("#parameter-0").press("Enter");
+        await isAccessible(lab, "a refusal");
+        await lab.page.locator("#help").click();
+        await isAccessible(lab, "the list of keys");
+      });
+    }
+  }
+}
+
+visit("a phone shows everything without sideways scrolling", { width: 390, height: 844, touch: true }, async (lab) => {
+  const isWide = () => lab.page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth);
+  for (const tab of await lab.page.getByRole("tab").all()) {
+    await tab.click();
+    assert.equal(await isWide(), false, await tab.innerText());
+  }
+  await lab.press("Play");
+  await lab.watchUntil(0.5);
+  assert.equal(await isWide(), false, "while it plays");
+  for (const button of await lab.page.locator("#transport button").all()) {
+    const { width, height } = await button.boundingBox();
+    assert.ok(width >= 40 && height >= 40, `${await button.getAttribute("aria-label")} is ${width} by ${height}`);
+  }
+});
+
+visit("the whole laboratory is worked by keyboard alone", async (lab) => {
+  // Every control can be reached, and the focus is never lost on the way.
+  const reached = new Set();
+  for (let presses = 0; presses < 200; presses += 1) {
+    await lab.keys("Tab");
+    const { tag } = await lab.focused();
+    if (tag === "BODY" && reached.size > 0) break;
+    reached.add(
+      await lab.page.evaluate(() => {
+        const all = [...document.querySelectorAll("*")];
+        return all.indexOf(document.activeElement);
+      }),
+    );
+  }
+  const missed = await lab.page.evaluate((reached) => {
+    const all = [...document.querySelectorAll("*")];
+    const usable = (element) =>
+      element.matches("button, input, select, summary, a[href], [tabindex='0']") &&
+      !element.matches("[tabindex='-1'], [hidden], :disabled") &&
+      element.checkVisibility();
+    return all.filter((element, index) => usable(element) && !reached.includes(index)).map((element) => element.outerHTML.slice(0, 120));
+  }, [...reached]);
+  assert.deepEqual(missed, [], "not reached with Tab");
+
+  // Play, pause, step, reset, speed, scrub.
+  await lab.page.evaluate(() => document.activeElement.blur());
+  await lab.tabTo("#play");
+  await lab.keys("Enter");
+  await lab.watchUntil(0.5);
+  await lab.keys("Space");
+  const paused = await lab.time();
+  await lab.keys(".");
+  assert.ok((await lab.time()) > paused);
+  await lab.tabTo("#time-line");
+  await lab.keys("ArrowLeft", "ArrowLeft");
+  assert.ok((await lab.time()) <= paused);
+  await lab.tabTo("#speed");
+  await lab.keys("ArrowDown");
+  assert.equal(await lab.page.locator("#speed").inputValue(), "2");
+  await lab.page.evaluate(() => document.activeElement.blur());
+  await lab.keys("k");
+  await eventually(async () => assert.equal(await lab.page.locator("#play").getAttribute("aria-label"), "Pause"));
+  await lab.keys("k", "r");
+  assert.equal(await lab.time(), 0);
+
+  // The liquid, a plot, a parameter, the state.
+  await lab.tabTo("#scene [role=slider]");
+  await lab.keys("ArrowUp");
+  assert.ok((await lab.number("Displacement")) > 0.5);
+  await lab.tabTo("canvas");
+  await lab.keys("ArrowRight", "+", "0");
+  const damping = lab.slider(/^Damping/);
+  await lab.tabTo(`#${await damping.getAttribute("id")}`);
+  const before = await lab.number("Damping");
+  await lab.keys("ArrowRight", "ArrowRight");
+  assert.ok((await lab.number("Damping")) > before);
+
+  // The notebook: tabs with arrows; single keys do nothing there.
+  await lab.tabTo("[role=tab]");
+  await lab.keys("ArrowRight");
+  assert.equal(await lab.page.getByRole("tab").nth(1).getAttribute("aria-selected"), "true");
+  const time = await lab.time();
+  await lab.keys("k");
+  assert.equal(await lab.page.locator("#play").getAttribute("aria-label"), "Play");
+  assert.equal(await lab.time(), time);
+
+  // The list of keys opens and closes, and the focus comes back.
+  await lab.tabTo("#help");
+  await lab.keys("Enter");
+  await lab.page.getByRole("dialog").waitFor();
+  await lab.keys("Escape");
+  assert.equal((await lab.focused()).id, "help");
+});
+
+visit("single keys can be switched off, and never act while typing", async (lab) => {
+  await lab.field("Damping").focus();
+  await lab.keys("k", "r");
+  assert.equal(await lab.page.locator("#play").getAttribute("aria-label"), "Play");
+  await lab.keys("Escape");
+  await lab.press("Keyboard shortcuts");
+  await lab.page.getByRole("checkbox", { name: "Single-key shortcuts" }).uncheck();
+  await lab.keys("Escape");
+  await lab.page.evaluate(() => document.activeElement.blur());
+  await lab.keys("k");
+  assert.equal(await lab.page.locator("#play").getAttribute("aria-label"), "Play");
+});
+
+visit("changes are announced", async (lab) => {
+  await lab.page.evaluate(() => document.activeElement.blur());
+  await lab.keys("k");
+  await eventually(async () => assert.notEqual(await lab.told(), ""));
+  await lab.keys("k");
+  await lab.press("Mercury");
+  await eventually(async () => assert.match(await lab.told(), /Mercury/));
+});
+
+visit("the language is switched live, and nothing is lost", async (lab) => {
+  await lab.enter("Damping", "62.5");
+  await lab.press("Step forward");
+  const time = await lab.time();
+  await lab.press("Español");
+  assert.equal(await lab.page.locator("html").getAttribute("lang"), "es");
+  assert.equal(await lab.time(), time);
+  assert.equal(await lab.field("Amortiguamiento").inputValue(), "62,5");
+  assert.equal((await lab.focused()).id, "language-es", "the focus stays");
+  await lab.press("Reproducir");
+  await lab.press("Pausar");
+  await lab.press("English");
+  assert.equal(await lab.field("Damping").inputValue(), "62.5");
+});
+
+visit("light and dark follow the system and can be chosen", { theme: "dark" }, async (lab) => {
+  const ground = () => lab.page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const dark = await ground();
+  await lab.page.getByRole("button", { name: /^Colours/ }).click();
+  const light = await ground();
+  assert.notEqual(light, dark);
+  await lab.page.reload();
+  await lab.page.getByRole("heading", { level: 1 }).waitFor();
+  assert.equal(await ground(), light, "remembered");
+});

@@ -1,0 +1,62 @@
+// Documents from strangers: whatever stands in them, nothing runs and nobody is asked for anything.
+
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { beside, eventually, meniscus, temporary, visit } from "./lab.mjs";
+
+/** No script of the document has run, and nothing of it is in the page. */
+async function isHarmless(lab) {
+  await lab.page.waitForTimeout(300);
+  const found = await lab.page.evaluate(() => ({
+    ran: window.harm ?? null,
+    elements: [...document.querySelectorAll("#lab :is(script, iframe, object, embed, foreignObject, animate, set, base, meta, form[action])")].map((element) => element.outerHTML),
+    handlers: [...document.querySelectorAll("#lab *")].flatMap((element) => [...element.attributes].filter((attribute) => /^on/i.test(attribute.name)).map((attribute) => attribute.name)),
+    addresses: [...document.querySelectorAll("#lab [href], #lab [src]")]
+      .flatMap((element) => [element.getAttribute("href"), element.getAttribute("src"), element.getAttribute("xlink:href")])
+      .filter((address) => address !== null && !/^(https?:|mailto:|#|data:image\/)/.test(address)),
+  }));
+  assert.deepEqual(found, { ran: null, elements: [], handlers: [], addresses: [] });
+}
+
+visit("hostile words are only words", { file: exportedWords }, async (lab) => {
+  await isHarmless(lab);
+  for (const tab of await lab.page.getByRole("tab").all()) await tab.click();
+  await lab.press("Play");
+  await lab.watchUntil(0.3);
+  await isHarmless(lab);
+  assert.match(await lab.page.getByRole("heading", { level: 1 }).innerText(), /<\/script>/, "shown as it was written");
+});
+
+function exportedWords() {
+  const file = temporary("words.html");
+  meniscus("export", "tests/page/hostile-words.md", "--output", file);
+  return file;
+}
+
+visit("hostile drawings are refused", async (lab) => {
+  await lab.page.setInputFiles("#open-file", beside("hostile-scene.md"));
+  await lab.page.locator(".finding").first().waitFor();
+  await isHarmless(lab);
+});
+
+visit("a hostile link changes nothing but settings", async (lab) => {
+  for (const fragment of ["<img src=x onerror=harm=1>", "b=1e999&h_l=-5&t=nan", "%00%ff%fe", "v=" + "9".repeat(10_000)]) {
+    await lab.page.goto("about:blank");
+    await lab.go(lab.address + "#" + fragment);
+    await isHarmless(lab);
+    await lab.press("Step forward");
+    await eventually(async () => assert.ok((await lab.time()) > 0));
+  }
+});
+
+visit("a page whose document was damaged says so", { file: damaged }, async (lab) => {
+  await isHarmless(lab);
+  assert.ok((await lab.page.locator(".broken").count()) === 1);
+});
+
+function damaged() {
+  const whole = readFileSync(exportedWords(), "utf8");
+  const file = temporary("damaged.html");
+  writeFileSync(file, whole.replace("```model", "```modle"));
+  return file;
+}

@@ -1,0 +1,218 @@
+// A person at the laboratory: finds things by what they are called, as a screen reader does, and does with them what
+// hands do. Every visit is without a network, and fails if the page asks anyone for anything or throws an error.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const root = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
+const program = process.env.MENISCUS ?? join(root, "target", "debug", "meniscus");
+const labPage = process.env.PAGE ?? join(root, "target", "page", "meniscus.html");
+
+const SWITCHES = [
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+
+let browser;
+let directory;
+
+before(async () => {
+  assert.ok(process.env.CHROME, "CHROME must name the browser; `cargo xtask test` finds it");
+  browser = await chromium.launch({ executablePath: process.env.CHROME, args: SWITCHES });
+  directory = mkdtempSync(join(tmpdir(), "meniscus-"));
+});
+
+after(async () => {
+  await browser?.close();
+  if (directory) rmSync(directory, { recursive: true });
+});
+
+/** A file for this test run alone. */
+export const temporary = (name) => join(directory, name);
+
+/** A file of the tests. */
+export const beside = (name) => join(root, "tests", "page", name);
+
+/** The program's output for these words, run at the root of the project. */
+export const meniscus = (...words) => execFileSync(program, words, { cwd: root, encoding: "utf8" });
+
+/** A test: somebody opens a page and does something with it. */
+export function visit(title, ...rest) {
+  const does = rest.pop();
+  const options = rest.pop() ?? {};
+  test(title, async () => {
+    const lab = await Lab.open(options);
+    try {
+      await does(lab);
+      lab.wasQuiet();
+    } finally {
+      await lab.context.close();
+    }
+  });
+}
+
+/** Until it holds: `check` throws as long as it does not. */
+export async function eventually(check, seconds = 10) {
+  const end = Date.now() + seconds * 1000;
+  for (;;) {
+    try {
+      return await check();
+    } catch (failure) {
+      if (Date.now() > end) throw failure;
+      await new Promise((done) => setTimeout(done, 50));
+    }
+  }
+}
+
+export class Lab {
+  /** Opens a page file: `file`, `language`, `theme`, `width`, `height`, `touch`, `motion`. */
+  static async open({ file = labPage, language = "en-GB", theme = "light", width = 1440, height = 900, touch = false, motion = "no-preference" } = {}) {
+    const context = await browser.newContext({
+      viewport: { width, height },
+      locale: language,
+      colorScheme: theme,
+      reducedMotion: motion,
+      hasTouch: touch,
+      acceptDownloads: true,
+    });
+    await context.setOffline(true);
+    const page = await context.newPage();
+    const lab = new Lab(context, page, pathToFileURL(typeof file === "function" ? file() : file).href);
+    await lab.go(lab.address);
+    return lab;
+  }
+
+  constructor(context, page, address) {
+    this.context = context;
+    this.page = page;
+    this.address = address;
+    this.faults = [];
+    this.requests = [];
+    page.on("pageerror", (error) => this.faults.push(String(error)));
+    page.on("console", (message) => {
+      if (message.type() === "error") this.faults.push(message.text());
+    });
+    page.on("request", (request) => {
+      if (!request.isNavigationRequest() && !/^(data|blob):/.test(request.url())) this.requests.push(request.url());
+    });
+    page.on("dialog", (dialog) => {
+      this.faults.push(`a dialog: ${dialog.message()}`);
+      dialog.dismiss();
+    });
+  }
+
+  async go(address) {
+    await this.page.goto(address);
+    await this.page.getByRole("heading", { level: 1 }).waitFor();
+  }
+
+  /** Nobody was asked for anything, and nothing went wrong. */
+  wasQuiet() {
+    assert.deepEqual(this.requests, [], "requests");
+    assert.deepEqual(this.faults, [], "errors in the page");
+  }
+
+  button(name) {
+    return this.page.getByRole("button", { name, exact: true });
+  }
+
+  async press(name) {
+    await this.button(name).click();
+  }
+
+  field(name) {
+    return this.page.getByRole("textbox", { name, exact: true });
+  }
+
+  slider(name) {
+    return this.page.getByRole("slider", { name });
+  }
+
+  /** Types into a field and presses Enter. */
+  async enter(name, text) {
+    await this.field(name).fill(text);
+    await this.field(name).press("Enter");
+  }
+
+  /** The number a field shows. */
+  async number(name) {
+    return number(await this.field(name).inputValue());
+  }
+
+  /** What stands beside a name among the values. */
+  async value(name) {
+    const row = this.page.locator("#readouts dl > div").filter({ has: this.page.getByText(name, { exact: true }) });
+    return (await row.locator("dd").innerText()).trim();
+  }
+
+  /** The time shown, in seconds. */
+  async time() {
+    return number(await this.page.locator("#clock").innerText());
+  }
+
+  /** Waits until the time shown is at least this. */
+  async watchUntil(seconds) {
+    await eventually(async () => assert.ok((await this.time()) >= seconds, `the time is ${await this.time()}`), 20);
+  }
+
+  async tab(name) {
+    await this.page.getByRole("tab", { name, exact: true }).click();
+  }
+
+  /** How many rows are recorded; the table must be open. */
+  async rows() {
+    const text = await this.page.locator(".data .range").innerText();
+    return Number(text.split("/")[1].replace(/[^0-9]/g, ""));
+  }
+
+  /** The last thing a screen reader was told. */
+  async told() {
+    return (await this.page.locator("#spoken").innerText()).trim();
+  }
+
+  /** Presses a button that saves a file: its name and text. */
+  async save(button) {
+    const [download] = await Promise.all([this.page.waitForEvent("download"), button.click()]);
+    return { name: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
+  }
+
+  /** Presses keys one after the other. */
+  async keys(...keys) {
+    for (const key of keys) await this.page.keyboard.press(key);
+  }
+
+  /** The name and role of what has the focus. */
+  async focused() {
+    return this.page.evaluate(() => {
+      const element = document.activeElement;
+      const labels = [...(element.labels ?? [])].map((label) => label.innerText);
+      return { tag: element.tagName, id: element.id, name: element.getAttribute("aria-label") ?? (labels.join(" ") || element.innerText || "") };
+    });
+  }
+
+  /** Goes on with Tab until the focus is on what `selector` names. */
+  async tabTo(selector, most = 150) {
+    for (let presses = 0; presses < most; presses += 1) {
+      if (await this.page.evaluate((selector) => document.activeElement?.matches(selector), selector)) return;
+      await this.page.keyboard.press("Tab");
+    }
+    assert.fail(`Tab does not reach ${selector}`);
+  }
+}
+
+/** A number as people see it: decimal point or comma, a real minus. */
+export function number(text) {
+  const plain = text.replace(/\s/g, "").replace("−", "-").replace(",", ".");
+  return parseFloat(plain.replace(/^[^0-9.+-]*(?=[-+.0-9])/, ""));
+}

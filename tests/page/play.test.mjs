@@ -1,0 +1,162 @@
+// Playing: the transport, time, parameters while it runs, presets, the state by hand.
+
+import assert from "node:assert/strict";
+import { eventually, visit } from "./lab.mjs";
+
+visit("it plays, pauses, steps and goes back to the start", async (lab) => {
+  assert.equal(await lab.time(), 0);
+  await lab.press("Play");
+  await lab.watchUntil(1);
+  await lab.press("Pause");
+  const paused = await lab.time();
+  await new Promise((done) => setTimeout(done, 300));
+  assert.equal(await lab.time(), paused, "it stands still");
+
+  await lab.press("Step forward");
+  const ahead = await lab.time();
+  assert.ok(ahead > paused && ahead <= paused + 0.1, `${paused}, a step, ${ahead}`);
+  await lab.press("Step back");
+  await lab.press("Step back");
+  assert.ok((await lab.time()) < ahead);
+  await lab.press("Reset");
+  assert.equal(await lab.time(), 0);
+  assert.equal(await lab.number("Displacement"), 0.5);
+});
+
+visit("one second takes about one second", async (lab) => {
+  await lab.press("Play");
+  await lab.watchUntil(0.5);
+  const [start, shown] = [Date.now(), await lab.time()];
+  await new Promise((done) => setTimeout(done, 2000));
+  const [passed, shownLater] = [(Date.now() - start) / 1000, await lab.time()];
+  // Generous: machines that test are busy. A clock that counts frames is off by far more.
+  assert.ok(Math.abs(shownLater - shown - passed) < 0.5, `${passed} s passed, ${shownLater - shown} s were shown`);
+});
+
+visit("speeds go from an eighth to eight times", async (lab) => {
+  const speed = lab.page.getByLabel("Speed");
+  const offered = await speed.locator("option").allInnerTexts();
+  assert.deepEqual(offered, ["1/8 ×", "1/4 ×", "1/2 ×", "1 ×", "2 ×", "4 ×", "8 ×"]);
+  await speed.selectOption("8 ×");
+  await lab.press("Play");
+  await lab.watchUntil(10);
+});
+
+visit("the recorded run is scrubbed and continued from there", async (lab) => {
+  await lab.page.getByLabel("Speed").selectOption("8 ×");
+  await lab.press("Play");
+  await lab.watchUntil(8);
+  await lab.press("Pause");
+  const end = await lab.time();
+  const line = lab.slider("Time line");
+  await line.focus();
+  await lab.keys("Home");
+  await eventually(async () => assert.equal(await lab.time(), 0));
+  assert.equal(await lab.number("Displacement"), 0.5);
+  const box = await line.boundingBox();
+  await lab.page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await eventually(async () => assert.ok(Math.abs((await lab.time()) - end / 2) < end / 10, `half of ${end}`));
+  const from = await lab.time();
+  await lab.press("Play");
+  await eventually(async () => assert.ok((await lab.time()) > from));
+});
+
+visit("damping acts at once and without a jump", async (lab) => {
+  await lab.press("Play");
+  await lab.watchUntil(1);
+  await lab.press("Pause");
+  const [time, displacement] = [await lab.time(), await lab.number("Displacement")];
+  await lab.enter("Damping", "900");
+  assert.equal(await lab.time(), time);
+  assert.equal(await lab.number("Displacement"), displacement);
+  assert.match(await lab.value("Regime"), /underdamped/);
+  await lab.enter("Damping", "5000");
+  assert.match(await lab.value("Regime"), /overdamped/);
+  assert.equal(await lab.value("Period"), "–", "there is none");
+});
+
+visit("a level restarts the run", async (lab) => {
+  await lab.press("Play");
+  await lab.watchUntil(1);
+  await lab.press("Pause");
+  await lab.enter("Height of the left column", "5");
+  assert.equal(await lab.time(), 0);
+  assert.equal(await lab.number("Displacement"), 1.5);
+  await lab.press("Reset parameters");
+  assert.equal(await lab.number("Height of the left column"), 3);
+});
+
+visit("what cannot be is refused in words, and corrected", async (lab) => {
+  await lab.enter("Damping", "-500");
+  assert.equal(await lab.field("Damping").getAttribute("aria-invalid"), "true");
+  const refusal = lab.page.locator("#" + (await lab.field("Damping").getAttribute("aria-describedby")));
+  assert.match(await refusal.innerText(), /0/);
+  await lab.enter("Damping", "abc");
+  assert.equal(await lab.field("Damping").getAttribute("aria-invalid"), "true");
+  await lab.enter("Damping", "60");
+  assert.equal(await lab.field("Damping").getAttribute("aria-invalid"), null);
+});
+
+visit("presets set what they name", async (lab) => {
+  await lab.press("Mercury");
+  assert.ok((await lab.number("Density of the liquid")) > 13000);
+  assert.equal(await lab.button("Mercury").getAttribute("aria-pressed"), "true");
+  await lab.press("Moon");
+  assert.ok((await lab.number("Gravitational acceleration")) < 2);
+});
+
+visit("the state is edited while it stands still, until reset", async (lab) => {
+  await lab.enter("Displacement", "-0.8");
+  await lab.enter("Velocity", "1");
+  assert.equal(await lab.number("Displacement"), -0.8);
+  await lab.press("Play");
+  assert.equal(await lab.field("Displacement").isEditable(), false);
+  await lab.watchUntil(0.3);
+  await lab.press("Reset");
+  assert.equal(await lab.number("Displacement"), 0.5);
+});
+
+visit("the liquid is dragged and let go", async (lab) => {
+  const handle = lab.page.locator("#scene [role=slider]").first();
+  const box = await handle.boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await lab.page.mouse.move(x, y);
+  await lab.page.mouse.down();
+  await lab.page.mouse.move(x, y - 20, { steps: 5 });
+  await lab.page.mouse.up();
+  const lifted = await lab.number("Displacement");
+  assert.ok(lifted > 0.6, `the left column was lifted to ${lifted} m`);
+  await lab.press("Play");
+  await lab.watchUntil(0.5);
+});
+
+visit("a run is kept and the next one drawn over it", async (lab) => {
+  await lab.press("Step forward");
+  await lab.press("Keep run");
+  const kept = lab.page.getByRole("list", { name: "Kept runs" }).getByRole("listitem");
+  assert.equal(await kept.count(), 1);
+  await kept.getByRole("checkbox").uncheck();
+  await kept.getByRole("button").click();
+  assert.equal(await lab.page.getByRole("list", { name: "Kept runs" }).count(), 0);
+});
+
+visit("a question is answered", async (lab) => {
+  const tabs = await lab.page.getByRole("tab").allInnerTexts();
+  let questions;
+  for (const name of tabs) {
+    await lab.tab(name);
+    questions = lab.page.locator("section.question:visible");
+    if ((await questions.count()) > 0) break;
+  }
+  assert.ok((await questions.count()) >= 7, "at least seven");
+  const question = questions.first();
+  const verdict = question.locator(".verdict");
+  await question.getByRole("textbox").fill("123456789");
+  await question.getByRole("button", { name: "Check" }).click();
+  assert.equal(await verdict.getAttribute("data-grade"), "wrong");
+  await question.getByRole("button", { name: "Show the answer" }).click();
+  const answer = await question.locator(".revealed strong").innerText();
+  await question.getByRole("textbox").fill(answer.split(/\s/)[0]);
+  await question.getByRole("button", { name: "Check" }).click();
+  assert.equal(await verdict.getAttribute("data-grade"), "right");
+});

@@ -64,6 +64,11 @@ impl Announcements {
         }
         self.0.push_back(announcement);
     }
+
+    /// Forgets those that have not been taken.
+    pub fn clear(&mut self) {
+        self.0.clear();
+    }
 }
 
 impl Session {

@@ -21,6 +21,8 @@ pub struct Revision {
     pub parameters: u64,
     /// Status, speed, problem.
     pub transport: u64,
+    /// Rows were recorded or given up: table, length of the time line.
+    pub rows: u64,
     /// Kept runs and ghost.
     pub runs: u64,
     /// Plots shown and zoomed.
@@ -41,6 +43,8 @@ pub struct Session {
     /// What the document asks for.
     pub(crate) defaults: Setup,
     pub(crate) course: Course,
+    /// How many rows there were at the last frame.
+    rows_seen: usize,
     pub(crate) playing: bool,
     /// Whether the run stopped because its memory is used up.
     pub(crate) full: bool,
@@ -101,6 +105,7 @@ impl Session {
             language,
             defaults,
             course,
+            rows_seen: 0,
             playing: false,
             full: false,
             speed: 1.0,
@@ -171,6 +176,11 @@ impl Session {
     /// To be called whenever the time, the state or the parameters shown have changed.
     pub(crate) fn frame_changed(&mut self) {
         self.revision.frame += 1;
+        let rows = self.course.rows();
+        if rows != self.rows_seen {
+            self.rows_seen = rows;
+            self.revision.rows += 1;
+        }
         self.columns.present(&self.course, &mut self.present);
         for (scale, value) in self.scales.iter_mut().zip(self.course.state()) {
             if value.is_finite() {
@@ -200,6 +210,7 @@ impl Session {
         self.scales.iter_mut().for_each(|scale| *scale = 0.0);
         self.full = false;
         self.slippage = 0.0;
+        self.revision.rows += 1;
         self.revision.parameters += 1;
         self.revision.transport += 1;
         if self.course.error().is_some() {

@@ -83,6 +83,9 @@ impl Session {
         if fields.next() != Some(VERSION) {
             return Err(Refusal::UnreadableState);
         }
+        self.speed = 1.0;
+        self.plots.iter_mut().for_each(|plot| plot.shown = true);
+        self.revision.plots += 1;
         let mut reader = Reader {
             session: self,
             left_out: Vec::new(),
@@ -109,6 +112,7 @@ impl Session {
                 left_out.push("k".to_owned());
             }
         }
+        self.announcements.clear();
         self.announce(Announcement::Restored);
         if left_out.is_empty() {
             Ok(())
@@ -189,6 +193,7 @@ impl Reader<'_> {
     /// Takes one field into the recipe or the session; `None` if it does not fit.
     fn field(&mut self, key: &str, value: &str, recipe: &mut Recipe) -> Option<()> {
         match key {
+            "p" if value.is_empty() => return None,
             "p" => {
                 let parameters = self.parameters(value.split(','), &recipe.setup.parameters);
                 recipe.setup.parameters = parameters;
@@ -206,7 +211,7 @@ impl Reader<'_> {
                 let (row, values) = value.split_once(',')?;
                 let row: usize = row.parse().ok()?;
                 let last = recipe.changes.last();
-                if row == 0
+                if !(1..=MOST_STEPS).contains(&row)
                     || last.is_some_and(|(before, _)| *before >= row)
                     || recipe.changes.len() >= MOST_CHANGES
                 {

@@ -2,15 +2,15 @@
 //!
 //! What the author states counts before what follows from it: first stated units, then initial values, then equations,
 //! then definitions with a stated unit, which are only checked against it. So a slip in a definition is told there, and
-//! not in the equations that use it.
+//! not in the equations that use it. An initial value that is a bare number comes last: its unit was likely forgotten.
 
 use super::describe::with_article;
 use super::form::{Conflict, Form, Solver};
 use super::infer::{Inference, Type, Types};
 use super::mismatch::{Place, Term};
-use crate::names::{Meaning, Program, Unknown};
+use crate::names::{Equation, EventEntry, InitialEntry, Meaning, Program, Unknown};
 use crate::notation::primed;
-use crate::{Diagnostic, Expression, StatedUnit};
+use crate::{Diagnostic, Expression, ExpressionKind, Span, StatedUnit, UnaryOperator};
 use units::Dimension;
 
 /// What is known about the names of a model once it has been checked; every dimension in it is known. `order` is that of
@@ -34,10 +34,11 @@ pub(crate) fn check_dimensions(
     let mut inference = Inference { scope: &program.scope, types, solver, diagnostics: Vec::new() };
     inference.stated_initial_values(unknowns);
     inference.definitions(program, order);
-    inference.initial_values(unknowns);
+    inference.initial_values(unknowns, |entry| !is_bare_number(entry.value));
     for equation in &program.equations {
         inference.equation(equation);
     }
+    inference.initial_values(unknowns, |entry| is_bare_number(entry.value));
     for definition in &program.definitions {
         if let Some(stated) = definition.unit {
             inference.stated(definition.value, stated);
@@ -49,6 +50,14 @@ pub(crate) fn check_dimensions(
     inference.settle(unknowns);
     diagnostics.append(&mut inference.diagnostics);
     inference.types
+}
+
+fn is_bare_number(expression: &Expression) -> bool {
+    match &expression.kind {
+        ExpressionKind::Number { unit, .. } => unit.is_none(),
+        ExpressionKind::Unary(UnaryOperator::Negate, operand) => is_bare_number(operand),
+        _ => false,
+    }
 }
 
 impl Inference<'_> {
@@ -89,9 +98,10 @@ impl Inference<'_> {
         }
     }
 
-    fn initial_values(&mut self, unknowns: &[Unknown]) {
+    /// Those that are `wanted`.
+    fn initial_values(&mut self, unknowns: &[Unknown], wanted: impl Fn(&InitialEntry) -> bool) {
         for (index, unknown) in unknowns.iter().enumerate() {
-            for entry in unknown.initial.iter().flatten() {
+            for entry in unknown.initial.iter().flatten().filter(|entry| wanted(entry)) {
                 if let Some(stated) = entry.unit {
                     self.stated(entry.value, stated);
                 } else if let Some(own) = self.state(index, entry.order) {
@@ -103,7 +113,7 @@ impl Inference<'_> {
     }
 
     /// What becomes the value of a state must have its dimension.
-    fn assigned(&mut self, value: &Expression, written: &str, own: &Form, span: crate::Span) {
+    fn assigned(&mut self, value: &Expression, written: &str, own: &Form, span: Span) {
         let found = self.expression(value);
         let Some(form) = self.as_number(value, &found, &format!("`{written}`")) else { return };
         match self.solver.unify(own, &form, value.span) {
@@ -154,7 +164,7 @@ impl Inference<'_> {
         }
     }
 
-    fn equation(&mut self, equation: &crate::names::Equation) {
+    fn equation(&mut self, equation: &Equation) {
         let (mut left, mut right) = (Vec::new(), Vec::new());
         self.terms(equation.left, &mut left);
         self.terms(equation.right, &mut right);
@@ -176,7 +186,7 @@ impl Inference<'_> {
         terms.iter().all(|term| dimension(term) == Some(first)).then_some(first)
     }
 
-    fn event(&mut self, event: &crate::names::EventEntry) {
+    fn event(&mut self, event: &EventEntry) {
         self.truth(event.condition, "the condition of an event");
         for action in event.actions {
             match self.scope.meaning(&action.name.text) {

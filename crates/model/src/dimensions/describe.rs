@@ -11,6 +11,14 @@ pub(crate) fn with_article(dimension: Dimension) -> String {
     }
 }
 
+/// `a length`, `something with the dimension kg m^3`: what could be multiplied.
+pub(crate) fn as_factor(dimension: Dimension) -> String {
+    match noun(dimension) {
+        Some(noun) => article(noun),
+        None => format!("something with the dimension {dimension}"),
+    }
+}
+
 /// The usual name of what has this dimension.
 pub(crate) fn noun(dimension: Dimension) -> Option<&'static str> {
     if dimension.is_none() { Some("pure number") } else { dimension.quantity_names().first().copied() }
@@ -112,13 +120,14 @@ impl Factor {
     pub fn verdict(self) -> String {
         match self {
             Self::Lacking(dimension) => match (single(dimension), noun(dimension)) {
-                (Some((base, count)), _) if count > 1 => format!("lacks {} factors with the dimension of {base}", number(count)),
+                (Some((base, count)), _) if count > 1 => {
+                    format!("lacks {} factors with the dimension of {base}", number(count))
+                }
                 (_, Some(noun)) => format!("lacks a factor with the dimension of {noun}"),
                 _ => format!("lacks a factor with the dimension {dimension}"),
             },
             Self::Excess(dimension) => match (single(dimension), noun(dimension)) {
-                (Some((base, 1)), _) => format!("has one {base} too many"),
-                (Some((base, count)), _) => format!("has {} {} too many", number(count), plural(base)),
+                (Some((base, count)), _) => format!("has {} too many", counted(base, count)),
                 (_, Some(noun)) => format!("has a factor with the dimension of {noun} too many"),
                 _ => format!("has a factor with the dimension {dimension} too many"),
             },
@@ -151,12 +160,21 @@ fn single(dimension: Dimension) -> Option<(&'static str, i32)> {
     is_small.then_some((quantity, exponent.numerator()))
 }
 
-fn plural(base: &str) -> String {
-    if base == "mass" { "masses".to_owned() } else { format!("{base}s") }
+/// `one length`, `two masses`, `two factors of time` (two times would be something else)
+fn counted(base: &str, count: i32) -> String {
+    let things = match (base, count) {
+        ("time", 1) => "factor of time".to_owned(),
+        ("time", _) => "factors of time".to_owned(),
+        ("mass", 2..) => "masses".to_owned(),
+        (_, 1) => base.to_owned(),
+        _ => format!("{base}s"),
+    };
+    format!("{} {things}", number(count))
 }
 
 fn number(count: i32) -> String {
     match count {
+        1 => "one".to_owned(),
         2 => "two".to_owned(),
         3 => "three".to_owned(),
         4 => "four".to_owned(),
@@ -179,12 +197,12 @@ mod tests {
             ("1/m", "lacks a factor with the dimension of length"),
             ("m^2", "has two lengths too many"),
             ("kg^-2", "lacks two factors with the dimension of mass"),
-            ("s", "has one time too many"),
+            ("s", "has one factor of time too many"),
             ("1/s", "lacks a factor with the dimension of time"),
             ("N", "has a factor with the dimension of force too many"),
-            ("m/kg", "has a factor with the dimension m kg^-1 too many"),
+            ("m/kg", "lacks a factor with the dimension of mass per length"),
+            ("m^7/A", "has a factor with the dimension m^7 A^-1 too many"),
         ] {
-            let verdict = verdict.replace("m kg^-1", &dimension("m/kg").to_string());
             assert_eq!(Factor::of(dimension(ratio)).verdict(), verdict, "{ratio}");
         }
     }

@@ -1,12 +1,12 @@
 //! What must have one dimension and does not: which part is to blame, what it lacks, and what in the model would help.
 
-use super::describe::{Factor, Row, noun, table, with_article};
+use super::describe::{Factor, Row, as_factor, noun, table, with_article};
 use super::form::{Conflict, Form};
 use super::infer::{Inference, Type};
 use crate::names::{Meaning, for_each_name, list};
 use crate::notation::quote;
 use crate::{Diagnostic, Expression, ExpressionKind, Span};
-use units::Dimension;
+use units::{Dimension, Exponent};
 
 /// The most names that a hint offers.
 const MOST_OFFERS: usize = 3;
@@ -104,7 +104,22 @@ impl Inference<'_> {
             diagnostic = diagnostic.with_label(other.expression.span, self.what(form));
         }
         let remedy = self.remedy(term.expression, form, normal_form);
-        self.diagnostics.push(self.with_origins(diagnostic, &[form, normal_form]).with_hint(remedy));
+        let diagnostic = self.with_origins(diagnostic, &[form, normal_form]).with_hint(remedy);
+        self.diagnostics.push(self.without_units(diagnostic, form, normal_form));
+    }
+
+    /// For a model that has no unit anywhere, adds how to do without that of the independent variable.
+    fn without_units(&self, diagnostic: Diagnostic, found: &Form, expected: &Form) -> Diagnostic {
+        let is_pure = |form: &Form| form.dimension().is_some_and(|dimension| dimension.is_none());
+        let independent = self.types.independent.known;
+        let of_independent = self.factor(found, expected).is_some_and(|factor| {
+            (1..=4).any(|order| independent.power(Exponent::from(order)) == Some(factor.dimension()))
+        });
+        if is_pure(&self.types.independent) || !of_independent || !self.types.parameters.iter().all(is_pure) {
+            return diagnostic;
+        }
+        let name = &self.scope.independent;
+        diagnostic.with_hint(format!("or, for equations without units, add the line `independent {name}`"))
     }
 
     /// Tells that the sides of an equation differ, each being consistent in itself.
@@ -117,17 +132,18 @@ impl Inference<'_> {
             .with_note(self.table(&[("left side", left.1), ("right side", right.1)]));
         let diagnostic = self.with_origins(diagnostic, &[left.1, right.1]);
         let hint = self.factor(left.1, right.1).map(|factor| {
-            let thing = with_article(factor.dimension());
+            let thing = as_factor(factor.dimension());
             let offers = self.offers(factor, left.0);
             match factor {
                 Factor::Lacking(_) => format!("multiply the left side by {thing}{offers}, or divide the right side by one"),
                 Factor::Excess(_) => format!("divide the left side by {thing}{offers}, or multiply the right side by one"),
             }
         });
-        self.diagnostics.push(match hint {
+        let diagnostic = match hint {
             Some(hint) => diagnostic.with_hint(hint),
             None => diagnostic,
-        });
+        };
+        self.diagnostics.push(self.without_units(diagnostic, left.1, right.1));
     }
 
     /// Tells that a value has not the dimension that is stated or needed at `place`.
@@ -201,7 +217,7 @@ impl Inference<'_> {
         let Some(factor) = self.factor(found, expected) else {
             return "state the units of the quantities involved".to_owned();
         };
-        let thing = with_article(factor.dimension());
+        let thing = as_factor(factor.dimension());
         let offers = self.offers(factor, expression);
         match factor {
             Factor::Lacking(_) => format!("multiply it by {thing}{offers}"),

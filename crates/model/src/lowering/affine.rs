@@ -3,7 +3,7 @@
 
 use super::expression::TooManyNodes;
 use crate::{Binary, Graph, Node, NodeId, Unary, limits};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// `sum of coefficient*unknown + rest`; an absent coefficient or rest is 0.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -137,14 +137,12 @@ fn combine(graph: &mut Graph, a: Affine, b: Affine, function: Binary) -> Affine 
         (left, right) => left.or(right),
     };
     let rest = join(a.rest, b.rest);
-    let mut coefficients = BTreeMap::new();
-    for &unknown in a.coefficients.keys().chain(b.coefficients.keys()) {
-        if !coefficients.contains_key(&unknown) {
-            let joined = join(a.coefficients.get(&unknown).copied(), b.coefficients.get(&unknown).copied());
-            coefficients.insert(unknown, joined);
-        }
-    }
-    let coefficients = coefficients.into_iter().filter_map(|(unknown, part)| Some((unknown, part?))).collect();
+    let unknowns: BTreeSet<u32> = a.coefficients.keys().chain(b.coefficients.keys()).copied().collect();
+    let mut coefficient = |unknown: u32| {
+        let joined = join(a.coefficients.get(&unknown).copied(), b.coefficients.get(&unknown).copied());
+        joined.map(|part| (unknown, part))
+    };
+    let coefficients = unknowns.into_iter().filter_map(&mut coefficient).collect();
     Affine { coefficients, rest }.drop_zeros(graph)
 }
 
@@ -155,13 +153,11 @@ fn choose(graph: &mut Graph, condition: NodeId, chosen: &Affine, other: &Affine)
             .then(|| graph.select(condition, chosen.unwrap_or(zero), other.unwrap_or(zero)))
     };
     let rest = join(chosen.rest, other.rest);
-    let unknowns: Vec<u32> = chosen.coefficients.keys().chain(other.coefficients.keys()).copied().collect();
-    let mut coefficients = BTreeMap::new();
-    for unknown in unknowns {
-        let parts = (chosen.coefficients.get(&unknown).copied(), other.coefficients.get(&unknown).copied());
-        if let Some(part) = join(parts.0, parts.1) {
-            coefficients.insert(unknown, part);
-        }
-    }
+    let unknowns: BTreeSet<u32> = chosen.coefficients.keys().chain(other.coefficients.keys()).copied().collect();
+    let mut coefficient = |unknown: u32| {
+        let joined = join(chosen.coefficients.get(&unknown).copied(), other.coefficients.get(&unknown).copied());
+        joined.map(|part| (unknown, part))
+    };
+    let coefficients = unknowns.into_iter().filter_map(&mut coefficient).collect();
     Affine { coefficients, rest }.drop_zeros(graph)
 }

@@ -12,7 +12,7 @@ mod unknowns;
 pub(crate) use check::NameCheck;
 pub(crate) use events::check_event;
 pub(crate) use order::{definition_order, list};
-pub(crate) use program::{Equation, EventEntry, ParameterEntry, Program};
+pub(crate) use program::{Equation, EventEntry, InitialEntry, ParameterEntry, Program};
 pub(crate) use scope::{Meaning, Scope};
 pub(crate) use traverse::{children, for_each, for_each_name};
 pub(crate) use unknowns::{Unknown, find_unknowns};

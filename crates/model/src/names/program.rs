@@ -41,7 +41,6 @@ pub(crate) struct InitialEntry<'a> {
     pub value: &'a Expression,
     pub unit: Option<&'a StatedUnit>,
     pub label: Option<&'a str>,
-    pub span: Span,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -93,7 +92,7 @@ impl<'a> Program<'a> {
                 }
                 StatementKind::InitialValue { name, order, value, unit } => {
                     let order = *order;
-                    program.initial_values.push(InitialEntry { name, order, value, unit: unit.as_ref(), label, span });
+                    program.initial_values.push(InitialEntry { name, order, value, unit: unit.as_ref(), label });
                 }
                 StatementKind::Equation { left, right } => program.equations.push(Equation { left, right, span }),
                 StatementKind::Event { condition, actions } => {

@@ -21,6 +21,8 @@ pub(crate) enum Meaning {
 /// The names of a model.
 #[derive(Clone, Debug)]
 pub(crate) struct Scope {
+    /// The name of the independent variable.
+    pub independent: String,
     meanings: HashMap<String, Meaning>,
     /// In the order of declaration, so that offers do not depend on the hash.
     names: Vec<String>,
@@ -32,7 +34,7 @@ pub(crate) const PI: &str = "pi";
 impl Scope {
     /// Only `pi` and the independent variable.
     pub fn new(independent: &str) -> Self {
-        let mut scope = Self { meanings: HashMap::new(), names: Vec::new() };
+        let mut scope = Self { independent: independent.to_owned(), meanings: HashMap::new(), names: Vec::new() };
         scope.declare(PI, Meaning::Pi);
         scope.declare(independent, Meaning::Independent);
         scope

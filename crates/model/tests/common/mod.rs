@@ -6,13 +6,13 @@ use model::{Diagnostic, Graph, Model, Node, NodeId, Severity, Variable};
 /// Compiles a text that is all model; it must have no errors.
 #[track_caller]
 pub fn compile(source: &str) -> Model {
-    let (model, diagnostics) = model::compile(source, &[0..source.len()]);
+    let (model, diagnostics) = model::compile(source, std::slice::from_ref(&(0..source.len())));
     model.unwrap_or_else(|| panic!("{}", render(source, &diagnostics)))
 }
 
 /// The diagnostics of a text that is all model.
 pub fn diagnostics(source: &str) -> String {
-    let (_, diagnostics) = model::compile(source, &[0..source.len()]);
+    let (_, diagnostics) = model::compile(source, std::slice::from_ref(&(0..source.len())));
     render(source, &diagnostics)
 }
 

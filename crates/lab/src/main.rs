@@ -1,9 +1,32 @@
-//! The browser shell of the laboratory.
-use leptos::prelude::*;
+//! The browser shell of the laboratory: it calls the session's methods and draws what its getters give. All state is
+//! the session's; what is kept here is the browser's business (nodes, canvases, the clock, the theme).
+
+mod app;
+mod browser;
+mod canvas;
+mod controls;
+mod data;
+mod diagnostics;
+mod drag;
+mod frame;
+mod gestures;
+mod header;
+mod icons;
+mod keys;
+mod notebook;
+mod opening;
+mod parameters;
+mod plots;
+mod question;
+mod readouts;
+mod runs;
+mod scene;
+mod sound;
+mod theme;
+mod transport;
+mod words;
+mod workspace;
 
 fn main() {
-    let count = RwSignal::new(0);
-    mount_to_body(
-        move || view! { <button on:click=move |_| count.update(|n| *n += 1)>"Count " {count}</button> },
-    );
+    workspace::start();
 }

@@ -1,0 +1,175 @@
+//! The handle that every view holds: it leads to the one session, and tells the views which part of it has changed.
+
+use crate::frame::{self, Stage};
+use crate::opening::Findings;
+use crate::sound::Sound;
+use crate::words::{Language, Words};
+use document::page::Source;
+use leptos::prelude::*;
+use session::{Announcement, Refusal, Revision, Session};
+
+/// What the page holds for as long as it is open.
+#[derive(Default)]
+pub struct Lab {
+    /// The session, when a document is open that has no errors.
+    pub session: Option<Session>,
+    /// The files of the document.
+    pub sources: Vec<Source>,
+    /// What was found in them.
+    pub findings: Findings,
+    /// The nodes that are redrawn in each frame.
+    pub stage: Stage,
+    /// What is heard.
+    pub sound: Sound,
+    /// What the views have been told of.
+    seen: Revision,
+}
+
+/// Counters that views track. Each is raised when that part of the session has changed.
+#[derive(Clone, Copy)]
+pub struct Changes {
+    /// Another document, or the document in another language.
+    pub document: RwSignal<u64>,
+    /// Parameters, presets, method and step.
+    pub parameters: RwSignal<u64>,
+    /// Status, speed and problem.
+    pub transport: RwSignal<u64>,
+    /// Kept runs.
+    pub runs: RwSignal<u64>,
+    /// Which plots are shown, and whether they show everything.
+    pub plots: RwSignal<u64>,
+    /// The time shown and the rows recorded; raised at most ten times a second while the run is playing.
+    pub values: RwSignal<u64>,
+}
+
+/// The handle; copied freely.
+#[derive(Clone, Copy)]
+pub struct App {
+    lab: StoredValue<Lab, LocalStorage>,
+    /// What has changed.
+    pub changes: Changes,
+    /// The language of the interface.
+    pub language: RwSignal<Language>,
+    /// What the live region says.
+    pub spoken: RwSignal<String>,
+    /// Whether single keys act.
+    pub single_keys: RwSignal<bool>,
+    /// The open tab of the notebook.
+    pub tab: RwSignal<usize>,
+}
+
+impl App {
+    /// An empty laboratory.
+    pub fn new(language: Language, single_keys: bool) -> Self {
+        let counter = || RwSignal::new(0);
+        Self {
+            lab: StoredValue::new_local(Lab::default()),
+            changes: Changes {
+                document: counter(),
+                parameters: counter(),
+                transport: counter(),
+                runs: counter(),
+                plots: counter(),
+                values: counter(),
+            },
+            language: RwSignal::new(language),
+            spoken: RwSignal::new(String::new()),
+            single_keys: RwSignal::new(single_keys),
+            tab: RwSignal::new(0),
+        }
+    }
+
+    /// The words of the interface, without tracking: whatever shows words is built anew for another language.
+    pub fn words(self) -> &'static Words {
+        self.language.get_untracked().words()
+    }
+
+    /// Works on everything the page holds. Must not be nested.
+    pub fn with<T>(self, work: impl FnOnce(&mut Lab) -> T) -> Option<T> {
+        self.lab.try_update_value(work)
+    }
+
+    /// Reads something from the session; its default where no document is open.
+    pub fn read<T: Default>(self, read: impl FnOnce(&mut Session) -> T) -> T {
+        self.with(|lab| lab.session.as_mut().map(read)).flatten().unwrap_or_default()
+    }
+
+    /// Does something in the session, tells the views and draws.
+    pub fn act<T: Default>(self, act: impl FnOnce(&mut Session) -> T) -> T {
+        let result = self.read(act);
+        self.publish(true, false);
+        frame::wake(self);
+        result
+    }
+
+    /// As [`App::act`], for a slider, which tells its value itself.
+    pub fn slide(self, act: impl FnOnce(&mut Session)) {
+        self.read(act);
+        self.publish(true, true);
+        frame::wake(self);
+    }
+
+    /// As [`App::act`], for what may be refused: the refusal in words.
+    pub fn attempt(self, act: impl FnOnce(&mut Session) -> Result<(), Refusal>) -> Option<String> {
+        self.act(|session| act(session).err().map(|refusal| session.refusal_text(&refusal)))
+    }
+
+    /// Raises the counters of what has changed and says what is to be told. `values` says whether it is time to show
+    /// changing values anew.
+    pub fn publish(self, values: bool, by_slider: bool) {
+        let news = self.with(|lab| {
+            let session = lab.session.as_mut()?;
+            let mut told = Vec::new();
+            while let Some(announcement) = session.take_announcement() {
+                if !(by_slider && matches!(announcement, Announcement::ParameterSet(..))) {
+                    told.push(session.announcement_text(&announcement));
+                }
+            }
+            let (before, mut now) = (lab.seen, session.revision());
+            if !values {
+                (now.frame, now.rows) = (before.frame, before.rows);
+            }
+            lab.seen = now;
+            Some((before, now, told.join(" ")))
+        });
+        let Some((before, now, told)) = news.flatten() else { return };
+        let changes = self.changes;
+        for (changed, signal) in [
+            (before.parameters != now.parameters, changes.parameters),
+            (before.transport != now.transport, changes.transport),
+            (before.runs != now.runs, changes.runs),
+            (before.plots != now.plots, changes.plots),
+            ((before.frame, before.rows) != (now.frame, now.rows), changes.values),
+        ] {
+            if changed {
+                signal.update(|count| *count += 1);
+            }
+        }
+        if !told.is_empty() {
+            self.say(told);
+        }
+    }
+
+    /// Says something through the live region. The same words twice must differ, or they are said once.
+    pub fn say(self, mut words: String) {
+        if self.spoken.with_untracked(|spoken| *spoken == words) {
+            words.push('\u{a0}');
+        }
+        self.spoken.set(words);
+    }
+
+    /// Everything is built anew: for another document or language.
+    pub fn rebuild(self) {
+        self.changes.document.update(|count| *count += 1);
+        self.publish(true, false);
+        frame::wake(self);
+    }
+
+    /// Chooses the language of everything.
+    pub fn set_language(self, language: Language) {
+        self.read(|session| session.set_language(language.tag()));
+        self.language.set(language);
+        crate::browser::remember("language", language.tag());
+        self.rebuild();
+    }
+}

@@ -1,0 +1,121 @@
+//! The few things the laboratory asks of the browser that may fail: storage, clipboard, files. A refusal is an answer,
+//! never a panic; a page opened from `file://`, in private mode or inside a frame is refused many of them.
+
+use js_sys::{Array, Function, Promise, Reflect};
+use leptos::prelude::{document, window};
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, HtmlElement, HtmlTextAreaElement, Url};
+
+/// The element with this id, if it is of type `T`.
+pub fn by_id<T: JsCast>(id: &str) -> Option<T> {
+    document().get_element_by_id(id)?.dyn_into().ok()
+}
+
+/// Moves the focus to an element.
+pub fn focus(id: &str) {
+    if let Some(element) = by_id::<HtmlElement>(id) {
+        let _ = element.focus();
+    }
+}
+
+/// Whether a media query matches now.
+pub fn matches(query: &str) -> bool {
+    window().match_media(query).ok().flatten().is_some_and(|list| list.matches())
+}
+
+/// Calls `react` with the answer whenever a media query's answer changes.
+pub fn on_match_change(query: &str, mut react: impl FnMut() + 'static) {
+    if let Ok(Some(list)) = window().match_media(query) {
+        let closure = Closure::<dyn FnMut()>::new(move || react());
+        list.set_onchange(Some(closure.as_ref().unchecked_ref()));
+        // The page listens as long as it lives.
+        closure.forget();
+        std::mem::forget(list);
+    }
+}
+
+/// A remembered text.
+pub fn remembered(key: &str) -> Option<String> {
+    window().local_storage().ok().flatten()?.get_item(&format!("meniscus:{key}")).ok().flatten()
+}
+
+/// Remembers a text for the next visit where the browser allows it; forgets it when there is none.
+pub fn remember(key: &str, text: &str) {
+    let Ok(Some(storage)) = window().local_storage() else { return };
+    let key = format!("meniscus:{key}");
+    let _ = if text.is_empty() { storage.remove_item(&key) } else { storage.set_item(&key, text) };
+}
+
+/// Lets the browser save a text as a file.
+pub fn save_text(name: &str, kind: &str, text: &str) {
+    let options = BlobPropertyBag::new();
+    options.set_type(kind);
+    let parts = Array::of1(&JsValue::from_str(text));
+    if let Ok(blob) = Blob::new_with_str_sequence_and_options(&parts, &options)
+        && let Ok(url) = Url::create_object_url_with_blob(&blob)
+    {
+        save_url(name, &url);
+        // The download has begun by the time the next task runs.
+        let release = Closure::once_into_js(move || {
+            let _ = Url::revoke_object_url(&url);
+        });
+        let _ = window().set_timeout_with_callback_and_timeout_and_arguments_0(release.unchecked_ref(), 10_000);
+    }
+}
+
+/// Lets the browser save what an address of this page holds.
+pub fn save_url(name: &str, url: &str) {
+    if let Some(link) = document().create_element("a").ok().and_then(|element| element.dyn_into::<HtmlAnchorElement>().ok()) {
+        link.set_href(url);
+        link.set_download(name);
+        link.click();
+    }
+}
+
+/// Copies a text to the clipboard and calls `done` with whether that was allowed.
+pub fn copy(text: &str, done: impl FnOnce(bool) + 'static) {
+    // Missing in frames and on hosts without https.
+    let clipboard = Reflect::get(&window().navigator(), &"clipboard".into()).unwrap_or(JsValue::UNDEFINED);
+    if clipboard.is_undefined() {
+        return done(copy_by_selection(text));
+    }
+    let text = text.to_owned();
+    let promise: Promise = window().navigator().clipboard().write_text(&text);
+    leptos::task::spawn_local(async move {
+        let allowed = wait(promise).await.is_ok();
+        done(allowed || copy_by_selection(&text));
+    });
+}
+
+/// The old way, which works where the clipboard is not offered.
+fn copy_by_selection(text: &str) -> bool {
+    let document = document();
+    let focused = document.active_element().and_then(|element| element.dyn_into::<HtmlElement>().ok());
+    let Some(area) = document.create_element("textarea").ok().and_then(|element| element.dyn_into::<HtmlTextAreaElement>().ok())
+    else {
+        return false;
+    };
+    area.set_value(text);
+    let _ = area.set_attribute("style", "position:fixed;opacity:0");
+    let Some(body) = document.body() else { return false };
+    if body.append_child(&area).is_err() {
+        return false;
+    }
+    area.select();
+    let copied = Reflect::get(&document, &"execCommand".into())
+        .ok()
+        .and_then(|command| command.dyn_into::<Function>().ok())
+        .and_then(|command| command.call1(&document, &"copy".into()).ok())
+        .is_some_and(|answer| answer.is_truthy());
+    area.remove();
+    if let Some(element) = focused {
+        let _ = element.focus();
+    }
+    copied
+}
+
+/// The outcome of a promise.
+pub async fn wait(promise: Promise) -> Result<JsValue, JsValue> {
+    wasm_bindgen_futures::JsFuture::from(promise).await
+}

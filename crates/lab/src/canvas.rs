@@ -1,0 +1,154 @@
+//! Paints a figure's display list on a canvas.
+
+use crate::theme::Colours;
+use figure::{Anchor, Dash, Figure, Ink, Item, Readout, Stroke};
+use js_sys::Array;
+use web_sys::CanvasRenderingContext2d;
+
+/// The face of the figures' texts.
+const FACE: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Noto Sans', sans-serif";
+
+/// Paints the whole figure; `scale` is how many pixels of the canvas make one of the figure.
+pub fn paint(context: &CanvasRenderingContext2d, figure: &Figure, colours: &Colours, scale: f64) {
+    let _ = context.set_transform(scale, 0.0, 0.0, scale, 0.0, 0.0);
+    context.set_line_join("round");
+    context.set_line_cap("butt");
+    let mut brush = Brush { context, colours, stroke: None, fill: None, font: None, anchor: None };
+    for item in figure.items() {
+        brush.paint(item);
+    }
+}
+
+/// Rings about what is read off.
+pub fn paint_readout(context: &CanvasRenderingContext2d, readout: &Readout, figure: &Figure, colours: &Colours) {
+    context.set_line_width(2.0);
+    let _ = context.set_line_dash(&Array::new());
+    let panel = figure.panel;
+    if let [_, _, ..] = readout.samples.as_slice()
+        && let Some(sample) = readout.samples.first()
+    {
+        context.set_stroke_style_str(colours.of(Ink::Marker));
+        context.set_line_width(1.0);
+        let x = f64::from(sample.at.x).round() + 0.5;
+        context.begin_path();
+        context.move_to(x, f64::from(panel.y));
+        context.line_to(x, f64::from(panel.y + panel.height));
+        context.stroke();
+        context.set_line_width(2.0);
+    }
+    for sample in &readout.samples {
+        context.begin_path();
+        let _ = context.arc(f64::from(sample.at.x), f64::from(sample.at.y), 5.0, 0.0, std::f64::consts::TAU);
+        context.set_fill_style_str(colours.of(Ink::Ground));
+        context.fill();
+        context.set_stroke_style_str(colours.of(Ink::Text));
+        context.stroke();
+    }
+}
+
+/// The rectangle that is being drawn for zooming.
+pub fn paint_box(context: &CanvasRenderingContext2d, from: (f64, f64), to: (f64, f64), colours: &Colours) {
+    let (x, y) = (from.0.min(to.0), from.1.min(to.1));
+    let (width, height) = ((from.0 - to.0).abs(), (from.1 - to.1).abs());
+    context.set_stroke_style_str(colours.of(Ink::Text));
+    context.set_line_width(1.0);
+    let _ = context.set_line_dash(&Array::of2(&4.into(), &3.into()));
+    context.stroke_rect(x, y, width, height);
+    context.set_fill_style_str(colours.of(Ink::Marker));
+    context.set_global_alpha(0.12);
+    context.fill_rect(x, y, width, height);
+    context.set_global_alpha(1.0);
+}
+
+/// A context and what it was last set to: setting a font or a colour costs more than drawing a line with it.
+struct Brush<'a> {
+    context: &'a CanvasRenderingContext2d,
+    colours: &'a Colours,
+    stroke: Option<Stroke>,
+    fill: Option<Ink>,
+    font: Option<(f32, bool)>,
+    anchor: Option<Anchor>,
+}
+
+impl Brush<'_> {
+    fn paint(&mut self, item: Item<'_>) {
+        let context = self.context;
+        match item {
+            Item::Fill(area, ink) => {
+                self.fill(ink);
+                context.fill_rect(area.x.into(), area.y.into(), area.width.into(), area.height.into());
+            }
+            Item::Line(from, to, stroke) => {
+                self.stroke(stroke);
+                context.begin_path();
+                context.move_to(from.x.into(), from.y.into());
+                context.line_to(to.x.into(), to.y.into());
+                context.stroke();
+            }
+            Item::Polyline(points, stroke) => {
+                self.stroke(stroke);
+                context.begin_path();
+                for point in points.chunks_exact(2) {
+                    context.line_to(point[0].into(), point[1].into());
+                }
+                context.stroke();
+            }
+            Item::Dots { centres, radius, ink, ringed } => {
+                for centre in centres.chunks_exact(2) {
+                    if ringed {
+                        self.disc(centre, radius + 2.0, Ink::Ground);
+                    }
+                    self.disc(centre, radius, ink);
+                }
+            }
+            Item::Text { text, at, anchor, size, strong, ink } => {
+                self.fill(ink);
+                if self.font != Some((size, strong)) {
+                    let weight = if strong { 600 } else { 400 };
+                    context.set_font(&format!("{weight} {size}px {FACE}"));
+                    self.font = Some((size, strong));
+                }
+                if self.anchor != Some(anchor) {
+                    context.set_text_align(match anchor {
+                        Anchor::Start => "left",
+                        Anchor::Middle => "center",
+                        Anchor::End => "right",
+                    });
+                    self.anchor = Some(anchor);
+                }
+                let _ = context.fill_text(text, at.x.into(), at.y.into());
+            }
+        }
+    }
+
+    fn disc(&mut self, centre: &[f32], radius: f32, ink: Ink) {
+        self.fill(ink);
+        self.context.begin_path();
+        let _ = self.context.arc(centre[0].into(), centre[1].into(), radius.into(), 0.0, std::f64::consts::TAU);
+        self.context.fill();
+    }
+
+    fn fill(&mut self, ink: Ink) {
+        if self.fill != Some(ink) {
+            self.context.set_fill_style_str(self.colours.of(ink));
+            self.fill = Some(ink);
+        }
+    }
+
+    fn stroke(&mut self, stroke: Stroke) {
+        let before = self.stroke.replace(stroke);
+        if before.is_none_or(|before| before.ink != stroke.ink) {
+            self.context.set_stroke_style_str(self.colours.of(stroke.ink));
+        }
+        if before.is_none_or(|before| before.width != stroke.width) {
+            self.context.set_line_width(stroke.width.into());
+        }
+        if before.is_none_or(|before| before.dash != stroke.dash) {
+            let lengths: Array = match stroke.dash {
+                Dash::Solid => Array::new(),
+                dash => dash.lengths().iter().map(|&length| wasm_bindgen::JsValue::from(length)).collect(),
+            };
+            let _ = self.context.set_line_dash(&lengths);
+        }
+    }
+}

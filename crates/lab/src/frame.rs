@@ -1,0 +1,99 @@
+//! The frame: lets the session's time pass and redraws what has changed. Frames are asked for only while something
+//! moves; a page that stands still costs nothing. The browser asks for none while the page is hidden, and the session
+//! says what a long pause means; losing the focus does not stop the run.
+
+use crate::app::{App, Lab};
+use crate::plots::PlotNodes;
+use crate::scene::SceneNodes;
+use crate::theme::Colours;
+use crate::transport::TransportNodes;
+use leptos::prelude::window;
+use wasm_bindgen::JsCast;
+use wasm_bindgen::closure::Closure;
+
+/// Changing values are shown so many times a second: digits that change faster cannot be read.
+const VALUES_PER_SECOND: f64 = 10.0;
+
+/// Everything that is redrawn in a frame, and the clock of the frames.
+#[derive(Default)]
+pub struct Stage {
+    /// The scene's nodes.
+    pub scene: Option<SceneNodes>,
+    /// Each plot's canvas, in the order of the document.
+    pub plots: Vec<Option<PlotNodes>>,
+    /// Clock and time line.
+    pub transport: Option<TransportNodes>,
+    /// The colours of the theme in use.
+    pub colours: Colours,
+    callback: Option<Closure<dyn FnMut(f64)>>,
+    asked: bool,
+    /// When the run moved last, in milliseconds; none while it stands still.
+    moved: Option<f64>,
+    /// When changing values were shown last, in milliseconds.
+    shown: f64,
+}
+
+impl Stage {
+    /// Forgets the nodes, which are about to be replaced.
+    pub fn clear(&mut self) {
+        self.scene = None;
+        self.plots.clear();
+        self.transport = None;
+    }
+}
+
+/// Makes the callback of the frames.
+pub fn start(app: App) {
+    let callback = Closure::new(move |now| draw(app, now));
+    app.with(|lab| lab.stage.callback = Some(callback));
+    wake(app);
+}
+
+/// Asks for a frame, once.
+pub fn wake(app: App) {
+    app.with(|lab| {
+        let stage = &mut lab.stage;
+        if !stage.asked
+            && let Some(callback) = &stage.callback
+        {
+            stage.asked = window().request_animation_frame(callback.as_ref().unchecked_ref()).is_ok();
+        }
+    });
+}
+
+fn draw(app: App, now: f64) {
+    let Some((playing, values)) = app.with(|lab| advance(lab, now)) else { return };
+    app.publish(values, false);
+    if playing {
+        wake(app);
+    }
+}
+
+/// One frame. Whether the run goes on, and whether it is time to show changing values.
+fn advance(lab: &mut Lab, now: f64) -> (bool, bool) {
+    let Lab { session: Some(session), stage, sound, .. } = lab else { return (false, false) };
+    stage.asked = false;
+    let seconds = stage.moved.map_or(0.0, |moved| (now - moved) / 1000.0);
+    if session.is_playing() && seconds > 0.0 {
+        session.tick(seconds);
+    }
+    let playing = session.is_playing();
+    stage.moved = playing.then_some(now);
+    let values = !playing || now - stage.shown >= 1000.0 / VALUES_PER_SECOND;
+    if values {
+        stage.shown = now;
+    }
+    if let Some(transport) = &mut stage.transport {
+        transport.draw(session);
+    }
+    if let Some(scene) = &mut stage.scene {
+        scene.draw(session);
+    }
+    for (index, plot) in stage.plots.iter_mut().enumerate() {
+        if let Some(plot) = plot {
+            plot.draw(index, session, &stage.colours);
+        }
+    }
+    sound.follow(session);
+    (playing, values)
+}

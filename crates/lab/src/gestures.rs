@@ -1,0 +1,194 @@
+//! Pointer, wheel and keys on a plot. A mouse reads by hovering, pans by dragging and zooms into a rectangle with Shift;
+//! one finger reads, two fingers pan and zoom. The wheel zooms only in a plot that has the focus, or with Ctrl, so that
+//! it scrolls the page otherwise.
+
+use crate::app::App;
+use crate::frame;
+use crate::plots::with_plot;
+use figure::{Direction, Point};
+use wasm_bindgen::JsCast;
+use web_sys::{Element, KeyboardEvent, PointerEvent, WheelEvent};
+
+/// A rectangle smaller than this in CSS pixels is a click.
+const SMALLEST: f64 = 6.0;
+
+/// The pointers that are down on a canvas.
+#[derive(Default)]
+pub struct Gesture {
+    fingers: Vec<(i32, f64, f64)>,
+    /// Where a zoom rectangle began and where it is now.
+    rectangle: Option<((f64, f64), (f64, f64))>,
+}
+
+impl Gesture {
+    /// The zoom rectangle that is being drawn.
+    pub fn rectangle(&self) -> Option<((f64, f64), (f64, f64))> {
+        self.rectangle
+    }
+}
+
+/// What a pointer's move means.
+enum Motion {
+    Read,
+    Pan(f64, f64),
+    Pinch { at: Point, factor: f64, right: f64, down: f64 },
+    Nothing,
+}
+
+fn place(event: &PointerEvent) -> (f64, f64) {
+    (f64::from(event.offset_x()), f64::from(event.offset_y()))
+}
+
+fn point((x, y): (f64, f64)) -> Point {
+    Point { x: x as f32, y: y as f32 }
+}
+
+fn is_touch(event: &PointerEvent) -> bool {
+    event.pointer_type() == "touch"
+}
+
+/// A pointer went down.
+pub fn down(app: App, index: usize, event: &PointerEvent) {
+    if event.button() != 0 {
+        return;
+    }
+    if let Some(target) = event.target().and_then(|target| target.dyn_into::<Element>().ok()) {
+        let _ = target.set_pointer_capture(event.pointer_id());
+    }
+    let at = place(event);
+    let (rectangle, touch) = (event.shift_key() && !is_touch(event), is_touch(event));
+    with_plot(app, index, |plot| {
+        plot.gesture.fingers.retain(|finger| finger.0 != event.pointer_id());
+        plot.gesture.fingers.push((event.pointer_id(), at.0, at.1));
+        plot.gesture.rectangle = rectangle.then_some((at, at));
+        plot.pointer = (plot.gesture.fingers.len() == 1 && (touch || !rectangle)).then(|| point(at));
+    });
+    frame::wake(app);
+}
+
+/// A pointer moved, whether down or not.
+pub fn moved(app: App, index: usize, event: &PointerEvent) {
+    let (at, id, touch) = (place(event), event.pointer_id(), is_touch(event));
+    let motion = with_plot(app, index, |plot| {
+        let gesture = &mut plot.gesture;
+        if let Some((_, end)) = &mut gesture.rectangle {
+            *end = at;
+            return Motion::Nothing;
+        }
+        let others: Vec<(i32, f64, f64)> = gesture.fingers.iter().copied().filter(|finger| finger.0 != id).collect();
+        let Some(finger) = gesture.fingers.iter_mut().find(|finger| finger.0 == id) else {
+            plot.pointer = Some(point(at));
+            return Motion::Read;
+        };
+        let before = (finger.1, finger.2);
+        (finger.1, finger.2) = at;
+        match others.first() {
+            Some(&(_, x, y)) => {
+                plot.pointer = None;
+                let distance = |from: (f64, f64)| ((from.0 - x) * (from.0 - x) + (from.1 - y) * (from.1 - y)).sqrt();
+                Motion::Pinch {
+                    at: point(((at.0 + x) / 2.0, (at.1 + y) / 2.0)),
+                    factor: distance(at).max(1.0) / distance(before).max(1.0),
+                    right: (at.0 - before.0) / 2.0,
+                    down: (at.1 - before.1) / 2.0,
+                }
+            }
+            None if touch => {
+                plot.pointer = Some(point(at));
+                Motion::Read
+            }
+            None => {
+                plot.pointer = None;
+                Motion::Pan(at.0 - before.0, at.1 - before.1)
+            }
+        }
+    });
+    match motion {
+        Some(Motion::Pan(right, down)) => app.act(|session| session.pan_plot(index, right, down)),
+        Some(Motion::Pinch { at, factor, right, down }) => app.act(|session| {
+            session.pan_plot(index, right, down);
+            session.zoom_plot(index, Some(at), factor, Direction::Both);
+        }),
+        Some(Motion::Read | Motion::Nothing) => frame::wake(app),
+        None => {}
+    }
+}
+
+/// A pointer went up.
+pub fn up(app: App, index: usize, event: &PointerEvent) {
+    let rectangle = with_plot(app, index, |plot| {
+        plot.gesture.fingers.retain(|finger| finger.0 != event.pointer_id());
+        plot.gesture.rectangle.take()
+    });
+    if let Some((from, to)) = rectangle.flatten()
+        && (from.0 - to.0).abs() > SMALLEST
+        && (from.1 - to.1).abs() > SMALLEST
+    {
+        app.act(|session| session.zoom_plot_to(index, point(from), point(to)));
+    }
+    frame::wake(app);
+}
+
+/// The pointer left the canvas. What a finger read stays until the next touch.
+pub fn left(app: App, index: usize) {
+    with_plot(app, index, |plot| plot.pointer = None);
+    frame::wake(app);
+}
+
+/// The wheel turned.
+pub fn wheel(app: App, index: usize, event: &WheelEvent) {
+    let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+    let focused = target.is_some() && target == leptos::prelude::document().active_element();
+    if !(focused || event.ctrl_key()) {
+        return;
+    }
+    event.prevent_default();
+    let at = point((f64::from(event.offset_x()), f64::from(event.offset_y())));
+    let direction = if event.shift_key() { Direction::Horizontal } else { Direction::Both };
+    let delta = if event.delta_y() == 0.0 { event.delta_x() } else { event.delta_y() };
+    let factor = if delta < 0.0 { 1.25 } else { 0.8 };
+    app.act(|session| session.zoom_plot(index, Some(at), factor, direction));
+}
+
+/// A key was pressed on the canvas.
+pub fn key(app: App, index: usize, event: &KeyboardEvent) {
+    if event.alt_key() || event.meta_key() {
+        return;
+    }
+    let (key, pan) = (event.key(), 30.0);
+    let rows = if event.shift_key() { 10 } else { 1 };
+    match (key.as_str(), event.ctrl_key()) {
+        ("ArrowLeft", true) => app.act(|session| session.pan_plot(index, pan, 0.0)),
+        ("ArrowRight", true) => app.act(|session| session.pan_plot(index, -pan, 0.0)),
+        ("ArrowUp", true) => app.act(|session| session.pan_plot(index, 0.0, pan)),
+        ("ArrowDown", true) => app.act(|session| session.pan_plot(index, 0.0, -pan)),
+        ("ArrowLeft", false) => read(app, index, -rows),
+        ("ArrowRight", false) => read(app, index, rows),
+        ("+" | "=", false) => app.act(|session| session.zoom_plot(index, None, 1.5, Direction::Both)),
+        ("-" | "_", false) => app.act(|session| session.zoom_plot(index, None, 1.0 / 1.5, Direction::Both)),
+        ("0", false) => app.act(|session| session.reset_plot(index)),
+        _ => return,
+    }
+    event.prevent_default();
+    event.stop_propagation();
+}
+
+/// Moves the cursor and says what it reads.
+fn read(app: App, index: usize, rows: isize) {
+    let Some(readout) = app.act(|session| session.move_cursor(index, rows)) else { return };
+    let mut words = vec![readout.heading.clone()];
+    words.extend(readout.samples.iter().map(|sample| sample.text.clone()));
+    words.retain(|line| !line.is_empty());
+    app.say(words.join(", "));
+    with_plot(app, index, |plot| {
+        plot.pointer = None;
+        plot.cursor = Some(readout);
+    });
+    frame::wake(app);
+}
+
+/// The focus left the canvas.
+pub fn blurred(app: App, index: usize) {
+    with_plot(app, index, |plot| plot.cursor = None);
+    frame::wake(app);
+}

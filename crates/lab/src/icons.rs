@@ -1,0 +1,62 @@
+//! The mark and the icons: one stroke, one size, in the colour of the text.
+
+use leptos::prelude::*;
+
+fn icon(path: &'static str) -> impl IntoView {
+    view! {
+        <svg class="glyph" viewBox="0 0 24 24" width="20" height="20" aria-hidden="true" focusable="false">
+            <path d=path></path>
+        </svg>
+    }
+}
+
+macro_rules! icons {
+    ($($(#[$comment:meta])* $name:ident: $path:literal;)*) => {
+        $($(#[$comment])* pub fn $name() -> impl IntoView { icon($path) })*
+    };
+}
+
+icons! {
+    /// A triangle.
+    play: "M8 5.5v13l10.5-6.5z";
+    /// Two bars.
+    pause: "M9 6v12M15 6v12";
+    /// To the left, up to a bar.
+    step_back: "M16 6.5v11L8.5 12zM7 6.5v11";
+    /// To the right, up to a bar.
+    step_forward: "M8 6.5v11l7.5-5.5zM17 6.5v11";
+    /// An arrow that runs back around.
+    reset: "M5 5.5V10h4.5M5.6 10A7 7 0 1 1 5 13";
+    /// A plus.
+    plus: "M12 6v12M6 12h12";
+    /// A minus.
+    minus: "M6 12h12";
+    /// Four corners.
+    fit: "M5 9.5V5h4.5M14.5 5H19v4.5M19 14.5V19h-4.5M9.5 19H5v-4.5";
+    /// A cross.
+    cross: "M7 7l10 10M17 7L7 17";
+    /// A loudspeaker with a wave.
+    sound: "M5 9.8v4.4h3l4 3.3V6.5L8 9.8zM15.5 9.2a4 4 0 0 1 0 5.6M18 6.8a7.4 7.4 0 0 1 0 10.4";
+    /// A loudspeaker, crossed out.
+    mute: "M5 9.8v4.4h3l4 3.3V6.5L8 9.8zM16 9.8l4.4 4.4M20.4 9.8L16 14.2";
+    /// Two links of a chain.
+    link: "M10 14a3.6 3.6 0 0 0 5.1 0l3-3A3.6 3.6 0 0 0 13 5.9l-1 1M14 10a3.6 3.6 0 0 0-5.1 0l-3 3a3.6 3.6 0 0 0 5.1 5.1l1-1";
+    /// A folder.
+    folder: "M4 18V6h5.5l2 2.5H20V18z";
+    /// A keyboard.
+    keyboard: "M3.5 7h17v10h-17zM7 10.2h.01M10.3 10.2h.01M13.6 10.2h.01M17 10.2h.01M8.5 13.8h7";
+    /// A disc, half of it filled.
+    theme: "M12 4.5a7.5 7.5 0 1 0 0 15zM12 4.5a7.5 7.5 0 0 1 0 15";
+    /// A flag on its pole.
+    keep: "M7 20V5h10l-2.5 3.8L17 12.5H7";
+}
+
+/// The mark: a tube, and the meniscus in it.
+pub fn mark() -> impl IntoView {
+    view! {
+        <svg class="mark" viewBox="0 0 32 32" width="32" height="32" aria-hidden="true" focusable="false">
+            <path class="mark-liquid" d="M8 12q8 8.5 16 0v9a8 8 0 0 1-16 0z"></path>
+            <path class="mark-glass" d="M8 4v17a8 8 0 0 0 16 0V4"></path>
+        </svg>
+    }
+}

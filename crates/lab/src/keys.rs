@@ -1,0 +1,133 @@
+//! Single keys. They act only while the focus is in the apparatus or nowhere and nothing is being typed, and they can be
+//! switched off (WCAG 2.2, 2.1.4).
+
+use crate::app::App;
+use crate::browser;
+use leptos::ev;
+use leptos::prelude::*;
+use session::{SPEEDS, Session};
+use wasm_bindgen::JsCast;
+use web_sys::{Element, HtmlDialogElement, KeyboardEvent};
+
+/// Elements that have a use for keys themselves.
+const TAKES_TEXT: &str = "input:not([type=range]):not([type=checkbox]), textarea, select, [contenteditable]";
+const TAKES_SPACE: &str = "button, a, summary, input, select, [role=tab]";
+
+/// Listens as long as the page lives.
+pub fn listen(app: App) {
+    let handle = window_event_listener(ev::keydown, move |event| pressed(app, &event));
+    on_cleanup(move || handle.remove());
+}
+
+fn pressed(app: App, event: &KeyboardEvent) {
+    let modified = event.ctrl_key() || event.alt_key() || event.meta_key() || event.default_prevented();
+    if modified || !app.single_keys.get_untracked() {
+        return;
+    }
+    let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+    let within = |selector: &str| {
+        target.as_ref().and_then(|target| target.closest(selector).ok().flatten()).is_some()
+    };
+    let nowhere = target.as_ref().is_none_or(|target| matches!(target.tag_name().as_str(), "BODY" | "HTML"));
+    if !(nowhere || within("#apparatus")) || within("dialog") || within(TAKES_TEXT) {
+        return;
+    }
+    match event.key().as_str() {
+        " " if !within(TAKES_SPACE) => app.act(Session::toggle),
+        "k" | "K" => app.act(Session::toggle),
+        "r" | "R" => app.act(Session::reset),
+        "," => app.act(Session::step_back),
+        "." => app.act(Session::step_forward),
+        "<" => app.act(|session| change_speed(session, false)),
+        ">" => app.act(|session| change_speed(session, true)),
+        "s" | "S" => {
+            if let Some(refusal) = app.attempt(Session::keep) {
+                app.say(refusal);
+            }
+        }
+        "?" => open(),
+        _ => return,
+    }
+    event.prevent_default();
+}
+
+fn change_speed(session: &mut Session, faster: bool) {
+    let now = session.speed();
+    let next = if faster { SPEEDS.iter().find(|&&speed| speed > now) } else { SPEEDS.iter().rev().find(|&&speed| speed < now) };
+    if let Some(&speed) = next {
+        session.set_speed(speed);
+    }
+}
+
+/// Opens the list of keys.
+pub fn open() {
+    if let Some(dialog) = browser::by_id::<HtmlDialogElement>("keys") {
+        let _ = dialog.show_modal();
+    }
+}
+
+fn close() {
+    if let Some(dialog) = browser::by_id::<HtmlDialogElement>("keys") {
+        dialog.close();
+    }
+}
+
+/// The list of keys, and their switch.
+pub fn dialog(app: App) -> impl IntoView {
+    let words = app.words();
+    let groups = [
+        (
+            words.keys_anywhere,
+            vec![
+                (vec![words.key_space, "K"], words.key_play),
+                (vec![",", "."], words.key_step),
+                (vec!["R"], words.key_reset),
+                (vec!["<", ">"], words.key_speed),
+                (vec!["S"], words.key_keep),
+                (vec!["?"], words.key_help),
+            ],
+        ),
+        (words.keys_scene, vec![(vec!["↑", "↓", "←", "→"], words.key_handle)]),
+        (
+            words.keys_plot,
+            vec![
+                (vec!["←", "→"], words.key_cursor),
+                (vec!["+", "−"], words.key_zoom),
+                (vec!["↑", "↓", "←", "→"], words.key_pan),
+                (vec!["0"], words.key_fit),
+            ],
+        ),
+    ];
+    let groups = groups
+        .into_iter()
+        .map(|(title, keys)| {
+            let keys = keys
+                .into_iter()
+                .map(|(keys, meaning)| {
+                    let keys = keys.into_iter().map(|key| view! { <kbd>{key}</kbd> }).collect_view();
+                    view! { <div><dt>{keys}</dt><dd>{meaning}</dd></div> }
+                })
+                .collect_view();
+            view! { <h3>{title}</h3><dl>{keys}</dl> }
+        })
+        .collect_view();
+    view! {
+        <dialog id="keys" aria-labelledby="keys-title">
+            <div class="dialog-head">
+                <h2 id="keys-title">{words.keys_title}</h2>
+                <button type="button" class="icon" aria-label=words.close on:click=move |_| close()>{crate::icons::cross()}</button>
+            </div>
+            <label class="switch">
+                <input type="checkbox" id="single-keys" prop:checked=move || app.single_keys.get()
+                    on:change=move |event| {
+                        let on = event_target_checked(&event);
+                        app.single_keys.set(on);
+                        browser::remember("keys", if on { "" } else { "off" });
+                    } />
+                <span>{words.keys_switch}</span>
+            </label>
+            <p>{words.keys_where}</p>
+            {groups}
+        </dialog>
+    }
+}

@@ -1,0 +1,169 @@
+//! The notebook below the apparatus: the document's prose in tabs, its equations, the recorded data, its source.
+
+use crate::app::App;
+use crate::{browser, data, diagnostics, question};
+use document::{Block, Section};
+use leptos::prelude::*;
+use web_sys::KeyboardEvent;
+
+/// A tab: its title and what it holds.
+struct Tab {
+    title: String,
+    content: AnyView,
+}
+
+/// The notebook.
+pub fn view(app: App) -> impl IntoView {
+    let words = app.words();
+    let mut tabs = prose(app);
+    tabs.push(Tab { title: words.equations.to_owned(), content: equations(app) });
+    tabs.push(Tab { title: words.data.to_owned(), content: data::view(app) });
+    tabs.push(Tab { title: words.source.to_owned(), content: source(app) });
+    let count = tabs.len();
+    if app.tab.get_untracked() >= count {
+        app.tab.set(0);
+    }
+    let mut buttons = Vec::new();
+    let mut panels = Vec::new();
+    for (number, tab) in tabs.into_iter().enumerate() {
+        let selected = move || app.tab.get() == number;
+        buttons.push(view! {
+            <button type="button" role="tab" id=format!("tab-{number}") aria-controls=format!("panel-{number}")
+                aria-selected=move || selected().to_string() tabindex=move || if selected() { "0" } else { "-1" }
+                on:click=move |_| app.tab.set(number)
+                on:keydown=move |event| turn(app, count, &event)>{tab.title}</button>
+        });
+        panels.push(view! {
+            <div role="tabpanel" id=format!("panel-{number}") aria-labelledby=format!("tab-{number}") tabindex="0" hidden=move || !selected()>
+                {tab.content}
+            </div>
+        });
+    }
+    view! {
+        <section class="notebook" id="notebook" aria-labelledby="notebook-title">
+            <h2 id="notebook-title" class="visually-hidden">{words.notebook}</h2>
+            <div class="tabs" role="tablist" aria-label=words.notebook>{buttons}</div>
+            {panels}
+        </section>
+    }
+}
+
+/// Arrow keys go from tab to tab, around the ends.
+fn turn(app: App, count: usize, event: &KeyboardEvent) {
+    let now = app.tab.get_untracked();
+    let next = match event.key().as_str() {
+        "ArrowRight" => (now + 1) % count,
+        "ArrowLeft" => (now + count - 1) % count,
+        "Home" => 0,
+        "End" => count - 1,
+        _ => return,
+    };
+    event.prevent_default();
+    app.tab.set(next);
+    browser::focus(&format!("tab-{next}"));
+}
+
+/// The prose: a tab for each section of the highest rank, with what stands below it.
+fn prose(app: App) -> Vec<Tab> {
+    let language = app.language.get_untracked().tag();
+    let sections: Vec<Section> = app.read(|session| session.document().sections(language).to_vec());
+    let top = sections.iter().map(|section| section.level).filter(|&level| level > 0).min().unwrap_or(1);
+    let mut tabs: Vec<(String, Vec<Section>)> = Vec::new();
+    for section in sections {
+        if section.level == top {
+            tabs.push((section.title.clone(), Vec::new()));
+        } else if tabs.is_empty() {
+            if section.blocks.is_empty() {
+                continue;
+            }
+            tabs.push((app.words().introduction.to_owned(), Vec::new()));
+        }
+        if let Some((_, members)) = tabs.last_mut() {
+            members.push(section);
+        }
+    }
+    tabs.into_iter()
+        .map(|(title, members)| {
+            let parts = members.into_iter().map(|section| self::section(app, section, top)).collect_view();
+            Tab { title, content: view! { <div class="prose" lang=language>{parts}</div> }.into_any() }
+        })
+        .collect()
+}
+
+fn section(app: App, section: Section, top: u8) -> impl IntoView {
+    let heading = if section.heading.is_empty() {
+        ().into_any()
+    } else if section.level <= top {
+        view! { <h3 id=section.id.clone() inner_html=section.heading></h3> }.into_any()
+    } else if section.level == top + 1 {
+        view! { <h4 id=section.id.clone() inner_html=section.heading></h4> }.into_any()
+    } else {
+        view! { <h5 id=section.id.clone() inner_html=section.heading></h5> }.into_any()
+    };
+    let blocks = section
+        .blocks
+        .into_iter()
+        .map(|block| match block {
+            // The document has made it safe.
+            Block::Html(html) => view! { <div inner_html=html></div> }.into_any(),
+            Block::Question(index) => question::view(app, index),
+        })
+        .collect_view();
+    view! { {heading} {blocks} }
+}
+
+/// The model, typeset from its own syntax.
+fn equations(app: App) -> AnyView {
+    let words = app.words();
+    let lines = app
+        .read(|session| session.model().typeset())
+        .into_iter()
+        .map(|math| view! { <li inner_html=math></li> })
+        .collect_view();
+    view! {
+        <div class="model">
+            <p class="note">{words.equations_intro}</p>
+            <ol class="equations">{lines}</ol>
+        </div>
+    }
+    .into_any()
+}
+
+/// The text of the document.
+fn source(app: App) -> AnyView {
+    let words = app.words();
+    let sources = app.with(|lab| lab.sources.clone()).unwrap_or_default();
+    let files = sources
+        .into_iter()
+        .map(|file| {
+            let (name, text, copied) = (file.name.clone(), file.text.clone(), file.text.clone());
+            view! {
+                <div class="file">
+                    <div class="block-head">
+                        <h3>{file.name.clone()}</h3>
+                        <div class="actions">
+                            <button type="button" class="quiet" aria-label=format!("{}: {}", words.copy, file.name) on:click=move |_| copy(app, &copied)>{words.copy}</button>
+                            <button type="button" class="quiet" aria-label=format!("{}: {}", words.save_source, file.name)
+                                on:click=move |_| browser::save_text(&name, "text/markdown", &text)>{words.save_source}</button>
+                        </div>
+                    </div>
+                    <pre tabindex="0" aria-label=file.name><code>{file.text}</code></pre>
+                </div>
+            }
+        })
+        .collect_view();
+    view! {
+        <div class="source">
+            <p class="note">{words.source_intro}</p>
+            {diagnostics::remarks(app)}
+            {files}
+        </div>
+    }
+    .into_any()
+}
+
+/// Copies a text and says whether that worked.
+pub fn copy(app: App, text: &str) {
+    let words = app.words();
+    browser::copy(text, move |allowed| app.say(if allowed { words.copied } else { words.not_copied }.to_owned()));
+}

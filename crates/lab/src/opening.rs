@@ -1,0 +1,132 @@
+//! Opening documents: those that the page carries, and files that the user picks or drops. The state of the last visit
+//! comes back with them.
+
+use crate::app::App;
+use crate::{browser, frame};
+use document::page::{self, Source};
+use leptos::ev;
+use leptos::prelude::*;
+use model::Diagnostic;
+use session::Session;
+use web_sys::{File, FileList};
+
+/// What was found in the files, each with the number of its file.
+pub type Findings = Vec<(usize, Diagnostic)>;
+
+/// Opens what the page carries.
+pub fn open_embedded(app: App) {
+    let sources = document().get_element_by_id("documents").and_then(|element| page::read(&element.outer_html())).unwrap_or_default();
+    let fragment = window().location().hash().unwrap_or_default();
+    open(app, sources, fragment.trim_start_matches('#'));
+}
+
+/// Opens a document from its files. `state` is a shared state; without one the state of the last visit is taken.
+fn open(app: App, sources: Vec<Source>, state: &str) {
+    let texts: Vec<&str> = sources.iter().map(|source| source.text.as_str()).collect();
+    let (session, findings) = match texts.split_first() {
+        Some((source, translations)) => {
+            let opened = document::open(source, translations);
+            (opened.document.map(Session::open), opened.diagnostics)
+        }
+        None => (None, Vec::new()),
+    };
+    app.with(|lab| {
+        lab.session = session;
+        lab.sources = sources;
+        lab.findings = findings;
+    });
+    app.tab.set(0);
+    let language = app.language.get_untracked();
+    let remembered = browser::remembered(&key(app)).unwrap_or_default();
+    let state = if state.is_empty() { remembered.as_str() } else { state };
+    app.read(|session| {
+        session.set_language(language.tag());
+        if !state.is_empty()
+            && let Err(refusal) = session.restore(state)
+        {
+            // A state of another document or version: what does not fit is left out, and that is said.
+            leptos::logging::warn!("{}", session.refusal_text(&refusal));
+        }
+    });
+    app.rebuild();
+}
+
+/// Under which name the state of this document is remembered: by its file and title, so that documents keep apart.
+fn key(app: App) -> String {
+    let name = app.with(|lab| lab.sources.first().map(|source| source.name.clone())).flatten().unwrap_or_default();
+    format!("state:{name}:{}", app.read(|session| session.document().title.clone()))
+}
+
+/// Remembers the state for the next visit, whenever the page is about to go out of sight: the only moment that every
+/// browser announces.
+pub fn remember_state(app: App) {
+    let handle = window_event_listener(ev::Custom::<web_sys::Event>::new("pagehide"), move |_| remember_now(app));
+    on_cleanup(move || handle.remove());
+    let handle = window_event_listener(ev::visibilitychange, move |_| {
+        remember_now(app);
+        // Back in sight, the frames go on.
+        frame::wake(app);
+    });
+    on_cleanup(move || handle.remove());
+}
+
+fn remember_now(app: App) {
+    if let Some(state) = app.read(|session| Some(session.share())) {
+        browser::remember(&key(app), &state);
+    }
+}
+
+/// Opens files that the user picked: a document with its translations, or one exported page.
+pub fn open_files(app: App, files: &FileList) {
+    let files: Vec<File> = (0..files.length()).filter_map(|index| files.get(index)).collect();
+    leptos::task::spawn_local(async move {
+        let mut sources = Vec::new();
+        for file in files {
+            let Ok(text) = browser::wait(file.text()).await else { continue };
+            let (name, text) = (file.name(), text.as_string().unwrap_or_default());
+            if let Some(embedded) = page::read(&text) {
+                sources = embedded;
+                break;
+            }
+            if !name.to_lowercase().ends_with(".html") {
+                sources.push(Source { name, text });
+            }
+        }
+        // `utube.md` before `utube.es.md`: the document before its translations.
+        sources.sort_by_key(|source| source.name.matches('.').count());
+        if sources.is_empty() {
+            return app.say(app.words().unreadable.to_owned());
+        }
+        remember_now(app);
+        open(app, sources, "");
+        browser::focus("play");
+    });
+}
+
+/// Files may be dropped anywhere.
+pub fn accept_drops(app: App) {
+    let over = window_event_listener(ev::dragover, |event| event.prevent_default());
+    let drop = window_event_listener(ev::drop, move |event| {
+        event.prevent_default();
+        if let Some(files) = event.data_transfer().and_then(|data| data.files()) {
+            open_files(app, &files);
+        }
+    });
+    on_cleanup(move || {
+        over.remove();
+        drop.remove();
+    });
+    let changed = window_event_listener(ev::hashchange, move |_| {
+        let fragment = window().location().hash().unwrap_or_default();
+        restore(app, fragment.trim_start_matches('#'));
+    });
+    on_cleanup(move || changed.remove());
+}
+
+/// A link to another state of the same page was followed. Links to headings are not states.
+fn restore(app: App, fragment: &str) {
+    let is_heading = document().get_element_by_id(fragment).is_some();
+    if !fragment.is_empty() && !is_heading {
+        app.attempt(|session| session.restore(fragment));
+    }
+}

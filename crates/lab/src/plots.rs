@@ -1,0 +1,300 @@
+//! The plots: a figure for each, with its canvas, its read-out and its tools.
+
+use crate::app::App;
+use crate::canvas;
+use crate::gestures::{self, Gesture};
+use crate::icons;
+use crate::theme::Colours;
+use crate::{browser, frame, runs};
+use figure::{Point, Readout, Settings};
+use leptos::html;
+use leptos::prelude::*;
+use session::Session;
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::JsCast;
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlElement, IntersectionObserver, ResizeObserver};
+
+/// The size of a downloaded figure, in CSS pixels.
+const SAVED: Settings = Settings { width: 960.0, height: 540.0, font_size: 16.0, decimal_comma: false };
+/// How many pixels of a downloaded PNG make one of those.
+const SAVED_SCALE: f64 = 2.0;
+
+/// A plot's canvas and what is drawn over the figure.
+pub struct PlotNodes {
+    canvas: HtmlCanvasElement,
+    context: CanvasRenderingContext2d,
+    tip: HtmlElement,
+    size: (f64, f64),
+    scale: f64,
+    decimal_comma: bool,
+    /// Whether it is in sight; what is not is not drawn.
+    pub visible: bool,
+    /// Whether something other than the session has changed.
+    stale: bool,
+    drawn: Option<session::Revision>,
+    /// Where the pointer reads.
+    pub pointer: Option<Point>,
+    /// What the keyboard's cursor reads.
+    pub cursor: Option<Readout>,
+    /// What the pointers on the canvas are about.
+    pub gesture: Gesture,
+    observers: Option<(ResizeObserver, IntersectionObserver)>,
+    /// Kept as long as the observers call them.
+    _callbacks: [Closure<dyn FnMut(js_sys::Array)>; 2],
+}
+
+impl PlotNodes {
+    /// Draws again in the next frame, whether or not the session has changed.
+    pub fn invalidate(&mut self) {
+        self.stale = true;
+    }
+
+    fn settings(&self) -> Settings {
+        let (width, height) = self.size;
+        Settings { width, height, font_size: 13.0, decimal_comma: self.decimal_comma }
+    }
+
+    /// Takes the size of its box.
+    fn fit(&mut self) {
+        let (width, height) = (f64::from(self.canvas.client_width()), f64::from(self.canvas.client_height()));
+        let scale = window().device_pixel_ratio().clamp(1.0, 4.0);
+        if (width, height, scale) != (self.size.0, self.size.1, self.scale) {
+            (self.size, self.scale) = ((width, height), scale);
+            self.canvas.set_width((width * scale).round() as u32);
+            self.canvas.set_height((height * scale).round() as u32);
+            self.stale = true;
+        }
+    }
+
+    /// Draws the figure if anything in it has changed.
+    pub fn draw(&mut self, index: usize, session: &mut Session, colours: &Colours) {
+        let revision = session.revision();
+        if !self.visible || self.size.0 < 40.0 || !(self.stale || self.drawn != Some(revision)) {
+            return;
+        }
+        (self.stale, self.drawn) = (false, Some(revision));
+        let settings = self.settings();
+        let Some(figure) = session.layout_plot(index, &settings) else { return };
+        canvas::paint(&self.context, figure, colours, self.scale);
+        let readout = match self.pointer {
+            Some(at) => session.hover_plot(index, at),
+            None => self.cursor.clone(),
+        };
+        if let Some((from, to)) = self.gesture.rectangle() {
+            canvas::paint_box(&self.context, from, to, colours);
+        }
+        if let (Some(readout), Some(figure)) = (&readout, session.plot_figure(index)) {
+            canvas::paint_readout(&self.context, readout, figure, colours);
+        }
+        self.show_tip(readout.as_ref());
+    }
+
+    fn show_tip(&self, readout: Option<&Readout>) {
+        let Some(readout) = readout.filter(|readout| !readout.samples.is_empty()) else {
+            return self.tip.set_hidden(true);
+        };
+        let lines = std::iter::once(readout.heading.as_str()).chain(readout.samples.iter().map(|sample| sample.text.as_str()));
+        self.tip.set_text_content(Some(&lines.filter(|line| !line.is_empty()).collect::<Vec<_>>().join("\n")));
+        let at = readout.samples.first().map(|sample| sample.at).unwrap_or_default();
+        let style = self.tip.style();
+        // On the side of the point where there is more room.
+        let right = f64::from(at.x) > self.size.0 / 2.0;
+        let offset = if right { self.size.0 - f64::from(at.x) } else { f64::from(at.x) } + 14.0;
+        let (used, free) = if right { ("right", "left") } else { ("left", "right") };
+        let _ = style.set_property(used, &format!("{offset:.0}px"));
+        let _ = style.set_property(free, "auto");
+        self.tip.set_hidden(false);
+    }
+}
+
+impl Drop for PlotNodes {
+    fn drop(&mut self) {
+        if let Some((resize, intersection)) = &self.observers {
+            resize.disconnect();
+            intersection.disconnect();
+        }
+    }
+}
+
+/// Takes a canvas that has come into the page.
+fn register(app: App, index: usize, canvas: &HtmlCanvasElement, tip: &HtmlElement) {
+    let Some(context) = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok()) else { return };
+    let resized = Closure::<dyn FnMut(js_sys::Array)>::new(move |_| {
+        with_plot(app, index, PlotNodes::fit);
+        frame::wake(app);
+    });
+    let seen = Closure::<dyn FnMut(js_sys::Array)>::new(move |entries: js_sys::Array| {
+        let entry: Option<web_sys::IntersectionObserverEntry> = entries.pop().dyn_into().ok();
+        if let Some(entry) = entry {
+            with_plot(app, index, |plot| plot.visible = entry.is_intersecting());
+            frame::wake(app);
+        }
+    });
+    let observers = ResizeObserver::new(resized.as_ref().unchecked_ref())
+        .and_then(|resize| Ok((resize, IntersectionObserver::new(seen.as_ref().unchecked_ref())?)));
+    let mut nodes = PlotNodes {
+        canvas: canvas.clone(),
+        context,
+        tip: tip.clone(),
+        size: (0.0, 0.0),
+        scale: 1.0,
+        decimal_comma: session::number::Style::of(app.language.get_untracked().tag()).decimal_comma,
+        visible: true,
+        stale: true,
+        drawn: None,
+        pointer: None,
+        cursor: None,
+        gesture: Gesture::default(),
+        observers: None,
+        _callbacks: [resized, seen],
+    };
+    nodes.fit();
+    app.with(|lab| {
+        let plots = &mut lab.stage.plots;
+        if plots.len() <= index {
+            plots.resize_with(index + 1, || None);
+        }
+        plots[index] = Some(nodes);
+    });
+    if let Ok((resize, intersection)) = observers {
+        resize.observe(canvas);
+        intersection.observe(canvas);
+        with_plot(app, index, |plot| plot.observers = Some((resize, intersection)));
+    }
+    frame::wake(app);
+}
+
+/// Works on a plot's nodes; it is drawn anew afterwards.
+pub fn with_plot<T>(app: App, index: usize, work: impl FnOnce(&mut PlotNodes) -> T) -> Option<T> {
+    app.with(|lab| {
+        let plot = lab.stage.plots.get_mut(index)?.as_mut()?;
+        plot.stale = true;
+        Some(work(plot))
+    })
+    .flatten()
+}
+
+/// All plots, and which of them are shown.
+pub fn view(app: App) -> impl IntoView {
+    let words = app.words();
+    let plots = app.read(|session| session.plots());
+    let shown = move |index: usize| {
+        app.changes.plots.track();
+        app.read(|session| session.plots().get(index).is_some_and(|plot| plot.shown))
+    };
+    let count = plots.len();
+    let switches = plots
+        .iter()
+        .map(|plot| {
+            let index = plot.index;
+            view! {
+                <button type="button" class="chip" aria-pressed=move || shown(index).to_string()
+                    on:click=move |_| app.act(|session| {
+                        let shown = session.plots().get(index).is_some_and(|plot| plot.shown);
+                        session.show_plot(index, !shown);
+                    })>
+                    {plot.title.clone()}
+                </button>
+            }
+        })
+        .collect_view();
+    let figures = plots.into_iter().map(|plot| figure(app, plot.index, plot.title, shown)).collect_view();
+    view! {
+        <section class="plots" aria-labelledby="plots-title" id="plots">
+            <div class="plots-bar">
+                <h2 id="plots-title" class="visually-hidden">{words.plots}</h2>
+                <div class="chips" role="group" aria-label=words.plots_shown>{switches}</div>
+                {runs::keep_button(app)}
+            </div>
+            {runs::list(app)}
+            <div class="figures">{figures}</div>
+            <p class="empty" hidden=move || (0..count).any(shown)>{words.no_plots}</p>
+        </section>
+    }
+}
+
+fn figure(app: App, index: usize, title: String, shown: impl Fn(usize) -> bool + Copy + Send + Sync + 'static) -> impl IntoView {
+    let words = app.words();
+    let canvas = NodeRef::<html::Canvas>::new();
+    let tip = NodeRef::<html::Div>::new();
+    canvas.on_load(move |canvas| {
+        if let Some(tip) = tip.get_untracked() {
+            register(app, index, &canvas, &tip);
+        }
+    });
+    let automatic = move || {
+        app.changes.plots.track();
+        app.read(|session| session.plots().get(index).is_none_or(|plot| plot.automatic))
+    };
+    let name = format!("{}: {title}", words.plot);
+    let zoom = move |factor: f64| app.act(|session| session.zoom_plot(index, None, factor, figure::Direction::Both));
+    view! {
+        <figure class="plot" hidden=move || !shown(index) aria-labelledby=format!("plot-{index}")>
+            <figcaption>
+                <h3 id=format!("plot-{index}")>{title}</h3>
+                <div class="tools">
+                    <button type="button" class="icon" title=words.zoom_out aria-label=words.zoom_out on:click=move |_| zoom(0.5)>{icons::minus()}</button>
+                    <button type="button" class="icon" title=words.zoom_in aria-label=words.zoom_in on:click=move |_| zoom(2.0)>{icons::plus()}</button>
+                    <button type="button" class="icon" title=words.fit aria-label=words.fit aria-disabled=move || automatic().to_string()
+                        on:click=move |_| app.act(|session| session.reset_plot(index))>{icons::fit()}</button>
+                    <button type="button" class="text" title=words.save_svg aria-label=words.save_svg on:click=move |_| save_svg(app, index)>"SVG"</button>
+                    <button type="button" class="text" title=words.save_png aria-label=words.save_png on:click=move |_| save_png(app, index)>"PNG"</button>
+                </div>
+            </figcaption>
+            <div class="paper">
+                <canvas node_ref=canvas id=format!("canvas-{index}") tabindex="0" role="application" aria-roledescription=words.plot
+                    aria-label=name aria-describedby="plot-keys"
+                    on:pointerdown=move |event| gestures::down(app, index, &event)
+                    on:pointermove=move |event| gestures::moved(app, index, &event)
+                    on:pointerup=move |event| gestures::up(app, index, &event)
+                    on:pointercancel=move |event| gestures::up(app, index, &event)
+                    on:pointerleave=move |_| gestures::left(app, index)
+                    on:wheel=move |event| gestures::wheel(app, index, &event)
+                    on:dblclick=move |_| app.act(|session| session.reset_plot(index))
+                    on:keydown=move |event| gestures::key(app, index, &event)
+                    on:blur=move |_| gestures::blurred(app, index)
+                ></canvas>
+                <div node_ref=tip class="tip" aria-hidden="true" hidden></div>
+            </div>
+        </figure>
+    }
+}
+
+fn saved(app: App) -> Settings {
+    Settings { decimal_comma: session::number::Style::of(app.language.get_untracked().tag()).decimal_comma, ..SAVED }
+}
+
+/// `Phase portrait` as `phase-portrait`.
+fn file_name(app: App, index: usize, ending: &str) -> String {
+    let title = app.read(|session| session.plots().into_iter().nth(index).map(|plot| plot.title)).unwrap_or_default();
+    let words: Vec<String> = title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_lowercase).collect();
+    format!("{}.{ending}", words.join("-"))
+}
+
+fn save_svg(app: App, index: usize) {
+    let settings = saved(app);
+    // On paper, whatever the theme of the screen is.
+    let svg = app.read(|session| session.plot_svg(index, &settings, &figure::Palette::LIGHT));
+    browser::save_text(&file_name(app, index, "svg"), "image/svg+xml", &svg);
+}
+
+fn save_png(app: App, index: usize) {
+    let settings = saved(app);
+    let Some(canvas) = document().create_element("canvas").ok().and_then(|node| node.dyn_into::<HtmlCanvasElement>().ok()) else {
+        return;
+    };
+    canvas.set_width((settings.width * SAVED_SCALE) as u32);
+    canvas.set_height((settings.height * SAVED_SCALE) as u32);
+    let context: Option<CanvasRenderingContext2d> = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok());
+    let Some(context) = context else { return };
+    app.read(|session| {
+        if let Some(figure) = session.layout_plot(index, &settings) {
+            canvas::paint(&context, figure, &Colours::default(), SAVED_SCALE);
+        }
+    });
+    // The layout belongs to the canvas on the page again.
+    with_plot(app, index, |_| ());
+    frame::wake(app);
+    let url = canvas.to_data_url_with_type("image/png").unwrap_or_default();
+    browser::save_url(&file_name(app, index, "png"), &url);
+}

@@ -1,0 +1,142 @@
+//! The scene: SVG nodes made once from the document's tree. In a frame only those attributes and texts are set whose
+//! values have changed.
+
+use crate::app::App;
+use crate::drag::{self, Handle};
+use document::{Child, Element, Piece, Scene, Template};
+use leptos::prelude::document as page;
+use session::Session;
+use wasm_bindgen::JsCast;
+use web_sys::{SvgElement, SvgGraphicsElement, Text};
+
+const SVG: &str = "http://www.w3.org/2000/svg";
+
+/// The nodes of a scene.
+pub struct SceneNodes {
+    bindings: Vec<Binding>,
+    handles: Vec<Handle>,
+    /// The values drawn last.
+    drawn: Vec<f64>,
+    values: Vec<f64>,
+    text: String,
+}
+
+/// A node's attribute or text that follows the model.
+struct Binding {
+    target: Target,
+    template: Template,
+    /// What it shows.
+    shown: String,
+}
+
+enum Target {
+    Attribute(SvgElement, String),
+    Text(Text),
+}
+
+impl SceneNodes {
+    /// Builds the scene into `place`.
+    pub fn build(app: App, scene: &Scene, place: &web_sys::Element, label: &str) -> Option<Self> {
+        let mut nodes =
+            Self { bindings: Vec::new(), handles: Vec::new(), drawn: Vec::new(), values: Vec::new(), text: String::new() };
+        let root = nodes.element(&scene.root)?;
+        let _ = root.set_attribute("role", "group");
+        let _ = root.set_attribute("aria-label", label);
+        place.replace_children_with_node_1(&root);
+        let root: SvgGraphicsElement = root.dyn_into().ok()?;
+        for handle in &mut nodes.handles {
+            drag::attach(app, handle, &root);
+        }
+        Some(nodes)
+    }
+
+    fn element(&mut self, element: &Element) -> Option<SvgElement> {
+        let node: SvgElement = page().create_element_ns(Some(SVG), &element.name).ok()?.dyn_into().ok()?;
+        for attribute in &element.attributes {
+            match fixed(&attribute.value) {
+                Some(text) => drop(node.set_attribute(&attribute.name, &text)),
+                None => {
+                    let target = Target::Attribute(node.clone(), attribute.name.clone());
+                    self.bindings.push(Binding { target, template: attribute.value.clone(), shown: String::new() });
+                }
+            }
+        }
+        for child in &element.children {
+            match child {
+                Child::Element(child) => {
+                    if let Some(child) = self.element(child) {
+                        let _ = node.append_child(&child);
+                    }
+                }
+                Child::Text(template) => {
+                    let text = page().create_text_node(&fixed(template).unwrap_or_default());
+                    let _ = node.append_child(&text);
+                    if fixed(template).is_none() {
+                        self.bindings.push(Binding {
+                            target: Target::Text(text),
+                            template: template.clone(),
+                            shown: String::new(),
+                        });
+                    }
+                }
+            }
+        }
+        if let Some(drag) = &element.drag {
+            self.handles.push(Handle::new(node.clone(), drag.clone()));
+        }
+        Some(node)
+    }
+
+    /// Shows the present.
+    pub fn draw(&mut self, session: &mut Session) {
+        self.values.clear();
+        self.values.extend_from_slice(session.scene_values());
+        let (values, drawn) = (&self.values, &self.drawn);
+        let changed = |index: usize| {
+            values.get(index).map(|value| value.to_bits()) != drawn.get(index).map(|value| value.to_bits())
+        };
+        for binding in &mut self.bindings {
+            let moved = binding.template.iter().any(|piece| matches!(piece, Piece::Value { index, .. } if changed(*index)));
+            if !moved {
+                continue;
+            }
+            self.text.clear();
+            for piece in &binding.template {
+                match (piece, &binding.target) {
+                    (Piece::Literal(literal), _) => self.text.push_str(literal),
+                    (Piece::Value { index, .. }, Target::Attribute(..)) => {
+                        // Seven digits are more than a screen has, and the shorter text is parsed sooner.
+                        let value = values.get(*index).copied().unwrap_or(0.0) as f32;
+                        let value = if value.is_finite() { value } else { 0.0 };
+                        self.text.push_str(&value.to_string());
+                    }
+                    (Piece::Value { index, decimals }, Target::Text(_)) => {
+                        self.text.push_str(&session.scene_text(*index, *decimals));
+                    }
+                }
+            }
+            if self.text != binding.shown {
+                match &binding.target {
+                    Target::Attribute(node, name) => drop(node.set_attribute(name, &self.text)),
+                    Target::Text(node) => node.set_data(&self.text),
+                }
+                self.text.clone_into(&mut binding.shown);
+            }
+        }
+        for handle in &mut self.handles {
+            handle.describe(session);
+        }
+        std::mem::swap(&mut self.values, &mut self.drawn);
+    }
+}
+
+/// The text of a template without values.
+fn fixed(template: &Template) -> Option<String> {
+    template
+        .iter()
+        .map(|piece| match piece {
+            Piece::Literal(text) => Some(text.as_str()),
+            Piece::Value { .. } => None,
+        })
+        .collect()
+}

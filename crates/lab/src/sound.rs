@@ -1,0 +1,66 @@
+//! The displacement as a pitch.
+
+use session::Session;
+use web_sys::{AudioContext, GainNode, OscillatorNode};
+
+/// How loud, of 1.
+const LOUDNESS: f32 = 0.08;
+/// Pitch and loudness follow within this time, in seconds: short enough to follow, long enough not to click.
+const GLIDE: f64 = 0.02;
+
+/// An oscillator, made when sound is first asked for: browsers allow it only then.
+#[derive(Default)]
+pub struct Sound {
+    voice: Option<Voice>,
+    on: bool,
+}
+
+struct Voice {
+    context: AudioContext,
+    oscillator: OscillatorNode,
+    gain: GainNode,
+}
+
+impl Voice {
+    fn new() -> Option<Self> {
+        let context = AudioContext::new().ok()?;
+        let oscillator = context.create_oscillator().ok()?;
+        let gain = context.create_gain().ok()?;
+        gain.gain().set_value(0.0);
+        oscillator.connect_with_audio_node(&gain).ok()?;
+        gain.connect_with_audio_node(&context.destination()).ok()?;
+        oscillator.start().ok()?;
+        Some(Self { context, oscillator, gain })
+    }
+}
+
+impl Sound {
+    /// Whether it is on.
+    pub fn is_on(&self) -> bool {
+        self.on
+    }
+
+    /// Turns it on or off; false when the browser has no sound.
+    pub fn turn(&mut self, on: bool) -> bool {
+        if on && self.voice.is_none() {
+            self.voice = Voice::new();
+        }
+        self.on = on && self.voice.is_some();
+        if let Some(voice) = &self.voice {
+            let _ = if self.on { voice.context.resume() } else { voice.context.suspend() };
+        }
+        self.on == on
+    }
+
+    /// Follows the session: silent while it stands still.
+    pub fn follow(&mut self, session: &Session) {
+        let Some(voice) = self.voice.as_ref().filter(|_| self.on) else { return };
+        let now = voice.context.current_time();
+        let pitch = session.pitch().filter(|_| session.is_playing() || session.is_dragging());
+        if let Some(pitch) = pitch {
+            let _ = voice.oscillator.frequency().set_target_at_time(pitch as f32, now, GLIDE);
+        }
+        let loudness = if pitch.is_some() { LOUDNESS } else { 0.0 };
+        let _ = voice.gain.gain().set_target_at_time(loudness, now, GLIDE);
+    }
+}

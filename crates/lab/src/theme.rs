@@ -1,0 +1,107 @@
+//! Light and dark: chosen, or as the system has it.
+
+use crate::app::App;
+use crate::{browser, frame};
+use figure::{Ink, Palette, SERIES_COLOURS};
+use leptos::prelude::*;
+
+/// What was chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Theme {
+    /// As the system has it.
+    System,
+    /// Light.
+    Light,
+    /// Dark.
+    Dark,
+}
+
+impl Theme {
+    /// What was chosen at the last visit.
+    pub fn remembered() -> Self {
+        match browser::remembered("theme").as_deref() {
+            Some("light") => Self::Light,
+            Some("dark") => Self::Dark,
+            _ => Self::System,
+        }
+    }
+
+    /// The next one in turn.
+    pub fn next(self) -> Self {
+        match self {
+            Self::System => Self::Light,
+            Self::Light => Self::Dark,
+            Self::Dark => Self::System,
+        }
+    }
+
+    /// Applies and remembers it.
+    pub fn choose(self, app: App) {
+        browser::remember("theme", self.name());
+        self.apply(app);
+    }
+
+    /// Sets the attribute that the style sheet follows, and the colours of the canvases.
+    pub fn apply(self, app: App) {
+        if let Some(root) = document().document_element() {
+            let _ = root.set_attribute("data-theme", self.name());
+        }
+        let dark = self == Self::Dark || (self == Self::System && browser::matches("(prefers-color-scheme: dark)"));
+        app.with(|lab| {
+            lab.stage.colours = Colours::new(if dark { &Palette::DARK } else { &Palette::LIGHT });
+            for plot in lab.stage.plots.iter_mut().flatten() {
+                plot.invalidate();
+            }
+        });
+        frame::wake(app);
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::System => "",
+            Self::Light => "light",
+            Self::Dark => "dark",
+        }
+    }
+}
+
+/// A palette as the canvas wants it: colours as texts, made once and not in every frame.
+pub struct Colours {
+    /// The palette.
+    pub palette: &'static Palette,
+    plain: [String; 6],
+    series: [String; SERIES_COLOURS],
+    ghosts: [String; SERIES_COLOURS],
+}
+
+impl Colours {
+    fn new(palette: &'static Palette) -> Self {
+        let text = |ink| palette.colour(ink).to_string();
+        Self {
+            palette,
+            plain: [Ink::Ground, Ink::Text, Ink::Grid, Ink::Zero, Ink::Axis, Ink::Marker].map(text),
+            series: std::array::from_fn(|number| text(Ink::Series(number as u8))),
+            ghosts: std::array::from_fn(|number| text(Ink::Ghost(number as u8))),
+        }
+    }
+
+    /// The colour of an ink, such as `#005fb8`.
+    pub fn of(&self, ink: Ink) -> &str {
+        match ink {
+            Ink::Ground => &self.plain[0],
+            Ink::Text => &self.plain[1],
+            Ink::Grid => &self.plain[2],
+            Ink::Zero => &self.plain[3],
+            Ink::Axis => &self.plain[4],
+            Ink::Marker => &self.plain[5],
+            Ink::Series(number) => &self.series[usize::from(number) % SERIES_COLOURS],
+            Ink::Ghost(number) => &self.ghosts[usize::from(number) % SERIES_COLOURS],
+        }
+    }
+}
+
+impl Default for Colours {
+    fn default() -> Self {
+        Self::new(&Palette::LIGHT)
+    }
+}

@@ -39,6 +39,8 @@ pub(crate) struct Adaptive {
     earlier_error: f64,
     start: f64,
     size: f64,
+    /// `start + size`, but exactly the row it was to reach.
+    end: f64,
     from: Vec<f64>,
     to: Vec<f64>,
     attempt: Vec<f64>,
@@ -79,6 +81,7 @@ impl Adaptive {
             earlier_error: 1e-4,
             start: 0.0,
             size: 0.0,
+            end: 0.0,
             from: zeros.clone(),
             to: zeros.clone(),
             attempt: zeros.clone(),
@@ -91,6 +94,7 @@ impl Adaptive {
     pub fn restart(&mut self, time: f64, state: &[f64]) {
         self.start = time;
         self.size = 0.0;
+        self.end = time;
         self.from.copy_from_slice(state);
         self.to.copy_from_slice(state);
         self.note_peaks();
@@ -104,7 +108,7 @@ impl Adaptive {
 
     /// Where the last step ended.
     pub fn end(&self) -> f64 {
-        self.start + self.size
+        self.end
     }
 
     /// The state at the end of the last step.
@@ -115,15 +119,20 @@ impl Adaptive {
     /// Makes the next step. The controller is proportional-integral (Hairer & Wanner, Solving Ordinary Differential
     /// Equations II, section IV.2) with the constants of their code DOPRI5: safety 0.9, at most five times smaller or ten
     /// times larger, and not larger right after a rejection.
-    pub fn extend(&mut self, equations: &mut Equations) -> Result<(), Stuck> {
-        let time = self.end();
+    ///
+    /// The stiff method does not step over `row`: where a stiff part forces the solution, as in the problem of Prothero
+    /// and Robinson, its dense output is less exact by orders than its steps.
+    pub fn extend(&mut self, equations: &mut Equations, row: f64) -> Result<(), Stuck> {
+        let time = self.end;
         let order = match self.pair {
             Pair::DormandPrince(_) => 5.0,
             Pair::Rosenbrock(_) => 4.0,
         };
         let integral = 0.04;
         let proportional = 1.0 / order - 0.75 * integral;
-        let mut size = self.proposed.min(self.longest);
+        let wanted = self.proposed.min(self.longest);
+        let lands = matches!(self.pair, Pair::Rosenbrock(_)) && time + 1.001 * wanted >= row;
+        let mut size = if lands { row - time } else { wanted };
         let mut rejected = false;
         loop {
             let smallest = 16.0 * f64::EPSILON * time.abs().max(f64::MIN_POSITIVE / f64::EPSILON);
@@ -142,8 +151,14 @@ impl Adaptive {
                     / libm::pow(error.max(1e-10), proportional);
                 let growth = growth.clamp(0.2, if rejected { 1.0 } else { 10.0 });
                 self.earlier_error = error.max(1e-4);
-                self.accept(time, size);
-                self.proposed = size * growth;
+                let on_row = lands && !rejected;
+                self.accept(time, size, if on_row { row } else { time + size });
+                // A step cut short by a row says nothing against the size that was wanted.
+                self.proposed = if on_row {
+                    wanted.max(size * growth)
+                } else {
+                    size * growth
+                };
                 return Ok(());
             }
             if size <= smallest {
@@ -222,11 +237,12 @@ impl Adaptive {
         }
     }
 
-    fn accept(&mut self, time: f64, size: f64) {
+    fn accept(&mut self, time: f64, size: f64, end: f64) {
         std::mem::swap(&mut self.from, &mut self.to);
         self.to.copy_from_slice(&self.attempt);
         self.start = time;
         self.size = size;
+        self.end = end;
         match &mut self.pair {
             Pair::DormandPrince(pair) => {
                 pair.dense(size, &self.from, &self.to, &mut self.dense);

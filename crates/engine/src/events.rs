@@ -27,7 +27,11 @@ pub(crate) struct Events {
     due: Vec<bool>,
     truths: Vec<f64>,
     values: Vec<f64>,
-    /// The state before the jump.
+    /// By event: whether it was due when the moment was found, and whether it is used up is still open.
+    crossing: Vec<bool>,
+    /// The state at that moment, before all jumps.
+    approach: Vec<f64>,
+    /// The state before the last jump.
     before: Vec<f64>,
     /// The state after the jump.
     after: Vec<f64>,
@@ -67,6 +71,8 @@ impl Events {
             due: vec![false; conditions.len()],
             truths: vec![0.0; conditions.len()],
             values: vec![0.0; actions.len()],
+            crossing: vec![false; conditions.len()],
+            approach: zeros.clone(),
             before: zeros.clone(),
             after: zeros.clone(),
             rates_before: zeros.clone(),
@@ -172,25 +178,41 @@ impl Events {
         &self.after
     }
 
-    /// Lets the events that are due at `time` act, all on the state before. `resolution` is the least time in which the
-    /// state changes, `reach` the greatest over which its motion is straight.
-    pub fn fire(
-        &mut self,
-        equations: &mut Equations,
-        time: f64,
-        resolution: f64,
-        reach: f64,
-    ) -> usize {
-        let count = self.act(time);
-        equations.rates(time, &self.before, &mut self.rates_before);
+    /// Lets the events act that are due at the moment found last, all on the state before; how many there are.
+    pub fn fire(&mut self, time: f64) -> usize {
+        self.approach.copy_from_slice(&self.before);
+        self.crossing.copy_from_slice(&self.due);
+        self.act(time)
+    }
+
+    /// Lets the events act that the last jump has made due, on the state after it; how many there were.
+    pub fn cascade(&mut self, time: f64) -> usize {
+        self.conditions
+            .evaluate(time, &self.after, &mut self.truths);
+        let fired = self.due.iter_mut().zip(&mut self.armed);
+        for ((due, armed), &truth) in fired.zip(&self.truths) {
+            // What has just fired can fire again only after its condition has been false.
+            let can_fire = *armed && !*due;
+            *due = can_fire && truth != 0.0;
+            *armed = can_fire || truth == 0.0;
+        }
+        if !self.due.contains(&true) {
+            return 0;
+        }
+        self.before.copy_from_slice(&self.after);
+        self.act(time)
+    }
+
+    /// Decides, after all jumps of a moment, which of the events that were due at first have been used up. `resolution`
+    /// is the least time in which the state changes, `reach` the greatest over which its motion is taken to be straight.
+    pub fn settle(&mut self, equations: &mut Equations, time: f64, resolution: f64, reach: f64) {
+        equations.rates(time, &self.approach, &mut self.rates_before);
         equations.rates(time, &self.after, &mut self.rates_after);
-        // By event: still to be found where the motion without the action meets the condition, if it has fired at all.
-        let mut open = self.due.clone();
-        let mut used_up = self.due.clone();
-        let mut crossed = vec![false; open.len()];
+        let mut crossed = vec![false; self.crossing.len()];
         let mut ahead = resolution.max(f64::MIN_POSITIVE);
-        while ahead <= reach && open.contains(&true) {
-            follow(&mut self.probe, &self.before, &self.rates_before, ahead);
+        while self.crossing.contains(&true) {
+            let found_nothing = ahead > reach;
+            follow(&mut self.probe, &self.approach, &self.rates_before, ahead);
             self.conditions
                 .evaluate(time + ahead, &self.probe, &mut self.truths);
             for (crossed, &truth) in crossed.iter_mut().zip(&self.truths) {
@@ -200,47 +222,16 @@ impl Events {
             self.conditions
                 .evaluate(time + ahead, &self.probe, &mut self.truths);
             let answers = crossed.iter().zip(&self.truths);
-            for ((open, used_up), (&crossed, &truth)) in
-                open.iter_mut().zip(&mut used_up).zip(answers)
+            for ((crossing, armed), (&crossed, &truth)) in
+                self.crossing.iter_mut().zip(&mut self.armed).zip(answers)
             {
-                if *open && crossed {
-                    *open = false;
-                    *used_up = truth != 0.0;
+                if *crossing && (crossed || found_nothing) {
+                    *crossing = false;
+                    *armed &= truth == 0.0 && !found_nothing;
                 }
             }
             ahead *= 4.0;
         }
-        self.rearm(time, &used_up);
-        count
-    }
-
-    /// Arms the events whose conditions are false after a jump, but for those that are used up. An event that the jump
-    /// of another one has made true stays armed and fires at once, in `cascade`.
-    fn rearm(&mut self, time: f64, used_up: &[bool]) {
-        self.conditions
-            .evaluate(time, &self.after, &mut self.truths);
-        let fired = self.due.iter().zip(used_up);
-        for ((armed, &truth), (&due, &used_up)) in
-            self.armed.iter_mut().zip(&self.truths).zip(fired)
-        {
-            if due || !*armed {
-                *armed = truth == 0.0 && !used_up;
-            }
-        }
-    }
-
-    /// Lets the events act that the last jump has made due, on the state after it; how many there were.
-    pub fn cascade(&mut self, time: f64) -> usize {
-        let state = std::mem::take(&mut self.after);
-        let any = self.due(time, &state);
-        self.after = state;
-        if !any {
-            return 0;
-        }
-        self.before.copy_from_slice(&self.after);
-        let count = self.act(time);
-        self.rearm(time, &vec![false; self.due.len()]);
-        count
     }
 
     fn act(&mut self, time: f64) -> usize {

@@ -87,7 +87,7 @@ impl Routine {
 }
 
 /// When a node can be computed.
-#[derive(Clone, Copy, PartialEq, PartialOrd)]
+#[derive(Clone, Copy, PartialEq)]
 enum Stage {
     Unused,
     Prologue,
@@ -140,41 +140,47 @@ impl<'a> Compiler<'a> {
             self.uses[root.0 as usize] += 1;
         }
         // Operands have smaller numbers, so going down meets every reader before what it reads.
-        let mut system_read = vec![false; self.graph.systems().len()];
+        let mut read = vec![false; self.graph.systems().len()];
         for index in (0..self.graph.len()).rev() {
-            if self.uses[index] == 0 {
-                continue;
-            }
             let node = self.graph.node(NodeId(index as u32));
-            if let Node::Solution { system, .. } = node
-                && std::mem::replace(&mut system_read[system as usize], true)
-            {
-                continue;
-            }
-            for operand in operands(self.graph, node) {
-                self.uses[operand.0 as usize] += 1;
+            if self.uses[index] > 0 && first_of_system(node, &mut read) {
+                for operand in operands(self.graph, node) {
+                    self.uses[operand.0 as usize] += 1;
+                }
             }
         }
+        let mut stages = vec![Stage::Unused; self.graph.systems().len()];
         for index in 0..self.graph.len() {
             if self.uses[index] == 0 {
                 continue;
             }
             let node = self.graph.node(NodeId(index as u32));
-            let mut stage = match node {
+            self.stage[index] = match node {
                 Node::Independent | Node::State(_) => Stage::Body,
-                _ => Stage::Prologue,
-            };
-            for operand in operands(self.graph, node) {
-                if self.stage[operand.0 as usize] == Stage::Body {
-                    stage = Stage::Body;
+                Node::Solution { system, .. } => {
+                    if stages[system as usize] == Stage::Unused {
+                        stages[system as usize] = self.latest(node);
+                    }
+                    stages[system as usize]
                 }
-            }
-            self.stage[index] = stage;
-            if let Some((product, _)) = self.product(node, stage) {
+                _ => self.latest(node),
+            };
+            if let Some((product, _)) = self.product(node, self.stage[index]) {
                 self.absorbed[product.0 as usize] = true;
             }
         }
         self.routine.roots = roots.iter().map(|root| root.0).collect();
+    }
+
+    /// The latest stage of what a node reads.
+    fn latest(&self, node: Node) -> Stage {
+        let mut operands = operands(self.graph, node).into_iter();
+        let in_body = operands.any(|operand| self.stage[operand.0 as usize] == Stage::Body);
+        if in_body {
+            Stage::Body
+        } else {
+            Stage::Prologue
+        }
     }
 
     /// The operand of a sum or difference that is a product nobody else reads, and the other operand.
@@ -311,6 +317,14 @@ impl<'a> Compiler<'a> {
 
     fn of(&self, id: NodeId) -> Register {
         self.register[id.0 as usize]
+    }
+}
+
+/// Whether this is not a further unknown of a system that has been read already.
+fn first_of_system(node: Node, read: &mut [bool]) -> bool {
+    match node {
+        Node::Solution { system, .. } => !std::mem::replace(&mut read[system as usize], true),
+        _ => true,
     }
 }
 

@@ -19,7 +19,7 @@ pub struct Setup {
 }
 
 impl Setup {
-    /// Rows per second where the document does not say.
+    /// The step where the document does not say, in SI units of the independent variable.
     pub const STEP: f64 = 0.05;
     /// The tolerance where the document does not say.
     pub const TOLERANCE: f64 = 1e-6;

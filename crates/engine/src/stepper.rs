@@ -242,7 +242,7 @@ impl Stepper {
         };
         let equations = &mut self.equations;
         if method.end() <= self.time
-            && let Err(stuck) = method.extend(equations)
+            && let Err(stuck) = method.extend(equations, target)
         {
             return Err(self.places.stuck(
                 stuck,
@@ -284,9 +284,7 @@ impl Stepper {
         record: &mut impl Record,
     ) -> Result<usize, RunError> {
         record(self.time, self.events.before(), false);
-        let mut count = self
-            .events
-            .fire(&mut self.equations, self.time, resolution, self.step);
+        let mut count = self.events.fire(self.time);
         loop {
             self.state.copy_from_slice(self.events.after());
             if !self.state.iter().all(|value| value.is_finite()) {
@@ -294,17 +292,18 @@ impl Stepper {
             }
             record(self.time, &self.state, true);
             if fired + count > Self::EVENT_LIMIT {
-                return Err(self.places.too_many_events(
-                    Self::EVENT_LIMIT,
-                    self.events.first_due(),
-                    self.time,
-                ));
+                let event = self.events.first_due();
+                return Err(self
+                    .places
+                    .too_many_events(Self::EVENT_LIMIT, event, self.time));
             }
             match self.events.cascade(self.time) {
                 0 => break,
                 more => count += more,
             }
         }
+        self.events
+            .settle(&mut self.equations, self.time, resolution, self.step);
         self.on_grid = false;
         self.restart();
         Ok(count)

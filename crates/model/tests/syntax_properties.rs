@@ -162,7 +162,7 @@ proptest! {
 
     #[test]
     fn every_text_is_a_model_or_told_why_not(source in text()) {
-        let (statements, diagnostics) = parse(&source, &[0..source.len()]);
+        let (statements, diagnostics) = parse(&source, std::slice::from_ref(&(0..source.len())));
         prop_assert!(all_lie_in(&diagnostics, &source));
         for statement in &statements {
             prop_assert!(lies_in(statement.span, &source));

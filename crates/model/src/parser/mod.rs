@@ -38,6 +38,7 @@ mod cursor;
 mod declaration;
 mod expression;
 mod layout;
+mod operand;
 mod statement;
 #[cfg(test)]
 mod tests;

@@ -76,7 +76,7 @@ fn shown_statement(statement: &Statement) -> String {
 }
 
 fn statements(source: &str) -> Vec<String> {
-    let (statements, diagnostics) = parse(source, &[0..source.len()]);
+    let (statements, diagnostics) = parse(source, std::slice::from_ref(&(0..source.len())));
     assert!(diagnostics.is_empty(), "{source}: {diagnostics:?}");
     statements.iter().map(shown_statement).collect()
 }
@@ -224,7 +224,7 @@ fn several_fences_are_one_model_with_places_in_the_document() {
 #[test]
 fn places_are_exact() {
     let source = "  parameter ω₀ = -3 [1/s] in 0..5 \"W\"  # c\n y''(0) = 1 + ω₀*x in [m]";
-    let (read, _) = parse(source, &[0..source.len()]);
+    let (read, _) = parse(source, std::slice::from_ref(&(0..source.len())));
     let StatementKind::Parameter(parameter) = &read[0].kind else { panic!() };
     let at = |span: crate::Span| &source[span.range()];
     assert_eq!(at(read[0].span), "parameter ω₀ = -3 [1/s] in 0..5 \"W\"");

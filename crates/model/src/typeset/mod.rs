@@ -1,5 +1,6 @@
 //! The model's equations as a textbook prints them: MathML Core from the syntax tree.
 
+mod cases;
 mod expression;
 mod symbols;
 #[cfg(test)]

@@ -166,7 +166,7 @@ fn names_have_greek_letters_subscripts_and_primes() {
 fn statements_are_set_one_by_one() {
     let source = "parameter g = 9.8 [m/s^2]\nm = rho*L \"Mass\"\nm*y'' = -b*y'\ny'(0) = v_0\nr = \"a < b\"\n\
                   when y < 0 [m] { y' = -e*y'; y = 0 }";
-    let (statements, diagnostics) = parse(source, &[0..source.len()]);
+    let (statements, diagnostics) = parse(source, std::slice::from_ref(&(0..source.len())));
     assert!(diagnostics.is_empty(), "{diagnostics:?}");
     let translate = |text: &str| text.to_uppercase();
     let typesetter = Typesetter { translate: &translate };

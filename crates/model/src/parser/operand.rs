@@ -1,0 +1,202 @@
+//! Operands: numbers with their units, texts, names, initial values, calls and parentheses.
+
+use super::after;
+use super::cursor::{Cursor, Read};
+use super::expression::{DEEPEST, Tree, leaf};
+use crate::functions::Function;
+use crate::lexer::{Keyword, Symbol, TokenKind};
+use crate::{Diagnostic, Expression, ExpressionKind, Name, Span};
+
+impl Cursor<'_> {
+    pub(super) fn operand(&mut self) -> Read<Tree> {
+        let span = self.span();
+        match self.peek().clone() {
+            TokenKind::Number(value) => {
+                self.advance();
+                self.number(value, span)
+            }
+            TokenKind::Text(text) => {
+                self.advance();
+                Ok(leaf(ExpressionKind::Text(text), span))
+            }
+            TokenKind::Name { text, order, end } => {
+                self.advance();
+                self.name(Name { text, span: Span::new(span.start, end) }, order, span)
+            }
+            TokenKind::Symbol(Symbol::LeftParenthesis) => {
+                self.advance();
+                let mut inside = self.expression()?;
+                self.refuse_equals("parenthesis");
+                let end = self.close(span)?;
+                inside.expression.span = span.to(end);
+                inside.parenthesised = true;
+                self.refuse_prime()?;
+                Ok(inside)
+            }
+            TokenKind::Symbol(Symbol::Root) => {
+                self.advance();
+                if self.depth >= DEEPEST {
+                    return self.too_deep(span, "this is nested too deeply");
+                }
+                self.depth += 1;
+                let inside = self.operand();
+                self.depth -= 1;
+                let function = Name { text: "sqrt".to_owned(), span };
+                let inside = inside?;
+                Ok(call(function, vec![inside], span))
+            }
+            _ => self.missing_operand(),
+        }
+    }
+
+    fn number(&mut self, value: f64, span: Span) -> Read<Tree> {
+        let TokenKind::Brackets(inside) = self.peek().clone() else {
+            self.refuse_prime()?;
+            return Ok(leaf(ExpressionKind::Number { value, unit: None }, span));
+        };
+        let end = self.advance();
+        let kind = match self.unit(inside) {
+            Ok(unit) => ExpressionKind::Number { value, unit: Some(unit) },
+            Err(_) => ExpressionKind::Error,
+        };
+        Ok(leaf(kind, span.to(end)))
+    }
+
+    /// A name, a call or an initial value.
+    fn name(&mut self, name: Name, order: u32, span: Span) -> Read<Tree> {
+        let Some(parenthesis) = self.take(Symbol::LeftParenthesis) else {
+            return Ok(leaf(ExpressionKind::Name { name: name.text, order }, span));
+        };
+        if let TokenKind::Number(value) = *self.peek()
+            && value == 0.0
+            && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::RightParenthesis)
+            && (order > 0 || Function::named(&name.text).is_none())
+        {
+            self.advance();
+            let end = self.advance();
+            return Ok(leaf(ExpressionKind::InitialValue { name: name.text, order }, span.to(end)));
+        }
+        if order > 0 {
+            return self.derivative_call(&name, order, span, parenthesis);
+        }
+        let mut arguments = Vec::new();
+        if *self.peek() != TokenKind::Symbol(Symbol::RightParenthesis) {
+            loop {
+                arguments.push(self.expression()?);
+                self.refuse_equals("function's argument");
+                if self.take(Symbol::Comma).is_none() && self.take(Symbol::Semicolon).is_none() {
+                    break;
+                }
+            }
+        }
+        let end = self.close(parenthesis)?;
+        self.refuse_prime()?;
+        if name.text == "log" {
+            let diagnostic =
+                Diagnostic::error("ambiguous-logarithm", "it is not clear which logarithm `log` is", name.span)
+                    .with_hint("write ln for the natural logarithm or log10 for the decimal one");
+            self.say(diagnostic);
+            return Ok(leaf(ExpressionKind::Error, span.to(end)));
+        }
+        Ok(call(name, arguments, span.to(end)))
+    }
+
+    /// `y'(t)`, `y'(1)`: only `y'(0)` has a meaning.
+    fn derivative_call(&mut self, name: &Name, order: u32, span: Span, parenthesis: Span) -> Read<Tree> {
+        let argument = self.expression()?;
+        let end = self.close(parenthesis)?;
+        let written = &self.source[span.range()];
+        let diagnostic = Diagnostic::error(
+            "initial-value-not-at-zero",
+            format!("only 0 can stand in the parenthesis after `{written}`"),
+            argument.expression.span,
+        )
+        .with_note(format!("{written}(0) is the value at the start, {written} alone the present one"));
+        let diagnostic = match argument.expression.kind {
+            ExpressionKind::Number { .. } | ExpressionKind::Name { .. } => diagnostic,
+            _ => diagnostic.with_hint(format!("a product is written with *: {written}*(...)")),
+        };
+        self.say(diagnostic);
+        Ok(leaf(ExpressionKind::Name { name: name.text.clone(), order }, span.to(end)))
+    }
+
+    /// Reads the `)` that belongs to the `(` at `open`.
+    pub(super) fn close(&mut self, open: Span) -> Read<Span> {
+        if let Some(end) = self.take(Symbol::RightParenthesis) {
+            return Ok(end);
+        }
+        if *self.peek() == TokenKind::Symbol(Symbol::Comma) {
+            return self.decimal_comma();
+        }
+        let diagnostic = if self.at_line_end() {
+            Diagnostic::error("unclosed-parenthesis", "this `(` is not closed", open)
+                .with_label(after(self.last_span()), "`)` is missing, here at the latest")
+        } else {
+            let wrong = format!("`)` is expected here, not {}", self.found());
+            Diagnostic::error("unclosed-parenthesis", wrong, self.span()).with_label(open, "closes this `(`")
+        };
+        self.fail(diagnostic)
+    }
+
+    /// A comma where none can stand; if it stands between digits, it was meant as a decimal point.
+    pub(super) fn decimal_comma<T>(&mut self) -> Read<T> {
+        let comma = self.span();
+        let digit = |at: Option<&u8>| at.is_some_and(u8::is_ascii_digit);
+        let bytes = self.source.as_bytes();
+        let before = comma.start.checked_sub(1).and_then(|at| bytes.get(at));
+        let diagnostic = if digit(before) && digit(bytes.get(comma.end)) {
+            Diagnostic::error("decimal-comma", "a number has a decimal point here, not a comma", comma)
+        } else {
+            Diagnostic::error("unexpected-token", "a comma cannot stand here", comma)
+        };
+        self.fail(diagnostic)
+    }
+
+    /// `(a + b)'`
+    fn refuse_prime(&mut self) -> Read<()> {
+        if *self.peek() != TokenKind::Primes {
+            return Ok(());
+        }
+        let diagnostic = Diagnostic::error("prime-after-expression", "a prime belongs to a name", self.span())
+            .with_hint("give the expression a name (v = ...) and write v'");
+        self.fail(diagnostic)
+    }
+
+    fn missing_operand(&mut self) -> Read<Tree> {
+        let span = self.span();
+        let last = self.last_span();
+        let written = &self.source[last.range()];
+        let line_end = self.at_line_end();
+        let place = if line_end { last } else { span };
+        let found = self.found();
+        let diagnostic = match self.peek() {
+            TokenKind::Brackets(_) => Diagnostic::error("unit-without-number", "a unit belongs to a number", span)
+                .with_hint("such as 1 [m]; to state the unit of an expression, write `in [m]` after it"),
+            TokenKind::Primes => Diagnostic::error("prime-after-expression", "a prime belongs to a name", span)
+                .with_hint("write it directly after the name: y'"),
+            TokenKind::Keyword(Keyword::Then | Keyword::Else) if !line_end => {
+                let wrong = format!("an expression is expected before {found}");
+                Diagnostic::error("missing-expression", wrong, place)
+            }
+            TokenKind::Keyword(Keyword::Parameter | Keyword::Independent | Keyword::When | Keyword::In) => {
+                let wrong = format!("{found} is a word of the language and cannot be a name");
+                Diagnostic::error("reserved-word", wrong, place)
+            }
+            _ if line_end && last.start < last.end => {
+                let wrong = format!("an expression is expected after `{written}`");
+                Diagnostic::error("missing-expression", wrong, place)
+            }
+            _ if line_end => Diagnostic::error("missing-expression", "an expression is expected here", place),
+            _ => Diagnostic::error("missing-expression", format!("an expression is expected here, not {found}"), place),
+        };
+        self.fail(diagnostic)
+    }
+}
+
+fn call(function: Name, arguments: Vec<Tree>, span: Span) -> Tree {
+    let height = arguments.iter().map(|argument| argument.height).max().unwrap_or(0) + 1;
+    let span = arguments.last().map_or(span, |last| span.to(last.expression.span));
+    let arguments = arguments.into_iter().map(|argument| argument.expression).collect();
+    let kind = ExpressionKind::Call { function, arguments };
+    Tree { expression: Expression { kind, span }, height, parenthesised: false }
+}

@@ -92,7 +92,8 @@ fn confine_selector(selector: &str) -> Option<String> {
                 Some(stem) => (stem, &name[stem.len()..]),
                 None => (name, ""),
             };
-            if !is_id(name) && !(number == 0 && name.is_empty() && !mark.is_empty()) {
+            let only_marks = number == 0 && name.is_empty() && !mark.is_empty();
+            if !is_id(name) && !only_marks {
                 return None;
             }
             confined.push_str(name);

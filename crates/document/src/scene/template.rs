@@ -166,7 +166,11 @@ mod tests {
     fn placeholders_stand_in_braces() {
         check("t = {t:.2}", &["\"t = \"", "t Some(2)"], &[]);
         check("{y in [cm]}{a < b}", &["y in [cm] None", "a < b None"], &[]);
-        check("{{x}} &lt;&#916;&#x394;&nbsp;", &[r#""{x} <ΔΔ\u{a0}""#], &[]);
+        check(
+            "{{x}} &lt;&#916;&#x394;&nbsp;",
+            &[r#""{x} <ΔΔ\u{a0}""#],
+            &[],
+        );
     }
 
     #[test]

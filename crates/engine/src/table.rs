@@ -3,7 +3,7 @@
 mod write;
 
 use crate::{History, Readings};
-use model::{Kind, Model, NodeId};
+use model::{Kind, Model, NodeId, State};
 use std::rc::Rc;
 use units::Unit;
 
@@ -231,8 +231,24 @@ fn find(model: &Model, name: &str) -> Result<(Column, Origin), UnknownColumn> {
         };
         return Ok((column, Origin::Node(value.node, value.kind)));
     }
+    let states: Vec<String> = model.states.iter().map(State::name).collect();
+    let known = std::iter::once(model.independent.name.as_str())
+        .chain(states.iter().map(String::as_str))
+        .chain(
+            model
+                .quantities
+                .iter()
+                .map(|quantity| quantity.name.as_str()),
+        )
+        .chain(
+            model
+                .parameters
+                .iter()
+                .map(|parameter| parameter.name.as_str()),
+        );
+    let near = model::nearest(name, known).map(str::to_owned);
     Err(UnknownColumn {
         name: name.to_owned(),
-        near: None,
+        near,
     })
 }

@@ -13,6 +13,7 @@ pub(crate) use check::NameCheck;
 pub(crate) use events::check_event;
 pub(crate) use order::{definition_order, list};
 pub(crate) use program::{Equation, EventEntry, InitialEntry, ParameterEntry, Program};
+pub use scope::nearest;
 pub(crate) use scope::{Meaning, Scope};
 pub(crate) use traverse::{children, for_each, for_each_name};
 pub(crate) use unknowns::{Unknown, find_unknowns};

@@ -70,7 +70,7 @@ impl Scope {
 }
 
 /// The candidate that differs least from `name`, if that is little; the first of several.
-fn nearest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let length = name.chars().count();
     if length > LONGEST_COMPARED {
         return None;

@@ -28,15 +28,15 @@ pub(crate) struct Mapping<'a> {
 enum Scale {
     /// Every position is `step` further, from the low end; the last one is the high end.
     Even { step: f64, positions: u32 },
-    /// Fine near the low end: the distance from it grows with the cube of the position.
-    Fine,
+    /// Fine near the low end: the distance from it grows with this power of the position.
+    Fine { power: u32 },
 }
 
 /// More than this many positions are no use on a screen.
 const MOST_POSITIONS: f64 = 100_000.0;
 
-/// Positions of a fine slider: adjacent ones differ by at most 1.5 % of the range.
-const FINE_POSITIONS: u32 = 200;
+/// Positions of a fine slider: adjacent ones differ by a few per cent at most.
+const FINE_POSITIONS: u32 = 300;
 
 impl<'a> Mapping<'a> {
     /// The slider of a parameter; `None` without a range.
@@ -51,9 +51,12 @@ impl<'a> Mapping<'a> {
             .step
             .map(|step| unit.from_si(step))
             .filter(|step| (high - low) / step <= MOST_POSITIONS);
+        let default = unit.from_si(parameter.value);
         let scale = match step.filter(|step| *step > 0.0) {
             Some(step) => even(low, high, step),
-            None if is_wide(low, high, unit.from_si(parameter.value)) => Scale::Fine,
+            None if is_wide(low, high, default) => Scale::Fine {
+                power: power(low, high, default),
+            },
             None => even(low, high, round_step((high - low) / 100.0)),
         };
         Some(Self {
@@ -73,9 +76,10 @@ impl<'a> Mapping<'a> {
             .clamp(self.low, self.high);
         let (positions, place) = match self.scale {
             Scale::Even { step, positions } => (positions, (value - self.low) / step),
-            Scale::Fine => {
+            Scale::Fine { power } => {
                 let part = (value - self.low) / (self.high - self.low);
-                (FINE_POSITIONS, libm::cbrt(part) * f64::from(FINE_POSITIONS))
+                let place = libm::pow(part, 1.0 / f64::from(power));
+                (FINE_POSITIONS, place * f64::from(FINE_POSITIONS))
             }
         };
         let position = if value == self.high {
@@ -98,10 +102,10 @@ impl<'a> Mapping<'a> {
                 let value = self.low + f64::from(position) * step;
                 number::roundest(value - step * 1e-6, value + step * 1e-6)
             }
-            Scale::Fine if position == 0 => self.low,
-            Scale::Fine if position < FINE_POSITIONS => {
+            Scale::Fine { .. } if position == 0 => self.low,
+            Scale::Fine { power } if position < FINE_POSITIONS => {
                 let place = f64::from(position);
-                number::roundest(self.fine(place - 0.5), self.fine(place + 0.5))
+                number::roundest(self.fine(place - 0.5, power), self.fine(place + 0.5, power))
             }
             _ => self.high,
         };
@@ -111,9 +115,9 @@ impl<'a> Mapping<'a> {
             .map_or(si, |(low, high)| si.max(low).min(high))
     }
 
-    fn fine(&self, place: f64) -> f64 {
+    fn fine(&self, place: f64, power: u32) -> f64 {
         let part = place / f64::from(FINE_POSITIONS);
-        self.low + (self.high - self.low) * part * part * part
+        self.low + (self.high - self.low) * libm::pow(part, f64::from(power))
     }
 }
 
@@ -129,6 +133,16 @@ fn even(low: f64, high: f64, step: f64) -> Scale {
 /// twentieth of a range of positive values, or the ends are further apart than a factor of a thousand.
 fn is_wide(low: f64, high: f64, default: f64) -> bool {
     low >= 0.0 && (default - low < (high - low) / 20.0 || (low > 0.0 && high / low > 1000.0))
+}
+
+/// The cube, unless that would leave the default on the first twentieth of the slider.
+fn power(low: f64, high: f64, default: f64) -> u32 {
+    let part = (default - low) / (high - low);
+    if part > 0.0 && libm::cbrt(part) < 0.05 {
+        5
+    } else {
+        3
+    }
 }
 
 /// The greatest of 1, 2 or 5 times a power of ten that is at most `step`.
@@ -177,6 +191,7 @@ mod tests {
             parameter(none.clone(), 0.0, -5.0, 5.0, None),
             parameter(none.clone(), 50.0, 0.0, 20_000.0, None),
             parameter(none.clone(), 1.0, 0.001, 1000.0, None),
+            parameter(none.clone(), 50.0, 0.0, 2_000_000.0, None),
             parameter(none, 1.0, 0.0, 1.0, Some(0.3)),
             parameter(percent, 10.0, 0.0, 100.0, Some(1.0)),
         ] {
@@ -210,12 +225,17 @@ mod tests {
 
     #[test]
     fn a_wide_slider_is_fine_near_zero() {
-        let parameter = parameter(Unit::dimensionless(), 50.0, 0.0, 20_000.0, None);
-        let mapping = Mapping::of(&parameter).unwrap();
-        assert_eq!(mapping.value(1), 0.004);
-        assert_eq!(mapping.value(mapping.slider(50.0).position), 50.0);
-        let near: Vec<f64> = (10..14).map(|position| mapping.value(position)).collect();
-        assert_eq!(near, [2.5, 3.0, 4.0, 5.0]);
+        for (high, expected) in [
+            (20_000.0, [10.0, 15.0, 20.0, 30.0, 40.0]),
+            (2_000_000.0, [10.0, 20.0, 30.0, 40.0, 50.0]),
+        ] {
+            let parameter = parameter(Unit::dimensionless(), 50.0, 0.0, high, None);
+            let mapping = Mapping::of(&parameter).unwrap();
+            let value = |value: f64| mapping.value(mapping.slider(value).position);
+            assert_eq!(value(50.0), 50.0);
+            assert!(mapping.value(1) <= 0.001);
+            assert_eq!(expected.map(value), expected, "{high}");
+        }
     }
 
     #[test]

@@ -1,5 +1,12 @@
 //! Model time is wall time, whatever the frame rate.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test that fails says so"
+)]
+
 mod support;
 
 use session::{Announcement, SPEEDS, STEPS_PER_TICK, Session, Status};

@@ -1,5 +1,12 @@
 //! Parameters, presets, the state by hand, dragging, method and step.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test that fails says so"
+)]
+
 mod support;
 
 use session::{Announcement, Refusal, Session};
@@ -78,14 +85,14 @@ fn what_is_typed_is_taken_in_any_unit_or_refused_in_words() {
 fn a_field_that_is_left_as_it_is_does_not_round_the_value() {
     let mut session = utube();
     let b = parameter(&session, "b");
-    set(&mut session, "b", 1979.898_987_322_333);
+    set(&mut session, "b", 1_979.898_987_322_333);
     let shown = session.parameter(b).unwrap();
     assert_eq!(
         (shown.text.as_str(), shown.spoken.as_str()),
         ("1979.9", "1979.9 kg/s")
     );
     session.set_parameter_text(b, &shown.text).unwrap();
-    assert_eq!(session.parameter_values()[b], 1979.898_987_322_333);
+    assert_eq!(session.parameter_values()[b], 1_979.898_987_322_333);
 }
 
 #[test]

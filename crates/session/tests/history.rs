@@ -1,5 +1,12 @@
 //! Scrubbing, going on, changing parameters on the way, and what stays behind.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test that fails says so"
+)]
+
 mod support;
 
 use session::{Announcement, MOST_KEPT, Refusal};

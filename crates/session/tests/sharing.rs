@@ -1,5 +1,12 @@
 //! Links and saved states.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test that fails says so"
+)]
+
 mod support;
 
 use session::{Refusal, Session};

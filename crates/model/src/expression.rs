@@ -73,7 +73,7 @@ impl Model {
         let unit = unit
             .map(|stated| stated.unit.clone())
             .or_else(|| match &expression.kind {
-                ExpressionKind::Name { name, order } => self.lookup(name, *order).map(|named| named.unit),
+                ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } => self.lookup(name, *order).map(|named| named.unit),
                 _ => None,
             })
             .unwrap_or_else(|| Unit::si(found.dimension()));

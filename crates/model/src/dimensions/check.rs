@@ -7,10 +7,10 @@
 use super::describe::with_article;
 use super::form::{Conflict, Form, Solver};
 use super::infer::{Inference, Type, Types};
-use super::mismatch::{Place, Term};
+use super::mismatch::{Place, Term, is_bare};
 use crate::names::{Equation, EventEntry, InitialEntry, Meaning, Program, Unknown};
 use crate::notation::primed;
-use crate::{Diagnostic, Expression, ExpressionKind, Span, StatedUnit, UnaryOperator};
+use crate::{Diagnostic, Expression, Span, StatedUnit, has_errors};
 use units::Dimension;
 
 /// What is known about the names of a model once it has been checked; every dimension in it is known. `order` is that of
@@ -34,11 +34,11 @@ pub(crate) fn check_dimensions(
     let mut inference = Inference { scope: &program.scope, types, solver, diagnostics: Vec::new() };
     inference.stated_initial_values(unknowns);
     inference.definitions(program, order);
-    inference.initial_values(unknowns, |entry| !is_bare_number(entry.value));
+    inference.initial_values(unknowns, |entry| !is_bare(entry.value));
     for equation in &program.equations {
         inference.equation(equation);
     }
-    inference.initial_values(unknowns, |entry| is_bare_number(entry.value));
+    inference.initial_values(unknowns, |entry| is_bare(entry.value));
     for definition in &program.definitions {
         if let Some(stated) = definition.unit {
             inference.stated(definition.value, stated);
@@ -47,17 +47,9 @@ pub(crate) fn check_dimensions(
     for event in &program.events {
         inference.event(event);
     }
-    inference.settle(unknowns);
+    inference.settle(unknowns, !has_errors(diagnostics));
     diagnostics.append(&mut inference.diagnostics);
     inference.types
-}
-
-fn is_bare_number(expression: &Expression) -> bool {
-    match &expression.kind {
-        ExpressionKind::Number { unit, .. } => unit.is_none(),
-        ExpressionKind::Unary(UnaryOperator::Negate, operand) => is_bare_number(operand),
-        _ => false,
-    }
 }
 
 impl Inference<'_> {
@@ -203,16 +195,16 @@ impl Inference<'_> {
         }
     }
 
-    /// Puts what was found out into the types; what nothing decides is a pure number.
-    fn settle(&mut self, unknowns: &[Unknown]) {
+    /// Puts what was found out into the types; what nothing decides is a pure number. With an error elsewhere, `warn` is
+    /// false: the dimension is open only because of that.
+    fn settle(&mut self, unknowns: &[Unknown], warn: bool) {
         for (index, unknown) in unknowns.iter().enumerate() {
             let own = self.types.unknowns[index].clone();
             if self.solver.resolve(&own).is_ok_and(|form| form.dimension().is_some()) {
                 continue;
             }
             let name = unknown.name;
-            // With an error elsewhere, the dimension is open only because of it.
-            if self.diagnostics.is_empty() {
+            if warn && !has_errors(&self.diagnostics) {
                 let message = format!("nothing decides the dimension of `{name}`; it is taken to be {}", with_article(Dimension::NONE));
                 self.diagnostics.push(
                     Diagnostic::warning("undetermined-dimension", message, unknown.span)

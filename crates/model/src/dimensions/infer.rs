@@ -4,7 +4,7 @@ use super::form::{Conflict, Form, Solver};
 use super::mismatch::{Place, Term};
 use crate::functions::{Function, Rule};
 use crate::names::{Meaning, Scope};
-use crate::notation::{primed, quote};
+use crate::notation::quote;
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span, UnaryOperator};
 use units::Exponent;
 
@@ -56,7 +56,7 @@ impl Inference<'_> {
                 self.name(name, *order, expression.span)
             }
             ExpressionKind::Unary(UnaryOperator::Not, operand) => {
-                self.truth(operand, "`not`");
+                self.truth(operand, "the operand of `not`");
                 Type::Truth
             }
             ExpressionKind::Unary(UnaryOperator::Negate, _)
@@ -86,7 +86,7 @@ impl Inference<'_> {
                 Type::Number(form) => form.clone(),
                 other if order == 0 || *other == Type::Unknown => return other.clone(),
                 _ => {
-                    let message = format!("`{}` has no derivative: `{name}` is not a number", primed(name, order));
+                    let message = format!("`{name}` has no derivative: it is not a number");
                     return self.refuse(Diagnostic::error("type-mismatch", message, span));
                 }
             },

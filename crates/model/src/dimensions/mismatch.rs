@@ -5,7 +5,7 @@ use super::form::{Conflict, Form};
 use super::infer::{Inference, Type};
 use crate::names::{Meaning, for_each_name, list};
 use crate::notation::quote;
-use crate::{Diagnostic, Expression, ExpressionKind, Span};
+use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, UnaryOperator};
 use units::{Dimension, Exponent};
 
 /// The most names that a hint offers.
@@ -29,6 +29,15 @@ pub(crate) enum Place {
     Arguments,
     /// The branches of `if`.
     Branches,
+}
+
+/// Whether it is a number without a unit.
+pub(crate) fn is_bare(expression: &Expression) -> bool {
+    match &expression.kind {
+        ExpressionKind::Number { unit, .. } => unit.is_none(),
+        ExpressionKind::Unary(UnaryOperator::Negate, operand) => is_bare(operand),
+        _ => false,
+    }
 }
 
 impl Place {
@@ -154,9 +163,12 @@ impl Inference<'_> {
         context: &str,
     ) {
         let subject = format!("`{}`", quote(value.0));
+        let what = self.what(needed.1);
+        // A stated unit stands there itself, of a name there is only the part before its primes.
+        let label = if needed.0.starts_with('`') { format!("{} is {what}", needed.0) } else { what };
         let diagnostic = self
             .mismatch(&subject, value, (needed.0, needed.1), context)
-            .with_label(needed.2, self.what(needed.1));
+            .with_label(needed.2, label);
         let remedy = self.remedy(value.0, value.1, needed.1);
         self.diagnostics.push(self.with_origins(diagnostic, &[value.1, needed.1]).with_hint(remedy));
     }
@@ -179,7 +191,11 @@ impl Inference<'_> {
         (other, expected): (&str, &Form),
         context: &str,
     ) -> Diagnostic {
-        let verdict = self.factor(found, expected).map_or_else(|| format!("does not fit {other}"), Factor::verdict);
+        let verdict = match self.factor(found, expected) {
+            Some(_) if is_bare(expression) => format!("has no unit, but {} is needed", self.what(expected)),
+            Some(factor) => factor.verdict(),
+            None => format!("does not fit {other}"),
+        };
         let message = format!("{subject} {verdict}{context}");
         Diagnostic::error("dimension-mismatch", message, expression.span)
             .saying(self.what(found))
@@ -211,18 +227,47 @@ impl Inference<'_> {
     /// What to do about a part of the wrong dimension.
     fn remedy(&self, expression: &Expression, found: &Form, expected: &Form) -> String {
         let expected_unit = self.solver.resolve(expected).ok().and_then(|form| form.dimension()).map(units::Unit::si);
-        if let (ExpressionKind::Number { value, unit: None }, Some(unit)) = (&expression.kind, expected_unit) {
-            return format!("give the number a unit: `{value} [{unit}]`");
+        if let (true, Some(unit)) = (is_bare(expression), expected_unit) {
+            return format!("give the number a unit: `{} [{unit}]`", quote(expression));
         }
         let Some(factor) = self.factor(found, expected) else {
             return "state the units of the quantities involved".to_owned();
         };
         let thing = as_factor(factor.dimension());
         let offers = self.offers(factor, expression);
+        let lacking = match factor {
+            Factor::Lacking(dimension) => dimension,
+            Factor::Excess(dimension) => dimension.inverse(),
+        };
+        let unitless = match self.factor_without_unit(expression) {
+            Some(name) => format!(", or give `{name}` the unit [{}]", units::Unit::si(lacking)),
+            None => String::new(),
+        };
         match factor {
-            Factor::Lacking(_) => format!("multiply it by {thing}{offers}"),
-            Factor::Excess(_) => format!("divide it by {thing}{offers}"),
+            Factor::Lacking(_) => format!("multiply it by {thing}{offers}{unitless}"),
+            Factor::Excess(_) => format!("divide it by {thing}{offers}{unitless}"),
         }
+    }
+
+    /// A parameter among the factors of a product that is a pure number: perhaps its unit was forgotten.
+    fn factor_without_unit<'e>(&self, product: &'e Expression) -> Option<&'e str> {
+        let mut waiting = vec![product];
+        while let Some(next) = waiting.pop() {
+            match &next.kind {
+                ExpressionKind::Unary(UnaryOperator::Negate, inner) => waiting.push(inner),
+                ExpressionKind::Binary(BinaryOperator::Multiply, left, right) => waiting.extend([right.as_ref(), left.as_ref()]),
+                ExpressionKind::Binary(BinaryOperator::Divide, numerator, _) => waiting.push(numerator),
+                ExpressionKind::Name { name, order: 0 } => {
+                    if let Some(Meaning::Parameter(index)) = self.scope.meaning(name)
+                        && self.types.parameters[index] == Form::pure()
+                    {
+                        return Some(name);
+                    }
+                }
+                _ => {}
+            }
+        }
+        None
     }
 
     /// `: `L`, `h_l` or `h_r``: the names of the model with just this dimension. What is too many is first looked for in
@@ -234,15 +279,16 @@ impl Inference<'_> {
         }
         let fits = |name: &str| self.dimension_of(name) == Some(wanted);
         let mut names: Vec<&str> = Vec::new();
+        let alone = |name: &str| quote(expression).trim_start_matches('-') == name;
         if matches!(factor, Factor::Excess(_)) {
             for_each_name(expression, |name, order, _| {
-                if order == 0 && fits(name) && !names.contains(&name) {
+                if order == 0 && fits(name) && !alone(name) && !names.contains(&name) {
                     names.push(name);
                 }
             });
         }
         if names.is_empty() {
-            names = self.scope.names().filter(|name| fits(name)).collect();
+            names = self.scope.names().filter(|name| fits(name) && !alone(name)).collect();
         }
         names.truncate(MOST_OFFERS);
         if names.is_empty() {

@@ -63,7 +63,8 @@ pub(crate) fn assemble(
     // A quantity that is but another name for something is shown in that one's unit.
     for &index in order {
         let definition = &program.definitions[index];
-        if let (None, ExpressionKind::Name { name, order }) = (definition.unit, &definition.value.kind)
+        if let ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } = &definition.value.kind
+            && definition.unit.is_none()
             && let Some(named) = model.lookup(name, *order)
         {
             model.quantities[index].value.unit = named.unit;

@@ -60,6 +60,7 @@ fn reason(expression: &Expression) -> String {
         ExpressionKind::Binary(BinaryOperator::Multiply, ..) => format!("`{quoted}` multiplies them with each other"),
         ExpressionKind::Binary(BinaryOperator::Divide, ..) => format!("`{quoted}` divides by one"),
         ExpressionKind::Binary(BinaryOperator::Power, ..) => format!("`{quoted}` is a power of one"),
+        ExpressionKind::Binary(..) => format!("`{quoted}` compares one"),
         ExpressionKind::Call { function, .. } => format!("one stands inside `{}`", function.text),
         ExpressionKind::If(..) => format!("one decides `{quoted}`"),
         _ => format!("`{quoted}` depends on them in another way"),

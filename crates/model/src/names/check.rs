@@ -3,7 +3,6 @@
 use super::scope::{Meaning, Scope};
 use super::traverse::for_each;
 use crate::functions::Function;
-use crate::limits;
 use crate::notation::{primed, quote};
 use crate::{Diagnostic, Expression, ExpressionKind, Name, Span};
 
@@ -34,11 +33,6 @@ impl<'a> NameCheck<'a> {
     }
 
     fn name(&mut self, name: &'a str, order: u32, span: Span) {
-        if order > limits::ORDER {
-            let message = format!("`{name}` has {order} primes; {} are the most", limits::ORDER);
-            self.diagnostics.push(Diagnostic::error("too-many-primes", message, span));
-            return;
-        }
         let (what, value) = match self.scope.meaning(name) {
             None => return self.unknown(name, order, span),
             Some(Meaning::Parameter(_)) => ("a parameter", 0),
@@ -94,8 +88,6 @@ impl<'a> NameCheck<'a> {
             if let [argument] = arguments {
                 diagnostic = diagnostic.with_hint(format!("for a product write `{text}*({})`", quote(argument)));
             }
-        } else if text == "log" {
-            diagnostic = diagnostic.with_hint("write `ln` for the natural logarithm or `log10` for the decimal one");
         } else if let Some(near) = Scope::near_function(text) {
             diagnostic = diagnostic.with_hint(format!("did you mean `{near}`?"));
         }
@@ -134,16 +126,20 @@ fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagn
     for &place in rest.iter().take(3) {
         diagnostic = diagnostic.with_label(place, "and here");
     }
-    if let Some(near) = scope.near(name) {
-        return diagnostic.with_hint(format!("did you mean `{near}`?"));
-    }
     if let Some(factors) = as_product(scope, name) {
         return diagnostic.with_hint(format!("for a product write `{factors}`"));
+    }
+    if let Some(near) = scope.near(name) {
+        return diagnostic.with_hint(format!("did you mean `{near}`?"));
     }
     if Function::named(name).is_some() {
         return diagnostic.with_hint(format!("`{name}` is a function: write `{name}(...)`"));
     }
     match name {
+        _ if order > 0 => {
+            let highest = primed(name, order.max(2));
+            diagnostic.with_hint(format!("write an equation for it, such as `{highest} = ...`, or define `{name} = ...`"))
+        }
         "e" => diagnostic.with_hint("for a power of 2.718... write `exp(x)`"),
         _ => diagnostic.with_hint(format!("declare it: `parameter {name} = 1 [unit]` or `{name} = ...`")),
     }

@@ -4,6 +4,7 @@ use super::program::Program;
 use super::scope::Meaning;
 use super::traverse::for_each_name;
 use crate::Diagnostic;
+use crate::matching::blocks;
 
 /// Indices of definitions, each after those it uses. Members of circles, and what uses them, are left out; each circle
 /// is told.
@@ -55,48 +56,37 @@ fn sorted(uses: &[Vec<usize>]) -> Vec<usize> {
     order
 }
 
-/// Follows uses from each remaining definition until one comes back.
+/// Tells the circles among the definitions that could not be sorted.
 fn report_circles(program: &Program, uses: &[Vec<usize>], order: &[usize], diagnostics: &mut Vec<Diagnostic>) {
     let mut remaining = vec![true; uses.len()];
     order.iter().for_each(|&index| remaining[index] = false);
-    let mut seen = vec![false; uses.len()];
-    for start in 0..uses.len() {
-        let mut path: Vec<usize> = Vec::new();
-        let mut at = start;
-        while remaining[at] && !seen[at] {
-            seen[at] = true;
-            path.push(at);
-            match uses[at].iter().find(|&&used| remaining[used]) {
-                Some(&used) => at = used,
-                None => break,
-            }
-        }
-        if let Some(first) = path.iter().position(|&index| index == at)
-            && uses[path[path.len() - 1]].contains(&at)
-        {
-            diagnostics.push(circle(program, &path[first..]));
+    let among: Vec<Vec<usize>> =
+        uses.iter().map(|used| used.iter().copied().filter(|&index| remaining[index]).collect()).collect();
+    for members in blocks(&among) {
+        if members.iter().any(|&member| among[member].iter().any(|used| members.contains(used))) {
+            diagnostics.push(circle(program, &members, &among));
         }
     }
 }
 
-fn circle(program: &Program, members: &[usize]) -> Diagnostic {
-    let name = |&index: &usize| program.definitions[index].name;
-    let first = name(&members[0]);
+fn circle(program: &Program, members: &[usize], uses: &[Vec<usize>]) -> Diagnostic {
+    let name = |index: usize| program.definitions[index].name;
+    let first = name(members[0]);
     if members.len() == 1 {
         let text = &first.text;
         return Diagnostic::error("cycle", format!("`{text}` is defined by itself"), first.span)
             .with_hint(format!("for a differential equation write `{text}' = ...` and give `{text}(0)`"));
     }
-    let names: Vec<String> = members.iter().map(|index| format!("`{}`", name(index).text)).collect();
+    let names: Vec<String> = members.iter().map(|&index| format!("`{}`", name(index).text)).collect();
     let message = format!("the definitions of {} go in a circle", list(&names));
     let mut diagnostic = Diagnostic::error("cycle", message, first.span);
-    for (position, index) in members.iter().enumerate() {
-        let next = &name(&members[(position + 1) % members.len()]).text;
-        let text = format!("uses `{next}`");
+    for (position, &index) in members.iter().enumerate() {
+        let used = uses[index].iter().filter(|used| members.contains(used));
+        let used: Vec<String> = used.map(|&used| format!("`{}`", name(used).text)).collect();
+        let text = format!("uses {}", list(&used));
         diagnostic = if position == 0 { diagnostic.saying(text) } else { diagnostic.with_label(name(index).span, text) };
     }
-    let chain: Vec<&str> = members.iter().chain([&members[0]]).map(|index| name(index).text.as_str()).collect();
-    diagnostic.with_note(chain.join(" -> "))
+    diagnostic
 }
 
 /// `a`, `a and b`, `a, b and c`

@@ -145,8 +145,11 @@ fn check_counts(
             diagnostic.with_hint("leave one of them out")
         });
     }
+    // If an equation is left over and the number is right, that equation was meant for the unknown: it was told.
+    let paired = equation_of.iter().flatten().count();
+    let too_few = unknowns.len() > program.equations.len() || paired == program.equations.len();
     for (index, unknown) in unknowns.iter().enumerate() {
-        if equation_of[index].is_none() {
+        if equation_of[index].is_none() && too_few {
             diagnostics.push(no_equation_for(program, unknown, &highest, unknowns));
         }
     }

@@ -3,6 +3,7 @@
 use super::after;
 use super::cursor::{Cursor, Read};
 use super::statement::unread;
+use crate::functions::Function;
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, StatedUnit, UnaryOperator};
 
@@ -156,7 +157,10 @@ impl Cursor<'_> {
                 return Ok(left);
             }
             let place = self.advance();
-            let right = self.climb(right_of(strength))?;
+            let mut right = self.climb(right_of(strength))?;
+            if operator == BinaryOperator::Power {
+                self.refuse_unit_in_exponent(&left, &mut right);
+            }
             if strength == Strength::Comparison {
                 self.refuse_chain(&left, place)?;
             }
@@ -212,14 +216,19 @@ impl Cursor<'_> {
         let source = self.source;
         let next = self.span();
         // Only the operands next to the gap, not all of the expression before it.
-        let before = &source[last_operand(&left.expression).range()];
+        let last = last_operand(&left.expression);
+        let before = &source[last.span.range()];
         let now = &source[next.range()];
-        let place = Span::new(left.expression.span.end, next.start);
-        let place = if place.start < place.end { place } else { next };
+        let gap = Span::new(left.expression.span.end, next.start);
+        let place = if gap.start < gap.end { gap } else { next };
+        if let ExpressionKind::Name { name, order: 0 } = &last.kind
+            && Function::named(name).is_some()
+        {
+            let wrong = format!("the argument of `{before}` stands in parentheses");
+            let diagnostic = Diagnostic::error("missing-parentheses", wrong, last.span.to(next));
+            return self.say(diagnostic.with_hint(format!("write {before}({now})")));
+        }
         let wrong = format!("an operator is missing between `{before}` and `{now}`");
-        let diagnostic = Diagnostic::error("missing-operator", wrong, place);
-        let is_number = matches!(left.expression.kind, ExpressionKind::Number { unit: None, .. });
-        let is_name = matches!(self.peek(), TokenKind::Name { order: 0, .. });
         let is_call = *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftParenthesis);
         let rest = match now {
             "(" => "...)",
@@ -227,11 +236,33 @@ impl Cursor<'_> {
             _ if is_call => "(...)",
             _ => "",
         };
-        let mut diagnostic = diagnostic.with_hint(format!("a product is written with *: {before}*{now}{rest}"));
+        let hint = format!("a product is written with *: {before}*{now}{rest}");
+        let mut diagnostic = Diagnostic::error("missing-operator", wrong, place).with_hint(hint);
+        let is_number = matches!(last.kind, ExpressionKind::Number { unit: None, .. });
+        let is_name = matches!(self.peek(), TokenKind::Name { order: 0, .. });
         if is_number && is_name && units::Unit::parse(now).is_ok() {
             diagnostic = diagnostic.with_hint(format!("a unit stands in brackets: {before} [{now}]"));
         }
         self.say(diagnostic);
+    }
+
+    /// `10^3 [m]`: the unit directly after a number is that number's, and here that is the exponent.
+    fn refuse_unit_in_exponent(&mut self, base: &Tree, exponent: &mut Tree) {
+        let Expression { kind: ExpressionKind::Number { value, unit: Some(unit) }, span } = &exponent.expression else {
+            return;
+        };
+        if unit.dimension.is_none() {
+            return;
+        }
+        let diagnostic =
+            Diagnostic::error("unit-in-exponent", format!("`[{unit}]` belongs to the exponent {value} here"), *span);
+        let is_ten = matches!(base.expression.kind, ExpressionKind::Number { value, unit: None } if value == 10.0);
+        self.say(if is_ten {
+            diagnostic.with_hint(format!("powers of ten are part of a number: 1e{value} [{unit}]"))
+        } else {
+            diagnostic.with_hint(format!("to state the unit of the expression, write: in [{unit}]"))
+        });
+        exponent.expression.kind = ExpressionKind::Error;
     }
 
     fn branches(&mut self) -> Read<Tree> {
@@ -296,10 +327,11 @@ fn unary(operator: UnaryOperator, operand: Tree, start: Span) -> Tree {
 }
 
 /// The operand that stands last in an expression.
-fn last_operand(expression: &Expression) -> Span {
+fn last_operand(expression: &Expression) -> &Expression {
     match &expression.kind {
-        ExpressionKind::Binary(_, _, right) if right.span.end == expression.span.end => last_operand(right),
-        ExpressionKind::Unary(_, operand) if operand.span.end == expression.span.end => last_operand(operand),
-        _ => expression.span,
+        ExpressionKind::Binary(_, _, last) | ExpressionKind::Unary(_, last) if last.span.end == expression.span.end => {
+            last_operand(last)
+        }
+        _ => expression,
     }
 }

@@ -116,6 +116,14 @@ impl Cursor<'_> {
         let found = self.found();
         let diagnostic = match self.peek() {
             TokenKind::Symbol(Symbol::Comma) => return self.decimal_comma(),
+            TokenKind::Brackets(inside)
+                if span.start == self.last_span().end && self.source[inside.clone()].trim().parse::<u32>().is_ok() =>
+            {
+                let index = self.source[inside.clone()].trim();
+                let before = &self.source[self.last_span().range()];
+                Diagnostic::error("no-indices", "names have no indices", span)
+                    .with_hint(format!("give each its own name, such as {before}_{index}"))
+            }
             TokenKind::Brackets(_) => {
                 let wrong = format!("{found} follows something that is not a number");
                 Diagnostic::error("unit-without-number", wrong, span)

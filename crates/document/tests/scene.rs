@@ -1,4 +1,5 @@
 //! What a scene lets through and what it refuses, on the outside of the crate.
+#![allow(clippy::expect_used, reason = "a test may panic")]
 
 use document::{Child, Element, Opened, Piece, Template};
 

@@ -1,4 +1,5 @@
 //! The documents that come with Meniscus are without fault, in all their languages, and their numbers are sensible.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 use document::{Document, Opened};
 use engine::{Routine, Run, Setup};

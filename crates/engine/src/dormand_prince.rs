@@ -157,7 +157,7 @@ fn weighted(weights: &[f64], rates: &[Vec<f64>], k: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::order_conditions::Method;
+    use crate::order_conditions::{self, Method};
 
     fn method(weights: Vec<f64>) -> Method {
         let mut matrix = vec![vec![0.0; STAGES]; STAGES];
@@ -201,6 +201,16 @@ mod tests {
         for (node, weights) in NODES.iter().zip(STAGE_WEIGHTS) {
             assert!((node - weights.iter().sum::<f64>()).abs() < 1e-15);
         }
+    }
+
+    #[test]
+    fn the_error_falls_with_the_fifth_power_of_a_constant_step() {
+        let mut pair = DormandPrince::new(2);
+        let order = order_conditions::measured(|equations, time, size, from, to| {
+            pair.reset();
+            pair.step(equations, time, size, from, to, &mut [0.0; 2]);
+        });
+        assert!((order - 5.0).abs() < 0.15, "{order}");
     }
 
     #[test]

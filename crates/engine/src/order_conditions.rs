@@ -1,6 +1,8 @@
 //! Order conditions of one-step methods by rooted trees (Hairer, Norsett & Wanner I, section II.2, theorem 2.13; for
 //! Rosenbrock methods Hairer & Wanner II, section IV.7, theorem 7.3), to check coefficients in tests.
 
+use crate::equations::Equations;
+
 /// A rooted tree: its subtrees, in no particular order.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Tree(Vec<Tree>);
@@ -80,6 +82,34 @@ impl Method {
         }
         greatest
     }
+}
+
+/// The order that a method shows on a nonlinear, driven pendulum when its constant step is halved. `step` makes one step:
+/// time, size, from, to.
+pub(crate) fn measured(mut step: impl FnMut(&mut Equations, f64, f64, &[f64], &mut [f64])) -> f64 {
+    let text = "independent t\nq'' = -sin(q) - 0.2*q' + cos(2*t)\nq(0) = 1\nq'(0) = 0.5\n";
+    let (model, diagnostics) = model::compile(text, std::slice::from_ref(&(0..text.len())));
+    let model = model.unwrap_or_else(|| panic!("{diagnostics:?}"));
+    let mut equations = Equations::with_slopes(&model);
+    equations.prepare(&[], &[1.0, 0.5]);
+    let mut end = |steps: u32| {
+        let size = 4.0 / f64::from(steps);
+        let (mut from, mut to) = ([1.0, 0.5], [0.0; 2]);
+        for index in 0..steps {
+            step(
+                &mut equations,
+                f64::from(index) * size,
+                size,
+                &from,
+                &mut to,
+            );
+            from = to;
+        }
+        from[0]
+    };
+    // Three runs give the order without the exact solution (Richardson).
+    let (coarse, middle, fine) = (end(100), end(200), end(400));
+    libm::log2(((coarse - middle) / (middle - fine)).abs())
 }
 
 #[test]

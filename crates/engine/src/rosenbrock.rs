@@ -188,7 +188,7 @@ fn weighted(weights: &[f64], solved: &[Vec<f64>], k: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::order_conditions::Method;
+    use crate::order_conditions::{self, Method};
 
     fn lower(rows: [&[f64]; STAGES]) -> Vec<Vec<f64>> {
         rows.iter()
@@ -204,24 +204,25 @@ mod tests {
     fn gammas() -> Vec<Vec<f64>> {
         let solved = lower(SOLVED_WEIGHTS);
         let mut factors = Factors::new(STAGES);
-        for row in 0..STAGES {
-            for column in 0..STAGES {
+        for (row, solved) in solved.iter().enumerate() {
+            for (column, value) in solved.iter().enumerate() {
                 let diagonal = if row == column { 1.0 / GAMMA } else { 0.0 };
-                factors.values[row * STAGES + column] = diagonal - solved[row][column];
+                factors.values[row * STAGES + column] = diagonal - value;
             }
         }
         factors.factorize();
-        let mut gammas = vec![vec![0.0; STAGES]; STAGES];
-        for column in 0..STAGES {
-            let mut right: Vec<f64> = (0..STAGES)
-                .map(|row| if row == column { 1.0 } else { 0.0 })
-                .collect();
-            factors.solve(&mut right);
-            for (row, value) in right.into_iter().enumerate() {
-                gammas[row][column] = value;
-            }
-        }
-        gammas
+        let unit =
+            |column: usize| (0..STAGES).map(move |row| if row == column { 1.0 } else { 0.0 });
+        let columns: Vec<Vec<f64>> = (0..STAGES)
+            .map(|column| {
+                let mut right: Vec<f64> = unit(column).collect();
+                factors.solve(&mut right);
+                right
+            })
+            .collect();
+        (0..STAGES)
+            .map(|row| columns.iter().map(|column| column[row]).collect())
+            .collect()
     }
 
     /// From weights of the transformed stages to those of the original ones.
@@ -297,6 +298,16 @@ mod tests {
         for stage in 0..STAGES {
             assert!((method.weights[stage] - method.single[STAGES - 1][stage]).abs() < 1e-13);
         }
+    }
+
+    #[test]
+    fn the_error_falls_with_the_fourth_power_of_a_constant_step() {
+        let mut pair = Rosenbrock::new(2);
+        let order = order_conditions::measured(|equations, time, size, from, to| {
+            pair.reset();
+            pair.step(equations, time, size, from, to, &mut [0.0; 2]);
+        });
+        assert!((order - 4.0).abs() < 0.15, "{order}");
     }
 
     #[test]

@@ -122,7 +122,7 @@ fn the_u_tube_agrees_with_its_closed_form_and_with_a_plain_loop() {
         let plain = case.plain(0.05, 2000);
         let history = run.history();
         let amplitude = (case.h_l - case.h_r).abs() / 2.0;
-        for row in 0..=2000 {
+        for (row, plain) in plain.iter().enumerate() {
             let y = history.column(0)[row];
             assert!(
                 (y - case.exact(history.time(row))).abs() < case.allowed,
@@ -130,7 +130,7 @@ fn the_u_tube_agrees_with_its_closed_form_and_with_a_plain_loop() {
                 case.b
             );
             assert!(
-                (y - plain[row]).abs() < 1e-11 * amplitude,
+                (y - plain).abs() < 1e-11 * amplitude,
                 "b = {}, row {row}",
                 case.b
             );
@@ -174,7 +174,7 @@ y'(0) = -2.00158510637908252240537862224
 #[test]
 fn the_arenstorf_orbit_closes() {
     let model = model(ARENSTORF);
-    let period = 17.065_216_560_157_962;
+    let period = 17.065_216_560_157_96;
     for (method, tolerance, allowed) in [
         (Method::DormandPrince, 1e-10, 1e-5),
         (Method::Rosenbrock, 1e-10, 1e-3),

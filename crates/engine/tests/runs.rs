@@ -343,7 +343,7 @@ fn too_much_work_for_one_row_is_given_up() {
 
 #[test]
 fn the_history_is_bounded() {
-    let model = model(U_TUBE);
+    let model = model("y' = 1 [m/s]\ny(0) = 0 [m]\n");
     let mut run = Run::start(&model, Setup::defaults(&model)).unwrap();
     let mut rows = 1;
     while run.advance().unwrap() != Advance::Full {

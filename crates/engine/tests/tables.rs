@@ -19,13 +19,14 @@ k = 2*a
 
 fn written(table: &mut Table, run: &Run, format: Format) -> String {
     let mut text = String::new();
-    table.write_head(format, &mut text).unwrap();
-    for row in 0..run.history().len() {
-        table
-            .write_row(format, run.history(), row, row == 0, &mut text)
-            .unwrap();
-    }
-    table.write_end(format, &mut text).unwrap();
+    let mut write = || -> std::fmt::Result {
+        table.write_head(format, &mut text)?;
+        for row in 0..run.history().len() {
+            table.write_row(format, run.history(), row, row == 0, &mut text)?;
+        }
+        table.write_end(format, &mut text)
+    };
+    assert!(write().is_ok());
     text
 }
 

@@ -1,12 +1,13 @@
 //! What the tests of the engine share.
 #![allow(dead_code, missing_docs, reason = "no test uses all of it")]
+#![allow(clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 
 use engine::{Method, Run, Setup};
 use model::Model;
 
 /// The model that `text` states.
 pub fn model(text: &str) -> Model {
-    let (model, diagnostics) = model::compile(text, &[0..text.len()]);
+    let (model, diagnostics) = model::compile(text, std::slice::from_ref(&(0..text.len())));
     model.unwrap_or_else(|| panic!("{diagnostics:#?}"))
 }
 

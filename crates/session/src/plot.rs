@@ -103,17 +103,17 @@ impl Session {
         })
     }
 
-    /// What lies at a pixel of the last layout. The keyboard's cursor moves there.
+    /// What lies at a pixel of the last layout, on the present run and the kept ones. The keyboard's cursor moves there.
     pub fn hover_plot(&mut self, index: usize, at: Point) -> Option<Readout> {
         let readout = self
             .plot_figure(index)?
-            .hover(&self.figure_plot(index)?, at)?;
+            .hover(&self.readable_plot(index)?, at)?;
         let first = self.series_behind(index);
         let sample = readout.samples.iter().find(|sample| sample.series >= first);
         if let (Some(sample), Some(state)) = (sample, self.plots.get_mut(index)) {
             state.cursor = Some(sample.row);
         }
-        Some(readout)
+        Some(self.named(index, readout))
     }
 
     /// Moves the keyboard's cursor by so many rows along the run (from the present row at first) and reads there.
@@ -121,14 +121,14 @@ impl Session {
         let present = self.course.rows_until_shown().saturating_sub(1);
         let row = self.plots.get(index)?.cursor.unwrap_or(present);
         let series = self.series_behind(index);
-        let plot = self.figure_plot(index)?;
+        let plot = self.readable_plot(index)?;
         let figure = self.plot_figure(index)?;
         let row = figure.step(&plot, series, row, rows)?;
-        let readout = figure.readout(&plot, series, row);
+        let readout = figure.readout(&plot, series, row)?;
         if let Some(state) = self.plots.get_mut(index) {
             state.cursor = Some(row);
         }
-        readout
+        Some(self.named(index, readout))
     }
 
     /// Zooms by `factor` (2 shows half as much) about a pixel; about the centre without one.
@@ -176,6 +176,55 @@ impl Session {
         let behind =
             usize::from(self.ghost.is_some()) + self.kept.iter().filter(|kept| kept.shown).count();
         curves * behind
+    }
+
+    /// The plot as it is read: the ghost is only looked at.
+    fn readable_plot(&self, index: usize) -> Option<Plot<'_>> {
+        let mut plot = self.figure_plot(index)?;
+        for series in &mut plot.series {
+            if series.style == Style::Ghost {
+                (series.x, series.y) = (&[], &[]);
+            }
+        }
+        Some(plot)
+    }
+
+    /// Says of samples of kept runs which run they are of.
+    fn named(&self, index: usize, mut readout: Readout) -> Readout {
+        let first = self.series_behind(index);
+        let curves = self
+            .plots
+            .get(index)
+            .map_or(&[][..], |plot| &plot.labels.curves);
+        let ghosts = if self.ghost.is_some() {
+            curves.len()
+        } else {
+            0
+        };
+        let kept: Vec<String> = self
+            .kept()
+            .into_iter()
+            .filter(|kept| kept.shown)
+            .map(|kept| kept.name)
+            .collect();
+        for sample in readout
+            .samples
+            .iter_mut()
+            .filter(|sample| sample.series < first)
+        {
+            let Some(place) = sample.series.checked_sub(ghosts) else {
+                continue;
+            };
+            let (Some(run), Some(curve)) = (
+                kept.get(place / curves.len()),
+                curves.get(place % curves.len()),
+            ) else {
+                continue;
+            };
+            let value = sample.text.rsplit(" = ").next().unwrap_or_default();
+            sample.text = format!("{curve} ({run}) = {value}");
+        }
+        readout
     }
 
     /// What is drawn: the ghost, then the kept runs, then the present run on top, in the same colours.

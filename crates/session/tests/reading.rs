@@ -175,6 +175,42 @@ fn plots_are_read_by_pointer_and_by_keyboard() {
 }
 
 #[test]
+fn kept_runs_are_read_by_their_names_and_ghosts_not_at_all() {
+    let mut session = utube();
+    play(&mut session, [5.0]);
+    session.keep().unwrap();
+    set(&mut session, "h_l", 4.0);
+    assert!(session.has_ghost());
+    play(&mut session, [5.0]);
+    for plot in [0, 1] {
+        session.layout_plot(plot, &Settings::default());
+        session.move_cursor(plot, -1000);
+        let texts = session.move_cursor(plot, 0).unwrap().samples;
+        let texts: Vec<String> = texts
+            .into_iter()
+            .map(|sample| sample.text.replace('\u{a0}', " "))
+            .collect();
+        let expected: &[&str] = match plot {
+            0 => &[
+                "y (initial settings) = 0.5",
+                "y′ (initial settings) = 0",
+                "y = 1",
+                "y′ = 0",
+            ],
+            _ => &["y′ = 0"],
+        };
+        assert_eq!(texts.len(), expected.len(), "{texts:?}");
+        assert!(
+            texts
+                .iter()
+                .zip(expected)
+                .all(|(text, begin)| text.starts_with(begin)),
+            "{texts:?}"
+        );
+    }
+}
+
+#[test]
 fn zoom_and_pan_hold_until_reset() {
     let mut session = utube();
     play(&mut session, [5.0]);

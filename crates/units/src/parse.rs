@@ -58,6 +58,20 @@ fn hinting(mut error: UnitError, hint: impl Into<String>) -> UnitError {
     error
 }
 
+/// The text, in parentheses if one of the signs stands in it outside all parentheses.
+fn grouped(text: String, signs: &[char]) -> String {
+    let mut depth = 0_usize;
+    let apart = text.chars().any(|c| {
+        match c {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        depth == 0 && signs.contains(&c)
+    });
+    if apart { format!("({text})") } else { text }
+}
+
 fn too_high(range: Range<usize>) -> UnitError {
     error("malformed-unit", range, "an exponent of this unit is too large")
 }
@@ -137,7 +151,7 @@ impl<'a> Reader<'a> {
         let range = above.range.start..below.range.end;
         let inverse = below.dimension.inverse();
         let dimension = above.dimension.times(inverse).ok_or_else(|| too_high(range.clone()))?;
-        let below_text = if below.text.contains([' ', '/']) { format!("({})", below.text) } else { below.text };
+        let below_text = grouped(below.text, &[' ', '/']);
         let scale = above.scale.times(below.scale.power(Exponent::from(-1)));
         Ok(Part { dimension, scale, text: format!("{}/{below_text}", above.text), range })
     }
@@ -158,7 +172,7 @@ impl<'a> Reader<'a> {
             let text = match (product.text.as_str(), factor.text.as_str()) {
                 ("1", _) => factor.text,
                 (_, "1") => product.text,
-                _ => format!("{} {}", quotient(product.text), quotient(factor.text)),
+                _ => format!("{} {}", grouped(product.text, &['/']), grouped(factor.text, &['/'])),
             };
             product = Part { dimension, scale: product.scale.times(factor.scale), text, range };
         }
@@ -204,7 +218,7 @@ impl<'a> Reader<'a> {
         if let Some(exponent) = self.exponent()? {
             let range = exponent_start..self.at;
             let dimension = part.dimension.power(exponent).ok_or_else(|| too_high(range))?;
-            let base = if part.text.contains([' ', '/', '^']) { format!("({})", part.text) } else { part.text };
+            let base = grouped(part.text, &[' ', '/', '^']);
             let text = if base == "1" { base } else { power_text(&base, exponent) };
             part = Part { dimension, scale: part.scale.power(exponent), text, range: start..self.at };
         }

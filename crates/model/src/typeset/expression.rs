@@ -273,10 +273,11 @@ fn parenthesised(inside: &str) -> String {
     fenced("(", inside, ")")
 }
 
+/// `inside` between two fences, which grow only around what is higher than a line: fonts make room around grown ones.
 fn fenced(open: &str, inside: &str, close: &str) -> String {
-    format!(
-        "<mrow><mo fence=\"true\" form=\"prefix\">{open}</mo>{inside}<mo fence=\"true\" form=\"postfix\">{close}</mo></mrow>"
-    )
+    let grows = ["<mfrac", "<mtable", "<mroot"].iter().any(|high| inside.contains(high));
+    let stretchy = if grows { "" } else { " stretchy=\"false\"" };
+    format!("<mrow><mo form=\"prefix\"{stretchy}>{open}</mo>{inside}<mo form=\"postfix\"{stretchy}>{close}</mo></mrow>")
 }
 
 /// What stands between two factors: nothing to be seen between letters, a space beside words and functions, a dot

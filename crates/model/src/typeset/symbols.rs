@@ -123,14 +123,55 @@ pub(super) fn number(value: f64) -> String {
     format!("<mrow>{sign}<mn>{digits}</mn><mo>×</mo>{power}</mrow>")
 }
 
-/// A unit after its number, upright. An angle's degree sign and the per cent stand close to the number.
+/// A unit after its number, upright. An angle's degree sign stands close to the number.
 pub(super) fn unit_after_number(unit: &Unit) -> String {
-    if unit.text.is_empty() {
-        return String::new();
+    match unit.text.as_str() {
+        "" => String::new(),
+        "°" | "deg" => "<mi mathvariant=\"normal\">°</mi>".to_owned(),
+        text => format!("<mspace width=\"0.1667em\"/>{}", unit_row(text)),
     }
-    let text = escaped(&unit.pretty());
-    if matches!(unit.text.as_str(), "°" | "deg") {
-        return "<mtext>°</mtext>".to_owned();
+}
+
+/// `kg m/s^2` as upright symbols with spaces, slashes and exponents.
+fn unit_row(text: &str) -> String {
+    let mut row = String::from("<mrow>");
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let symbol_end = rest.find([' ', '/', '(', ')', '^']).unwrap_or(rest.len()).max(first.len_utf8());
+        let (piece, after) = rest.split_at(symbol_end);
+        rest = after;
+        let piece = match piece {
+            " " => "<mspace width=\"0.1667em\"/>".to_owned(),
+            "/" => "<mo lspace=\"0\" rspace=\"0\">/</mo>".to_owned(),
+            "(" => "<mo form=\"prefix\" stretchy=\"false\">(</mo>".to_owned(),
+            ")" => "<mo form=\"postfix\" stretchy=\"false\">)</mo>".to_owned(),
+            "1" => "<mn>1</mn>".to_owned(),
+            symbol => format!("<mi mathvariant=\"normal\">{}</mi>", escaped(symbol).replace("ohm", "Ω")),
+        };
+        match exponent(rest) {
+            Some((exponent, after)) => {
+                row += &format!("<msup>{piece}{}</msup>", exponent_row(exponent));
+                rest = after;
+            }
+            None => row += &piece,
+        }
     }
-    format!("<mspace width=\"0.1667em\"/><mtext>{text}</mtext>")
+    row + "</mrow>"
+}
+
+/// The exponent at the beginning of `text`, without its parentheses, and what follows it.
+fn exponent(text: &str) -> Option<(&str, &str)> {
+    let text = text.strip_prefix('^')?;
+    if let Some(inside) = text.strip_prefix('(') {
+        return inside.split_once(')');
+    }
+    Some(text.split_at(text.find(|c: char| c != '-' && !c.is_ascii_digit()).unwrap_or(text.len())))
+}
+
+/// `-1/2`
+fn exponent_row(text: &str) -> String {
+    let unsigned = text.strip_prefix('-');
+    let numbers: Vec<String> = unsigned.unwrap_or(text).split('/').map(|number| format!("<mn>{number}</mn>")).collect();
+    let sign = if unsigned.is_some() { "<mo>−</mo>" } else { "" };
+    format!("<mrow>{sign}{}</mrow>", numbers.join("<mo lspace=\"0\" rspace=\"0\">/</mo>"))
 }

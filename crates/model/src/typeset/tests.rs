@@ -98,10 +98,13 @@ fn expressions_look_as_in_a_textbook() {
         ("2*3*x", "2⋅3x"),
         ("x*2", "x⋅2"),
         ("2*x*10^3", "2x⋅10^{3}"),
-        ("2 [m] + h_l", "2~m+h_{l}"),
-        ("9.8 [m/s^2]*t", "9.8~m/s²⋅t"),
-        ("30 [deg]", "30°"),
-        ("5 [Pa s]^2", "(5~Pa·s)^{2}"),
+        ("2 [m] + h_l", "2~\\m+h_{l}"),
+        ("9.8 [m/s^2]*t", "9.8~\\m/\\s^{2}⋅t"),
+        ("30 [deg]", "30\\°"),
+        ("5 [Pa s]^2", "(5~\\Pa~\\s)^{2}"),
+        ("5 [(m/s)^2]", "5~(\\m/\\s)^{2}"),
+        ("5 [1/(m^(1/2) s^-1)]", "5~1/(\\m^{1/2}~\\s^{−1})"),
+        ("5 [kohm]", "5~\\kΩ"),
         ("6.674e-11*m", "6.674×10^{−11}m"),
         ("1e9*x", "10^{9}x"),
         ("0.05 + 13600", "0.05+13600"),
@@ -173,7 +176,7 @@ fn statements_are_set_one_by_one() {
     let all: Vec<String> = statements.iter().filter_map(|statement| typesetter.statement(statement)).collect();
     assert!(all.iter().all(|one| one.starts_with("<math display=\"block\">") && one.ends_with("</math>")));
     let read: Vec<String> = all.iter().map(|one| short(one)).collect();
-    assert_eq!(read, ["m=ρL", "my^{″}=−by^{′}", "y^{′}(0)=v_{0}", "r=A &lt; B", "y&lt;0~m⟹y^{′}←−ey^{′},y←0"]);
+    assert_eq!(read, ["m=ρL", "my^{″}=−by^{′}", "y^{′}(0)=v_{0}", "r=A &lt; B", "y&lt;0~\\m⟹y^{′}←−ey^{′},y←0"]);
 }
 
 #[test]

@@ -1,9 +1,9 @@
 //! Which known name an unknown one may stand for.
 
-/// The candidate nearest to `word`, if one is near: at most a third of its letters (and at least one) wrong.
+/// The candidate nearest to `word`, if one is near: at most a third of its letters (or one of two) wrong.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word: Vec<char> = word.chars().take(80).flat_map(char::to_lowercase).collect();
-    let allowed = (word.len() / 3).max(1);
+    let allowed = (word.len() / 3).max(usize::from(word.len() == 2));
     candidates
         .into_iter()
         .map(|candidate| (distance(&word, candidate), candidate))
@@ -48,5 +48,7 @@ mod tests {
         assert_eq!(nearest("Step", ["title", "step"]), Some("step"));
         assert_eq!(nearest("author", ["title", "step"]), None);
         assert_eq!(nearest("", ["step"]), None);
+        assert_eq!(nearest("L", ["g"]), None);
+        assert_eq!(nearest("rh", ["rho"]), Some("rho"));
     }
 }

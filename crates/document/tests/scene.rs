@@ -65,7 +65,7 @@ fn check(scene: &str, expected: &str, messages: &[&str]) {
 fn inside(content: &str, expected: &str, messages: &[&str]) {
     check(
         &format!("<svg viewBox=\"0 0 9 9\">{content}</svg>"),
-        &format!("<svg class=scene viewBox=0 0 9 9>{expected};"),
+        &format!("<svg class=authored viewBox=0 0 9 9>{expected};"),
         messages,
     );
 }
@@ -88,16 +88,16 @@ fn values_follow_the_model() {
 fn a_scene_has_names_of_its_own() {
     check(
         "half = h/2  # a comment\ntwice = 4*half\n<svg viewBox='0 0 9 9'><rect y='{twice}' x='{2*h}' width='{half}'/></svg>",
-        "<svg class=scene viewBox=0 0 9 9><rect y={0} x={1} width={2}>;;",
+        "<svg class=authored viewBox=0 0 9 9><rect y={0} x={1} width={2}>;;",
         &[],
     );
     check(
         "h = 2 [m]\na = 1\na = 2\nb = h + 1\n<svg viewBox='0 0 9 9'><rect x='{b}' y='{a}'/></svg>",
-        "<svg class=scene viewBox=0 0 9 9><rect y={0}>;;",
+        "<svg class=authored viewBox=0 0 9 9><rect y={0}>;;",
         &[
             "`h` is already a name of the model",
             "`a` is defined twice",
-            "the term `1` lacks a factor with the dimension of length",
+            "the term `1` has no unit, but a length is needed",
         ],
     );
 }
@@ -251,12 +251,12 @@ fn names_and_styles_hold_no_values() {
     );
     inside(
         "<g class='a b\"c'/>",
-        "<g class=a>;",
+        "<g class=scene-a>;",
         &["`a b\"c` is not a list of class names"],
     );
     inside(
         "<style>.a { fill: red } @import url(x); .b { fill: {y} }</style>",
-        "<style>(.scene .a{fill:red;});",
+        "<style>(.authored .scene-a{fill:red;});",
         &[
             "this selector cannot be confined to the scene",
             "a rule is `selector { property: value }`",
@@ -279,7 +279,7 @@ fn text_in_attributes_and_text_outside_text_are_refused() {
     check("nothing", "", &["a scene needs a drawing"]);
     check(
         "<svg/>",
-        "<svg class=scene>;",
+        "<svg class=authored>;",
         &["the `svg` element needs a `viewBox`"],
     );
 }

@@ -69,6 +69,8 @@ struct Writer<'a> {
     plain: Option<String>,
     image: Option<Image>,
     table: Table,
+    /// Whether this paragraph's HTML has been reported.
+    told_of_html: bool,
 }
 
 /// The table being read.
@@ -101,6 +103,7 @@ impl<'a> Writer<'a> {
             plain: None,
             image: None,
             table: Table::default(),
+            told_of_html: false,
         }
     }
 
@@ -157,22 +160,14 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// Told once for each paragraph.
     fn raw_html(&mut self, text: &str, span: Span) {
-        let first_of_block = self
-            .diagnostics
-            .last()
-            .is_none_or(|last| last.code != "raw-html" || last.span().end < span.start);
-        if first_of_block {
+        if !self.told_of_html {
+            self.told_of_html = true;
             self.diagnostics.push(
                 Diagnostic::warning("raw-html", "HTML in prose is shown as text", span)
                     .with_hint("use Markdown; the page allows no other markup"),
             );
-        } else if let Some(label) = self
-            .diagnostics
-            .last_mut()
-            .and_then(|last| last.labels.first_mut())
-        {
-            label.span.end = span.end;
         }
         self.text(text);
     }
@@ -188,6 +183,9 @@ impl<'a> Writer<'a> {
     }
 
     fn start(&mut self, tag: Tag, span: Span) {
+        if matches!(tag, Tag::Paragraph | Tag::HtmlBlock | Tag::Item | Tag::TableCell) {
+            self.told_of_html = false;
+        }
         match tag {
             Tag::Paragraph | Tag::HtmlBlock => self.open("<p>", "</p>\n"),
             Tag::Heading { .. } => self.open("<p><strong>", "</strong></p>\n"),
@@ -430,11 +428,7 @@ mod tests {
             "<script>alert(1)</script>\n\nA <b onclick=\"x\">b</b> &amp; `<i>`",
             "<p>&lt;script&gt;alert(1)&lt;/script&gt;\n</p>\n<p>A &lt;b onclick=&quot;x&quot;&gt;b&lt;/b&gt; &amp; \
              <code>&lt;i&gt;</code></p>\n",
-            &[
-                "HTML in prose is shown as text",
-                "HTML in prose is shown as text",
-                "HTML in prose is shown as text",
-            ],
+            &["HTML in prose is shown as text"; 2],
         );
     }
 

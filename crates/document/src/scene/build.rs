@@ -1,7 +1,7 @@
 //! From elements as written to a scene: what is not allowed is left out, what is written in braces is compiled.
 
 use super::allowed::{ATTRIBUTES, ELEMENTS, REFERRING, danger, is_id, is_idle, reference};
-use super::style::{ID_PREFIX, SCENE_CLASS, confine};
+use super::style::{PREFIX, SCENE_CLASS, confine};
 use super::template::{self, RawPiece, normalised};
 use super::xml::{RawChild, RawElement, parse};
 use super::{Attribute, Child, Drag, Element, Piece, Scene, Template};
@@ -266,7 +266,7 @@ impl Builder<'_, '_> {
             self.references.push((id.to_owned(), value));
             return Some(Attribute {
                 name: text,
-                value: vec![Piece::Literal(format!("url(#{ID_PREFIX}{id})"))],
+                value: vec![Piece::Literal(format!("url(#{PREFIX}{id})"))],
             });
         }
         let literals: String = raw
@@ -319,13 +319,11 @@ impl Builder<'_, '_> {
             return None;
         }
         let text = if name == "id" {
-            is_id(&text).then(|| format!("{ID_PREFIX}{text}"))?
+            is_id(&text).then(|| format!("{PREFIX}{text}"))?
         } else {
-            let known: Vec<&str> = text
-                .split_whitespace()
-                .filter(|class| is_id(class))
-                .collect();
-            if known.len() < text.split_whitespace().count() {
+            let names = || text.split_whitespace();
+            let known: Vec<String> = names().filter(|name| is_id(name)).map(|name| format!("{PREFIX}{name}")).collect();
+            if known.len() < names().count() {
                 self.refuse(
                     format!("`{text}` is not a list of class names"),
                     place,

@@ -5,9 +5,9 @@ use model::{Diagnostic, Span};
 use std::ops::Range;
 
 /// The class of the `svg` element, to which every rule is confined.
-pub const SCENE_CLASS: &str = "scene";
-/// What stands before the author's ids, so that none meets one of the page.
-pub const ID_PREFIX: &str = "scene-";
+pub const SCENE_CLASS: &str = "authored";
+/// What stands before the author's ids and classes, so that none meets one of the page.
+pub const PREFIX: &str = "scene-";
 
 /// The rules in `range` of `source` that may stand in the page.
 pub fn confine(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> String {
@@ -71,7 +71,7 @@ fn confine_rule(source: &str, rule: Range<usize>) -> Result<String, Refusal> {
     Ok(format!("{}{{{confined}}}", selectors.join(",")))
 }
 
-/// `.scene g.spring > path` from `g.spring > path`: names, classes, ids and hovering.
+/// `.authored g.scene-spring > path` from `g.spring > path`: names, classes, ids and hovering.
 fn confine_selector(selector: &str) -> Option<String> {
     let mut confined = format!(".{SCENE_CLASS}");
     for part in selector.split_whitespace() {
@@ -98,8 +98,8 @@ fn confine_selector(selector: &str) -> Option<String> {
             }
             confined.push_str(name);
             confined.push_str(mark);
-            if mark == "#" {
-                confined.push_str(ID_PREFIX);
+            if !mark.is_empty() {
+                confined.push_str(PREFIX);
             }
         }
         confined.push_str(part.1);
@@ -137,7 +137,7 @@ mod tests {
     fn rules_are_confined() {
         check(
             ".a, g.b > #c:hover { fill: var(--liquid); stroke-width: 2 }\npath{}",
-            ".scene .a,.scene g.b > #scene-c:hover{fill:var(--liquid);stroke-width:2;}.scene path{}",
+            ".authored .scene-a,.authored g.scene-b > #scene-c:hover{fill:var(--liquid);stroke-width:2;}.authored path{}",
             &[],
         );
     }

@@ -1,10 +1,10 @@
 //! From a plot to a figure: room for the texts, limits, ticks, and the series in between.
 
 use crate::figure::{Anchor, Entry, Figure, Ink, Point, Rect, Scale};
-use crate::limits::{Extent, growing, sane, shared};
+use crate::limits::{Extent, growing, sane, shared_limits};
 use crate::plot::{Interval, Plot, Series, Settings, Style};
 use crate::series::{DATA_RADIUS, stroke};
-use crate::text::width;
+use crate::text::{fitted, width};
 use crate::ticks::Ticks;
 
 /// Space at the edges and between texts, in parts of the font size.
@@ -15,6 +15,9 @@ pub(crate) const ROW: f64 = 1.45;
 pub(crate) const TICK: f64 = 4.0;
 /// The length of a line sample in the legend, in parts of the font size.
 const SAMPLE: f64 = 2.2;
+/// The space between that and its name, and after the name, likewise.
+const BEFORE: f64 = 0.5;
+const AFTER: f64 = 0.9;
 /// Panels smaller than this, in pixels, are not drawn.
 const LEAST_PANEL: f64 = 16.0;
 
@@ -53,6 +56,9 @@ pub fn layout_into(figure: &mut Figure, plot: &Plot<'_>, settings: &Settings) {
     figure.x = None;
     figure.y.clear();
     figure.y_ticks.clear();
+    figure.x_power = 0;
+    figure.home_x = None;
+    figure.home_y.clear();
     figure.panel = Rect::default();
     let whole = Rect {
         x: 0.0,
@@ -80,26 +86,31 @@ impl Figure {
         if !plot.title.is_empty() {
             title_width = 1.1 * width(plot.title, title_size) + 2.0 * font;
             let at = point(edge, top + 1.05 * font);
-            self.push_text(plot.title, at, Anchor::Start, title_size, true, Ink::Text);
+            let title = fitted(plot.title, title_size * 1.1, self.width - 2.0 * edge);
+            self.push_text(&title, at, Anchor::Start, title_size, true, Ink::Text);
             top += 1.15 * ROW * font;
         }
         let listed = || plot.series.iter().filter(|series| !series.label.is_empty());
         if listed().count() < 2 {
             return Some(top);
         }
-        let entry_width = |series: &Series<'_>| (SAMPLE + 1.4) * font + width(series.label, font);
+        let entry_width =
+            |series: &Series<'_>| (SAMPLE + BEFORE + AFTER) * font + width(series.label, font);
         let total: f64 = listed().map(entry_width).sum();
         let room = self.width - 2.0 * edge;
         // Beside the title if there is room, else in rows below it.
         let (mut x, mut y) = if title_width > 0.0 && title_width + total <= room {
-            (self.width - edge - total + font, top - 1.15 * ROW * font)
+            (
+                self.width - edge - total + AFTER * font,
+                top - 1.15 * ROW * font,
+            )
         } else {
             (edge, top)
         };
         let beside = y < top;
         for series in listed() {
             let wide = entry_width(series);
-            if !beside && x > edge && x + wide - font > self.width - edge {
+            if !beside && x > edge && x + wide - AFTER * font > self.width - edge {
                 (x, y) = (edge, y + ROW * font);
             }
             self.legend_entry(series, x, y + 1.05 * font);
@@ -127,8 +138,11 @@ impl Figure {
         } else {
             self.entries.push(Entry::Line(from, to, stroke(series)));
         }
-        let at = point(x + (SAMPLE + 0.5) * font, baseline);
-        self.push_text(series.label, at, Anchor::Start, font, false, Ink::Text);
+        let from = x + (SAMPLE + BEFORE) * font;
+        // A pixel more than there is, so that rounding does not cut what was found to fit.
+        let label = fitted(series.label, font, self.width - GAP * font - from + 1.0);
+        let at = point(from, baseline);
+        self.push_text(&label, at, Anchor::Start, font, false, Ink::Text);
     }
 
     /// The axes and what lies between them.
@@ -218,22 +232,23 @@ impl Figure {
                     .with(axis.include)
             })
             .collect();
-        self.home_y = if extents.is_empty() {
-            Vec::new()
-        } else {
-            shared(&extents, intervals)
-        };
-        for (index, home) in self.home_y.iter().enumerate() {
-            let values = plot.view.y.get(index).map_or(*home, |limits| sane(*limits));
+        for (index, limits) in shared_limits(&extents, intervals).into_iter().enumerate() {
+            let home = limits.values;
+            let zoomed = plot.view.y.get(index);
+            let values = zoomed.map_or(home, |limits| sane(*limits));
+            // Beside each other, automatic axes keep the steps that let one grid serve them all.
+            let ticks = if extents.len() > 1 && zoomed.is_none() {
+                Ticks::within(values, limits.step)
+            } else {
+                Ticks::spaced(values, height, least, |_, spacing| spacing >= least * 0.75)
+            };
+            self.home_y.push(home);
             self.y.push(Scale {
                 values,
                 low: bottom,
                 high: top,
             });
-            self.y_ticks
-                .push(Ticks::spaced(values, height, least, |_, spacing| {
-                    spacing >= least * 0.75
-                }));
+            self.y_ticks.push(ticks);
         }
     }
 
@@ -249,16 +264,15 @@ impl Figure {
             .fold(Extent::EMPTY, Extent::union)
             .with(plot.x.include);
         let wide = right - left;
-        self.home_x = Some(if plot.ordered {
+        let home = if plot.ordered {
             growing(extent)
         } else {
             let intervals = libm::floor(wide / (4.0 * font)).clamp(2.0, 8.0) as usize;
-            shared(&[extent], intervals)[0]
-        });
-        let home = self.home_x.unwrap_or(Interval {
-            low: 0.0,
-            high: 1.0,
-        });
+            shared_limits(&[extent], intervals)
+                .first()
+                .map_or(Interval::new(-1.0, 1.0), |limits| limits.values)
+        };
+        self.home_x = Some(home);
         let values = plot.view.x.map_or(home, sane);
         self.x = Some(Scale {
             values,

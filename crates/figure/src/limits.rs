@@ -185,49 +185,58 @@ pub(crate) fn growing(extent: Extent) -> Interval {
     })
 }
 
-/// Limits of axes that share a panel, with at most so many intervals between ticks. Where all show zero, zero stands at the
-/// same height and the same grid serves all.
-pub(crate) fn shared(extents: &[Extent], intervals: usize) -> Vec<Interval> {
-    let intervals = intervals.max(2);
-    if extents.iter().any(|extent| extent.close_up()) {
-        return extents
-            .iter()
-            .map(|extent| alone(*extent, intervals))
-            .collect();
-    }
-    let needs: Vec<(f64, f64)> = extents.iter().map(|extent| need(*extent)).collect();
-    let (below, above) = split(&needs, intervals);
-    needs
-        .iter()
-        .map(|need| {
-            let step = step_for(*need, below, above);
-            sane(Interval {
-                low: step.multiple(-(below as i64)),
-                high: step.multiple(above as i64),
-            })
-        })
-        .collect()
+/// Automatic limits, and the step between ticks from which they were made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Limits {
+    pub(crate) values: Interval,
+    pub(crate) step: Step,
 }
 
-/// Limits of one axis by itself.
-fn alone(extent: Extent, intervals: usize) -> Interval {
-    if !extent.close_up() {
-        let need = need(extent);
-        let (below, above) = split(&[need], intervals);
-        let step = step_for(need, below, above);
-        return sane(Interval {
-            low: step.multiple(-(below as i64)),
-            high: step.multiple(above as i64),
-        });
+/// Limits of axes that share a panel, with at most so many intervals between ticks. Where all show zero, zero stands at the
+/// same height and the same grid serves all.
+pub(crate) fn shared_limits(extents: &[Extent], intervals: usize) -> Vec<Limits> {
+    let intervals = intervals.max(2);
+    if extents.iter().any(|extent| extent.close_up()) {
+        let alone = |extent: &Extent| {
+            if extent.close_up() {
+                vec![close_up_limits(*extent, intervals)]
+            } else {
+                about_zero(&[need(*extent)], intervals)
+            }
+        };
+        return extents.iter().flat_map(alone).collect();
     }
+    let needs: Vec<(f64, f64)> = extents.iter().map(|extent| need(*extent)).collect();
+    about_zero(&needs, intervals)
+}
+
+/// Limits that show zero, at the same height for all.
+fn about_zero(needs: &[(f64, f64)], intervals: usize) -> Vec<Limits> {
+    let (below, above) = split(needs, intervals);
+    let limits = |need: &(f64, f64)| {
+        let step = step_for(*need, below, above);
+        let low = step.multiple(-(below as i64));
+        let high = step.multiple(above as i64);
+        Limits {
+            values: sane(Interval { low, high }),
+            step,
+        }
+    };
+    needs.iter().map(limits).collect()
+}
+
+/// Limits close about values far from zero.
+fn close_up_limits(extent: Extent, intervals: usize) -> Limits {
     let mut step = Step::at_least((extent.high - extent.low) / intervals as f64);
     while step.ceil(extent.high) - step.floor(extent.low) > intervals as i64 {
         step = step.larger();
     }
-    sane(Interval {
-        low: step.multiple(step.floor(extent.low)),
-        high: step.multiple(step.ceil(extent.high)),
-    })
+    let low = step.multiple(step.floor(extent.low));
+    let high = step.multiple(step.ceil(extent.high));
+    Limits {
+        values: sane(Interval { low, high }),
+        step,
+    }
 }
 
 /// How far an axis has to reach below and above zero.
@@ -331,9 +340,9 @@ mod tests {
                 .iter()
                 .map(|(low, high, turned)| extent(*low, *high, *turned))
                 .collect();
-            let found: Vec<(f64, f64)> = shared(&extents, 6)
+            let found: Vec<(f64, f64)> = shared_limits(&extents, 6)
                 .iter()
-                .map(|limits| (limits.low, limits.high))
+                .map(|limits| (limits.values.low, limits.values.high))
                 .collect();
             assert_eq!(found, expected, "{extents:?}");
         }

@@ -1,9 +1,27 @@
 //! How wide a text is, without a font at hand.
 
+use std::borrow::Cow;
+
 /// An estimate of the width of a text in the fonts that `system-ui` stands for, in pixels; generous, so that what is kept
 /// apart by it does not touch in the widest of them.
 pub(crate) fn width(text: &str, size: f64) -> f64 {
     text.chars().map(advance).sum::<f64>() * size
+}
+
+/// A text cut short with an ellipsis where it is wider than there is room.
+pub(crate) fn fitted(text: &str, size: f64, room: f64) -> Cow<'_, str> {
+    if width(text, size) <= room {
+        return Cow::Borrowed(text);
+    }
+    let mut used = width("…", size);
+    let fits = |character: &char| {
+        used += advance(*character) * size;
+        used <= room
+    };
+    let mut short: String = text.chars().take_while(fits).collect();
+    short.truncate(short.trim_end().len());
+    short.push('…');
+    Cow::Owned(short)
 }
 
 /// The advance of a character in ems.
@@ -33,5 +51,19 @@ mod tests {
         assert!((width("10", 20.0) - 25.6).abs() < 1e-9);
         // DejaVu Sans, the widest of the usual ones, has digits of 0.636 and a point of 0.318 em.
         assert!(width("0.25", 100.0) > 0.95 * (3.0 * 63.6 + 31.8));
+    }
+
+    #[test]
+    fn long_texts_end_in_an_ellipsis() {
+        let cases = [
+            ("Displacement", 200.0, "Displacement"),
+            ("Displacement", 60.0, "Displac…"),
+            ("Two words", 45.0, "Two…"),
+            ("", 10.0, ""),
+            ("Displacement", 0.0, "…"),
+        ];
+        for (text, room, expected) in cases {
+            assert_eq!(fitted(text, 13.0, room), expected);
+        }
     }
 }

@@ -1,1 +1,8 @@
-//! What tests and benchmarks run inside WebAssembly.
+//! What tests and benchmarks run natively and inside WebAssembly, to compare the two: golden runs, whose bits must be the
+//! same everywhere, and the steps of the U-tube, whose speed is measured.
+
+mod golden;
+mod pace;
+
+pub use golden::{fingerprint, golden};
+pub use pace::Pace;

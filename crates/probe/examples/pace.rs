@@ -1,0 +1,24 @@
+//! Prints how many million steps of the U-tube are made in a second: `machine 12.3` and `hand 45.6`.
+
+use probe::Pace;
+use std::hint::black_box;
+use std::time::Instant;
+
+const STEPS: u32 = 2_000_000;
+const ROUNDS: usize = 5;
+
+fn main() -> Result<(), String> {
+    let pace = Pace::new()?;
+    let (mut machine, mut hand) = (0.0_f64, 0.0_f64);
+    // In turns, and the best of each, so that what else the machine does counts little.
+    for _ in 0..ROUNDS {
+        let start = Instant::now();
+        black_box(pace.machine(STEPS)?);
+        machine = machine.max(f64::from(STEPS) / start.elapsed().as_secs_f64());
+        let start = Instant::now();
+        black_box(pace.by_hand(STEPS));
+        hand = hand.max(f64::from(STEPS) / start.elapsed().as_secs_f64());
+    }
+    println!("machine {:.2}\nhand {:.2}", machine / 1e6, hand / 1e6);
+    Ok(())
+}

@@ -1,0 +1,86 @@
+//! Golden runs: documents whose runs must have the same bits on every machine.
+
+use engine::{Advance, Method, Run, Setup};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Name, text, method and end of each golden run: every method, every function, events, and equations that are solved in
+/// every step. The end is short, since the bits of two runs that differ at all differ early.
+const RUNS: [(&str, &str, Method, f64); 15] = [
+    ("utube", UTUBE, Method::RungeKutta4, 100.0),
+    ("utube", UTUBE, Method::Euler, 20.0),
+    ("utube", UTUBE, Method::EulerRichardson, 20.0),
+    ("utube", UTUBE, Method::VelocityVerlet, 20.0),
+    ("utube", UTUBE, Method::DormandPrince, 20.0),
+    ("utube", UTUBE, Method::Rosenbrock, 20.0),
+    ("pendulum", PENDULUM, Method::RungeKutta4, 20.0),
+    ("pendulum", PENDULUM, Method::DormandPrince, 20.0),
+    (
+        "double-pendulum",
+        DOUBLE_PENDULUM,
+        Method::RungeKutta4,
+        20.0,
+    ),
+    ("double-pendulum", DOUBLE_PENDULUM, Method::Rosenbrock, 5.0),
+    ("bouncing-ball", BOUNCING_BALL, Method::RungeKutta4, 5.0),
+    ("bouncing-ball", BOUNCING_BALL, Method::DormandPrince, 5.0),
+    ("van-der-pol", VAN_DER_POL, Method::Rosenbrock, 50.0),
+    ("functions", FUNCTIONS, Method::RungeKutta4, 20.0),
+    ("functions", FUNCTIONS, Method::DormandPrince, 5.0),
+];
+
+pub(crate) const UTUBE: &str = include_str!("../../../simulations/utube.md");
+const PENDULUM: &str = include_str!("../../../simulations/pendulum.md");
+const DOUBLE_PENDULUM: &str = include_str!("../../../simulations/double-pendulum.md");
+const BOUNCING_BALL: &str = include_str!("../../../simulations/bouncing-ball.md");
+const VAN_DER_POL: &str = include_str!("../../../simulations/van-der-pol.md");
+const FUNCTIONS: &str = include_str!("../golden/functions.md");
+
+/// The fingerprints of all golden runs, one in each line: `name method end fingerprint`. They are kept in `golden.txt`.
+#[wasm_bindgen]
+pub fn golden() -> String {
+    RUNS.iter()
+        .map(|(name, text, method, until)| {
+            let found = fingerprint(text, method.name(), *until);
+            format!("{name} {} {until} {found}\n", method.name())
+        })
+        .collect()
+}
+
+/// The fingerprint of a run of a document from its start to `until` (SI), by the method of this name: that of its history
+/// in hexadecimal digits, or what was wrong.
+#[wasm_bindgen]
+pub fn fingerprint(document: &str, method: &str, until: f64) -> String {
+    match run(document, method, until) {
+        Ok(run) => format!("{:016x}", run.history().fingerprint()),
+        Err(message) => message,
+    }
+}
+
+fn run(text: &str, method: &str, until: f64) -> Result<Run, String> {
+    let mut setup = setup(text)?;
+    setup.1.method = method.parse().map_err(|_| format!("no method {method}"))?;
+    let (document, setup) = setup;
+    let mut run = Run::start(&document.model, setup).map_err(|error| error.message)?;
+    while run.time() < until {
+        if run.advance().map_err(|error| error.message)? == Advance::Full {
+            break;
+        }
+    }
+    Ok(run)
+}
+
+/// A document and the setup that it states.
+pub(crate) fn setup(text: &str) -> Result<(document::Document, Setup), String> {
+    let opened = document::open(text, &[]);
+    let document = opened.document.ok_or_else(|| {
+        let messages = opened
+            .diagnostics
+            .iter()
+            .map(|(_, diagnostic)| diagnostic.message.as_str());
+        messages.collect::<Vec<_>>().join("; ")
+    })?;
+    let mut setup = Setup::defaults(&document.model);
+    setup.step = document.step.unwrap_or(setup.step);
+    setup.tolerance = document.tolerance.unwrap_or(setup.tolerance);
+    Ok((document, setup))
+}

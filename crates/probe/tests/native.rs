@@ -1,0 +1,55 @@
+//! The probe natively: the golden runs, and that both loops whose speed is compared go the same way.
+
+use probe::{Pace, fingerprint, golden};
+
+#[test]
+fn golden_runs_have_the_bits_in_the_repository() {
+    let expected = include_str!("../golden.txt");
+    assert_eq!(
+        golden(),
+        expected,
+        "if the bits changed for a good reason: cargo run --release --package probe --example golden > crates/probe/golden.txt"
+    );
+    for line in expected.lines() {
+        let fingerprint = line.rsplit(' ').next().unwrap_or_default();
+        assert_eq!(
+            (
+                fingerprint.len(),
+                u64::from_str_radix(fingerprint, 16).is_ok()
+            ),
+            (16, true),
+            "{line}"
+        );
+    }
+}
+
+#[test]
+fn both_loops_solve_the_same_equation() {
+    let pace = Pace::new().unwrap();
+    for steps in [1, 100, 2000, 19_999, 20_000] {
+        let (machine, hand) = (pace.machine(steps).unwrap(), pace.by_hand(steps));
+        // Equal but for rounding, whose order the virtual machine chooses itself: 1e-16 of the amplitude in each step.
+        assert!(
+            (machine - hand).abs() < 1e-12,
+            "{machine} and {hand} after {steps} steps"
+        );
+    }
+    // The closed form after 5 s, weakly damped.
+    let (gamma, omega) = (
+        50.0 / 700.0,
+        (19.6_f64 / 7.0 - (50.0 / 700.0) * (50.0 / 700.0)).sqrt(),
+    );
+    let expected = 0.5
+        * libm::exp(-gamma * 5.0)
+        * (libm::cos(omega * 5.0) + gamma / omega * libm::sin(omega * 5.0));
+    assert!((pace.by_hand(100) - expected).abs() < 4e-6);
+}
+
+#[test]
+fn what_cannot_run_says_why() {
+    assert_ne!(fingerprint("```model\ny' = [m]\n```", "rk4", 1.0).len(), 16);
+    assert_eq!(
+        fingerprint("```model\ny' = -y\ny(0) = 1\n```", "magic", 1.0),
+        "no method magic"
+    );
+}

@@ -1,0 +1,142 @@
+// Measures the built page in the browser, and the engine's pace in WebAssembly, for `cargo xtask bench`. Prints one
+// `name value` in each line. Needs PROBE, the directory with the probe's JavaScript and module; PAGE, the built page; and
+// CHROME, without which the pace is that of Node and nothing is said about the page.
+
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import vm from "node:vm";
+
+const STEPS = 1_000_000;
+const ROUNDS = 5;
+/** How many rows are to be recorded before frames are measured, the model's step, and for how many seconds to measure. */
+const ROWS = 2000;
+const STEP = 0.05;
+const SECONDS = 5;
+const OPENINGS = 9;
+
+const glue = readFileSync(join(process.env.PROBE, "probe.js"), "utf8");
+const module = readFileSync(join(process.env.PROBE, "probe_bg.wasm"));
+
+const say = (name, value) => console.log(name, value.toFixed(3));
+const median = (values) => values.toSorted((one, other) => one - other)[Math.floor(values.length / 2)];
+
+/** Million steps in a second in the virtual machine and by hand, in turns, the best of each. */
+async function pace({ bytes, steps, rounds }) {
+  const bindgen = globalThis.eval("wasm_bindgen");
+  await bindgen({ module_or_path: Uint8Array.from(atob(bytes), (character) => character.charCodeAt(0)) });
+  const tube = new bindgen.Pace();
+  const best = { machine: 0, hand: 0 };
+  const measure = (name, work) => {
+    const start = performance.now();
+    work();
+    best[name] = Math.max(best[name], steps / (performance.now() - start) / 1000);
+  };
+  for (let round = 0; round < rounds; round += 1) {
+    measure("machine", () => tube.machine(steps));
+    measure("hand", () => tube.by_hand(steps));
+  }
+  return best;
+}
+
+const task = { bytes: module.toString("base64"), steps: STEPS, rounds: ROUNDS };
+
+if (!process.env.CHROME) {
+  vm.runInThisContext(glue);
+  const best = await pace(task);
+  say("wasm-machine", best.machine);
+  say("wasm-hand", best.hand);
+  process.exit(0);
+}
+
+const { chromium } = await import("playwright-core");
+const browser = await chromium.launch({
+  executablePath: process.env.CHROME,
+  args: ["--no-sandbox", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
+});
+const address = pathToFileURL(process.env.PAGE).href;
+
+try {
+  await measurePace();
+  await measureOpening();
+  await measureFrames();
+} finally {
+  await browser.close();
+}
+
+async function measurePace() {
+  const page = await browser.newPage();
+  await page.addScriptTag({ content: glue });
+  const best = await page.evaluate(pace, task);
+  say("wasm-machine", best.machine);
+  say("wasm-hand", best.hand);
+  await page.close();
+}
+
+/** Milliseconds from the start of the navigation until the play button is there, each time in a fresh context. */
+async function measureOpening() {
+  const times = [];
+  for (let opening = 0; opening < OPENINGS; opening += 1) {
+    const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, offline: true });
+    const page = await context.newPage();
+    await page.addInitScript(() => {
+      const observer = new MutationObserver(() => {
+        const button = document.getElementById("play");
+        if (button && !button.disabled) {
+          observer.disconnect();
+          window.usableAfter = performance.now();
+        }
+      });
+      observer.observe(document, { childList: true, subtree: true });
+    });
+    await page.goto(address);
+    await page.waitForFunction(() => window.usableAfter);
+    times.push(await page.evaluate(() => window.usableAfter));
+    await context.close();
+  }
+  say("opening", median(times));
+}
+
+/** Milliseconds of script, and of the main thread altogether, for each drawn frame of a run with all plots shown. */
+async function measureFrames() {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, offline: true });
+  const page = await context.newPage();
+  await page.addInitScript(() => {
+    window.frames_drawn = 0;
+    const original = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (callback) =>
+      original((now) => {
+        window.frames_drawn += 1;
+        callback(now);
+      });
+  });
+  await page.goto(address);
+  await page.locator("#play").waitFor();
+  // All plots on the screen: what is out of sight might not be drawn.
+  const height = await page.evaluate(() => document.documentElement.scrollHeight);
+  await page.setViewportSize({ width: 1440, height: Math.max(900, height) });
+  await page.locator("#speed").selectOption("8");
+  await page.locator("#play").click();
+  const clock = () => page.locator("#clock").textContent();
+  while (parseFloat(await clock()) < ROWS * STEP) {
+    await page.waitForTimeout(250);
+  }
+  await page.locator("#speed").selectOption("1");
+  const devtools = await context.newCDPSession(page);
+  await devtools.send("Performance.enable");
+  const read = async () => {
+    const { metrics } = await devtools.send("Performance.getMetrics");
+    const value = (name) => metrics.find((metric) => metric.name === name).value * 1000;
+    return { script: value("ScriptDuration"), thread: value("TaskDuration"), frames: await page.evaluate(() => window.frames_drawn) };
+  };
+  await page.waitForTimeout(500);
+  const before = await read();
+  await page.waitForTimeout(SECONDS * 1000);
+  const after = await read();
+  const frames = after.frames - before.frames;
+  say("plots", await page.locator("#plots canvas").count());
+  say("frames-per-second", frames / SECONDS);
+  say("script-per-frame", (after.script - before.script) / frames);
+  say("thread-per-frame", (after.thread - before.thread) / frames);
+  await context.close();
+}

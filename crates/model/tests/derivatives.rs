@@ -1,5 +1,7 @@
 //! Symbolic derivatives against differences.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
 mod common;
 
 use common::{At, compile, difference};

@@ -2,6 +2,8 @@
 //! model, a line of dashes, the diagnostics. `UPDATE_EXPECTED=1 cargo test -p model --test errors` writes what is said
 //! now into the files, to be read before it is committed.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
 mod common;
 
 use std::fmt::Write;

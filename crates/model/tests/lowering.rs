@@ -1,5 +1,7 @@
 //! Models against their equations of motion worked out by hand.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
 mod common;
 
 use common::{At, assert_near, compile, value};
@@ -107,9 +109,12 @@ fn equations_are_solved_one_after_the_other_where_possible() {
     assert_near(value(&model, &at, "y", 2), -0.25 + 0.1);
 }
 
+/// y'' as a function of y and y'.
+type Acceleration = fn(f64, f64) -> f64;
+
 #[test]
 fn implicit_forms_are_solved() {
-    let cases: &[(&str, fn(f64, f64) -> f64)] = &[
+    let cases: &[(&str, Acceleration)] = &[
         ("0 = y'' + y", |y, _| -y),
         ("-(y'' - 3*y') = y", |y, v| 3.0 * v - y),
         ("(y'' + y)/(1 + y^2) = y'", |y, v| v * (1.0 + y * y) - y),

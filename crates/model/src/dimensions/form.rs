@@ -3,6 +3,7 @@
 //! polymorphism, for which a model has no use).
 
 use crate::Span;
+use std::collections::BTreeMap;
 use units::{Dimension, Exponent};
 
 /// A dimension that is not known yet.
@@ -69,20 +70,6 @@ impl Form {
         let unknown = self.unknown.iter().map(raised).collect::<Result<_, _>>()?;
         Ok(Self { known, unknown })
     }
-
-    fn exponent_of(&self, variable: Variable) -> Option<Exponent> {
-        self.unknown.iter().find(|(other, _)| *other == variable).map(|&(_, exponent)| exponent)
-    }
-
-    /// The form with `variable` replaced.
-    fn with(&self, variable: Variable, replacement: &Form) -> Result<Self, TooLarge> {
-        let Some(exponent) = self.exponent_of(variable) else {
-            return Ok(self.clone());
-        };
-        let mut rest = self.clone();
-        rest.unknown.retain(|(other, _)| *other != variable);
-        rest.times(&replacement.power(exponent)?)
-    }
 }
 
 /// Why two dimensions cannot be made equal.
@@ -103,68 +90,75 @@ impl From<TooLarge> for Conflict {
 /// What has been found out about the unknown dimensions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solver {
-    /// Forms free of solved variables.
-    solutions: Vec<Option<Form>>,
-    /// Where each was found out.
-    origins: Vec<Option<Span>>,
-    /// Those with a solution that still has unknowns in it.
-    open: Vec<usize>,
+    variables: Vec<Option<Solution>>,
+    solved: usize,
+}
+
+/// What an unknown dimension turned out to be.
+#[derive(Clone, Debug)]
+struct Solution {
+    /// In terms of variables that were unknown when it was found, so of those that were found later, or not yet.
+    form: Form,
+    /// How many were found before it.
+    rank: usize,
+    /// What made it known.
+    origin: Span,
 }
 
 impl Solver {
     /// A dimension of which nothing is known.
     pub fn fresh(&mut self) -> Form {
-        let variable = Variable(self.solutions.len());
-        self.solutions.push(None);
-        self.origins.push(None);
+        let variable = Variable(self.variables.len());
+        self.variables.push(None);
         Form { known: Dimension::NONE, unknown: vec![(variable, Exponent::ONE)] }
     }
 
     /// The form with everything put in that has been found out.
     pub fn resolve(&self, form: &Form) -> Result<Form, TooLarge> {
-        let mut resolved = Form::from(form.known);
-        for (variable, exponent) in &form.unknown {
-            let value = match &self.solutions[variable.0] {
-                Some(solution) => solution.power(*exponent)?,
-                None => Form { known: Dimension::NONE, unknown: vec![(*variable, *exponent)] },
-            };
-            resolved = resolved.times(&value)?;
+        let mut known = form.known;
+        let mut open: BTreeMap<Variable, Exponent> = BTreeMap::new();
+        // In the order in which they were found, each variable has to be put in only once.
+        let mut found: BTreeMap<usize, (&Solution, Exponent)> = BTreeMap::new();
+        let mut factors = form.unknown.clone();
+        loop {
+            for (variable, exponent) in factors.drain(..) {
+                match &self.variables[variable.0] {
+                    Some(solution) => {
+                        let (_, sum) = found.entry(solution.rank).or_insert((solution, Exponent::ZERO));
+                        *sum = sum.plus(exponent).ok_or(TooLarge)?;
+                    }
+                    None => {
+                        let sum = open.entry(variable).or_insert(Exponent::ZERO);
+                        *sum = sum.plus(exponent).ok_or(TooLarge)?;
+                    }
+                }
+            }
+            let Some((_, (solution, exponent))) = found.pop_first() else { break };
+            let value = solution.form.power(exponent)?;
+            known = known.times(value.known).ok_or(TooLarge)?;
+            factors = value.unknown;
         }
-        Ok(resolved)
+        let unknown = open.into_iter().filter(|(_, exponent)| !exponent.is_zero()).collect();
+        Ok(Form { known, unknown })
     }
 
     /// Makes two dimensions equal, because of what stands at `origin`.
     pub fn unify(&mut self, a: &Form, b: &Form, origin: Span) -> Result<(), Conflict> {
-        let ratio = self.resolve(&a.per(b)?)?;
-        let Some(&(variable, exponent)) = ratio.unknown.last() else {
+        let mut ratio = self.resolve(&a.per(b)?)?;
+        let Some((variable, exponent)) = ratio.unknown.pop() else {
             return if ratio.known.is_none() { Ok(()) } else { Err(Conflict::Different) };
         };
-        let mut rest = ratio;
-        rest.unknown.pop();
         let reciprocal = Exponent::new(-i64::from(exponent.denominator()), i64::from(exponent.numerator()));
-        let solution = rest.power(reciprocal.ok_or(TooLarge)?)?;
-        let mut replaced = Vec::new();
-        for &index in &self.open {
-            if let Some(known) = &self.solutions[index]
-                && known.exponent_of(variable).is_some()
-            {
-                replaced.push((index, known.with(variable, &solution)?));
-            }
-        }
-        for (index, form) in replaced {
-            self.solutions[index] = Some(form);
-        }
-        self.solutions[variable.0] = Some(solution);
-        self.open.push(variable.0);
-        let solutions = &self.solutions;
-        self.open.retain(|&index| solutions[index].as_ref().is_some_and(|form| form.dimension().is_none()));
-        self.origins[variable.0] = Some(origin);
+        let form = ratio.power(reciprocal.ok_or(TooLarge)?)?;
+        self.variables[variable.0] = Some(Solution { form, rank: self.solved, origin });
+        self.solved += 1;
         Ok(())
     }
 
     /// Where the dimension of the form's first variable was found out.
     pub fn origin(&self, form: &Form) -> Option<Span> {
-        form.unknown.first().and_then(|(variable, _)| self.origins[variable.0])
+        let (variable, _) = form.unknown.first()?;
+        self.variables[variable.0].as_ref().map(|solution| solution.origin)
     }
 }
 

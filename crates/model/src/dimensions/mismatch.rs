@@ -53,7 +53,8 @@ impl Place {
 }
 
 impl Inference<'_> {
-    /// Requires one dimension of all terms, and answers it. If they differ, those that differ from the most are told.
+    /// Requires one dimension of all terms, and answers it. If they differ, those that differ from the most are told, and
+    /// nothing more is said about what is computed from them.
     pub fn alike(&mut self, terms: &[Term], place: Place) -> Type {
         let usable: Vec<(usize, &Term, &Form)> = terms
             .iter()
@@ -76,6 +77,7 @@ impl Inference<'_> {
             let normal: Vec<(usize, &Term, &Form)> =
                 usable.iter().filter(|(index, ..)| odd.iter().all(|(other, ..)| other != index)).copied().collect();
             self.report_odd(&odd, &normal, place);
+            return Type::Unknown;
         }
         Type::Number(reference)
     }

@@ -1,5 +1,6 @@
 //! Putting the model together from what was checked and lowered.
 
+use super::collect::Variation;
 use super::expression::{Chain, Lowering, TooManyNodes};
 use super::solve::{solve, too_many_nodes};
 use crate::dimensions::{Type, Types};
@@ -52,12 +53,13 @@ pub(crate) fn assemble(
         texts,
     };
     close_initial_values(&mut model)?;
+    let mut variation = Variation::default();
     for ((definition, found), node) in program.definitions.iter().zip(&types.definitions).zip(values.into_iter().flatten()) {
         let stated = definition.unit.map(|stated| stated.unit.clone());
         let unit = stated.unwrap_or_else(|| Unit::si(found.dimension()));
         let value = Compiled { node, kind: found.kind(), unit, span: definition.value.span };
         let label = definition.label.map(str::to_owned);
-        let varies = model.depends(node).varies();
+        let varies = variation.of(&model.graph, node);
         model.quantities.push(Quantity { name: definition.name.text.clone(), label, value, varies });
     }
     // A quantity that is but another name for something is shown in that one's unit.

@@ -5,7 +5,7 @@ use super::expression::{Lowering, TooManyNodes};
 use super::solve::highest_names;
 use crate::names::{Equation, Meaning, Program, Unknown, children};
 use crate::notation::quote;
-use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Node};
+use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Node, Span};
 
 /// Finds the innermost part of an equation that is not linear in the highest derivatives, through definitions.
 pub(crate) fn nonlinear(
@@ -95,4 +95,20 @@ pub(crate) fn not_solvable(
         }
     }
     diagnostics
+}
+
+/// Tells that the coefficients of these unknowns never determine them.
+pub(crate) fn dependent(unknowns: &[Unknown], members: &[usize], equations: &[Span]) -> Diagnostic {
+    let highest = highest_names(unknowns, members);
+    let (&first, rest) = equations.split_first().unwrap_or((const { &Span { start: 0, end: 0 } }, &[]));
+    if members.len() == 1 {
+        let message = format!("the coefficient of {highest} is 0, so the equation cannot be solved for it");
+        return Diagnostic::error("coefficient-zero", message, first);
+    }
+    let message = format!("these equations do not determine {highest}: in these, one of them says no more than the others");
+    let mut diagnostic = Diagnostic::error("equations-dependent", message, first);
+    for &span in rest {
+        diagnostic = diagnostic.with_label(span, "depends on the others");
+    }
+    diagnostic.with_hint("replace one of them by an equation that says something else")
 }

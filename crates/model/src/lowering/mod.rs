@@ -5,6 +5,7 @@ mod assemble;
 mod collect;
 mod explain;
 mod expression;
+mod rank;
 mod solve;
 
 pub(crate) use assemble::assemble;

@@ -2,8 +2,9 @@
 
 use super::affine::{Affine, Shape, Shapes};
 use super::collect::Collector;
-use super::explain::{nonlinear, not_solvable};
+use super::explain::{dependent, nonlinear, not_solvable};
 use super::expression::{Chain, Lowering, TooManyNodes};
+use super::rank::is_singular;
 use crate::matching::{blocks, match_equations};
 use crate::names::{Equation, Meaning, Program, Unknown, for_each_name, list};
 use crate::notation::primed;
@@ -41,15 +42,19 @@ pub(crate) fn solve(
         .collect();
     let mut solved = Solved { graph, rates: vec![None; unknowns.len()], collector: Collector::default() };
     for block in blocks(&needs) {
-        match block.as_slice() {
+        let regular = match block.as_slice() {
             &[unknown] => solved.alone(&affine[paired[unknown]], unknown),
             members if members.len() > limits::COUPLED => {
                 return Err(vec![too_coupled(members, unknowns)]);
             }
             members => {
                 let forms: Vec<&Affine> = members.iter().map(|&member| &affine[paired[member]]).collect();
-                solved.together(&forms, members);
+                solved.together(&forms, members)
             }
+        };
+        if !regular {
+            let equations: Vec<Span> = block.iter().map(|&member| program.equations[paired[member]].span).collect();
+            return Err(vec![dependent(unknowns, &block, &equations)]);
         }
     }
     Ok(solved.rates.into_iter().flatten().collect())
@@ -180,15 +185,16 @@ impl Solved<'_> {
         self.graph.negate(sum)
     }
 
-    /// One equation for one unknown: a division.
-    fn alone(&mut self, form: &Affine, unknown: usize) {
+    /// One equation for one unknown: a division. False if the coefficient is always 0.
+    fn alone(&mut self, form: &Affine, unknown: usize) -> bool {
         let right = self.right(form, &[unknown]);
         let coefficient = self.or_zero(form.coefficients.get(&(unknown as u32)).copied());
         self.rates[unknown] = Some(self.collector.quotient(self.graph, right, coefficient));
+        !is_singular(self.graph, &[coefficient], 1)
     }
 
-    /// Coupled equations: a linear system.
-    fn together(&mut self, forms: &[&Affine], members: &[usize]) {
+    /// Coupled equations: a linear system. False if it never has one solution.
+    fn together(&mut self, forms: &[&Affine], members: &[usize]) -> bool {
         let one = self.graph.constant(1.0);
         let mut matrix = Vec::with_capacity(members.len() * members.len());
         let mut right = Vec::with_capacity(members.len());
@@ -200,10 +206,12 @@ impl Solved<'_> {
             let value = self.right(form, members);
             right.push(self.collector.quotient(self.graph, value, one));
         }
+        let regular = !is_singular(self.graph, &matrix, members.len());
         let system = self.graph.insert_system(LinearSystem { matrix, right });
         for (row, &member) in members.iter().enumerate() {
             self.rates[member] = Some(self.graph.insert(Node::Solution { system, row: row as u32 }));
         }
+        regular
     }
 }
 

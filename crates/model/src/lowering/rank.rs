@@ -1,0 +1,103 @@
+//! Whether coefficients determine their unknowns at all. That equations depend on each other, as x'' + y'' = a and
+//! 2*x'' + 2*y'' = b, cannot be seen from which unknowns they contain; it is seen from their values at a few points.
+
+use crate::{Graph, Node, NodeId};
+
+/// So many points must all say the same.
+const POINTS: u32 = 3;
+
+/// A pivot so much smaller than the entries of its row is 0 but for rounding.
+const NEGLIGIBLE: f64 = 1e-12;
+
+/// Whether a square matrix of nodes is singular wherever one looks.
+pub(crate) fn is_singular(graph: &Graph, matrix: &[NodeId], size: usize) -> bool {
+    let order = graph.reachable(matrix);
+    (0..POINTS).all(|point| {
+        let values = evaluate(graph, &order, point);
+        let entries: Vec<f64> = matrix.iter().map(|entry| values[entry.0 as usize]).collect();
+        entries.iter().all(|entry| entry.is_finite()) && has_no_pivot(entries, size)
+    })
+}
+
+/// A number between 0.5 and 1.5 that has nothing to do with other such numbers.
+fn arbitrary(input: u32, point: u32) -> f64 {
+    let mut bits = (u64::from(input) << 8) + u64::from(point) + 1;
+    // The finishing steps of SplitMix64 (Steele, Lea and Flood, 2014).
+    bits = bits.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    0.5 + (bits >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// Values of the nodes at an arbitrary point, which is the same every time.
+fn evaluate(graph: &Graph, order: &[NodeId], point: u32) -> Vec<f64> {
+    let mut values = vec![f64::NAN; graph.len()];
+    for &id in order {
+        let of = |id: NodeId| values[id.0 as usize];
+        values[id.0 as usize] = match graph.node(id) {
+            Node::Constant(bits) => f64::from_bits(bits),
+            Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) | Node::Solution { .. } => {
+                arbitrary(id.0, point)
+            }
+            Node::Unary(function, x) => function.evaluate(of(x)),
+            Node::Binary(function, a, b) => function.evaluate(of(a), of(b)),
+            Node::Select(condition, chosen, other) => {
+                if of(condition) != 0.0 { of(chosen) } else { of(other) }
+            }
+        };
+    }
+    values
+}
+
+/// Gaussian elimination with pivoting that comes to a column without a pivot.
+fn has_no_pivot(mut matrix: Vec<f64>, size: usize) -> bool {
+    let mut rows: Vec<&mut [f64]> = matrix.chunks_mut(size).collect();
+    for row in &mut rows {
+        let greatest = row.iter().fold(0.0_f64, |greatest, entry| greatest.max(entry.abs()));
+        if greatest > 0.0 {
+            row.iter_mut().for_each(|entry| *entry /= greatest);
+        }
+    }
+    for column in 0..size {
+        let magnitude = |row: &usize| rows[*row][column].abs();
+        let Some(pivot) = (column..size).max_by(|a, b| magnitude(a).total_cmp(&magnitude(b))) else {
+            return false;
+        };
+        if rows[pivot][column].abs() < NEGLIGIBLE {
+            return true;
+        }
+        rows.swap(column, pivot);
+        let (above, below) = rows.split_at_mut(column + 1);
+        let upper = &above[column];
+        for row in below {
+            let factor = row[column] / upper[column];
+            for (entry, &other) in row.iter_mut().zip(upper.iter()) {
+                *entry -= factor * other;
+            }
+        }
+    }
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_dependent_rows_and_no_others() {
+        assert!(has_no_pivot(vec![1.0, 2.0, 2.0, 4.0], 2));
+        assert!(has_no_pivot(vec![0.0], 1));
+        assert!(has_no_pivot(vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0], 3));
+        assert!(!has_no_pivot(vec![0.0, 1.0, 1.0, 0.0], 2));
+        assert!(!has_no_pivot(vec![1e-20, 0.0, 0.0, 1e20], 2), "rows may have any scale");
+    }
+
+    #[test]
+    fn looks_at_more_than_one_point() {
+        let mut graph = Graph::default();
+        let x = graph.insert(Node::State(0));
+        let difference = graph.subtract(x, x);
+        assert!(is_singular(&graph, &[difference], 1));
+        assert!(!is_singular(&graph, &[x], 1));
+    }
+}

@@ -201,7 +201,7 @@ impl Stepper {
     }
 
     /// One step to `target`, or, if an event lies before it, to the event, whose resolution in time is returned.
-    #[inline]
+    // Not inlined: `advance` is compiled with its caller, which in the page is optimised for size.
     fn fixed(&mut self, target: f64) -> Result<Option<f64>, RunError> {
         let Solver::Fixed(method) = &mut self.solver else {
             return Ok(None);

@@ -38,9 +38,12 @@ pub fn build() -> Result<PathBuf> {
 /// Puts the parts into the template's places.
 fn assemble(glue: &str, module: &[u8]) -> Result<String> {
     let source = steps::root().join("crates").join("lab").join("page");
-    let style = read(&source.join("style.css"))?;
+    let base64 = |bytes: &[u8]| base64::engine::general_purpose::STANDARD.encode(bytes);
+    let font = source.join("math.woff2");
+    let font = std::fs::read(&font).with_context(|| format!("cannot read {}", font.display()))?;
+    let style = read(&source.join("style.css"))?.replace("/*math-font*/", &base64(&font));
     let boot = read(&source.join("boot.js"))?;
-    let module = base64::engine::general_purpose::STANDARD.encode(gzip(module)?);
+    let module = base64(&gzip(module)?);
     let mut page = read(&source.join("index.html"))?;
     for (marker, text) in [
         ("<!--style-->", format!("<style>\n{style}</style>")),

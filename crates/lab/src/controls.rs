@@ -62,7 +62,7 @@ fn presets(app: App) -> impl IntoView {
             let name = if group.name.is_empty() { words.presets.to_owned() } else { group.name };
             view! {
                 <div class="preset-group" role="group" aria-labelledby=id.clone()>
-                    <h4 id=id>{name}</h4>
+                    <h4 id=id.clone()>{name}</h4>
                     <div class="chips">{buttons}</div>
                 </div>
             }

@@ -116,7 +116,7 @@ fn section(app: App, section: Section, top: u8) -> impl IntoView {
 fn equations(app: App) -> AnyView {
     let words = app.words();
     let lines = app
-        .read(|session| session.model().typeset())
+        .read(|session| session.model().typeset(&|text| session.text(text).to_owned()))
         .into_iter()
         .map(|math| view! { <li inner_html=math></li> })
         .collect_view();

@@ -36,7 +36,7 @@ impl TransportNodes {
         if position != self.position {
             self.line.set_value(&position.to_string());
             // The part that lies behind, for the style sheet.
-            let _ = self.line.style().set_property("--part", &format!("{:.2}%", fraction * 100.0));
+            let _ = HtmlElement::style(&self.line).set_property("--part", &format!("{:.2}%", fraction * 100.0));
             self.position = position;
         }
     }

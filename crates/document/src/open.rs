@@ -291,7 +291,10 @@ impl<'a> File<'a> {
             )
         }));
         if written < numbers.len() {
-            let message = format!("{} questions have no translation", numbers.len() - written);
+            let message = match numbers.len() - written {
+                1 => "a question has no translation".to_owned(),
+                missing => format!("{missing} questions have no translation"),
+            };
             found.push(Diagnostic::warning("untranslated", message, language.span));
         }
         let scene = scene.clone().and_then(|range| {

@@ -183,7 +183,10 @@ impl<'a> Writer<'a> {
     }
 
     fn start(&mut self, tag: Tag, span: Span) {
-        if matches!(tag, Tag::Paragraph | Tag::HtmlBlock | Tag::Item | Tag::TableCell) {
+        if matches!(
+            tag,
+            Tag::Paragraph | Tag::HtmlBlock | Tag::Item | Tag::TableCell
+        ) {
             self.told_of_html = false;
         }
         match tag {

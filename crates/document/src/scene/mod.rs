@@ -1,13 +1,17 @@
 //! The drawing: SVG with `{expressions}`, reduced to what is known to be harmless.
 
 mod allowed;
+mod attributes;
 mod build;
+mod drag;
 mod style;
 mod template;
+mod values;
 mod xml;
 
-pub(crate) use build::{build, has_word};
+pub(crate) use build::build;
 pub(crate) use template::normalised;
+pub(crate) use values::has_word;
 
 use model::Compiled;
 

@@ -1,0 +1,87 @@
+//! Parts of a scene that follow the hand.
+
+use super::Drag;
+use super::build::Builder;
+use crate::expressions::dimension_error;
+use std::ops::Range;
+
+/// Where the values of the attributes for dragging stand.
+#[derive(Default)]
+pub struct Dragging {
+    /// `drag`: the name of a state.
+    pub state: Option<Range<usize>>,
+    /// `drag-up`: what one unit upwards adds to it.
+    pub up: Option<Range<usize>>,
+    /// `drag-right`: what one unit to the right adds to it.
+    pub right: Option<Range<usize>>,
+}
+
+impl Builder<'_, '_> {
+    /// What dragging an element does.
+    pub fn drag(&mut self, dragging: Dragging) -> Option<Drag> {
+        let Some(place) = dragging.state else {
+            if let Some(place) = dragging.up.or(dragging.right) {
+                self.refuse(
+                    "what does the pointer change?",
+                    place,
+                    Some("name a state: `drag=\"y\" drag-up=\"0.01 [m]\"`"),
+                );
+            }
+            return None;
+        };
+        let place = crate::source::trim(self.expressions.source, place);
+        let name = self.source(&place).to_owned();
+        let states: Vec<String> = self
+            .expressions
+            .model
+            .states
+            .iter()
+            .map(model::State::name)
+            .collect();
+        let Some(state) = states.iter().position(|known| *known == name) else {
+            let mut hint = format!("the states are {}", states.join(", "));
+            if let Some(near) = crate::near::nearest(&name, states.iter().map(String::as_str)) {
+                hint = format!("did you mean `{near}`?");
+            }
+            self.refuse(
+                format!("`{name}` is not a state, so it cannot be dragged"),
+                place,
+                Some(&hint),
+            );
+            return None;
+        };
+        if dragging.up.is_none() && dragging.right.is_none() {
+            self.refuse(
+                "dragging needs `drag-up`, `drag-right` or both",
+                place,
+                Some("`drag-up=\"0.01 [m]\"` is what one unit upwards adds"),
+            );
+            return None;
+        }
+        let up = dragging.up.and_then(|range| self.drag_rate(range, state));
+        let right = dragging
+            .right
+            .and_then(|range| self.drag_rate(range, state));
+        (up.is_some() || right.is_some()).then_some(Drag { state, up, right })
+    }
+
+    /// What one unit of the drawing adds to a state.
+    fn drag_rate(&mut self, range: Range<usize>, state: usize) -> Option<usize> {
+        let rate = self.expressions.number(range)?;
+        let state = &self.expressions.model.states[state];
+        if rate.dimension() != state.unit.dimension {
+            let message = format!(
+                "one unit of the drawing must add to `{}` something of its dimension",
+                state.name()
+            );
+            let expected = (state.span, state.unit.dimension);
+            self.expressions.diagnostics.push(dimension_error(
+                message,
+                (rate.span, rate.dimension()),
+                expected,
+            ));
+            return None;
+        }
+        self.value(rate)
+    }
+}

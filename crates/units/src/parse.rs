@@ -136,6 +136,7 @@ impl<'a> Reader<'a> {
             let range = slash..next.range.end;
             let (above, below, next_text) = (above.text, below.text, next.text);
             let top = if above == "1" { String::new() } else { format!("{above} ") };
+            let alone = grouped(below.clone(), &[' ', '/']);
             return Err(hinting(
                 error(
                     "ambiguous-unit",
@@ -145,7 +146,7 @@ impl<'a> Reader<'a> {
                         &self.text[start..next.range.end]
                     ),
                 ),
-                format!("write {above}/({below} {next_text}) or {top}{next_text}/{below}"),
+                format!("write {above}/({below} {next_text}) or {top}{next_text}/{alone}"),
             ));
         }
         let range = above.range.start..below.range.end;
@@ -166,9 +167,6 @@ impl<'a> Reader<'a> {
             let factor = self.factor(depth)?;
             let range = product.range.start..factor.range.end;
             let dimension = product.dimension.times(factor.dimension).ok_or_else(|| too_high(range.clone()))?;
-            let quotient = |text: String| {
-                if text.contains('/') { format!("({text})") } else { text }
-            };
             let text = match (product.text.as_str(), factor.text.as_str()) {
                 ("1", _) => factor.text,
                 (_, "1") => product.text,

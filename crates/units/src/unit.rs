@@ -60,29 +60,6 @@ impl Unit {
         Self { dimension, factor: multiplier / divisor, text, multiplier, divisor }
     }
 
-    /// The unit as it is printed: `kg/m³`, `Pa·s`, `m·s⁻¹`, with a raised number for each whole exponent.
-    pub fn pretty(&self) -> String {
-        let mut pretty = String::with_capacity(self.text.len());
-        let mut raised = false;
-        let mut characters = self.text.chars().peekable();
-        while let Some(character) = characters.next() {
-            let exponent = characters.peek().is_some_and(|next| *next == '-' || next.is_ascii_digit());
-            match (character, superscript(character)) {
-                ('^', _) if exponent => raised = true,
-                (_, Some(above)) if raised => pretty.push(above),
-                (' ', _) => {
-                    raised = false;
-                    pretty.push('·');
-                }
-                _ => {
-                    raised = false;
-                    pretty.push(character);
-                }
-            }
-        }
-        pretty.replace("ohm", "Ω").replace("deg", "°")
-    }
-
     /// The SI value of `value` in this unit. 40 in `cm` is 0.4 to the last bit.
     pub fn to_si(&self, value: f64) -> f64 {
         value * self.multiplier / self.divisor
@@ -116,14 +93,6 @@ impl fmt::Display for UnitError {
 }
 
 impl std::error::Error for UnitError {}
-
-fn superscript(character: char) -> Option<char> {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    match character {
-        '-' => Some('⁻'),
-        _ => character.to_digit(10).and_then(|digit| DIGITS.get(digit as usize).copied()),
-    }
-}
 
 /// Base units over base units: `kg/(m s^2)`.
 fn base_text(dimension: Dimension) -> String {
@@ -160,7 +129,7 @@ const POWERS: [f64; 23] = [
     1e21, 1e22,
 ];
 
-/// The number of 14 decimal digits next to `value`; `None` where the powers of ten needed are not exact (below 1e-9,
+/// The number of 14 decimal digits next to `value`; `None` where the powers of ten needed are not exact (below 1e-8,
 /// above 1e22).
 fn round_to_14_digits(value: f64) -> Option<f64> {
     let size = value.abs();

@@ -68,35 +68,35 @@ fn symbols_have_their_dimension_and_value() {
 
 #[test]
 fn products_quotients_and_powers_are_read_and_written_one_way() {
-    for (text, written, printed, dimension) in [
-        ("kg/m^3", "kg/m^3", "kg/m³", "kg m^-3"),
-        (" kg / m ^3 ", "kg/m^3", "kg/m³", "kg m^-3"),
-        ("kg/m³", "kg/m^3", "kg/m³", "kg m^-3"),
-        ("kg*m^2", "kg m^2", "kg·m²", "kg m^2"),
-        ("kg·m²", "kg m^2", "kg·m²", "kg m^2"),
-        ("Pa  s", "Pa s", "Pa·s", "kg m^-1 s^-1"),
-        ("m s^-1", "m s^-1", "m·s⁻¹", "m s^-1"),
-        ("m s⁻¹", "m s^-1", "m·s⁻¹", "m s^-1"),
-        ("m s^−1", "m s^-1", "m·s⁻¹", "m s^-1"),
-        ("1/s", "1/s", "1/s", "s^-1"),
-        ("1/(m s)", "1/(m s)", "1/(m·s)", "m^-1 s^-1"),
-        ("J/(kg K)", "J/(kg K)", "J/(kg·K)", "m^2 s^-2 K^-1"),
-        ("J/(kg*K)", "J/(kg K)", "J/(kg·K)", "m^2 s^-2 K^-1"),
-        ("(m/s)^2", "(m/s)^2", "(m/s)²", "m^2 s^-2"),
-        ("(m/s) kg", "(m/s) kg", "(m/s)·kg", "kg m s^-1"),
-        ("m^(1/2)", "m^(1/2)", "m^(1/2)", "m^(1/2)"),
-        ("m^(-1/2)", "m^(-1/2)", "m^(-1/2)", "m^(-1/2)"),
-        ("m^(2/4)", "m^(1/2)", "m^(1/2)", "m^(1/2)"),
-        ("km/h", "km/h", "km/h", "m s^-1"),
-        ("1/(m^(1/2) s)", "1/(m^(1/2) s)", "1/(m^(1/2)·s)", "m^(-1/2) s^-1"),
-        ("((m/s)) (m/s)", "(m/s) (m/s)", "(m/s)·(m/s)", "m^2 s^-2"),
-        ("(m^2)^3", "(m^2)^3", "(m²)³", "m^6"),
-        ("μm", "µm", "µm", "m"),
-        ("kohm", "kohm", "kΩ", "kg m^2 s^-3 A^-2"),
-        ("1", "", "", "1"),
+    for (text, written, dimension) in [
+        ("kg/m^3", "kg/m^3", "kg m^-3"),
+        (" kg / m ^3 ", "kg/m^3", "kg m^-3"),
+        ("kg/m³", "kg/m^3", "kg m^-3"),
+        ("kg*m^2", "kg m^2", "kg m^2"),
+        ("kg·m²", "kg m^2", "kg m^2"),
+        ("Pa  s", "Pa s", "kg m^-1 s^-1"),
+        ("m s^-1", "m s^-1", "m s^-1"),
+        ("m s⁻¹", "m s^-1", "m s^-1"),
+        ("m s^−1", "m s^-1", "m s^-1"),
+        ("1/s", "1/s", "s^-1"),
+        ("1/(m s)", "1/(m s)", "m^-1 s^-1"),
+        ("J/(kg K)", "J/(kg K)", "m^2 s^-2 K^-1"),
+        ("J/(kg*K)", "J/(kg K)", "m^2 s^-2 K^-1"),
+        ("(m/s)^2", "(m/s)^2", "m^2 s^-2"),
+        ("(m/s) kg", "(m/s) kg", "kg m s^-1"),
+        ("m^(1/2)", "m^(1/2)", "m^(1/2)"),
+        ("m^(-1/2)", "m^(-1/2)", "m^(-1/2)"),
+        ("m^(2/4)", "m^(1/2)", "m^(1/2)"),
+        ("km/h", "km/h", "m s^-1"),
+        ("1/(m^(1/2) s)", "1/(m^(1/2) s)", "m^(-1/2) s^-1"),
+        ("((m/s)) (m/s)", "(m/s) (m/s)", "m^2 s^-2"),
+        ("(m^2)^3", "(m^2)^3", "m^6"),
+        ("μm", "µm", "m"),
+        ("kohm", "kohm", "kg m^2 s^-3 A^-2"),
+        ("1", "", "1"),
     ] {
         let unit = unit(text);
-        assert_eq!((unit.to_string().as_str(), unit.pretty().as_str()), (written, printed), "{text}");
+        assert_eq!(unit.to_string(), written, "{text}");
         assert_eq!(unit.dimension.to_string(), dimension, "{text}");
         assert_eq!(Unit::parse(written), Ok(unit), "{text}: what is written reads back");
     }
@@ -192,6 +192,13 @@ fn what_is_refused_is_refused_with_the_reason() {
             "/kg K",
             "it is not clear whether `K` is divided by or multiplied with",
             Some("write J/(kg K) or J K/kg"),
+        ),
+        (
+            "J/(kg K) mol",
+            "ambiguous-unit",
+            "/(kg K) mol",
+            "it is not clear whether `mol` is divided by or multiplied with",
+            Some("write J/(kg K mol) or J mol/(kg K)"),
         ),
         (
             "1/m*s",

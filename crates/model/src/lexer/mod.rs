@@ -6,12 +6,9 @@ mod token;
 pub(crate) use token::{Keyword, Symbol, Token, TokenKind};
 
 use crate::alphabet::{greek_name, lowered, primes, raised};
-use crate::{Diagnostic, Span};
+use crate::{Diagnostic, Span, limits};
 use std::ops::Range;
 use token::{FOREIGN, KEYWORDS, SYMBOLS};
-
-/// The highest derivative that may be written.
-const HIGHEST_ORDER: u32 = 12;
 
 /// The tokens of `source[range]`, ending with [`TokenKind::End`]. `range` lies on character boundaries.
 pub(crate) fn tokens(source: &str, range: Range<usize>) -> (Vec<Token>, Vec<Diagnostic>) {
@@ -160,9 +157,9 @@ impl<'a> Lexer<'a> {
         }
         let end = self.at;
         let order: u32 = self.skip(|c| primes(c).is_some()).chars().filter_map(primes).sum();
-        if order > HIGHEST_ORDER {
+        if order > limits::ORDER {
             let wrong = format!("{order} primes are too many");
-            let note = format!("derivatives up to the order {HIGHEST_ORDER} are possible");
+            let note = format!("derivatives up to the order {} are possible", limits::ORDER);
             let diagnostic = Diagnostic::error("order-too-high", wrong, Span::new(end, self.at)).with_note(note);
             self.diagnostics.push(diagnostic);
             return self.push(TokenKind::Unknown, start);
@@ -231,7 +228,7 @@ impl<'a> Lexer<'a> {
     fn symbol(&mut self, first: char) {
         let start = self.at;
         let rest = self.rest();
-        // `!=`, `<=` and `==` are no foreign spellings, and neither is `=<` of `x=<`.
+        // The longer spelling is meant: `!=` is not a foreign `!`, but `**` is not two stars.
         let known = SYMBOLS.iter().find(|(text, _)| rest.starts_with(text));
         let foreign = FOREIGN.iter().find(|(text, _, _)| rest.starts_with(text));
         if let Some((text, symbol)) = known

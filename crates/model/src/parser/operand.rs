@@ -174,11 +174,11 @@ impl Cursor<'_> {
                 .with_hint("such as 1 [m]; to state the unit of an expression, write `in [m]` after it"),
             TokenKind::Primes => Diagnostic::error("prime-after-expression", "a prime belongs to a name", span)
                 .with_hint("write it directly after the name: y'"),
-            TokenKind::Keyword(Keyword::Then | Keyword::Else) if !line_end => {
+            TokenKind::Keyword(Keyword::Then | Keyword::Else | Keyword::In) => {
                 let wrong = format!("an expression is expected before {found}");
                 Diagnostic::error("missing-expression", wrong, place)
             }
-            TokenKind::Keyword(Keyword::Parameter | Keyword::Independent | Keyword::When | Keyword::In) => {
+            TokenKind::Keyword(Keyword::Parameter | Keyword::Independent | Keyword::When) => {
                 let wrong = format!("{found} is a word of the language and cannot be a name");
                 Diagnostic::error("reserved-word", wrong, place)
             }

@@ -134,6 +134,14 @@ impl Factor {
         }
     }
 
+    /// What the first side would have to be multiplied by.
+    pub fn lacking(self) -> Dimension {
+        match self {
+            Self::Lacking(dimension) => dimension,
+            Self::Excess(dimension) => dimension.inverse(),
+        }
+    }
+
     /// The dimension of what is lacking or too many.
     pub fn dimension(self) -> Dimension {
         match self {

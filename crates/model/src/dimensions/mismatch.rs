@@ -145,10 +145,15 @@ impl Inference<'_> {
         let hint = self.factor(left.1, right.1).map(|factor| {
             let thing = as_factor(factor.dimension());
             let offers = self.offers(factor, left.0);
-            match factor {
-                Factor::Lacking(_) => format!("multiply the left side by {thing}{offers}, or divide the right side by one"),
-                Factor::Excess(_) => format!("divide the left side by {thing}{offers}, or multiply the right side by one"),
+            let mut unitless = self.forgotten_unit(left.0, factor.lacking());
+            if unitless.is_empty() {
+                unitless = self.forgotten_unit(right.0, factor.lacking().inverse());
             }
+            let (change, opposite) = match factor {
+                Factor::Lacking(_) => ("multiply", "divide"),
+                Factor::Excess(_) => ("divide", "multiply"),
+            };
+            format!("{change} the left side by {thing}{offers}, or {opposite} the right side by one{unitless}")
         });
         let diagnostic = match hint {
             Some(hint) => diagnostic.with_hint(hint),
@@ -237,17 +242,18 @@ impl Inference<'_> {
         };
         let thing = as_factor(factor.dimension());
         let offers = self.offers(factor, expression);
-        let lacking = match factor {
-            Factor::Lacking(dimension) => dimension,
-            Factor::Excess(dimension) => dimension.inverse(),
-        };
-        let unitless = match self.factor_without_unit(expression) {
-            Some(name) => format!(", or give `{name}` the unit [{}]", units::Unit::si(lacking)),
-            None => String::new(),
-        };
+        let unitless = self.forgotten_unit(expression, factor.lacking());
         match factor {
             Factor::Lacking(_) => format!("multiply it by {thing}{offers}{unitless}"),
             Factor::Excess(_) => format!("divide it by {thing}{offers}{unitless}"),
+        }
+    }
+
+    /// `, or give `omega` the unit [1/s]`, if a parameter without a unit is a factor of the expression.
+    fn forgotten_unit(&self, expression: &Expression, lacking: Dimension) -> String {
+        match self.factor_without_unit(expression) {
+            Some(name) => format!(", or give `{name}` the unit [{}]", units::Unit::si(lacking)),
+            None => String::new(),
         }
     }
 

@@ -140,6 +140,7 @@ fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagn
             let highest = primed(name, order.max(2));
             diagnostic.with_hint(format!("write an equation for it, such as `{highest} = ...`, or define `{name} = ...`"))
         }
+        "t" => diagnostic.with_hint(format!("the independent variable is `{}`", scope.independent)),
         "e" => diagnostic.with_hint("for a power of 2.718... write `exp(x)`"),
         _ => diagnostic.with_hint(format!("declare it: `parameter {name} = 1 [unit]` or `{name} = ...`")),
     }

@@ -124,7 +124,7 @@ impl<'a> Program<'a> {
         }
         declared.insert(text, name.span);
         let reason = if text == PI {
-            "it is the constant 3.14159...".to_owned()
+            "it is the number 3.14159".to_owned()
         } else if text == self.independent.0 {
             "it is the independent variable".to_owned()
         } else if Function::named(text).is_some() {

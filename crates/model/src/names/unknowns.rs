@@ -5,6 +5,7 @@ use super::program::{InitialEntry, Program};
 use super::scope::Meaning;
 use super::traverse::for_each_name;
 use super::{Scope, list};
+use crate::functions::Function;
 use crate::matching::match_equations;
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, Span, limits};
@@ -66,6 +67,12 @@ pub(crate) fn find_unknowns<'a>(
     }
     for (index, unknown) in unknowns.iter().enumerate() {
         program.scope.declare(unknown.name, Meaning::Variable(index));
+    }
+    if let Some(Unknown { name, span, .. }) = unknowns.iter().find(|unknown| Function::named(unknown.name).is_some()) {
+        let message = format!("`{name}` cannot be an unknown: it is a function");
+        diagnostics.push(Diagnostic::error("reserved-name", message, *span).with_hint("choose another name"));
+        // Its initial value was read as a call, so the counts below would be wrong.
+        return unknowns;
     }
     let solvable = check_counts(program, &in_equations, &unknowns, diagnostics);
     assign_initial_values(program, &mut unknowns, diagnostics);

@@ -51,11 +51,10 @@ pub(crate) struct Adaptive {
 impl Adaptive {
     /// A step spans at most so many rows.
     const ROWS: f64 = 10.0;
-    /// A state counts as zero below this part of the greatest magnitude it has had.
+    /// A state is near zero below this part of the greatest magnitude it has had: the error allowed falls no further.
     const BELOW_PEAK: f64 = 1e-3;
-    /// ... and below this part of its display unit, which is the author's idea of its size.
+    /// A state is zero but for rounding below this part of its display unit, which is the author's idea of its size.
     const BELOW_UNIT: f64 = 1e-9;
-
     /// Nothing moves in a shorter time, and its reciprocal is still a number.
     const AT_ONCE: f64 = 1e-300;
 

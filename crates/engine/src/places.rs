@@ -1,7 +1,7 @@
 //! The words of the errors of a run: names and places in the document.
 
 use crate::adaptive::Stuck;
-use crate::{Method, RunError, Setup, fixed, number};
+use crate::{Method, RunError, number};
 use model::{Model, Span};
 
 /// Names and places of a model's states and events.
@@ -113,7 +113,7 @@ impl Places {
         );
         let hint = match self.method {
             Method::Rosenbrock => "a larger tolerance or rows at shorter distances may help",
-            _ => "the equations are stiff; the method `rosenbrock` is made for them",
+            _ => "if the equations are stiff, the method `rosenbrock` is made for them",
         };
         RunError {
             span: self.states.first().map(|(_, span)| *span),
@@ -135,120 +135,5 @@ impl Places {
             hint: Some(hint.to_owned()),
             ..self.error("too-many-events", message, time)
         }
-    }
-}
-
-/// Whether a run can start with `setup`.
-pub(crate) fn check(model: &Model, setup: &Setup) -> Result<(), RunError> {
-    let refuse = |code, message: String, span, hint: &str| {
-        Err(RunError {
-            code,
-            message,
-            time: 0.0,
-            span,
-            hint: Some(hint.to_owned()),
-        })
-    };
-    let states = model.states.len();
-    if setup.parameters.len() != model.parameters.len() {
-        let message = format!(
-            "{} parameters given, the model has {}",
-            setup.parameters.len(),
-            model.parameters.len()
-        );
-        return refuse(
-            "wrong-parameters",
-            message,
-            None,
-            "give one value for each parameter",
-        );
-    }
-    if let Some(index) = setup.parameters.iter().position(|value| !value.is_finite()) {
-        let parameter = &model.parameters[index];
-        let message = format!("the parameter {} is not a finite number", parameter.name);
-        return refuse(
-            "parameter-not-finite",
-            message,
-            Some(parameter.span),
-            "give it a value",
-        );
-    }
-    if let Some(start) = setup.start.as_ref().filter(|start| start.len() != states) {
-        let message = format!(
-            "{} start values given, the model has {states} states",
-            start.len()
-        );
-        return refuse(
-            "wrong-start",
-            message,
-            None,
-            "give one value for each state",
-        );
-    }
-    if !(setup.step > 0.0 && setup.step.is_finite()) {
-        let message = "the step is not a positive number".to_owned();
-        return refuse(
-            "step-not-positive",
-            message,
-            None,
-            "the usual step is 0.05 s",
-        );
-    }
-    if setup.method.adaptive()
-        && !(setup.tolerance >= Setup::LEAST_TOLERANCE && setup.tolerance < 1.0)
-    {
-        let message = format!(
-            "the tolerance is not between {} and 1",
-            number::shortest(Setup::LEAST_TOLERANCE)
-        );
-        return refuse(
-            "bad-tolerance",
-            message,
-            None,
-            "the usual tolerance is 1e-6",
-        );
-    }
-    if setup.method == Method::VelocityVerlet
-        && let Some(state) =
-            fixed::not_of_second_order(model).and_then(|first| model.states.get(first))
-    {
-        let order = model
-            .states
-            .iter()
-            .filter(|other| other.variable == state.variable)
-            .count();
-        let message = format!(
-            "velocity-verlet is for equations of second order; that for {} is of order {order}",
-            state.variable
-        );
-        return refuse(
-            "not-second-order",
-            message,
-            Some(state.span),
-            "use the method `rk4`",
-        );
-    }
-    Ok(())
-}
-
-/// The initial values are finite.
-pub(crate) fn check_initial(model: &Model, initial: &[f64]) -> Result<(), RunError> {
-    match model
-        .states
-        .iter()
-        .zip(initial)
-        .find(|(_, value)| !value.is_finite())
-    {
-        None => Ok(()),
-        Some((state, _)) => Err(RunError {
-            code: "initial-not-finite",
-            message: format!(
-                "the initial value of {} is not a finite number",
-                state.name()
-            ),
-            time: 0.0,
-            span: Some(state.span),
-            hint: Some("change the parameters it depends on".to_owned()),
-        }),
     }
 }

@@ -4,8 +4,9 @@ use crate::adaptive::Adaptive;
 use crate::equations::Equations;
 use crate::events::Events;
 use crate::fixed::Fixed;
-use crate::places::{self, Places};
-use crate::{Routine, RunError, Setup};
+use crate::places::Places;
+use crate::setup;
+use crate::{Method, Routine, RunError, Setup};
 use model::{Model, NodeId};
 
 /// A model in motion: goes from one point of the grid t_n = n h to the next.
@@ -25,6 +26,8 @@ pub struct Stepper {
     next: Vec<f64>,
     parameters: Vec<f64>,
     initial: Vec<f64>,
+    /// Why it cannot go on, until something is changed.
+    stopped: Option<RunError>,
 }
 
 #[derive(Clone, Debug)]
@@ -32,10 +35,6 @@ enum Solver {
     Fixed(Fixed),
     Adaptive(Box<Adaptive>),
 }
-
-/// Receives each new row: time, state, and whether the state jumped there from the row before.
-trait Record: FnMut(f64, &[f64], bool) {}
-impl<F: FnMut(f64, &[f64], bool)> Record for F {}
 
 impl Stepper {
     /// So many events in one step stop the run.
@@ -48,19 +47,19 @@ impl Stepper {
     /// # Errors
     /// A step or tolerance that is not positive, an initial state that is not finite, a method that cannot treat the model.
     pub fn new(model: &Model, setup: &Setup) -> Result<Self, RunError> {
-        places::check(model, setup)?;
+        setup.check(model)?;
         let initial = match &setup.start {
             Some(start) => start.clone(),
             None => initial_state(model, &setup.parameters),
         };
-        places::check_initial(model, &initial)?;
+        setup::check_initial(model, &initial)?;
         let states = model.states.len();
         let (solver, equations) = match setup.method {
-            crate::Method::Rosenbrock => (
+            Method::Rosenbrock => (
                 Solver::Adaptive(Box::new(Adaptive::new(model, setup))),
                 Equations::with_slopes(model),
             ),
-            crate::Method::DormandPrince => (
+            Method::DormandPrince => (
                 Solver::Adaptive(Box::new(Adaptive::new(model, setup))),
                 Equations::new(model),
             ),
@@ -82,6 +81,7 @@ impl Stepper {
             state: initial.clone(),
             parameters: setup.parameters.clone(),
             initial,
+            stopped: None,
         };
         stepper.prepare();
         stepper.restart();
@@ -122,6 +122,7 @@ impl Stepper {
     /// Changes the parameters from here on; the state stays.
     pub fn set_parameters(&mut self, parameters: Vec<f64>) {
         self.parameters = parameters;
+        self.stopped = None;
         self.prepare();
         self.restart();
     }
@@ -130,10 +131,25 @@ impl Stepper {
     /// jumped there from the row before. The result is the number of events.
     ///
     /// # Errors
-    /// A state that is no longer finite, too many events, a step that has become too small or too many of them.
+    /// A state that is no longer finite, too many events, a step that has become too small or too many of them. The state
+    /// is then the last finite one, and every further try gives the same error until parameters change.
     pub fn advance(
         &mut self,
         mut record: impl FnMut(f64, &[f64], bool),
+    ) -> Result<usize, RunError> {
+        if let Some(error) = &self.stopped {
+            return Err(error.clone());
+        }
+        let result = self.advance_to_grid(&mut record);
+        if let Err(error) = &result {
+            self.stopped = Some(error.clone());
+        }
+        result
+    }
+
+    fn advance_to_grid(
+        &mut self,
+        record: &mut impl FnMut(f64, &[f64], bool),
     ) -> Result<usize, RunError> {
         let target = (self.index + 1) as f64 * self.step;
         let mut fired = 0;
@@ -150,7 +166,7 @@ impl Stepper {
                 }
             };
             match jumped {
-                Some(resolution) => fired += self.jump(resolution, fired, &mut record)?,
+                Some(resolution) => fired += self.jump(resolution, fired, record)?,
                 None if self.time == target => record(self.time, &self.state, false),
                 None => {}
             }
@@ -171,6 +187,7 @@ impl Stepper {
         self.time = time;
         self.state.copy_from_slice(state);
         self.parameters = parameters;
+        self.stopped = None;
         self.index = (time / self.step) as u64;
         while self.index > 0 && self.index as f64 * self.step > time {
             self.index -= 1;
@@ -281,15 +298,18 @@ impl Stepper {
         &mut self,
         resolution: f64,
         fired: usize,
-        record: &mut impl Record,
+        record: &mut impl FnMut(f64, &[f64], bool),
     ) -> Result<usize, RunError> {
-        record(self.time, self.events.before(), false);
+        self.on_grid = false;
+        self.state.copy_from_slice(self.events.before());
+        record(self.time, &self.state, false);
         let mut count = self.events.fire(self.time);
         loop {
-            self.state.copy_from_slice(self.events.after());
-            if !self.state.iter().all(|value| value.is_finite()) {
-                return Err(self.places.not_finite(self.time, &self.state, false));
+            let after = self.events.after();
+            if !after.iter().all(|value| value.is_finite()) {
+                return Err(self.places.not_finite(self.time, after, false));
             }
+            self.state.copy_from_slice(after);
             record(self.time, &self.state, true);
             if fired + count > Self::EVENT_LIMIT {
                 let event = self.events.first_due();
@@ -304,7 +324,6 @@ impl Stepper {
         }
         self.events
             .settle(&mut self.equations, self.time, resolution, self.step);
-        self.on_grid = false;
         self.restart();
         Ok(count)
     }

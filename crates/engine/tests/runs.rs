@@ -337,7 +337,7 @@ fn too_much_work_for_one_row_is_given_up() {
     assert_eq!(error.code, "too-many-steps");
     assert_eq!(
         error.hint.as_deref(),
-        Some("the equations are stiff; the method `rosenbrock` is made for them")
+        Some("if the equations are stiff, the method `rosenbrock` is made for them")
     );
 }
 

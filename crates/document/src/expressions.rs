@@ -2,7 +2,8 @@
 
 use crate::Assignment;
 use model::{
-    Compiled, Diagnostic, Expression, ExpressionKind, Kind, Model, Span, StatedUnit, StatementKind,
+    Compiled, Diagnostic, Expression, ExpressionKind, Kind, Model, Node, Span, StatedUnit,
+    StatementKind,
 };
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -86,19 +87,41 @@ impl<'a> Expressions<'a> {
             let Some(value) = self.expect_constant(value, "the value of a parameter") else {
                 continue;
             };
-            let declared = &self.model.parameters[parameter];
-            if value.dimension() != declared.unit.dimension {
-                let diagnostic = dimension_error(
-                    format!("`{}` cannot have this value", name.text),
-                    (value.span, value.dimension()),
-                    (declared.span, declared.unit.dimension),
-                );
-                self.diagnostics.push(diagnostic);
-                continue;
+            if self.fits(parameter, &value) {
+                result.push(Assignment { parameter, value });
             }
-            result.push(Assignment { parameter, value });
         }
         result
+    }
+
+    /// Whether a parameter can have a value: of its dimension and, as far as that is known before the run, in its range.
+    fn fits(&mut self, parameter: usize, value: &Compiled) -> bool {
+        let parameter = &self.model.parameters[parameter];
+        if value.dimension() != parameter.unit.dimension {
+            let message = format!("`{}` cannot have this value", parameter.name);
+            let found = (value.span, value.dimension());
+            let expected = (parameter.span, parameter.unit.dimension);
+            self.diagnostics
+                .push(dimension_error(message, found, expected));
+            return false;
+        }
+        let (Node::Constant(bits), Some((low, high))) =
+            (self.model.graph.node(value.node), parameter.range)
+        else {
+            return true;
+        };
+        if (low..=high).contains(&f64::from_bits(bits)) {
+            return true;
+        }
+        let unit = &parameter.unit;
+        let range = format!("{}..{} {unit}", unit.from_si(low), unit.from_si(high));
+        let message = format!("`{}` cannot have this value", parameter.name);
+        self.diagnostics.push(
+            Diagnostic::error("out-of-range", message, value.span)
+                .saying(format!("outside {}", range.trim_end()))
+                .with_label(parameter.span, "the range is declared here"),
+        );
+        false
     }
 
     /// Which parameter a name is.

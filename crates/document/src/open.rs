@@ -122,7 +122,7 @@ impl<'a> File<'a> {
             .map(|fence| fence.content.clone())
             .collect();
         if parts.is_empty() {
-            if self.diagnostics.is_empty() {
+            if !model::has_errors(&self.diagnostics) {
                 let start = Span::new(self.matter.end, self.matter.end);
                 self.diagnostics.push(
                     Diagnostic::error("no-model", "the document has no model", start).with_hint(
@@ -259,6 +259,10 @@ impl<'a> File<'a> {
             );
             return;
         };
+        if !settings::is_language(&language.text) {
+            self.diagnostics.push(settings::no_language(&language));
+            return;
+        }
         if document.languages().any(|known| known == language.text) {
             let message = format!("the document exists in `{}` already", language.text);
             self.diagnostics

@@ -27,14 +27,7 @@ pub fn read(matter: &FrontMatter, model: &Model, diagnostics: &mut Vec<Diagnosti
     let language = matter.get("language").filter(|language| {
         let good = is_language(&language.text);
         if !good {
-            diagnostics.push(
-                Diagnostic::error(
-                    "language",
-                    format!("`{}` is not a language", language.text),
-                    language.span,
-                )
-                .with_hint("write its code, such as `en`, `es` or `pt-BR`"),
-            );
+            diagnostics.push(no_language(language));
         }
         good
     });
@@ -54,6 +47,16 @@ pub fn read(matter: &FrontMatter, model: &Model, diagnostics: &mut Vec<Diagnosti
             .get("tolerance")
             .and_then(|value| tolerance(value, diagnostics)),
     }
+}
+
+/// What is said of a language that is none.
+pub fn no_language(language: &Value) -> Diagnostic {
+    Diagnostic::error(
+        "language",
+        format!("`{}` is not a language", language.text),
+        language.span,
+    )
+    .with_hint("write its code, such as `en`, `es` or `pt-BR`")
 }
 
 /// Whether a text can be a language code (BCP 47, roughly).

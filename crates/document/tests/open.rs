@@ -222,3 +222,17 @@ fn sizes_are_bounded() {
         "0: with the scene's own names written out this expression is too large"
     );
 }
+
+#[test]
+fn warnings_do_not_hide_that_the_model_is_missing() {
+    let (_, findings) = open("---\ntitel: x\n---\n", &[]);
+    assert_eq!(
+        findings,
+        [
+            "0: the front matter has no key `titel`",
+            "0: the document has no model"
+        ]
+    );
+    let (_, findings) = open(MODEL, &["---\nlanguage: a b\n---\n"]);
+    assert_eq!(findings, ["1: `a b` is not a language"]);
+}

@@ -131,7 +131,7 @@ pub fn is_idle(attribute: &str) -> bool {
 
 /// Properties that a `<style>` may set.
 pub fn is_property(name: &str) -> bool {
-    const OTHERS: [&str; 3] = ["transition", "rx", "ry"];
+    const OTHERS: [&str; 2] = ["rx", "ry"];
     // Those attributes that are also properties: from `fill` on, without what refers or belongs to dragging.
     let start = ATTRIBUTES
         .iter()
@@ -229,12 +229,13 @@ mod tests {
 
     #[test]
     fn properties_are_of_appearance() {
-        assert!(is_property("fill") && is_property("stroke-width") && is_property("transition"));
+        assert!(is_property("fill") && is_property("stroke-width") && is_property("rx"));
         assert!(
             !is_property("d")
                 && !is_property("clip-path")
                 && !is_property("drag")
                 && !is_property("position")
+                && !is_property("transition")
         );
     }
 }

@@ -82,7 +82,9 @@ impl Session {
     pub fn layout_plot(&mut self, index: usize, settings: &Settings) -> Option<&Figure> {
         self.follow();
         let mut figure = std::mem::take(&mut self.plots.get_mut(index)?.figure);
-        if let Some(plot) = self.figure_plot(index) {
+        if let Some(mut plot) = self.figure_plot(index) {
+            // On the page the title is a heading above the figure.
+            plot.title = "";
             figure::layout_into(&mut figure, &plot, settings);
         }
         let state = self.plots.get_mut(index)?;
@@ -95,12 +97,16 @@ impl Session {
         self.plots.get(index).map(|plot| &plot.figure)
     }
 
+    /// The plot as a figure that stands alone, with its title: what is saved.
+    pub fn titled_figure(&mut self, index: usize, settings: &Settings) -> Option<Figure> {
+        self.follow();
+        Some(figure::layout(&self.figure_plot(index)?, settings))
+    }
+
     /// The plot as a standalone SVG file.
     pub fn plot_svg(&mut self, index: usize, settings: &Settings, palette: &Palette) -> String {
-        self.follow();
-        self.figure_plot(index).map_or_else(String::new, |plot| {
-            figure::layout(&plot, settings).svg(palette)
-        })
+        self.titled_figure(index, settings)
+            .map_or_else(String::new, |figure| figure.svg(palette))
     }
 
     /// What lies at a pixel of the last layout, on the present run and the kept ones. The keyboard's cursor moves there.

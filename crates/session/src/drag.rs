@@ -1,7 +1,7 @@
 //! Dragging a part of the scene: the state follows the pointer; let go, the run begins from there.
 
-use crate::Session;
-use document::{Document, Drag, Piece};
+use crate::{Announcement, Session};
+use document::{Child, Document, Drag, Element, Piece};
 
 /// A part of the scene that is held.
 #[derive(Clone, Debug)]
@@ -14,9 +14,16 @@ pub(crate) struct Hold {
     up: f64,
     /// How far the pointer may move, in scene units: the extent of the scene.
     reach: (f64, f64),
+    /// The values of the scene that shape the drawing, those in attributes.
+    shaping: Vec<usize>,
+    /// Whether the state has been changed.
+    moved: bool,
     /// Whether the run goes on afterwards.
     playing: bool,
 }
+
+/// How finely the place is found at which the drawing stops following: parts of the way, as a power of two.
+const HALVINGS: u32 = 40;
 
 impl Session {
     /// Takes hold of a part of the scene; the run stands still meanwhile.
@@ -38,6 +45,10 @@ impl Session {
         }
         self.rest(drag.state, &mut from);
         let reach = extent(&self.document, &self.language);
+        let mut shaping = Vec::new();
+        if let Some(scene) = self.document.scene(&self.language) {
+            collect_shaping(&scene.root, &mut shaping);
+        }
         let playing = self.playing;
         self.pause();
         self.hold = Some(Hold {
@@ -46,36 +57,38 @@ impl Session {
             right,
             up,
             reach,
+            shaping,
+            moved: false,
             playing,
         });
     }
 
-    /// The pointer is now `right` and `up` scene units from where it took hold (up is positive). It cannot pull the
-    /// state further than the extent of the scene, nor to where the scene has no values.
+    /// The pointer is now `right` and `up` scene units from where it took hold (up is positive). It pulls the state no
+    /// further than the drawing follows: not past the extent of the scene, not to where a value of the drawing is not
+    /// finite, and not on where nothing moves any more because the author limits it (`min(sum, sum/2 + y)`).
     pub fn drag_move(&mut self, right: f64, up: f64) {
-        let Some(hold) = self.hold.clone() else {
+        let Some(mut hold) = self.hold.take() else {
             return;
         };
-        if !(right.is_finite() && up.is_finite()) {
-            return;
+        if right.is_finite() && up.is_finite() {
+            let right = right.clamp(-hold.reach.0, hold.reach.0);
+            let up = up.clamp(-hold.reach.1, hold.reach.1);
+            let way = right * hold.right + up * hold.up;
+            if let Some(state) = self.followed(&hold, way) {
+                self.start_from(state);
+                hold.moved = true;
+            }
         }
-        let right = right.clamp(-hold.reach.0, hold.reach.0);
-        let up = up.clamp(-hold.reach.1, hold.reach.1);
-        let mut state = hold.from;
-        let Some(value) = state.get_mut(hold.state) else {
-            return;
-        };
-        *value += right * hold.right + up * hold.up;
-        if value.is_finite() && self.is_drawable(&state) {
-            self.start_from(state);
-        }
+        self.hold = Some(hold);
     }
 
     /// Lets go: the run goes on from there if it was going on before.
     pub fn drag_end(&mut self) {
-        if let Some(hold) = self.hold.take()
-            && hold.playing
-        {
+        let Some(hold) = self.hold.take() else { return };
+        if let (true, Some(&value)) = (hold.moved, self.course.state().get(hold.state)) {
+            self.announce(Announcement::StateSet(hold.state, value));
+        }
+        if hold.playing {
             self.play();
         }
     }
@@ -96,18 +109,75 @@ impl Session {
         }
     }
 
-    /// Whether every value of the scene that is a number now is a number in this state too.
-    fn is_drawable(&mut self, state: &[f64]) -> bool {
-        let now: Vec<bool> = self
-            .scene_values()
+    /// The state as far along `way` (SI) as the drawing follows; `None` where it cannot be drawn.
+    fn followed(&mut self, hold: &Hold, way: f64) -> Option<Vec<f64>> {
+        let at = |part: f64| {
+            let mut state = hold.from.clone();
+            if let Some(value) = state.get_mut(hold.state) {
+                *value += way * part;
+            }
+            state
+        };
+        let here = self.drawing(hold, &at(0.0));
+        let there = self.drawing(hold, &at(1.0));
+        if !way.is_finite()
+            || here
+                .iter()
+                .zip(&there)
+                .any(|(here, there)| here.is_finite() && !there.is_finite())
+        {
+            return None;
+        }
+        if same(&here, &there) {
+            // What is held does not shape the drawing at all, or is beyond its limits already.
+            return Some(at(1.0));
+        }
+        let (mut follows, mut stands) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = (follows + stands) / 2.0;
+            if same(&self.drawing(hold, &at(middle)), &there) {
+                stands = middle;
+            } else {
+                follows = middle;
+            }
+        }
+        Some(at(stands))
+    }
+
+    /// The values that shape the drawing when a run begins with `state`.
+    fn drawing(&mut self, hold: &Hold, state: &[f64]) -> Vec<f64> {
+        let values = self
+            .evaluators
+            .scene
+            .at(self.course.parameters(), state, 0.0, state);
+        hold.shaping
             .iter()
-            .map(|value| value.is_finite())
-            .collect();
-        let parameters = self.course.parameters().to_vec();
-        let then = self.evaluators.scene.at(&parameters, state, 0.0, state);
-        now.iter()
-            .zip(then)
-            .all(|(now, then)| !now || then.is_finite())
+            .filter_map(|&index| values.get(index).copied())
+            .collect()
+    }
+}
+
+/// Whether two drawings are the same, bit by bit.
+fn same(one: &[f64], other: &[f64]) -> bool {
+    one.iter()
+        .map(|value| value.to_bits())
+        .eq(other.iter().map(|value| value.to_bits()))
+}
+
+/// Collects the values in the attributes of an element and those below it.
+fn collect_shaping(element: &Element, indices: &mut Vec<usize>) {
+    let pieces = element
+        .attributes
+        .iter()
+        .flat_map(|attribute| &attribute.value);
+    indices.extend(pieces.filter_map(|piece| match piece {
+        Piece::Value { index, .. } => Some(*index),
+        Piece::Literal(_) => None,
+    }));
+    for child in &element.children {
+        if let Child::Element(child) = child {
+            collect_shaping(child, indices);
+        }
     }
 }
 

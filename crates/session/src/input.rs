@@ -43,11 +43,14 @@ impl Session {
         self.with_unit(number::plain(unit.from_si(value), DIGITS, self.style), unit)
     }
 
+    /// A number with its unit; a dash alone.
     pub(crate) fn with_unit(&self, number: String, unit: &Unit) -> String {
-        match unit.text.as_str() {
-            "" => number,
-            "deg" => format!("{number}°"),
-            text => format!("{number} {}", number::unit_text(text)),
+        if unit.text.is_empty() || number == number::DASH {
+            return number;
+        }
+        match number::unit_text(&unit.text).as_str() {
+            "°" => format!("{number}°"),
+            text => format!("{number} {text}"),
         }
     }
 }

@@ -3,19 +3,19 @@
 //!
 //! | subject | what it offers |
 //! |---|---|
-//! | opening | [`Session::open`], [`Session::document`], [`Session::model`], [`Session::language`], [`Session::set_language`], [`Session::text`], [`Session::revision`] |
-//! | clock and transport | [`Session::tick`], [`Session::play`], [`Session::pause`], [`Session::toggle`], [`Session::step_forward`], [`Session::step_back`], [`Session::reset`], [`Session::scrub`], [`Session::set_speed`], [`Session::status`], [`Session::time`], [`Session::end`], [`Session::slippage`], [`Session::problem`] |
-//! | parameters | [`Session::parameters`], [`Session::parameter`], [`Session::set_parameter`], [`Session::set_parameter_text`], [`Session::slide`], [`Session::reset_parameter`], [`Session::reset_parameters`] |
+//! | opening | [`Session::open`], [`Session::document`], [`Session::model`], [`Session::language`], [`Session::set_language`], [`Session::style`], [`Session::text`], [`Session::revision`] |
+//! | clock and transport | [`Session::tick`], [`Session::play`], [`Session::pause`], [`Session::toggle`], [`Session::step_forward`], [`Session::step_back`], [`Session::reset`], [`Session::scrub`], [`Session::set_speed`], [`Session::status`], [`Session::time`], [`Session::time_text`], [`Session::time_words`], [`Session::end`], [`Session::is_scrubbed`], [`Session::slippage`], [`Session::problem`] |
+//! | parameters | [`Session::parameters`], [`Session::parameter`], [`Session::parameter_values`], [`Session::set_parameter`], [`Session::set_parameter_text`], [`Session::slide`], [`Session::reset_parameter`], [`Session::reset_parameters`] |
 //! | presets | [`Session::presets`], [`Session::apply_preset`] |
-//! | state | [`Session::states`], [`Session::set_state`], [`Session::set_state_text`], [`Session::drag_begin`], [`Session::drag_move`], [`Session::drag_end`] |
-//! | what is shown | [`Session::readouts`], [`Session::scene_values`], [`Session::scene_text`], [`Session::time_text`], [`Session::pitch`] |
+//! | state | [`Session::states`], [`Session::set_state`], [`Session::set_state_text`], [`Session::is_started_by_hand`], [`Session::drag_begin`], [`Session::drag_move`], [`Session::drag_end`], [`Session::is_dragging`] |
+//! | what is shown | [`Session::readouts`], [`Session::scene_values`], [`Session::scene_text`], [`Session::pitch`] |
 //! | plots | [`Session::plots`], [`Session::show_plot`], [`Session::layout_plot`], [`Session::plot_figure`], [`Session::plot_svg`], [`Session::hover_plot`], [`Session::move_cursor`], [`Session::zoom_plot`], [`Session::pan_plot`], [`Session::zoom_plot_to`], [`Session::reset_plot`] |
 //! | runs | [`Session::keep`], [`Session::kept`], [`Session::show_kept`], [`Session::remove_kept`], [`Session::has_ghost`], [`Session::clear_ghost`] |
-//! | table | [`Session::table_header`], [`Session::table_length`], [`Session::table_rows`], [`Session::csv`] |
-//! | questions | [`Session::check_answer`], [`Session::reveal_answer`], [`Session::question_setup`] |
-//! | method | [`Session::methods`], [`Session::set_method`], [`Session::step_text`], [`Session::set_step_text`] |
+//! | table | [`Session::table_header`], [`Session::table_length`], [`Session::table_rows`], [`Session::table_row_now`], [`Session::csv`] |
+//! | questions | [`Session::check_answer`], [`Session::reveal_answer`], [`Session::question_unit`], [`Session::question_setup`], [`Session::apply_question_setup`] |
+//! | method | [`Session::methods`], [`Session::set_method`], [`Session::step`], [`Session::step_text`], [`Session::set_step`], [`Session::set_step_text`] |
 //! | sharing | [`Session::share`], [`Session::restore`] |
-//! | words | [`Session::take_announcement`], [`Session::announcement_text`], [`Session::refusal_text`], [`number`] |
+//! | words | [`Session::take_announcement`], [`Session::announcement_text`], [`Session::refusal_text`], [`words`], [`speed_text`], [`symbol`], [`number`] |
 //!
 //! A [`Refusal`] is the answer to input that cannot be taken; nothing has changed then. Getters that return texts use
 //! the session's language. No method panics; an index that does not exist is ignored or refused.

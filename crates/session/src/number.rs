@@ -176,8 +176,11 @@ pub fn superscript(number: i32) -> String {
         .collect()
 }
 
-/// A unit's text for people: `kg/m^3` as `kg/m³`, `s^-1` as `s⁻¹`.
+/// A unit's text for people: `kg/m^3` as `kg/m³`, `s^-1` as `s⁻¹`, `deg` as `°`.
 pub fn unit_text(text: &str) -> String {
+    if text == "deg" {
+        return "°".to_owned();
+    }
     let mut out = String::new();
     let mut characters = text.chars().peekable();
     while let Some(character) = characters.next() {
@@ -209,6 +212,9 @@ pub fn unit_text(text: &str) -> String {
 
 /// What people type for a unit as the unit parser reads it: `kg/m³` as `kg/m^3`.
 pub fn unit_source(text: &str) -> String {
+    if text.trim() == "°" {
+        return "deg".to_owned();
+    }
     let mut out = String::new();
     let mut raised = false;
     for character in text.trim().chars() {

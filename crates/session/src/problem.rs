@@ -32,8 +32,8 @@ impl Session {
         };
         Some(Problem {
             code: error.code,
-            message: sentence(&message),
-            hint: sentence(&hint),
+            message: sentence(&message, error.code == "not-finite"),
+            hint: sentence(&hint, false),
             span: error.span,
         })
     }
@@ -117,18 +117,12 @@ impl Session {
     }
 }
 
-/// With a capital letter, unless it begins with a name, and a full stop.
-fn sentence(text: &str) -> String {
-    let word = text.split(' ').next().unwrap_or_default();
-    let is_word = word.chars().count() > 2
-        || matches!(word, "a" | "el" | "la" | "lo" | "no" | "si" | "if" | "is");
+/// With a full stop, and with a capital letter unless it begins with a name.
+fn sentence(text: &str, named: bool) -> String {
     let mut characters = text.chars();
     match characters.next() {
         None => String::new(),
-        Some(first) if is_word && first.is_lowercase() && word.chars().all(char::is_alphabetic) => {
-            let rest = characters.as_str();
-            format!("{}{rest}.", first.to_uppercase())
-        }
-        Some(_) => format!("{text}."),
+        Some(_) if named => format!("{text}."),
+        Some(first) => format!("{}{}.", first.to_uppercase(), characters.as_str()),
     }
 }

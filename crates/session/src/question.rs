@@ -153,7 +153,7 @@ fn grade(given: f64, right: f64, tolerance: Tolerance) -> Grade {
         Grade::Correct
     } else if tolerance.accepts(-given, right) {
         Grade::WrongSign
-    } else if tolerance.accepts(given, right) || wider.accepts(given, right) {
+    } else if wider.accepts(given, right) {
         Grade::Close
     } else if [-6, -3, -2, -1, 1, 2, 3, 6].into_iter().any(scaled) {
         Grade::WrongScale

@@ -243,6 +243,30 @@ fn the_liquid_follows_the_pointer_and_is_let_go() {
 }
 
 #[test]
+fn the_liquid_goes_no_further_than_the_drawing() {
+    let source = support::UTUBE.replace("{100 - 40*y/(1 [m])}", "{100 - 40*min(y, 2 [m])/(1 [m])}");
+    let mut session = support::open(&source, &[]);
+    let drag = handle(&session);
+    session.drag_begin(&drag);
+    session.drag_move(0.0, 250.0);
+    assert!(
+        (state(&session)[0] - 2.0).abs() < 1e-9,
+        "{:?}",
+        state(&session)
+    );
+    session.drag_move(0.0, 20.0);
+    assert!((state(&session)[0] - 1.0).abs() < 1e-12);
+    session.drag_move(0.0, -200.0);
+    assert!(
+        (state(&session)[0] + 4.5).abs() < 1e-12,
+        "downwards nothing limits it"
+    );
+    session.drag_end();
+    let told = std::iter::from_fn(|| session.take_announcement()).last();
+    assert_eq!(told, Some(Announcement::StateSet(0, -4.5)));
+}
+
+#[test]
 fn a_click_on_the_liquid_changes_nothing() {
     let mut session = utube();
     let drag = handle(&session);

@@ -281,7 +281,7 @@ fn answers_are_judged() {
     );
     set(&mut session, "b", 5000.0);
     assert_eq!(session.check_answer(0, "3.76").grade, Grade::Unanswerable);
-    assert_eq!(session.reveal_answer(0), "– s");
+    assert_eq!(session.reveal_answer(0), "–");
     assert_eq!(session.check_answer(9, "1").grade, Grade::Unanswerable);
 }
 

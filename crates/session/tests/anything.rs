@@ -1,6 +1,10 @@
 //! Nothing that can be done, in any order, breaks the session.
 
-#![allow(clippy::panic, reason = "a test that fails says so")]
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a test that fails says so"
+)]
 
 mod support;
 

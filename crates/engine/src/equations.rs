@@ -1,7 +1,7 @@
 //! The right side of the first-order system y' = f(t, y) of a model, with what the methods need to know of it.
 
 use crate::Routine;
-use model::{Model, NodeId, Variable};
+use model::{Model, NodeId};
 
 /// f and, for stiff methods, its derivatives; counts its evaluations.
 #[derive(Clone, Debug)]
@@ -26,28 +26,14 @@ impl Equations {
         }
     }
 
-    /// f with its exact derivatives by the states and by the independent variable.
-    pub fn with_slopes(model: &Model) -> Self {
-        let mut graph = model.graph.clone();
-        let rates = rate_nodes(model);
-        let mut roots = Vec::with_capacity(rates.len() * (rates.len() + 1));
-        for state in 0..rates.len() {
-            roots.extend(model::differentiate_all(
-                &mut graph,
-                &rates,
-                Variable::State(state as u32),
-            ));
-        }
-        roots.extend(model::differentiate_all(
-            &mut graph,
-            &rates,
-            Variable::Independent,
-        ));
+    /// f with its exact derivatives by the states and by the independent variable; `None` if they are too many.
+    pub fn with_slopes(model: &Model) -> Option<Self> {
+        let (graph, roots) = model.slopes()?;
         let slopes = Routine::from_graph(&graph, model.states.len(), &roots);
-        Self {
+        Some(Self {
             slopes: Some(slopes),
             ..Self::new(model)
-        }
+        })
     }
 
     /// Sets parameters and initial values.

@@ -90,7 +90,7 @@ pub(crate) fn measured(mut step: impl FnMut(&mut Equations, f64, f64, &[f64], &m
     let text = "independent t\nq'' = -sin(q) - 0.2*q' + cos(2*t)\nq(0) = 1\nq'(0) = 0.5\n";
     let (model, diagnostics) = model::compile(text, std::slice::from_ref(&(0..text.len())));
     let model = model.unwrap_or_else(|| panic!("{diagnostics:?}"));
-    let mut equations = Equations::with_slopes(&model);
+    let mut equations = Equations::with_slopes(&model).unwrap();
     equations.prepare(&[], &[1.0, 0.5]);
     let mut end = |steps: u32| {
         let size = 4.0 / f64::from(steps);

@@ -57,7 +57,7 @@ impl Stepper {
         let (solver, equations) = match setup.method {
             Method::Rosenbrock => (
                 Solver::Adaptive(Box::new(Adaptive::new(model, setup))),
-                Equations::with_slopes(model),
+                Equations::with_slopes(model).ok_or_else(|| slopes_too_many(model))?,
             ),
             Method::DormandPrince => (
                 Solver::Adaptive(Box::new(Adaptive::new(model, setup))),
@@ -326,6 +326,17 @@ impl Stepper {
             .settle(&mut self.equations, self.time, resolution, self.step);
         self.restart();
         Ok(count)
+    }
+}
+
+/// The stiff method's derivatives would fill the memory.
+fn slopes_too_many(model: &Model) -> RunError {
+    RunError {
+        code: "model-too-large",
+        message: "the model is too large for the stiff method".to_owned(),
+        time: 0.0,
+        span: model.states.first().map(|state| state.span),
+        hint: Some("choose another method".to_owned()),
     }
 }
 

@@ -13,5 +13,7 @@ pub(crate) const STATES: usize = 256;
 pub(crate) const COUPLED: usize = 32;
 /// Nodes of the expression graph.
 pub(crate) const NODES: usize = 50_000;
+/// Nodes of the expression graph with all its derivatives.
+pub(crate) const SLOPES: usize = 500_000;
 /// Terms or factors into which one expression is taken apart to be simplified.
 pub(crate) const TERMS: usize = 64;

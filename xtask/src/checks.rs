@@ -11,14 +11,7 @@ pub fn all() -> Result<()> {
     step("the page", page::build)?;
     // With the page built, the program of the tests has it inside and can export and serve.
     step("unit and integration tests", || {
-        run(&mut cargo(&[
-            "test",
-            "--workspace",
-            "--exclude",
-            "lab",
-            "--exclude",
-            "probe",
-        ]))
+        run(&mut cargo(&["test", "--workspace", "--exclude", "lab"]))
     })?;
     step("golden runs in WebAssembly", golden::compare)?;
     step("the page in a browser", browser)

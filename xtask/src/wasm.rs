@@ -9,8 +9,6 @@ use wasm_bindgen_cli_support::Bindgen;
 /// What the JavaScript is for.
 #[derive(Clone, Copy, Debug)]
 pub enum Host {
-    /// A browser; the module is passed in (`--target web`).
-    Browser,
     /// Node, as CommonJS.
     Node,
     /// A classic script inside a page: an inline script cannot import, and from `file://` nothing can be fetched.
@@ -40,7 +38,6 @@ pub fn bind(module: &Path, host: Host, directory: &Path) -> Result<()> {
     let mut bindgen = Bindgen::new();
     bindgen.input_path(module).typescript(false);
     match host {
-        Host::Browser => bindgen.web(true),
         Host::Node => bindgen.nodejs(true),
         Host::Page => bindgen.no_modules(true).map(|bindgen| {
             bindgen

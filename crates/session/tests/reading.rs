@@ -9,6 +9,8 @@
 
 mod support;
 
+use session::engine::table::{Format, Table};
+use session::engine::{Run, Setup};
 use session::figure::{Direction, Item, Palette, Point, Settings};
 use session::{Grade, Session};
 use support::{open, play, readout, set, utube};
@@ -116,6 +118,37 @@ fn the_table_has_every_row_and_its_file_reads_back() {
     session.set_language("es");
     assert_eq!(session.table_rows(1..2)[0][0], "0,05");
     assert_eq!(session.csv(), csv, "files are the same in every language");
+}
+
+#[test]
+fn the_file_is_that_of_a_run_without_a_session() {
+    let mut session = utube();
+    set(&mut session, "b", 200.0);
+    play(&mut session, [0.3, 0.017, 1.0, 0.7]);
+    session.scrub(0.42);
+    play(&mut session, [1.58]);
+    session.scrub(2.0);
+
+    let model = session.model();
+    let mut setup = Setup::defaults(model);
+    setup
+        .parameters
+        .clone_from_slice(session.parameter_values());
+    let mut run = Run::start(model, setup).unwrap();
+    for _ in 0..40 {
+        run.advance().unwrap();
+    }
+    let mut table = Table::new(model);
+    let mut expected = String::new();
+    table.write_head(Format::Csv, &mut expected).unwrap();
+    for row in 0..=40 {
+        let first = row == 0;
+        table
+            .write_row(Format::Csv, run.history(), row, first, &mut expected)
+            .unwrap();
+    }
+    table.write_end(Format::Csv, &mut expected).unwrap();
+    assert_eq!(session.csv(), expected);
 }
 
 /// The points of all lines of a figure.

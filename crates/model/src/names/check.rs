@@ -85,7 +85,11 @@ impl<'a> NameCheck<'a> {
         let mut diagnostic = Diagnostic::error("unknown-function", message, name.span);
         if self.scope.meaning(text).is_some() {
             diagnostic.message = format!("`{text}` is not a function");
-            if let [argument] = arguments {
+            if let [Expression { kind: ExpressionKind::Name { name, order: 0 }, .. }] = arguments
+                && let Some(Meaning::Independent) = self.scope.meaning(name)
+            {
+                diagnostic = diagnostic.with_hint(format!("`{text}` alone is its value at `{name}`"));
+            } else if let [argument] = arguments {
                 diagnostic = diagnostic.with_hint(format!("for a product write `{text}*({})`", quote(argument)));
             }
         } else if let Some(near) = Scope::near_function(text) {
@@ -129,6 +133,9 @@ fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagn
     if let Some(factors) = as_product(scope, name) {
         return diagnostic.with_hint(format!("for a product write `{factors}`"));
     }
+    if let Some(hint) = as_differential(scope, name).filter(|_| order == 0) {
+        return diagnostic.with_hint(hint);
+    }
     if let Some(near) = scope.near(name) {
         return diagnostic.with_hint(format!("did you mean `{near}`?"));
     }
@@ -143,6 +150,18 @@ fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagn
         "t" => diagnostic.with_hint(format!("the independent variable is `{}`", scope.independent)),
         "e" => diagnostic.with_hint("for a power of 2.718... write `exp(x)`"),
         _ => diagnostic.with_hint(format!("declare it: `parameter {name} = 1 [unit]` or `{name} = ...`")),
+    }
+}
+
+/// What to write instead of the parts of `dy/dt`.
+fn as_differential(scope: &Scope, name: &str) -> Option<String> {
+    let variable = name.strip_prefix('d')?;
+    match scope.meaning(variable)? {
+        Meaning::Independent => Some("derivatives are written with primes: `y'`, `y''`".to_owned()),
+        Meaning::Variable(_) | Meaning::Definition(_) => {
+            Some(format!("the derivative of `{variable}` is written `{variable}'`"))
+        }
+        Meaning::Parameter(_) | Meaning::Pi => None,
     }
 }
 

@@ -5,9 +5,13 @@ use crate::steps;
 use crate::wasm::{self, Host};
 use anyhow::{Context, Result, bail};
 use base64::Engine as _;
+use document::page::{Options, Source};
 use flate2::{Compression, write::GzEncoder};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
+
+/// The document that the laboratory opens with, and its translations.
+const DOCUMENTS: [&str; 2] = ["utube.md", "utube.es.md"];
 
 /// Builds the page and returns where it is.
 pub fn build() -> Result<PathBuf> {
@@ -65,7 +69,20 @@ fn assemble(glue: &str, module: &[u8]) -> Result<String> {
         }
         page = page.replace(marker, &text);
     }
-    Ok(page)
+    let documents = DOCUMENTS.iter().map(|name| {
+        let text = read(&steps::root().join("simulations").join(name))?;
+        Ok(Source {
+            name: (*name).to_owned(),
+            text,
+        })
+    });
+    let documents = documents.collect::<Result<Vec<Source>>>()?;
+    document::page::embed(&page, &documents, &Options::default()).with_context(|| {
+        format!(
+            "crates/lab/page/index.html must contain {}",
+            document::page::MARKER
+        )
+    })
 }
 
 fn read(path: &Path) -> Result<String> {

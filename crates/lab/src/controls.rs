@@ -16,7 +16,6 @@ pub fn view(app: App) -> impl IntoView {
     view! {
         <section class="controls card" id="controls" aria-labelledby="controls-title">
             <h2 id="controls-title" class="visually-hidden">{words.controls}</h2>
-            {presets(app)}
             <div class="block">
                 <div class="block-head">
                     <h3>{words.parameters}</h3>
@@ -24,6 +23,7 @@ pub fn view(app: App) -> impl IntoView {
                 </div>
                 {parameters::view(app)}
             </div>
+            {presets(app)}
             {states(app)}
             {numerics(app)}
         </section>

@@ -62,7 +62,7 @@ pub fn attach(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
     ] {
         let _ = handle.node.set_attribute(name, value);
     }
-    let _ = handle.node.class_list().add_1("handle");
+    let _ = handle.node.set_attribute("part", "handle");
     pointer(app, handle, root);
     keyboard(app, handle, root);
 }
@@ -80,7 +80,7 @@ fn pointer(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
         event.prevent_default();
         let _ = node.set_pointer_capture(event.pointer_id());
         let _ = node.focus();
-        let _ = node.class_list().add_1("held");
+        let _ = node.set_attribute("part", "handle held");
         grip.set(Some((event.pointer_id(), event.client_x().into(), event.client_y().into())));
         app.act(|session| session.drag_begin(&drag));
     });
@@ -102,7 +102,7 @@ fn pointer(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
             let Ok(event) = event.dyn_into::<PointerEvent>() else { return };
             if grip.get().is_some_and(|(id, ..)| id == event.pointer_id()) {
                 grip.set(None);
-                let _ = node.class_list().remove_1("held");
+                let _ = node.set_attribute("part", "handle");
                 app.act(Session::drag_end);
             }
         });

@@ -63,31 +63,51 @@ fn turn(app: App, count: usize, event: &KeyboardEvent) {
     browser::focus(&format!("tab-{next}"));
 }
 
-/// The prose: a tab for each section of the highest rank, with what stands below it.
+/// The prose. What is read stands together in one tab, each section that asks questions in one of its own.
 fn prose(app: App) -> Vec<Tab> {
     let language = app.language.get_untracked().tag();
     let sections: Vec<Section> = app.read(|session| session.document().sections(language).to_vec());
     let top = sections.iter().map(|section| section.level).filter(|&level| level > 0).min().unwrap_or(1);
-    let mut tabs: Vec<(String, Vec<Section>)> = Vec::new();
+    let mut chapters: Vec<Vec<Section>> = Vec::new();
     for section in sections {
-        if section.level == top {
-            tabs.push((section.title.clone(), Vec::new()));
-        } else if tabs.is_empty() {
-            if section.blocks.is_empty() {
-                continue;
-            }
-            tabs.push((app.words().introduction.to_owned(), Vec::new()));
+        match chapters.last_mut() {
+            Some(chapter) if section.level > top => chapter.push(section),
+            _ if section.level == 0 && section.blocks.is_empty() => {}
+            _ => chapters.push(vec![section]),
         }
-        if let Some((_, members)) = tabs.last_mut() {
-            members.push(section);
+    }
+    let mut tabs: Vec<(String, bool, Vec<Section>)> = Vec::new();
+    for chapter in chapters {
+        let asks = chapter.iter().flat_map(|section| &section.blocks).any(|block| matches!(block, Block::Question(_)));
+        match tabs.last_mut() {
+            Some((_, false, members)) if !asks => members.extend(chapter),
+            _ => {
+                let title = chapter.first().map(|section| section.title.clone()).filter(|title| asks && !title.is_empty());
+                tabs.push((title.unwrap_or_else(|| app.words().introduction.to_owned()), asks, chapter));
+            }
         }
     }
     tabs.into_iter()
-        .map(|(title, members)| {
+        .map(|(title, _, members)| {
+            let contents = contents(app, &members, top);
             let parts = members.into_iter().map(|section| self::section(app, section, top)).collect_view();
-            Tab { title, content: view! { <div class="prose" lang=language>{parts}</div> }.into_any() }
+            let content = view! { <div class="reading">{contents}<div class="prose" lang=language>{parts}</div></div> };
+            Tab { title, content: content.into_any() }
         })
         .collect()
+}
+
+/// The way to the sections of a long text.
+fn contents(app: App, sections: &[Section], top: u8) -> AnyView {
+    let listed: Vec<&Section> = sections.iter().filter(|section| section.level == top && !section.title.is_empty()).collect();
+    if listed.len() < 3 {
+        return ().into_any();
+    }
+    let links = listed
+        .into_iter()
+        .map(|section| view! { <li><a href=format!("#{}", section.id)>{section.title.clone()}</a></li> })
+        .collect_view();
+    view! { <nav class="contents" aria-label=app.words().contents><ol>{links}</ol></nav> }.into_any()
 }
 
 fn section(app: App, section: Section, top: u8) -> impl IntoView {

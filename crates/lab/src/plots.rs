@@ -208,6 +208,7 @@ pub fn view(app: App) -> impl IntoView {
             </div>
             {runs::list(app)}
             <div class="figures">{figures}</div>
+            <p id="plot-keys" hidden>{words.plot_keys}</p>
             <p class="empty" hidden=move || (0..count).any(shown)>{words.no_plots}</p>
         </section>
     }
@@ -287,14 +288,9 @@ fn save_png(app: App, index: usize) {
     canvas.set_height((settings.height * SAVED_SCALE) as u32);
     let context: Option<CanvasRenderingContext2d> = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok());
     let Some(context) = context else { return };
-    app.read(|session| {
-        if let Some(figure) = session.layout_plot(index, &settings) {
-            canvas::paint(&context, figure, &Colours::default(), SAVED_SCALE);
-        }
-    });
-    // The layout belongs to the canvas on the page again.
-    with_plot(app, index, |_| ());
-    frame::wake(app);
+    if let Some(figure) = app.read(|session| session.titled_figure(index, &settings)) {
+        canvas::paint(&context, &figure, &Colours::default(), SAVED_SCALE);
+    }
     let url = canvas.to_data_url_with_type("image/png").unwrap_or_default();
     browser::save_url(&file_name(app, index, "png"), &url);
 }

@@ -7,7 +7,7 @@ use document::{Child, Element, Piece, Scene, Template};
 use leptos::prelude::document as page;
 use session::Session;
 use wasm_bindgen::JsCast;
-use web_sys::{SvgElement, SvgGraphicsElement, Text};
+use web_sys::{ShadowRootInit, ShadowRootMode, SvgElement, SvgGraphicsElement, Text};
 
 const SVG: &str = "http://www.w3.org/2000/svg";
 
@@ -42,7 +42,10 @@ impl SceneNodes {
         let root = nodes.element(&scene.root)?;
         let _ = root.set_attribute("role", "group");
         let _ = root.set_attribute("aria-label", label);
-        place.replace_children_with_node_1(&root);
+        let _ = root.set_attribute("part", "drawing");
+        // A tree of its own: the document's styles stay in it, and the page's class names mean nothing there.
+        let shadow = place.attach_shadow(&ShadowRootInit::new(ShadowRootMode::Open)).ok()?;
+        let _ = shadow.append_child(&root);
         let root: SvgGraphicsElement = root.dyn_into().ok()?;
         for handle in &mut nodes.handles {
             drag::attach(app, handle, &root);

@@ -67,18 +67,15 @@ impl Theme {
 
 /// A palette as the canvas wants it: colours as texts, made once and not in every frame.
 pub struct Colours {
-    /// The palette.
-    pub palette: &'static Palette,
     plain: [String; 6],
     series: [String; SERIES_COLOURS],
     ghosts: [String; SERIES_COLOURS],
 }
 
 impl Colours {
-    fn new(palette: &'static Palette) -> Self {
+    fn new(palette: &Palette) -> Self {
         let text = |ink| palette.colour(ink).to_string();
         Self {
-            palette,
             plain: [Ink::Ground, Ink::Text, Ink::Grid, Ink::Zero, Ink::Axis, Ink::Marker].map(text),
             series: std::array::from_fn(|number| text(Ink::Series(number as u8))),
             ghosts: std::array::from_fn(|number| text(Ink::Ghost(number as u8))),

@@ -61,7 +61,6 @@ words! {
     skip: "Skip to the apparatus", "Ir al aparato";
     jump: "On this page", "En esta página";
     language: "Language", "Idioma";
-    theme: "Colours", "Colores";
     theme_system: "Colours: as the system", "Colores: como el sistema";
     theme_light: "Colours: light", "Colores: claros";
     theme_dark: "Colours: dark", "Colores: oscuros";
@@ -78,7 +77,7 @@ words! {
     apparatus: "Apparatus", "Aparato";
     scene: "Scene", "Escena";
     no_scene: "This document draws no scene.", "Este documento no dibuja ninguna escena.";
-    drag_hint: "Drag the highlighted part, or focus it and use the arrow keys.", "Arrastra la parte resaltada, o enfócala y usa las flechas.";
+    drag_hint: "Drag in the scene, or use the arrow keys.", "Arrastra en la escena, o usa las flechas.";
     drag_role: "handle", "asa";
 
     // Transport.
@@ -97,7 +96,6 @@ words! {
     full: "The recording is full. Reset, or scrub back and continue from there.", "El registro está lleno. Reinicia, o retrocede y continúa desde ahí.";
 
     // Keys.
-    keys: "Keyboard", "Teclado";
     keys_title: "Keyboard shortcuts", "Atajos de teclado";
     keys_switch: "Single-key shortcuts", "Atajos de una sola tecla";
     keys_where: "They act while the focus is in the apparatus or nowhere, never while you type.", "Actúan cuando el foco está en el aparato o en ninguna parte, nunca mientras escribes.";
@@ -122,7 +120,6 @@ words! {
     parameters: "Parameters", "Parámetros";
     presets: "Presets", "Ajustes";
     reset_parameters: "Reset parameters", "Restablecer parámetros";
-    default_value: "default", "por defecto";
     restarts: "Changing it starts the run anew", "Al cambiarlo, la serie comienza de nuevo";
     state: "State", "Estado";
     state_hint: "Pause to edit; the run then begins from there.", "Pausa para editar; la serie parte entonces de ahí.";
@@ -144,22 +141,20 @@ words! {
     zoom_in: "Zoom in", "Acercar";
     zoom_out: "Zoom out", "Alejar";
     fit: "Show all", "Mostrar todo";
-    more: "More", "Más";
     save_svg: "Download SVG", "Descargar SVG";
     save_png: "Download PNG", "Descargar PNG";
-    against: "against", "frente a";
 
     // Runs.
     runs: "Kept runs", "Series guardadas";
     keep: "Keep run", "Guardar serie";
     keep_title: "Keep this run and draw the next one over it", "Guardar esta serie y dibujar la siguiente encima";
-    show_run: "Show", "Mostrar";
     remove_run: "Remove", "Quitar";
     ghost: "Earlier run", "Serie anterior";
 
     // The notebook.
     notebook: "Notebook", "Cuaderno";
     introduction: "Introduction", "Introducción";
+    contents: "Contents", "Contenido";
     equations: "Model", "Modelo";
     equations_intro: "The equations as the document states them; the program solves exactly these.", "Las ecuaciones tal como las enuncia el documento; el programa resuelve exactamente estas.";
     data: "Data", "Datos";

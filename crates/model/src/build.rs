@@ -40,7 +40,9 @@ impl Graph {
         match (function, self.node(x)) {
             (Unary::Negate, Node::Unary(Unary::Negate, inner)) => inner,
             (Unary::Negate, Node::Binary(Binary::Subtract, a, b)) => self.insert(Node::Binary(Binary::Subtract, b, a)),
-            (Unary::Absolute | Unary::Cos | Unary::Cosh, Node::Unary(Unary::Negate, inner)) => self.unary(function, inner),
+            (Unary::Absolute | Unary::Cos | Unary::Cosh, Node::Unary(Unary::Negate, inner)) => {
+                self.unary(function, inner)
+            }
             (Unary::Absolute, Node::Unary(Unary::Absolute | Unary::SquareRoot, _)) => x,
             _ => self.insert(Node::Unary(function, x)),
         }

@@ -63,9 +63,7 @@ pub(crate) fn along(graph: &mut Graph, nodes: &[NodeId], mut rate: impl FnMut(No
         let derivative = match graph.node(id) {
             Node::Constant(_) => None,
             input @ (Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_)) => rate(input),
-            Node::Unary(function, x) => {
-                rates.get(&x).copied().and_then(|dx| of_unary(graph, function, id, x, dx))
-            }
+            Node::Unary(function, x) => rates.get(&x).copied().and_then(|dx| of_unary(graph, function, id, x, dx)),
             Node::Binary(function, a, b) => {
                 let (da, db) = (rates.get(&a).copied(), rates.get(&b).copied());
                 of_binary(graph, function, id, (a, b), (da, db))
@@ -264,8 +262,7 @@ fn of_system(graph: &mut Graph, system: u32, rates: &HashMap<NodeId, NodeId>) ->
         return None;
     }
     let size = right.len();
-    let solution: Vec<NodeId> =
-        (0..size).map(|row| graph.insert(Node::Solution { system, row: row as u32 })).collect();
+    let solution: Vec<NodeId> = (0..size).map(|row| graph.insert(Node::Solution { system, row: row as u32 })).collect();
     let mut new_right = Vec::with_capacity(size);
     for (row, entry) in right.iter().enumerate() {
         let mut value = rates.get(entry).copied().unwrap_or_else(|| graph.constant(0.0));

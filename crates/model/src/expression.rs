@@ -3,7 +3,9 @@
 use crate::dimensions::{Form, Inference, Solver, Type, Types};
 use crate::lowering::{Chain, Lowering, TooManyNodes, too_many_nodes};
 use crate::names::{Meaning, NameCheck, Scope, for_each};
-use crate::{Compiled, Diagnostic, Expression, ExpressionKind, Kind, Model, Node, NodeId, Span, StatedUnit, has_errors};
+use crate::{
+    Compiled, Diagnostic, Expression, ExpressionKind, Kind, Model, Node, NodeId, Span, StatedUnit, has_errors,
+};
 use units::Unit;
 
 /// What a node is computed from. The numbers are sorted.
@@ -59,7 +61,8 @@ impl Model {
         }
         if let Type::Number(form) = &found {
             // What nothing decides, such as a literal 0, takes the stated unit or is a pure number.
-            found = Type::Number(inference.solver.resolve(form).map_or_else(|_| Form::pure(), |form| form.known.into()));
+            found =
+                Type::Number(inference.solver.resolve(form).map_or_else(|_| Form::pure(), |form| form.known.into()));
         }
         diagnostics.append(&mut inference.diagnostics);
         if has_errors(&diagnostics) {
@@ -68,12 +71,13 @@ impl Model {
         let chains: Vec<Chain> = variables.iter().map(|(_, chain)| *chain).collect();
         let mut lowering = Lowering::new(&mut self.graph, &mut self.texts, &scope, &chains);
         lowering.definitions = self.quantities.iter().map(|quantity| Some(quantity.value.node)).collect();
-        let node =
-            lowering.expression(expression).map_err(|TooManyNodes| vec![too_many_nodes(expression.span)])?;
+        let node = lowering.expression(expression).map_err(|TooManyNodes| vec![too_many_nodes(expression.span)])?;
         let unit = unit
             .map(|stated| stated.unit.clone())
             .or_else(|| match &expression.kind {
-                ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } => self.lookup(name, *order).map(|named| named.unit),
+                ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } => {
+                    self.lookup(name, *order).map(|named| named.unit)
+                }
                 _ => None,
             })
             .unwrap_or_else(|| Unit::si(found.dimension()));

@@ -15,5 +15,11 @@ pub(crate) const COUPLED: usize = 32;
 pub(crate) const NODES: usize = 50_000;
 /// Nodes of the expression graph with all its derivatives.
 pub(crate) const SLOPES: usize = 500_000;
+/// Coefficients of highest derivatives in all expressions that contain such.
+pub(crate) const COEFFICIENTS: usize = 1_000_000;
+/// Errors of one kind that are told; an author reads no more of them.
+pub(crate) const TOLD: usize = 50;
+/// Further places that one diagnostic shows.
+pub(crate) const PLACES: usize = 3;
 /// Terms or factors into which one expression is taken apart to be simplified.
 pub(crate) const TERMS: usize = 64;

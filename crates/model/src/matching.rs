@@ -117,7 +117,8 @@ mod tests {
 
     #[test]
     fn a_long_chain_does_not_exhaust_the_stack() {
-        let needs: Vec<Vec<usize>> = (0..100_000).map(|index| if index == 0 { vec![] } else { vec![index - 1] }).collect();
+        let needs: Vec<Vec<usize>> =
+            (0..100_000).map(|index| if index == 0 { vec![] } else { vec![index - 1] }).collect();
         assert_eq!(blocks(&needs).len(), 100_000);
     }
 }

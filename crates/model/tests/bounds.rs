@@ -41,7 +41,8 @@ fn many_primes_of_a_deep_expression_stay_bounded() {
 
 #[test]
 fn primes_of_primes_are_refused() {
-    let source = "independent t\na0 = exp(t^2)*sin(t)\n".to_owned() + &lines(60, |n| format!("a{} = a{n}'*cos(t)", n + 1));
+    let source =
+        "independent t\na0 = exp(t^2)*sin(t)\n".to_owned() + &lines(60, |n| format!("a{} = a{n}'*cos(t)", n + 1));
     let (model, text) = on_a_small_stack(source);
     assert!(model.is_none());
     assert!(text.starts_with("error [model-too-large]"), "{text}");
@@ -53,6 +54,52 @@ fn long_sums_are_fine() {
     let source = format!("independent t\ny' = -({sum})\ny(0) = 1\n");
     let (model, text) = on_a_small_stack(source);
     assert!(model.is_some(), "{text}");
+}
+
+#[test]
+fn long_products_are_fine() {
+    let product = vec!["(1 + y)"; 380].join("*");
+    let power = vec!["y"; 60].join("^");
+    let condition = vec!["y < 1"; 380].join(" and ");
+    let (model, text) =
+        on_a_small_stack(format!("independent t\ny' = {product}\ny(0) = 1\na = {power}\nb = {condition}\n"));
+    assert!(model.is_some(), "{text}");
+}
+
+#[test]
+fn what_is_wrong_very_often_is_not_told_very_often() {
+    let statements = lines(1000, |n| format!("a{n} = L + {}", vec!["sin(L)"; 20].join(" + ")));
+    let (_, text) = on_a_small_stack(format!("parameter L = 1 [m]\n{statements}"));
+    let told = text.matches("error [").count();
+    assert!((50..100).contains(&told), "{told}");
+    let names = (0..20_000).map(|n| format!("q{n}")).collect::<Vec<_>>();
+    let sums = names.chunks(100).map(|names| names.join(" + ")).collect::<Vec<_>>();
+    let (_, text) = on_a_small_stack(lines(200, |n| format!("a{n} = {}", sums[n])));
+    assert_eq!(text.matches("error [").count(), 50);
+}
+
+#[test]
+fn equations_that_say_all_the_same_are_told_shortly() {
+    let source = "independent t\n".to_owned() + &lines(1000, |n| format!("x' = {n}"));
+    let (_, text) = on_a_small_stack(source);
+    assert!(text.len() < 1_000_000, "{}", text.len());
+}
+
+#[test]
+fn a_long_sum_of_all_unknowns_is_refused() {
+    let unknowns = (0..250).map(|n| format!("x{n}'")).collect::<Vec<_>>();
+    let mut source = "independent t\n".to_owned();
+    for (number, chunk) in unknowns.chunks(125).enumerate() {
+        writeln!(source, "s{number} = {}", chunk.join(" + ")).unwrap();
+    }
+    let sums = lines(200, |n| {
+        format!("r{} = {}{}", n + 1, if n == 0 { "s0 + s1".to_owned() } else { format!("r{n}") }, " + t".repeat(300))
+    });
+    source += &sums;
+    source += &lines(250, |n| format!("x{n}' = {}\nx{n}(0) = 0", if n == 0 { "r200" } else { "t" }));
+    let (model, text) = on_a_small_stack(source);
+    assert!(model.is_none());
+    assert!(text.starts_with("error [model-too-large]"), "{text}");
 }
 
 #[test]
@@ -81,9 +128,7 @@ fn a_chain_of_oscillators_is_solved_one_by_one() {
 
 #[test]
 fn too_many_equations_in_one_system() {
-    let coupled = |count: usize| {
-        lines(count, |n| format!("2*x{n}' + x{}' = -x{n}\nx{n}(0) = 1", (n + 1) % count))
-    };
+    let coupled = |count: usize| lines(count, |n| format!("2*x{n}' + x{}' = -x{n}\nx{n}(0) = 1", (n + 1) % count));
     let (model, _) = on_a_small_stack("independent t\n".to_owned() + &coupled(32));
     let model = model.unwrap();
     assert!(matches!(model.graph.node(model.states[0].derivative), Node::Solution { .. }));

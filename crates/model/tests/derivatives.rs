@@ -54,7 +54,10 @@ fn of_every_function() {
             let derivative = differentiate(&mut model.graph, f, variable);
             let found = at.value(&model.graph, derivative);
             let expected = difference(&model, &at, f, variable);
-            assert!((found - expected).abs() < 1e-8 * expected.abs().max(1.0), "{expression} by {variable:?}: {found}, {expected}");
+            assert!(
+                (found - expected).abs() < 1e-8 * expected.abs().max(1.0),
+                "{expression} by {variable:?}: {found}, {expected}"
+            );
         }
     }
 }

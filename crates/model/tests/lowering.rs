@@ -48,8 +48,12 @@ fn the_u_tube_is_its_equation_of_motion() {
 #[test]
 fn parameters_behind_initial_values_restart_the_run() {
     let model = compile(UTUBE);
-    let restarts: Vec<&str> =
-        model.parameters.iter().filter(|parameter| parameter.restarts).map(|parameter| parameter.name.as_str()).collect();
+    let restarts: Vec<&str> = model
+        .parameters
+        .iter()
+        .filter(|parameter| parameter.restarts)
+        .map(|parameter| parameter.name.as_str())
+        .collect();
     assert_eq!(restarts, ["h_l", "h_r", "v_0"]);
     let varies: Vec<&str> =
         model.quantities.iter().filter(|quantity| quantity.varies).map(|quantity| quantity.name.as_str()).collect();
@@ -75,9 +79,8 @@ fn double_pendulum([m1, m2, l1, l2, g]: [f64; 5], [a, wa, b, wb]: [f64; 4]) -> [
     let first = -g * (2.0 * m1 + m2) * sin(a)
         - m2 * g * sin(a - 2.0 * b)
         - 2.0 * sin(a - b) * m2 * (wb * wb * l2 + wa * wa * l1 * cos(a - b));
-    let second = 2.0
-        * sin(a - b)
-        * (wa * wa * l1 * (m1 + m2) + g * (m1 + m2) * cos(a) + wb * wb * l2 * m2 * cos(a - b));
+    let second =
+        2.0 * sin(a - b) * (wa * wa * l1 * (m1 + m2) + g * (m1 + m2) * cos(a) + wb * wb * l2 * m2 * cos(a - b));
     [first / (l1 * d), second / (l2 * d)]
 }
 

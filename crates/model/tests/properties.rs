@@ -26,17 +26,16 @@ const STATEMENTS: &[&str] = &[
 
 /// What expressions are made of.
 const LEAVES: &[&str] = &[
-    "x", "x'", "x''", "y", "y'", "y''", "k", "m", "t", "1", "0", "2.5", "pi", "a", "b", "a'", "x(0)", "a(0)", "g", "1 [m]",
-    "\"text\"",
+    "x", "x'", "x''", "y", "y'", "y''", "k", "m", "t", "1", "0", "2.5", "pi", "a", "b", "a'", "x(0)", "a(0)", "g",
+    "1 [m]", "\"text\"",
 ];
 
 fn expression() -> impl Strategy<Value = String> {
     let leaf = prop::sample::select(LEAVES).prop_map(str::to_owned);
     leaf.prop_recursive(4, 24, 3, |inner| {
         let operator = prop::sample::select(&["+", "-", "*", "/", "^", " < ", " and "][..]);
-        let function = prop::sample::select(
-            &["sin", "cos", "exp", "ln", "sqrt", "abs", "tanh", "sign", "floor", "-", "not "][..],
-        );
+        let function =
+            prop::sample::select(&["sin", "cos", "exp", "ln", "sqrt", "abs", "tanh", "sign", "floor", "-", "not "][..]);
         prop_oneof![
             4 => (inner.clone(), operator, inner.clone()).prop_map(|(a, operator, b)| format!("({a}{operator}{b})")),
             2 => (function, inner.clone()).prop_map(|(function, x)| format!("{function}({x})")),

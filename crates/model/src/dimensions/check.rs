@@ -63,7 +63,8 @@ impl Inference<'_> {
                 if self.solver.unify(&own, &needed, stated.span) == Err(Conflict::Different) {
                     let written = primed(unknown.name, entry.order);
                     let message = format!("the stated unit does not fit: `{written}` is {}", self.what(&own));
-                    let mut diagnostic = Diagnostic::error("dimension-mismatch", message, stated.span).saying(self.what(&needed));
+                    let mut diagnostic =
+                        Diagnostic::error("dimension-mismatch", message, stated.span).saying(self.what(&needed));
                     if let Some(origin) = self.solver.origin(&self.types.unknowns[index]) {
                         diagnostic = diagnostic.with_label(origin, "this decides it");
                     }
@@ -205,7 +206,10 @@ impl Inference<'_> {
             }
             let name = unknown.name;
             if warn && !has_errors(&self.diagnostics) {
-                let message = format!("nothing decides the dimension of `{name}`; it is taken to be {}", with_article(Dimension::NONE));
+                let message = format!(
+                    "nothing decides the dimension of `{name}`; it is taken to be {}",
+                    with_article(Dimension::NONE)
+                );
                 self.diagnostics.push(
                     Diagnostic::warning("undetermined-dimension", message, unknown.span)
                         .with_hint(format!("state it with the initial value: `{name}(0) = 0 in [m]`")),

@@ -41,7 +41,9 @@ pub(crate) fn table(rows: &[Row], name_of: impl Fn(usize) -> String) -> String {
     let cells: Vec<Vec<(String, Exponent)>> = rows.iter().map(|row| cells(&row.form, &name_of)).collect();
     let mut columns: Vec<String> = Vec::new();
     // Base units come in one order for every dimension, so the columns of all rows can be merged in that order.
-    for symbol in BASE.iter().map(|&symbol| symbol.to_owned()).chain(cells.iter().flatten().map(|(symbol, _)| symbol.clone())) {
+    for symbol in
+        BASE.iter().map(|&symbol| symbol.to_owned()).chain(cells.iter().flatten().map(|(symbol, _)| symbol.clone()))
+    {
         if !columns.contains(&symbol) && cells.iter().flatten().any(|(other, _)| *other == symbol) {
             columns.push(symbol);
         }

@@ -146,37 +146,77 @@ impl Inference<'_> {
         };
         let message = format!("{user} must be true or false, but `{}` is {found}", quote(expression));
         self.diagnostics.push(
-            Diagnostic::error("type-mismatch", message, expression.span).with_hint("compare it with something: `<`, `==`"),
+            Diagnostic::error("type-mismatch", message, expression.span)
+                .with_hint("compare it with something: `<`, `==`"),
         );
     }
 
     fn binary(&mut self, operator: BinaryOperator, left: &Expression, right: &Expression, span: Span) -> Type {
         match operator {
-            BinaryOperator::Multiply | BinaryOperator::Divide => {
-                let forms = (self.number(left, "an arithmetic operation"), self.number(right, "an arithmetic operation"));
-                let (Some(left), Some(right)) = forms else { return Type::Unknown };
-                let result = if operator == BinaryOperator::Multiply { left.times(&right) } else { left.per(&right) };
-                result.map_or_else(|_| self.too_large(span), Type::Number)
-            }
             BinaryOperator::Power => self.power(left, right, span),
-            BinaryOperator::And | BinaryOperator::Or => {
-                let user = if operator == BinaryOperator::And { "a side of `and`" } else { "a side of `or`" };
-                self.truth(left, user);
-                self.truth(right, user);
-                Type::Truth
-            }
             BinaryOperator::Equal | BinaryOperator::NotEqual => {
                 let (left_type, right_type) = (self.expression(left), self.expression(right));
                 self.same_kind((left, left_type), (right, right_type), Place::Sides);
                 Type::Truth
             }
-            BinaryOperator::Less | BinaryOperator::LessOrEqual | BinaryOperator::Greater | BinaryOperator::GreaterOrEqual => {
-                let sides = [left, right].map(|side| Term { expression: side, form: self.number(side, "a comparison") });
+            BinaryOperator::Less
+            | BinaryOperator::LessOrEqual
+            | BinaryOperator::Greater
+            | BinaryOperator::GreaterOrEqual => {
+                let sides =
+                    [left, right].map(|side| Term { expression: side, form: self.number(side, "a comparison") });
                 self.alike(&sides, Place::Sides);
                 Type::Truth
             }
+            BinaryOperator::Multiply | BinaryOperator::Divide => self.product(left, operator, right),
+            BinaryOperator::And | BinaryOperator::Or => self.connection(left, operator, right),
             BinaryOperator::Add | BinaryOperator::Subtract => Type::Unknown,
         }
+    }
+
+    /// `left*right` or `left/right`. Long products are nested to the left: a loop spares the stack.
+    fn product(&mut self, left: &Expression, operator: BinaryOperator, right: &Expression) -> Type {
+        let mut factors = vec![(operator, right)];
+        let mut first = left;
+        while let ExpressionKind::Binary(operator @ (BinaryOperator::Multiply | BinaryOperator::Divide), left, right) =
+            &first.kind
+        {
+            factors.push((*operator, right));
+            first = left;
+        }
+        let user = "an arithmetic operation";
+        let mut product = self.number(first, user);
+        for (operator, factor) in factors.into_iter().rev() {
+            let form = self.number(factor, user);
+            let (Some(before), Some(form)) = (&product, form) else {
+                product = None;
+                continue;
+            };
+            let result = if operator == BinaryOperator::Multiply { before.times(&form) } else { before.per(&form) };
+            let Ok(result) = result else {
+                return self.too_large(first.span.to(factor.span));
+            };
+            product = Some(result);
+        }
+        product.map_or(Type::Unknown, Type::Number)
+    }
+
+    /// `left and right` or `left or right`, which are nested to the left like products.
+    fn connection(&mut self, left: &Expression, operator: BinaryOperator, right: &Expression) -> Type {
+        let mut sides = vec![(operator, right)];
+        let mut first = left;
+        while let ExpressionKind::Binary(operator @ (BinaryOperator::And | BinaryOperator::Or), left, right) =
+            &first.kind
+        {
+            sides.push((*operator, right));
+            first = left;
+        }
+        let innermost = sides.last().map_or(operator, |(operator, _)| *operator);
+        sides.push((innermost, first));
+        for (operator, side) in sides.into_iter().rev() {
+            self.truth(side, if operator == BinaryOperator::And { "a side of `and`" } else { "a side of `or`" });
+        }
+        Type::Truth
     }
 
     /// Two values of which one or the other is taken, or that are compared.
@@ -285,6 +325,7 @@ impl Inference<'_> {
             Err(Conflict::TooLarge) => {
                 self.too_large(expression.span);
             }
+            Err(Conflict::Different) if self.has_told_enough() => {}
             Err(Conflict::Different) => {
                 let diagnostic = self.not_pure(expression, form, what);
                 self.diagnostics.push(diagnostic);

@@ -3,6 +3,7 @@
 use super::describe::{Factor, Row, as_factor, noun, table, with_article};
 use super::form::{Conflict, Form};
 use super::infer::{Inference, Type};
+use crate::limits;
 use crate::names::{Meaning, for_each_name, list};
 use crate::notation::quote;
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, UnaryOperator};
@@ -73,13 +74,17 @@ impl Inference<'_> {
                 Err(Conflict::TooLarge) => return self.too_large(term.expression.span),
             }
         }
-        if !odd.is_empty() {
+        if !odd.is_empty() && !self.has_told_enough() {
             let normal: Vec<(usize, &Term, &Form)> =
                 usable.iter().filter(|(index, ..)| odd.iter().all(|(other, ..)| other != index)).copied().collect();
             self.report_odd(&odd, &normal, place);
-            return Type::Unknown;
         }
-        Type::Number(reference)
+        if odd.is_empty() { Type::Number(reference) } else { Type::Unknown }
+    }
+
+    /// Whether the author has enough to read. Explaining takes time, and a bad text could ask for it many times.
+    pub fn has_told_enough(&self) -> bool {
+        self.diagnostics.len() >= limits::TOLD
     }
 
     /// The known dimension that most terms have; the first of several.
@@ -99,7 +104,8 @@ impl Inference<'_> {
     }
 
     fn report_odd(&mut self, odd: &[(usize, &Term, &Form)], normal: &[(usize, &Term, &Form)], place: Place) {
-        let (Some(&(index, term, form)), Some(&(normal_index, normal_term, normal_form))) = (odd.first(), normal.first())
+        let (Some(&(index, term, form)), Some(&(normal_index, normal_term, normal_form))) =
+            (odd.first(), normal.first())
         else {
             return;
         };
@@ -108,10 +114,10 @@ impl Inference<'_> {
         let mut diagnostic =
             self.mismatch(&subject, (term.expression, form), (&row(normal_index, normal_term), normal_form), "");
         diagnostic = diagnostic.with_label(normal_term.expression.span, self.what(normal_form));
-        for (_, other, form) in &odd[1..] {
+        for (_, other, form) in odd.iter().skip(1).take(limits::PLACES) {
             diagnostic = diagnostic.with_label(other.expression.span, self.what(form));
         }
-        for (_, other, form) in normal.iter().skip(1).take(MOST_OFFERS) {
+        for (_, other, form) in normal.iter().skip(1).take(limits::PLACES) {
             diagnostic = diagnostic.with_label(other.expression.span, self.what(form));
         }
         let remedy = self.remedy(term.expression, form, normal_form);
@@ -135,7 +141,11 @@ impl Inference<'_> {
 
     /// Tells that the sides of an equation differ, each being consistent in itself.
     pub fn report_sides(&mut self, span: Span, left: (&Expression, &Form), right: (&Expression, &Form)) {
-        let verdict = self.factor(left.1, right.1).map_or_else(|| "differs from the right side".to_owned(), Factor::verdict);
+        if self.has_told_enough() {
+            return;
+        }
+        let verdict =
+            self.factor(left.1, right.1).map_or_else(|| "differs from the right side".to_owned(), Factor::verdict);
         let message = format!("the left side of the equation {verdict}");
         let diagnostic = Diagnostic::error("dimension-mismatch", message, span)
             .with_label(left.0.span, self.what(left.1))
@@ -163,19 +173,15 @@ impl Inference<'_> {
     }
 
     /// Tells that a value has not the dimension that is stated or needed at `place`.
-    pub fn report_value(
-        &mut self,
-        value: (&Expression, &Form),
-        needed: (&str, &Form, Span),
-        context: &str,
-    ) {
+    pub fn report_value(&mut self, value: (&Expression, &Form), needed: (&str, &Form, Span), context: &str) {
+        if self.has_told_enough() {
+            return;
+        }
         let subject = format!("`{}`", quote(value.0));
         let what = self.what(needed.1);
         // A stated unit stands there itself, of a name there is only the part before its primes.
         let label = if needed.0.starts_with('`') { format!("{} is {what}", needed.0) } else { what };
-        let diagnostic = self
-            .mismatch(&subject, value, (needed.0, needed.1), context)
-            .with_label(needed.2, label);
+        let diagnostic = self.mismatch(&subject, value, (needed.0, needed.1), context).with_label(needed.2, label);
         let remedy = self.remedy(value.0, value.1, needed.1);
         self.diagnostics.push(self.with_origins(diagnostic, &[value.1, needed.1]).with_hint(remedy));
     }
@@ -263,7 +269,9 @@ impl Inference<'_> {
         while let Some(next) = waiting.pop() {
             match &next.kind {
                 ExpressionKind::Unary(UnaryOperator::Negate, inner) => waiting.push(inner),
-                ExpressionKind::Binary(BinaryOperator::Multiply, left, right) => waiting.extend([right.as_ref(), left.as_ref()]),
+                ExpressionKind::Binary(BinaryOperator::Multiply, left, right) => {
+                    waiting.extend([right.as_ref(), left.as_ref()])
+                }
                 ExpressionKind::Binary(BinaryOperator::Divide, numerator, _) => waiting.push(numerator),
                 ExpressionKind::Name { name, order: 0 } => {
                     if let Some(Meaning::Parameter(index)) = self.scope.meaning(name)
@@ -287,7 +295,8 @@ impl Inference<'_> {
         }
         let fits = |name: &str| self.dimension_of(name) == Some(wanted);
         let mut names: Vec<&str> = Vec::new();
-        let alone = |name: &str| quote(expression).trim_start_matches('-') == name;
+        let quoted = quote(expression);
+        let alone = |name: &str| quoted.trim_start_matches('-') == name;
         if matches!(factor, Factor::Excess(_)) {
             for_each_name(expression, |name, order, _| {
                 if order == 0 && fits(name) && !alone(name) && !names.contains(&name) {
@@ -322,13 +331,17 @@ impl Inference<'_> {
     /// Adds where the dimensions of unknown functions come from.
     fn with_origins(&self, mut diagnostic: Diagnostic, forms: &[&Form]) -> Diagnostic {
         for (name, form) in self.types.unknown_names.iter().zip(&self.types.unknowns) {
-            let involved = forms.iter().any(|found| form.unknown.iter().any(|variable| found.unknown.iter().any(|other| other.0 == variable.0)));
+            let involved = forms.iter().any(|found| {
+                form.unknown.iter().any(|variable| found.unknown.iter().any(|other| other.0 == variable.0))
+            });
             let Some(origin) = self.solver.origin(form).filter(|_| involved) else {
                 continue;
             };
-            let told = diagnostic.labels.iter().any(|label| label.span.start <= origin.start && origin.end <= label.span.end);
+            let told =
+                diagnostic.labels.iter().any(|label| label.span.start <= origin.start && origin.end <= label.span.end);
             if !told {
-                diagnostic = diagnostic.with_label(origin, format!("from here `{name}` is taken to be {}", self.what(form)));
+                diagnostic =
+                    diagnostic.with_label(origin, format!("from here `{name}` is taken to be {}", self.what(form)));
             }
         }
         diagnostic

@@ -27,6 +27,8 @@ pub(crate) enum Shape {
 #[derive(Debug, Default)]
 pub(crate) struct Shapes {
     known: Vec<Option<Shape>>,
+    /// Coefficients in all known shapes.
+    coefficients: usize,
 }
 
 impl Shapes {
@@ -40,7 +42,10 @@ impl Shapes {
         for id in graph.reachable(&[root]) {
             if self.get(id).is_none() {
                 let shape = self.compute(graph, id, &unknown);
-                if graph.len() > 2 * limits::NODES {
+                if let Shape::Affine(affine) = &shape {
+                    self.coefficients += affine.coefficients.len();
+                }
+                if graph.len() > 2 * limits::NODES || self.coefficients > limits::COEFFICIENTS {
                     return Err(TooManyNodes);
                 }
                 self.known.resize(self.known.len().max(id.0 as usize + 1), None);

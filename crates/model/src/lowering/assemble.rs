@@ -8,8 +8,8 @@ use crate::matching::blocks;
 use crate::names::{EventEntry, Meaning, Program, Unknown, list};
 use crate::notation::primed;
 use crate::{
-    BinaryOperator, Compiled, Diagnostic, Event, Expression, ExpressionKind, Graph, Independent, Kind, Model, Node, NodeId,
-    Parameter, Quantity, State,
+    BinaryOperator, Compiled, Diagnostic, Event, Expression, ExpressionKind, Graph, Independent, Kind, Model, Node,
+    NodeId, Parameter, Quantity, State,
 };
 use units::{Dimension, Exponent, Unit};
 
@@ -31,7 +31,11 @@ pub(crate) fn assemble(
         graph.insert(Node::State(number));
     }
     let rates = solve(program, order, unknowns, &mut graph)?;
-    let chain = |(unknown, rate): (&Unknown, NodeId)| Chain { first_state: unknown.first_state, highest: unknown.highest, rate };
+    let chain = |(unknown, rate): (&Unknown, NodeId)| Chain {
+        first_state: unknown.first_state,
+        highest: unknown.highest,
+        rate,
+    };
     let chains: Vec<Chain> = unknowns.iter().zip(rates).map(chain).collect();
     let mut lowering = Lowering::new(&mut graph, &mut texts, &program.scope, &chains);
     lowering.definitions = vec![None; program.definitions.len()];
@@ -54,7 +58,9 @@ pub(crate) fn assemble(
     };
     close_initial_values(&mut model)?;
     let mut variation = Variation::default();
-    for ((definition, found), node) in program.definitions.iter().zip(&types.definitions).zip(values.into_iter().flatten()) {
+    for ((definition, found), node) in
+        program.definitions.iter().zip(&types.definitions).zip(values.into_iter().flatten())
+    {
         let stated = definition.unit.map(|stated| stated.unit.clone());
         let unit = stated.unwrap_or_else(|| Unit::si(found.dimension()));
         let value = Compiled { node, kind: found.kind(), unit, span: definition.value.span };
@@ -65,7 +71,8 @@ pub(crate) fn assemble(
     // A quantity that is but another name for something is shown in that one's unit.
     for &index in order {
         let definition = &program.definitions[index];
-        if let ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } = &definition.value.kind
+        if let ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } =
+            &definition.value.kind
             && definition.unit.is_none()
             && let Some(named) = model.lookup(name, *order)
         {
@@ -124,7 +131,8 @@ fn states(lowering: &mut Lowering, unknowns: &[Unknown], types: &Types) -> Resul
     for index in in_order {
         let (unknown, chain) = (&unknowns[index], lowering.chains[index]);
         for (order, entry) in (0_u32..).zip(unknown.initial.iter().flatten()) {
-            let dimension = types.unknowns[index].known.per(power(types.independent.known, order)).unwrap_or(Dimension::NONE);
+            let dimension =
+                types.unknowns[index].known.per(power(types.independent.known, order)).unwrap_or(Dimension::NONE);
             let unit = entry.unit.map_or_else(|| Unit::si(dimension), |stated| stated.unit.clone());
             states.push(State {
                 variable: unknown.name.to_owned(),
@@ -151,7 +159,10 @@ fn lower_event(lowering: &mut Lowering, event: &EventEntry) -> Result<Event, Vec
     if let ExpressionKind::Binary(operator, left, right) = &event.condition.kind
         && matches!(
             operator,
-            BinaryOperator::Less | BinaryOperator::LessOrEqual | BinaryOperator::Greater | BinaryOperator::GreaterOrEqual
+            BinaryOperator::Less
+                | BinaryOperator::LessOrEqual
+                | BinaryOperator::Greater
+                | BinaryOperator::GreaterOrEqual
         )
     {
         let (left, right) = (lower(lowering, left)?, lower(lowering, right)?);
@@ -182,8 +193,10 @@ fn close_initial_values(model: &mut Model) -> Result<(), Vec<Diagnostic>> {
         let message = format!("the initial value of `{}` depends on {what}, which changes", state.name());
         diagnostics.push(Diagnostic::error("initial-value-varies", message, state.span).with_hint(hint));
     }
-    let needs: Vec<Vec<usize>> =
-        dependences.iter().map(|dependence| dependence.initial.iter().map(|&number| number as usize).collect()).collect();
+    let needs: Vec<Vec<usize>> = dependences
+        .iter()
+        .map(|dependence| dependence.initial.iter().map(|&number| number as usize).collect())
+        .collect();
     for block in blocks(&needs) {
         let is_circle = block.len() > 1 || block.iter().any(|&number| needs[number].contains(&number));
         if is_circle {

@@ -187,9 +187,10 @@ mod tests {
     /// How many nodes vary, which is what a step has to compute.
     fn work(graph: &Graph, root: NodeId) -> usize {
         let mut variation = Variation::default();
-        let operations = graph.reachable(&[root]).into_iter().filter(|&id| {
-            variation.of(graph, id) && !matches!(graph.node(id), Node::State(_) | Node::Independent)
-        });
+        let operations = graph
+            .reachable(&[root])
+            .into_iter()
+            .filter(|&id| variation.of(graph, id) && !matches!(graph.node(id), Node::State(_) | Node::Independent));
         operations.count()
     }
 

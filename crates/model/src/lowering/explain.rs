@@ -105,7 +105,8 @@ pub(crate) fn dependent(unknowns: &[Unknown], members: &[usize], equations: &[Sp
         let message = format!("the coefficient of {highest} is 0, so the equation cannot be solved for it");
         return Diagnostic::error("coefficient-zero", message, first);
     }
-    let message = format!("these equations do not determine {highest}: in these, one of them says no more than the others");
+    let message =
+        format!("these equations do not determine {highest}: in these, one of them says no more than the others");
     let mut diagnostic = Diagnostic::error("equations-dependent", message, first);
     for &span in rest {
         diagnostic = diagnostic.with_label(span, "depends on the others");

@@ -3,9 +3,7 @@
 use crate::differentiate::along;
 use crate::functions::Function;
 use crate::names::{Meaning, Scope};
-use crate::{
-    Binary, BinaryOperator, Expression, ExpressionKind, Graph, Node, NodeId, Unary, UnaryOperator, limits,
-};
+use crate::{Binary, BinaryOperator, Expression, ExpressionKind, Graph, Node, NodeId, Unary, UnaryOperator, limits};
 use std::collections::HashMap;
 
 /// An unknown function as the graph sees it.
@@ -46,12 +44,22 @@ pub(crate) struct Lowering<'a> {
     pub definitions: Vec<Option<NodeId>>,
     /// Derivatives that were already asked for.
     derivatives: HashMap<(Meaning, u32), NodeId>,
+    /// Values at the start that were already asked for.
+    starts: HashMap<NodeId, NodeId>,
 }
 
 impl<'a> Lowering<'a> {
     /// Knows no definitions yet.
     pub fn new(graph: &'a mut Graph, texts: &'a mut Vec<String>, scope: &'a Scope, chains: &'a [Chain]) -> Self {
-        Self { graph, texts, scope, chains, definitions: Vec::new(), derivatives: HashMap::new() }
+        Self {
+            graph,
+            texts,
+            scope,
+            chains,
+            definitions: Vec::new(),
+            derivatives: HashMap::new(),
+            starts: HashMap::new(),
+        }
     }
 
     /// The node of an expression.
@@ -68,7 +76,7 @@ impl<'a> Lowering<'a> {
             ExpressionKind::Name { name, order } => self.name(name, *order)?,
             ExpressionKind::InitialValue { name, order } => {
                 let node = self.name(name, *order)?;
-                at_start(self.graph, node)
+                *self.starts.entry(node).or_insert_with(|| at_start(self.graph, node))
             }
             ExpressionKind::Unary(operator, operand) => {
                 let operand = self.expression(operand)?;
@@ -78,10 +86,7 @@ impl<'a> Lowering<'a> {
                 };
                 self.graph.unary(function, operand)
             }
-            ExpressionKind::Binary(operator, left, right) => {
-                let (left, right) = (self.expression(left)?, self.expression(right)?);
-                self.binary(*operator, left, right)
-            }
+            ExpressionKind::Binary(..) => self.chain(expression)?,
             ExpressionKind::Call { function, arguments } => {
                 let arguments =
                     arguments.iter().map(|argument| self.expression(argument)).collect::<Result<Vec<_>, _>>()?;
@@ -97,6 +102,22 @@ impl<'a> Lowering<'a> {
             }
             ExpressionKind::Error => self.undefined(),
         };
+        Ok(node)
+    }
+
+    /// `a*b*c*d`, which is nested to the left as often as it has operators: a loop spares the stack.
+    fn chain(&mut self, expression: &Expression) -> Result<NodeId, TooManyNodes> {
+        let mut chain = Vec::new();
+        let mut first = expression;
+        while let ExpressionKind::Binary(operator, left, right) = &first.kind {
+            chain.push((*operator, right));
+            first = left;
+        }
+        let mut node = self.expression(first)?;
+        for (operator, right) in chain.into_iter().rev() {
+            let right = self.expression(right)?;
+            node = self.binary(operator, node, right);
+        }
         Ok(node)
     }
 

@@ -42,7 +42,11 @@ fn evaluate(graph: &Graph, order: &[NodeId], point: u32) -> Vec<f64> {
             Node::Unary(function, x) => function.evaluate(of(x)),
             Node::Binary(function, a, b) => function.evaluate(of(a), of(b)),
             Node::Select(condition, chosen, other) => {
-                if of(condition) != 0.0 { of(chosen) } else { of(other) }
+                if of(condition) != 0.0 {
+                    of(chosen)
+                } else {
+                    of(other)
+                }
             }
         };
     }

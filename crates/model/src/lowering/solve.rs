@@ -61,7 +61,11 @@ pub(crate) fn solve(
 }
 
 fn too_coupled(members: &[usize], unknowns: &[Unknown]) -> Diagnostic {
-    let message = format!("{} equations are coupled through their highest derivatives; {} are the most", members.len(), limits::COUPLED);
+    let message = format!(
+        "{} equations are coupled through their highest derivatives; {} are the most",
+        members.len(),
+        limits::COUPLED
+    );
     let span = members.first().map(|&member| unknowns[member].span).unwrap_or_default();
     Diagnostic::error("too-many-coupled-equations", message, span)
 }

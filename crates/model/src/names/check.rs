@@ -3,6 +3,7 @@
 use super::scope::{Meaning, Scope};
 use super::traverse::for_each;
 use crate::functions::Function;
+use crate::limits;
 use crate::notation::{primed, quote};
 use crate::{Diagnostic, Expression, ExpressionKind, Name, Span};
 
@@ -64,12 +65,14 @@ impl<'a> NameCheck<'a> {
         if self.told.contains(&name) {
             return;
         }
+        let count = self.unknown.len();
         match self.unknown.iter_mut().find(|(known, ..)| *known == name) {
             Some((_, greatest, places)) => {
                 *greatest = order.max(*greatest);
                 places.push(span);
             }
-            None => self.unknown.push((name, order, vec![span])),
+            None if count < limits::TOLD => self.unknown.push((name, order, vec![span])),
+            None => {}
         }
     }
 
@@ -127,7 +130,7 @@ fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagn
         format!("`{name}` is not known")
     };
     let mut diagnostic = Diagnostic::error("unknown-name", message, first);
-    for &place in rest.iter().take(3) {
+    for &place in rest.iter().take(limits::PLACES) {
         diagnostic = diagnostic.with_label(place, "and here");
     }
     if let Some(factors) = as_product(scope, name) {
@@ -145,7 +148,8 @@ fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagn
     match name {
         _ if order > 0 => {
             let highest = primed(name, order.max(2));
-            diagnostic.with_hint(format!("write an equation for it, such as `{highest} = ...`, or define `{name} = ...`"))
+            diagnostic
+                .with_hint(format!("write an equation for it, such as `{highest} = ...`, or define `{name} = ...`"))
         }
         "t" => diagnostic.with_hint(format!("the independent variable is `{}`", scope.independent)),
         "e" => diagnostic.with_hint("for a power of 2.718... write `exp(x)`"),
@@ -177,7 +181,8 @@ fn as_product(scope: &Scope, name: &str) -> Option<String> {
         return Some(format!("{}*{}", &name[..cut], &name[cut..]));
     }
     let three = cuts().find_map(|first| {
-        let second = cuts().find(|&second| second > first && is_name(&name[first..second]) && is_name(&name[second..]))?;
+        let second =
+            cuts().find(|&second| second > first && is_name(&name[first..second]) && is_name(&name[second..]))?;
         is_name(&name[..first]).then_some((first, second))
     });
     three.map(|(first, second)| format!("{}*{}*{}", &name[..first], &name[first..second], &name[second..]))

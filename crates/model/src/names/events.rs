@@ -7,12 +7,21 @@ use crate::notation::{primed, quote};
 use crate::{Action, BinaryOperator, Diagnostic, ExpressionKind};
 
 /// Checks the names on the left of the actions of an event, and that its condition can become true.
-pub(crate) fn check_event(program: &Program, unknowns: &[Unknown], event: &EventEntry, diagnostics: &mut Vec<Diagnostic>) {
+pub(crate) fn check_event(
+    program: &Program,
+    unknowns: &[Unknown],
+    event: &EventEntry,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
     if let ExpressionKind::Binary(BinaryOperator::Equal, left, right) = &event.condition.kind {
         let (left, right) = (quote(left), quote(right));
         diagnostics.push(
-            Diagnostic::warning("event-at-equality", "this is hardly ever true exactly, so the event may never fire", event.condition.span)
-                .with_hint(format!("write `{left} < {right}` or `{left} > {right}`: the event is where it becomes true")),
+            Diagnostic::warning(
+                "event-at-equality",
+                "this is hardly ever true exactly, so the event may never fire",
+                event.condition.span,
+            )
+            .with_hint(format!("write `{left} < {right}` or `{left} > {right}`: the event is where it becomes true")),
         );
     }
     for (index, action) in event.actions.iter().enumerate() {

@@ -84,13 +84,21 @@ fn circle(program: &Program, members: &[usize], uses: &[Vec<usize>]) -> Diagnost
         let used = uses[index].iter().filter(|used| members.contains(used));
         let used: Vec<String> = used.map(|&used| format!("`{}`", name(used).text)).collect();
         let text = format!("uses {}", list(&used));
-        diagnostic = if position == 0 { diagnostic.saying(text) } else { diagnostic.with_label(name(index).span, text) };
+        diagnostic =
+            if position == 0 { diagnostic.saying(text) } else { diagnostic.with_label(name(index).span, text) };
     }
     diagnostic
 }
 
-/// `a`, `a and b`, `a, b and c`
+/// Lists name no more items than this.
+const LONGEST_LIST: usize = 8;
+
+/// `a`, `a and b`, `a, b and c`; of very many, the first ones and how many others.
 pub(crate) fn list(items: &[String]) -> String {
+    if items.len() > LONGEST_LIST {
+        let (first, others) = items.split_at(LONGEST_LIST - 1);
+        return format!("{} and {} others", first.join(", "), others.len());
+    }
     match items {
         [] => String::new(),
         [only] => only.clone(),

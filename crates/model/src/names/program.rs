@@ -132,8 +132,9 @@ impl<'a> Program<'a> {
         } else {
             return true;
         };
-        let mut diagnostic = Diagnostic::error("reserved-name", format!("`{text}` cannot be declared: {reason}"), name.span)
-            .with_hint(format!("choose another name, such as `{text}_1`"));
+        let mut diagnostic =
+            Diagnostic::error("reserved-name", format!("`{text}` cannot be declared: {reason}"), name.span)
+                .with_hint(format!("choose another name, such as `{text}_1`"));
         if text == self.independent.0 {
             let hint = "or name another independent variable: `independent x in [m]`";
             diagnostic = diagnostic.with_hint(hint);
@@ -183,8 +184,12 @@ fn check_parameter(parameter: &ParameterStatement, diagnostics: &mut Vec<Diagnos
         let (low, high) = (bounds.low, bounds.high);
         if low > high {
             diagnostics.push(
-                Diagnostic::error("empty-range", format!("the range of `{name}` is empty: {low} is greater than {high}"), bounds.span)
-                    .with_hint(format!("write `in {high}..{low}`")),
+                Diagnostic::error(
+                    "empty-range",
+                    format!("the range of `{name}` is empty: {low} is greater than {high}"),
+                    bounds.span,
+                )
+                .with_hint(format!("write `in {high}..{low}`")),
             );
         } else if !(low..=high).contains(&value) {
             diagnostics.push(

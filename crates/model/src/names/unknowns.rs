@@ -126,12 +126,14 @@ fn check_counts(
     let contains: Vec<Vec<usize>> = in_equations
         .iter()
         .map(|orders| {
-            let is_highest = |unknown: &Unknown| orders.get(unknown.name).is_some_and(|&(order, _)| order == unknown.highest);
+            let is_highest =
+                |unknown: &Unknown| orders.get(unknown.name).is_some_and(|&(order, _)| order == unknown.highest);
             (0..unknowns.len()).filter(|&index| is_highest(&unknowns[index])).collect()
         })
         .collect();
     let equation_of = match_equations(&contains, unknowns.len());
-    let highest: Vec<String> = unknowns.iter().map(|unknown| format!("`{}`", primed(unknown.name, unknown.highest))).collect();
+    let highest: Vec<String> =
+        unknowns.iter().map(|unknown| format!("`{}`", primed(unknown.name, unknown.highest))).collect();
     for (index, equation) in program.equations.iter().enumerate() {
         if equation_of.contains(&Some(index)) {
             continue;
@@ -144,10 +146,10 @@ fn check_counts(
             let message = format!("there are more equations than unknowns: {count} for {}", list(&highest));
             let mut diagnostic = Diagnostic::error("too-many-equations", message, equation.span)
                 .saying(format!("{} is already determined without this one", list(&solved)));
-            for (other, entry) in program.equations.iter().enumerate() {
-                if other != index && contains[other].iter().any(|unknown| contains[index].contains(unknown)) {
-                    diagnostic = diagnostic.with_label(entry.span, "by this one");
-                }
+            let shares = |other: &usize| contains[*other].iter().any(|unknown| contains[index].contains(unknown));
+            let others = (0..program.equations.len()).filter(|other| *other != index && shares(other));
+            for other in others.take(limits::PLACES) {
+                diagnostic = diagnostic.with_label(program.equations[other].span, "by this one");
             }
             diagnostic.with_hint("leave one of them out")
         });
@@ -183,7 +185,9 @@ fn nothing_to_solve_for(
     let mut defined = None;
     for side in [equation.left, equation.right] {
         for_each_name(side, |name, order, _| {
-            if order > 0 && let Some(Meaning::Definition(index)) = program.scope.meaning(name) {
+            if order > 0
+                && let Some(Meaning::Definition(index)) = program.scope.meaning(name)
+            {
                 defined = defined.or(Some(index));
             }
         });
@@ -213,7 +217,9 @@ fn no_equation_for(program: &Program, unknown: &Unknown, highest: &[String], unk
     }
     match known.near(unknown.name) {
         Some(near) => diagnostic.with_hint(format!("did you mean `{}`?", primed(near, unknown.highest))),
-        None => diagnostic.with_hint(format!("write an equation for `{missing}`, or define it: `{} = ...`", unknown.name)),
+        None => {
+            diagnostic.with_hint(format!("write an equation for `{missing}`, or define it: `{} = ...`", unknown.name))
+        }
     }
 }
 
@@ -235,22 +241,30 @@ fn assign_initial_values<'a>(program: &Program<'a>, unknowns: &mut [Unknown<'a>]
                     Some(Some(first)) => error("duplicate-initial-value", format!("`{written}` is given twice"))
                         .saying("given again here")
                         .with_label(first.name.span, "first given here"),
-                    None => error("initial-value-of-highest", format!("`{written}` cannot be given: the equation determines `{highest}`"))
-                        .with_label(unknown.span, "by this equation")
-                        .with_hint("leave it out"),
+                    None => error(
+                        "initial-value-of-highest",
+                        format!("`{written}` cannot be given: the equation determines `{highest}`"),
+                    )
+                    .with_label(unknown.span, "by this equation")
+                    .with_hint("leave it out"),
                 }
             }
             Some(Meaning::Definition(index)) => {
                 let defined = program.definitions[index].name;
-                error("initial-value-of-definition", format!("`{name}` is defined, so it has no initial value to be given"))
-                    .with_label(defined.span, "defined here")
+                error(
+                    "initial-value-of-definition",
+                    format!("`{name}` is defined, so it has no initial value to be given"),
+                )
+                .with_label(defined.span, "defined here")
             }
-            Some(Meaning::Parameter(_) | Meaning::Independent | Meaning::Pi) => {
-                error("initial-value-of-constant", format!("`{name}` is not an unknown of the equations, so it has no initial value"))
-            }
+            Some(Meaning::Parameter(_) | Meaning::Independent | Meaning::Pi) => error(
+                "initial-value-of-constant",
+                format!("`{name}` is not an unknown of the equations, so it has no initial value"),
+            ),
             None => {
-                let diagnostic = error("initial-value-without-equation", format!("no equation contains a derivative of `{name}`"))
-                    .saying(format!("`{written}` is the initial value of nothing"));
+                let diagnostic =
+                    error("initial-value-without-equation", format!("no equation contains a derivative of `{name}`"))
+                        .saying(format!("`{written}` is the initial value of nothing"));
                 match program.scope.near(name) {
                     Some(near) => diagnostic.with_hint(format!("did you mean `{near}`?")),
                     None => diagnostic.with_hint(format!("write an equation with `{name}'`, or define `{name} = ...`")),
@@ -290,6 +304,12 @@ fn check_initial_values(unknown: &Unknown, diagnostics: &mut Vec<Diagnostic>) {
     diagnostics.push(
         Diagnostic::error("missing-initial-value", format!("{} {verb} not given", list(&missing)), unknown.span)
             .saying(format!("`{highest}` here needs {value}"))
-            .with_hint(missing.iter().map(|written| format!("{} = 0", written.trim_matches('`'))).collect::<Vec<_>>().join(", ")),
+            .with_hint(
+                missing
+                    .iter()
+                    .map(|written| format!("{} = 0", written.trim_matches('`')))
+                    .collect::<Vec<_>>()
+                    .join(", "),
+            ),
     );
 }

@@ -68,7 +68,13 @@ impl At {
                 Node::State(index) => self.states[index as usize],
                 Node::Unary(function, x) => function.evaluate(of(x)),
                 Node::Binary(function, a, b) => function.evaluate(of(a), of(b)),
-                Node::Select(condition, chosen, other) => if of(condition) != 0.0 { of(chosen) } else { of(other) },
+                Node::Select(condition, chosen, other) => {
+                    if of(condition) != 0.0 {
+                        of(chosen)
+                    } else {
+                        of(other)
+                    }
+                }
                 Node::Solution { system, row } => {
                     let system = &graph.systems()[system as usize];
                     let matrix = system.matrix.iter().map(|&entry| of(entry)).collect();
@@ -85,9 +91,8 @@ impl At {
 fn eliminate(mut matrix: Vec<f64>, mut right: Vec<f64>) -> Vec<f64> {
     let n = right.len();
     for column in 0..n {
-        let pivot = (column..n)
-            .max_by(|&a, &b| matrix[a * n + column].abs().total_cmp(&matrix[b * n + column].abs()))
-            .unwrap();
+        let pivot =
+            (column..n).max_by(|&a, &b| matrix[a * n + column].abs().total_cmp(&matrix[b * n + column].abs())).unwrap();
         for k in 0..n {
             matrix.swap(column * n + k, pivot * n + k);
         }

@@ -1,7 +1,7 @@
 //! Infers and checks the dimensions of a whole model.
 //!
-//! What the author states counts before what follows from it: first stated units, then initial values, then equations,
-//! then definitions with a stated unit, which are only checked against it. So a slip in a definition is told there, and
+//! What the author states counts before what follows from it: first stated units, then definitions without one, initial
+//! values, equations, and at last the values of definitions with a stated unit, which are only checked against it. So a slip in a definition is told there, and
 //! not in the equations that use it. An initial value that is a bare number comes last: its unit was likely forgotten.
 
 use super::describe::with_article;

@@ -286,7 +286,7 @@ impl Inference<'_> {
         None
     }
 
-    /// `: `L`, `h_l` or `h_r``: the names of the model with just this dimension. What is too many is first looked for in
+    /// `, such as L, h_l or h_r`: the names of the model with just this dimension. What is too many is first looked for in
     /// the expression itself, what is lacking everywhere.
     fn offers(&self, factor: Factor, expression: &Expression) -> String {
         let wanted = factor.dimension();

@@ -1,8 +1,9 @@
 //! Infers and checks the dimensions of a whole model.
 //!
 //! What the author states counts before what follows from it: first stated units, then definitions without one, initial
-//! values, equations, and at last the values of definitions with a stated unit, which are only checked against it. So a slip in a definition is told there, and
-//! not in the equations that use it. An initial value that is a bare number comes last: its unit was likely forgotten.
+//! values, equations, and at last the values of definitions with a stated unit, which are only checked against it. So a
+//! slip in a definition is told there, and not in the equations that use it. An initial value that is a bare number comes
+//! after the equations: its unit was likely forgotten.
 
 use super::describe::with_article;
 use super::form::{Conflict, Form, Solver};

@@ -56,7 +56,7 @@ impl Fixed {
     }
 
     /// The midpoint method, as in Gould, Tobochnik & Christian, An Introduction to Computer Simulation Methods (3rd ed.,
-    /// section 3.6), where all states and not only the velocity go to the middle of the step first.
+    /// chapter 3), where all states and not only the velocity go to the middle of the step first.
     fn euler_richardson(
         &mut self,
         equations: &mut Equations,

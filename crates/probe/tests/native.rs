@@ -47,9 +47,20 @@ fn both_loops_solve_the_same_equation() {
 
 #[test]
 fn what_cannot_run_says_why() {
-    assert_ne!(fingerprint("```model\ny' = [m]\n```", "rk4", 1.0).len(), 16);
-    assert_eq!(
-        fingerprint("```model\ny' = -y\ny(0) = 1\n```", "magic", 1.0),
-        "no method magic"
-    );
+    let cases = [
+        (
+            "y' = -y\ny(0) = 1",
+            "rk4",
+            "the term `y` has one factor of time too many",
+        ),
+        (
+            "independent s\ny' = -y\ny(0) = 1",
+            "magic",
+            "no method magic",
+        ),
+    ];
+    for (model, method, expected) in cases {
+        let document = format!("```model\n{model}\n```");
+        assert_eq!(fingerprint(&document, method, 1.0), expected);
+    }
 }

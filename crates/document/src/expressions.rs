@@ -9,9 +9,9 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// How many nodes an expression may have, and how deep they may be nested, when the scene's own names have been replaced
-/// by what they stand for.
+/// by what they stand for. What walks an expression relies on the depth that the parser allows.
 const NODES: usize = 5_000;
-const DEPTH: usize = 150;
+const DEPTH: usize = 64;
 
 /// Reads and compiles expressions of one document.
 pub struct Expressions<'a> {

@@ -6,7 +6,7 @@ use model::{Diagnostic, Span};
 use std::ops::Range;
 
 /// The keys there are.
-const KEYS: [&str; 8] = [
+const KEYS: [&str; 7] = [
     "title",
     "language",
     "translates",
@@ -14,7 +14,6 @@ const KEYS: [&str; 8] = [
     "step",
     "until",
     "tolerance",
-    "author",
 ];
 
 /// A value of the front matter and where it stands.
@@ -207,7 +206,7 @@ mod tests {
             [
                 "the front matter has no key `titel`; did you mean `title`?",
                 "the front matter has no key `wibble`; the keys are title, language, translates, method, step, until, \
-                 tolerance, author",
+                 tolerance",
                 "`title` has no value",
                 "`step` is given twice",
             ]

@@ -1,15 +1,15 @@
 //! Step size control for the methods with an error estimate.
 
+use crate::Setup;
 use crate::dormand_prince::{DormandPrince, dense_value};
 use crate::equations::Equations;
 use crate::events::{Crossing, Events};
 use crate::rosenbrock::Rosenbrock;
-use crate::{Method, Setup};
 use model::Model;
 
 /// Two methods in one, whose difference is the error.
 #[derive(Clone, Debug)]
-enum Pair {
+pub(crate) enum Pair {
     DormandPrince(DormandPrince),
     Rosenbrock(Rosenbrock),
 }
@@ -58,13 +58,8 @@ impl Adaptive {
     /// Nothing moves in a shorter time, and its reciprocal is still a number.
     const AT_ONCE: f64 = 1e-300;
 
-    pub fn new(model: &Model, setup: &Setup) -> Self {
-        let states = model.states.len();
-        let zeros = vec![0.0; states];
-        let pair = match setup.method {
-            Method::Rosenbrock => Pair::Rosenbrock(Rosenbrock::new(states)),
-            _ => Pair::DormandPrince(DormandPrince::new(states)),
-        };
+    pub fn new(pair: Pair, model: &Model, setup: &Setup) -> Self {
+        let zeros = vec![0.0; model.states.len()];
         Self {
             pair,
             tolerance: setup.tolerance,

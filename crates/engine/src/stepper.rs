@@ -1,10 +1,12 @@
 //! A model in motion, without memory of where it has been.
 
-use crate::adaptive::Adaptive;
+use crate::adaptive::{Adaptive, Pair};
+use crate::dormand_prince::DormandPrince;
 use crate::equations::Equations;
 use crate::events::Events;
 use crate::fixed::Fixed;
 use crate::places::Places;
+use crate::rosenbrock::Rosenbrock;
 use crate::setup;
 use crate::{Method, Routine, RunError, Setup};
 use model::{Model, NodeId};
@@ -54,18 +56,22 @@ impl Stepper {
         };
         setup::check_initial(model, &initial)?;
         let states = model.states.len();
+        let adaptive = |pair| Solver::Adaptive(Box::new(Adaptive::new(pair, model, setup)));
         let (solver, equations) = match setup.method {
-            Method::Rosenbrock => (
-                Solver::Adaptive(Box::new(Adaptive::new(model, setup))),
-                Equations::with_slopes(model).ok_or_else(|| slopes_too_many(model))?,
-            ),
-            Method::DormandPrince => (
-                Solver::Adaptive(Box::new(Adaptive::new(model, setup))),
-                Equations::new(model),
-            ),
-            method => (
+            method @ (Method::Euler
+            | Method::EulerRichardson
+            | Method::VelocityVerlet
+            | Method::RungeKutta4) => (
                 Solver::Fixed(Fixed::new(method, states)),
                 Equations::new(model),
+            ),
+            Method::DormandPrince => (
+                adaptive(Pair::DormandPrince(DormandPrince::new(states))),
+                Equations::new(model),
+            ),
+            Method::Rosenbrock => (
+                adaptive(Pair::Rosenbrock(Rosenbrock::new(states))),
+                Equations::with_slopes(model).ok_or_else(|| slopes_too_many(model))?,
             ),
         };
         let mut stepper = Self {

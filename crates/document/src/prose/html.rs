@@ -242,7 +242,7 @@ impl<'a> Writer<'a> {
     /// The table's name for a screen reader is its head. The wrapper scrolls on a narrow screen, by keyboard too.
     fn start_table(&mut self, alignments: Vec<Alignment>) {
         self.open(
-            "<div class=\"table\" role=\"region\" tabindex=\"0\"><table>\n",
+            "<div class=\"wide\" role=\"region\" tabindex=\"0\"><table>\n",
             "</tbody></table></div>\n",
         );
         self.table = Table {
@@ -496,7 +496,7 @@ mod tests {
     fn tables_have_names_and_scroll() {
         check(
             "| a | $b$ |\n|---|--:|\n| 1 | 2 |",
-            "<div class=\"table\" role=\"region\" aria-label=\"a, b\" tabindex=\"0\"><table>\n<thead><tr>\
+            "<div class=\"wide\" role=\"region\" aria-label=\"a, b\" tabindex=\"0\"><table>\n<thead><tr>\
              <th scope=\"col\">a</th><th scope=\"col\" class=\"right\"><math><mi>b</mi></math></th></tr></thead>\
              <tbody>\n<tr><td>1</td><td class=\"right\">2</td></tr>\n</tbody></table></div>\n",
             &[],

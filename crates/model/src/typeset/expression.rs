@@ -210,9 +210,7 @@ impl Typesetter<'_> {
         match &base.kind {
             ExpressionKind::Name { name: text, order } => name(text, *order, Some(above)),
             // sin²(x), as usual; but sin⁻¹ would be the inverse function.
-            ExpressionKind::Call { function, arguments }
-                if is_trigonometric(function) && is_positive_number(exponent) =>
-            {
+            ExpressionKind::Call { function, arguments } if is_classical(function) && is_positive_number(exponent) => {
                 self.function(function, arguments, Some(&above), false)
             }
             ExpressionKind::Call { function, arguments } if has_own_brackets(function, arguments) => {
@@ -250,7 +248,7 @@ impl Typesetter<'_> {
             [argument] => {
                 let inside = self.set(argument, Place::Line);
                 let is_short = matches!(argument.kind, ExpressionKind::Name { order: 0, .. });
-                if bare && is_short && is_trigonometric(function) {
+                if bare && is_short && is_classical(function) {
                     return format!("<mrow>{sign}<mo>&#x2061;</mo><mspace width=\"0.1667em\"/>{inside}</mrow>");
                 }
                 inside
@@ -326,7 +324,8 @@ fn is_wide(factor: &Factor<'_>) -> bool {
     }
 }
 
-fn is_trigonometric(function: &Name) -> bool {
+/// Functions whose sign may be followed by a bare argument and carry an exponent: cos φ, sin²(x).
+fn is_classical(function: &Name) -> bool {
     matches!(function.text.as_str(), "sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" | "ln" | "log10")
 }
 

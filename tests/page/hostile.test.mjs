@@ -33,9 +33,11 @@ function exportedWords() {
   return file;
 }
 
-visit("hostile drawings are refused", async (lab) => {
+visit("hostile drawings and links are told and left out", async (lab) => {
   await lab.page.setInputFiles("#open-file", beside("hostile-scene.md"));
-  await lab.page.locator(".finding").first().waitFor();
+  await eventually(async () => assert.ok((await lab.page.locator(".finding.error").count()) >= 5, "each is told"));
+  await isHarmless(lab);
+  for (const tab of await lab.page.getByRole("tab").all()) await tab.click();
   await isHarmless(lab);
 });
 

@@ -45,7 +45,7 @@ export const temporary = (name) => join(directory, name);
 export const beside = (name) => join(root, "tests", "page", name);
 
 /** The program's output for these words, run at the root of the project. */
-export const meniscus = (...words) => execFileSync(program, words, { cwd: root, encoding: "utf8" });
+export const meniscus = (...words) => execFileSync(program, words, { cwd: root, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 
 /** A test: somebody opens a page and does something with it. */
 export function visit(title, ...rest) {
@@ -87,6 +87,7 @@ export class Lab {
       acceptDownloads: true,
     });
     await context.setOffline(true);
+    context.setDefaultTimeout(10_000);
     const page = await context.newPage();
     const lab = new Lab(context, page, pathToFileURL(typeof file === "function" ? file() : file).href);
     await lab.go(lab.address);
@@ -101,7 +102,7 @@ export class Lab {
     this.requests = [];
     page.on("pageerror", (error) => this.faults.push(String(error)));
     page.on("console", (message) => {
-      if (message.type() === "error") this.faults.push(message.text());
+      if (message.type() === "error") this.faults.push(`${message.text()} (${message.location().url.slice(0, 120)})`);
     });
     page.on("request", (request) => {
       if (!request.isNavigationRequest() && !/^(data|blob):/.test(request.url())) this.requests.push(request.url());

@@ -72,7 +72,7 @@ visit("damping acts at once and without a jump", async (lab) => {
   assert.match(await lab.value("Regime"), /underdamped/);
   await lab.enter("Damping", "5000");
   assert.match(await lab.value("Regime"), /overdamped/);
-  assert.equal(await lab.value("Period"), "–", "there is none");
+  assert.match(await lab.value("Period"), /^–/, "there is none");
 });
 
 visit("a level restarts the run", async (lab) => {

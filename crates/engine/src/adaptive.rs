@@ -63,11 +63,7 @@ impl Adaptive {
         Self {
             pair,
             tolerance: setup.tolerance,
-            floors: model
-                .states
-                .iter()
-                .map(|state| Self::BELOW_UNIT * state.unit.factor.abs())
-                .collect(),
+            floors: model.states.iter().map(|state| Self::BELOW_UNIT * state.unit.factor.abs()).collect(),
             peaks: zeros.clone(),
             longest: Self::ROWS * setup.step,
             // The controller finds the right size within a few attempts.
@@ -130,38 +126,21 @@ impl Adaptive {
         let mut rejected = false;
         loop {
             let smallest = 16.0 * f64::EPSILON * time.abs().max(f64::MIN_POSITIVE / f64::EPSILON);
-            step(
-                &mut self.pair,
-                equations,
-                time,
-                size,
-                &self.to,
-                &mut self.attempt,
-                &mut self.error,
-            );
+            step(&mut self.pair, equations, time, size, &self.to, &mut self.attempt, &mut self.error);
             let error = self.error_norm();
             if error <= 1.0 {
-                let growth = 0.9 * libm::pow(self.earlier_error, integral)
-                    / libm::pow(error.max(1e-10), proportional);
+                let growth = 0.9 * libm::pow(self.earlier_error, integral) / libm::pow(error.max(1e-10), proportional);
                 let growth = growth.clamp(0.2, if rejected { 1.0 } else { 10.0 });
                 self.earlier_error = error.max(1e-4);
                 let on_row = lands && !rejected;
                 self.accept(time, size, if on_row { row } else { time + size });
                 // A step cut short by a row says nothing against the size that was wanted.
-                self.proposed = if on_row {
-                    wanted.max(size * growth)
-                } else {
-                    size * growth
-                };
+                self.proposed = if on_row { wanted.max(size * growth) } else { size * growth };
                 return Ok(());
             }
             if size <= smallest {
                 let finite = self.attempt.iter().all(|value| value.is_finite());
-                return Err(if finite {
-                    Stuck::TooSmall
-                } else {
-                    Stuck::NotFinite
-                });
+                return Err(if finite { Stuck::TooSmall } else { Stuck::NotFinite });
             }
             let shrinkage = 0.9 / libm::pow(error, proportional);
             // Also where the error is not a number.
@@ -179,23 +158,9 @@ impl Adaptive {
     /// Where the event lies that is due between `low` and `high` after the start of the last step. A shorter step from the
     /// same start gives the state there; where the dense output and such a step disagree on whether the event is due at
     /// all, which is a matter of errors within the tolerance, the dense output decides.
-    pub fn locate(
-        &mut self,
-        equations: &mut Equations,
-        events: &mut Events,
-        low: f64,
-        high: f64,
-    ) -> Crossing {
+    pub fn locate(&mut self, equations: &mut Equations, events: &mut Events, low: f64, high: f64) -> Crossing {
         self.forget();
-        let Self {
-            pair,
-            start,
-            from,
-            error,
-            dense,
-            size,
-            ..
-        } = self;
+        let Self { pair, start, from, error, dense, size, .. } = self;
         let (start, size) = (*start, *size);
         let mut again = |since: f64, out: &mut [f64]| {
             if since < Self::AT_ONCE {
@@ -213,9 +178,7 @@ impl Adaptive {
         }
         dense_value(dense, high / size, &mut state);
         events.due(start + high, &state);
-        events.locate(start, low, high, |since, out| {
-            dense_value(dense, since / size, out)
-        })
+        events.locate(start, low, high, |since, out| dense_value(dense, since / size, out))
     }
 
     /// The state that the last attempt led to.
@@ -263,17 +226,10 @@ impl Adaptive {
         let mut sum = 0.0;
         for (k, error) in self.error.iter().enumerate() {
             let size = self.to[k].abs().max(self.attempt[k].abs());
-            let scale = self.tolerance
-                * size
-                    .max(Self::BELOW_PEAK * self.peaks[k])
-                    .max(self.floors[k]);
+            let scale = self.tolerance * size.max(Self::BELOW_PEAK * self.peaks[k]).max(self.floors[k]);
             let ratio = error / scale;
             // A value that is not finite must not hide behind `max`, which passes over NaN.
-            sum += if self.attempt[k].is_finite() {
-                ratio * ratio
-            } else {
-                f64::NAN
-            };
+            sum += if self.attempt[k].is_finite() { ratio * ratio } else { f64::NAN };
         }
         (sum / self.error.len().max(1) as f64).sqrt()
     }

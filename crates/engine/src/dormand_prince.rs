@@ -15,39 +15,14 @@ const STAGE_WEIGHTS: [&[f64]; STAGES] = [
     &[1.0 / 5.0],
     &[3.0 / 40.0, 9.0 / 40.0],
     &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
-    &[
-        19372.0 / 6561.0,
-        -25360.0 / 2187.0,
-        64448.0 / 6561.0,
-        -212.0 / 729.0,
-    ],
-    &[
-        9017.0 / 3168.0,
-        -355.0 / 33.0,
-        46732.0 / 5247.0,
-        49.0 / 176.0,
-        -5103.0 / 18656.0,
-    ],
-    &[
-        35.0 / 384.0,
-        0.0,
-        500.0 / 1113.0,
-        125.0 / 192.0,
-        -2187.0 / 6784.0,
-        11.0 / 84.0,
-    ],
+    &[19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0],
+    &[9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0],
+    &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
 ];
 
 /// The weights of order 5 minus those of order 4.
-const ERROR_WEIGHTS: [f64; STAGES] = [
-    71.0 / 57600.0,
-    0.0,
-    -71.0 / 16695.0,
-    71.0 / 1920.0,
-    -17253.0 / 339_200.0,
-    22.0 / 525.0,
-    -1.0 / 40.0,
-];
+const ERROR_WEIGHTS: [f64; STAGES] =
+    [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
 /// The weights of the dense output's term of degree 4.
 const DENSE_WEIGHTS: [f64; STAGES] = [
@@ -71,11 +46,7 @@ pub(crate) struct DormandPrince {
 
 impl DormandPrince {
     pub fn new(states: usize) -> Self {
-        Self {
-            rates: std::array::from_fn(|_| vec![0.0; states]),
-            stage: vec![0.0; states],
-            first_known: false,
-        }
+        Self { rates: std::array::from_fn(|_| vec![0.0; states]), stage: vec![0.0; states], first_known: false }
     }
 
     /// Forgets the step before, after a jump of the state or the parameters.
@@ -148,10 +119,7 @@ fn combine(to: &mut [f64], from: &[f64], size: f64, weights: &[f64], rates: &[Ve
 }
 
 fn weighted(weights: &[f64], rates: &[Vec<f64>], k: usize) -> f64 {
-    weights
-        .iter()
-        .zip(rates)
-        .fold(0.0, |sum, (weight, rates)| sum + weight * rates[k])
+    weights.iter().zip(rates).fold(0.0, |sum, (weight, rates)| sum + weight * rates[k])
 }
 
 #[cfg(test)]
@@ -164,11 +132,7 @@ mod tests {
         for (row, weights) in matrix.iter_mut().zip(STAGE_WEIGHTS) {
             row[..weights.len()].copy_from_slice(weights);
         }
-        Method {
-            single: matrix.clone(),
-            several: matrix,
-            weights,
-        }
+        Method { single: matrix.clone(), several: matrix, weights }
     }
 
     fn weights() -> Vec<f64> {
@@ -179,22 +143,12 @@ mod tests {
 
     #[test]
     fn the_coefficients_fulfil_the_conditions_of_their_orders() {
-        let embedded: Vec<f64> = weights()
-            .iter()
-            .zip(ERROR_WEIGHTS)
-            .map(|(weight, error)| weight - error)
-            .collect();
+        let embedded: Vec<f64> = weights().iter().zip(ERROR_WEIGHTS).map(|(weight, error)| weight - error).collect();
         for order in 1..=5 {
-            assert!(
-                method(weights()).residual(order, 1.0) < 1e-15,
-                "order {order}"
-            );
+            assert!(method(weights()).residual(order, 1.0) < 1e-15, "order {order}");
         }
         for order in 1..=4 {
-            assert!(
-                method(embedded.clone()).residual(order, 1.0) < 1e-15,
-                "embedded, order {order}"
-            );
+            assert!(method(embedded.clone()).residual(order, 1.0) < 1e-15, "embedded, order {order}");
         }
         assert!(method(weights()).residual(6, 1.0) > 1e-4);
         assert!(method(embedded).residual(5, 1.0) > 1e-4);
@@ -229,10 +183,7 @@ mod tests {
                 })
                 .collect();
             for order in 1..=4 {
-                assert!(
-                    method(weights_there.clone()).residual(order, part) < 1e-14,
-                    "order {order} at {part}"
-                );
+                assert!(method(weights_there.clone()).residual(order, part) < 1e-14, "order {order} at {part}");
             }
         }
     }

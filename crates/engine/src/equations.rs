@@ -18,22 +18,14 @@ impl Equations {
     /// f alone.
     pub fn new(model: &Model) -> Self {
         let rates = Routine::compile(model, &rate_nodes(model));
-        Self {
-            rates,
-            slopes: None,
-            evaluations: 0,
-            jacobians: 0,
-        }
+        Self { rates, slopes: None, evaluations: 0, jacobians: 0 }
     }
 
     /// f with its exact derivatives by the states and by the independent variable; `None` if they are too many.
     pub fn with_slopes(model: &Model) -> Option<Self> {
         let (graph, roots) = model.slopes()?;
         let slopes = Routine::from_graph(&graph, model.states.len(), &roots);
-        Some(Self {
-            slopes: Some(slopes),
-            ..Self::new(model)
-        })
+        Some(Self { slopes: Some(slopes), ..Self::new(model) })
     }
 
     /// Sets parameters and initial values.

@@ -99,18 +99,11 @@ impl Events {
     }
 
     /// Arms the events at a state right after a jump, where a condition that is about to become true has been used up.
-    pub fn arm_after_jump(
-        &mut self,
-        equations: &mut Equations,
-        time: f64,
-        state: &[f64],
-        ahead: f64,
-    ) {
+    pub fn arm_after_jump(&mut self, equations: &mut Equations, time: f64, state: &[f64], ahead: f64) {
         self.arm(time, state);
         equations.rates(time, state, &mut self.rates_after);
         follow(&mut self.probe, state, &self.rates_after, ahead);
-        self.conditions
-            .evaluate(time + ahead, &self.probe, &mut self.truths);
+        self.conditions.evaluate(time + ahead, &self.probe, &mut self.truths);
         for (armed, &truth) in self.armed.iter_mut().zip(&self.truths) {
             *armed &= truth == 0.0;
         }
@@ -136,13 +129,7 @@ impl Events {
 
     /// Finds the first moment at which an event that is due at `high` fires, for a step that started at `start`, and
     /// remembers the state there. `state_at` gives the state so long after the start.
-    pub fn locate(
-        &mut self,
-        start: f64,
-        low: f64,
-        high: f64,
-        mut state_at: impl FnMut(f64, &mut [f64]),
-    ) -> Crossing {
+    pub fn locate(&mut self, start: f64, low: f64, high: f64, mut state_at: impl FnMut(f64, &mut [f64])) -> Crossing {
         // Non-negative numbers are ordered like their bits, so this ends at neighbours after at most 63 halvings.
         let (mut low, mut high) = (low.to_bits(), high.to_bits());
         let mut fires = self.due.clone();
@@ -160,10 +147,7 @@ impl Events {
             self.probe = probe;
         }
         self.due = fires;
-        let crossing = Crossing {
-            low: f64::from_bits(low),
-            high: f64::from_bits(high),
-        };
+        let crossing = Crossing { low: f64::from_bits(low), high: f64::from_bits(high) };
         state_at(crossing.low, &mut self.before);
         crossing
     }
@@ -187,8 +171,7 @@ impl Events {
 
     /// Lets the events act that the last jump has made due, on the state after it; how many there were.
     pub fn cascade(&mut self, time: f64) -> usize {
-        self.conditions
-            .evaluate(time, &self.after, &mut self.truths);
+        self.conditions.evaluate(time, &self.after, &mut self.truths);
         let fired = self.due.iter_mut().zip(&mut self.armed);
         for ((due, armed), &truth) in fired.zip(&self.truths) {
             // What has just fired can fire again only after its condition has been false.
@@ -213,18 +196,14 @@ impl Events {
         while self.crossing.contains(&true) {
             let found_nothing = ahead > reach;
             follow(&mut self.probe, &self.approach, &self.rates_before, ahead);
-            self.conditions
-                .evaluate(time + ahead, &self.probe, &mut self.truths);
+            self.conditions.evaluate(time + ahead, &self.probe, &mut self.truths);
             for (crossed, &truth) in crossed.iter_mut().zip(&self.truths) {
                 *crossed = truth != 0.0;
             }
             follow(&mut self.probe, &self.after, &self.rates_after, ahead);
-            self.conditions
-                .evaluate(time + ahead, &self.probe, &mut self.truths);
+            self.conditions.evaluate(time + ahead, &self.probe, &mut self.truths);
             let answers = crossed.iter().zip(&self.truths);
-            for ((crossing, armed), (&crossed, &truth)) in
-                self.crossing.iter_mut().zip(&mut self.armed).zip(answers)
-            {
+            for ((crossing, armed), (&crossed, &truth)) in self.crossing.iter_mut().zip(&mut self.armed).zip(answers) {
                 if *crossing && (crossed || found_nothing) {
                     *crossing = false;
                     *armed &= truth == 0.0 && !found_nothing;

@@ -16,13 +16,7 @@ impl History {
     /// The history of a run that starts at 0 with the state `initial`.
     pub(crate) fn new(initial: Vec<f64>, parameters: Vec<f64>) -> Self {
         let columns = initial.iter().map(|&value| vec![value]).collect();
-        Self {
-            initial,
-            times: vec![0.0],
-            columns,
-            segments: vec![0],
-            parameters: vec![(0, parameters)],
-        }
+        Self { initial, times: vec![0.0], columns, segments: vec![0], parameters: vec![(0, parameters)] }
     }
 
     /// How many rows there are; at least one.
@@ -85,19 +79,13 @@ impl History {
 
     /// The last row at or before `time`; the first row if there is none.
     pub fn row_at(&self, time: f64) -> usize {
-        self.times
-            .partition_point(|&at| at <= time)
-            .saturating_sub(1)
+        self.times.partition_point(|&at| at <= time).saturating_sub(1)
     }
 
     /// The memory that the rows take.
     pub fn bytes(&self) -> usize {
         let row = size_of::<f64>() * (1 + self.columns.len()) + size_of::<u32>();
-        let sets: usize = self
-            .parameters
-            .iter()
-            .map(|(_, set)| size_of_val(set.as_slice()) + 32)
-            .sum();
+        let sets: usize = self.parameters.iter().map(|(_, set)| size_of_val(set.as_slice()) + 32).sum();
         row * self.times.len() + sets
     }
 

@@ -35,45 +35,27 @@ pub(crate) enum Instruction {
 pub(crate) fn run(code: &[Instruction], registers: &mut [f64], systems: &mut [Elimination]) {
     for &instruction in code {
         match instruction {
-            Instruction::Add(to, a, b) => {
-                registers[to as usize] = registers[a as usize] + registers[b as usize]
-            }
-            Instruction::Subtract(to, a, b) => {
-                registers[to as usize] = registers[a as usize] - registers[b as usize]
-            }
-            Instruction::Multiply(to, a, b) => {
-                registers[to as usize] = registers[a as usize] * registers[b as usize]
-            }
-            Instruction::Divide(to, a, b) => {
-                registers[to as usize] = registers[a as usize] / registers[b as usize]
-            }
+            Instruction::Add(to, a, b) => registers[to as usize] = registers[a as usize] + registers[b as usize],
+            Instruction::Subtract(to, a, b) => registers[to as usize] = registers[a as usize] - registers[b as usize],
+            Instruction::Multiply(to, a, b) => registers[to as usize] = registers[a as usize] * registers[b as usize],
+            Instruction::Divide(to, a, b) => registers[to as usize] = registers[a as usize] / registers[b as usize],
             Instruction::Negate(to, a) => registers[to as usize] = -registers[a as usize],
             Instruction::MultiplyAdd(to, a, b, c) => {
-                registers[to as usize] =
-                    registers[a as usize] * registers[b as usize] + registers[c as usize];
+                registers[to as usize] = registers[a as usize] * registers[b as usize] + registers[c as usize];
             }
             Instruction::MultiplySubtract(to, a, b, c) => {
-                registers[to as usize] =
-                    registers[a as usize] * registers[b as usize] - registers[c as usize];
+                registers[to as usize] = registers[a as usize] * registers[b as usize] - registers[c as usize];
             }
             Instruction::SubtractProduct(to, a, b, c) => {
-                registers[to as usize] =
-                    registers[c as usize] - registers[a as usize] * registers[b as usize];
+                registers[to as usize] = registers[c as usize] - registers[a as usize] * registers[b as usize];
             }
             Instruction::Select(to, condition, a, b) => {
-                let chosen = if registers[condition as usize] != 0.0 {
-                    a
-                } else {
-                    b
-                };
+                let chosen = if registers[condition as usize] != 0.0 { a } else { b };
                 registers[to as usize] = registers[chosen as usize];
             }
-            Instruction::Unary(function, to, a) => {
-                registers[to as usize] = function.evaluate(registers[a as usize])
-            }
+            Instruction::Unary(function, to, a) => registers[to as usize] = function.evaluate(registers[a as usize]),
             Instruction::Binary(function, to, a, b) => {
-                registers[to as usize] =
-                    function.evaluate(registers[a as usize], registers[b as usize]);
+                registers[to as usize] = function.evaluate(registers[a as usize], registers[b as usize]);
             }
             Instruction::Solve(system) => systems[system as usize].solve(registers),
         }

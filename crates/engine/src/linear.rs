@@ -48,11 +48,7 @@ pub(crate) struct Factors {
 impl Factors {
     /// Room for a matrix of `size` rows, all zero.
     pub fn new(size: usize) -> Self {
-        Self {
-            values: vec![0.0; size * size],
-            exchanged: vec![0; size],
-            singular: false,
-        }
+        Self { values: vec![0.0; size * size], exchanged: vec![0; size], singular: false }
     }
 
     /// Replaces the matrix by its factors (Golub & Van Loan, Matrix Computations, algorithm 3.4.1).
@@ -62,8 +58,7 @@ impl Factors {
         for column in 0..size {
             let mut pivot = column;
             for row in column + 1..size {
-                if self.values[row * size + column].abs() > self.values[pivot * size + column].abs()
-                {
+                if self.values[row * size + column].abs() > self.values[pivot * size + column].abs() {
                     pivot = row;
                 }
             }
@@ -127,18 +122,13 @@ mod tests {
 
     #[test]
     fn solves_with_exchanges() {
-        let solution = solve(
-            &[0.0, 2.0, 1.0, 1.0, 1.0, 1.0, 2.0, 1.0, 0.0],
-            &[7.0, 6.0, 4.0],
-        );
+        let solution = solve(&[0.0, 2.0, 1.0, 1.0, 1.0, 1.0, 2.0, 1.0, 0.0], &[7.0, 6.0, 4.0]);
         assert_eq!(solution, [1.0, 2.0, 3.0]);
     }
 
     #[test]
     fn a_hilbert_matrix_keeps_its_bits() {
-        let matrix: Vec<f64> = (0..16)
-            .map(|k| 1.0 / f64::from(k / 4 + k % 4 + 1))
-            .collect();
+        let matrix: Vec<f64> = (0..16).map(|k| 1.0 / f64::from(k / 4 + k % 4 + 1)).collect();
         let solution = solve(&matrix, &[1.0, 0.0, 0.0, 0.0]);
         for (value, exact) in solution.iter().zip([16.0, -120.0, 240.0, -140.0]) {
             assert!((value - exact).abs() < 1e-10);
@@ -148,27 +138,13 @@ mod tests {
     }
 
     /// As computed on the first machine; any other order of operations changes them.
-    const HILBERT_BITS: [u64; 4] = [
-        4_625_196_817_309_498_996,
-        13_861_516_703_092_964_796,
-        4_642_648_265_865_559_352,
-        13_862_501_865_511_452_203,
-    ];
+    const HILBERT_BITS: [u64; 4] =
+        [4_625_196_817_309_498_996, 13_861_516_703_092_964_796, 4_642_648_265_865_559_352, 13_862_501_865_511_452_203];
 
     #[test]
     fn a_singular_matrix_has_no_solution() {
-        for matrix in [
-            [1.0, 2.0, 2.0, 4.0],
-            [0.0; 4],
-            [f64::NAN, 1.0, 1.0, 1.0],
-            [f64::INFINITY, 1.0, 1.0, 1.0],
-        ] {
-            assert!(
-                solve(&matrix, &[1.0, 1.0])
-                    .iter()
-                    .all(|value| value.is_nan()),
-                "{matrix:?}"
-            );
+        for matrix in [[1.0, 2.0, 2.0, 4.0], [0.0; 4], [f64::NAN, 1.0, 1.0, 1.0], [f64::INFINITY, 1.0, 1.0, 1.0]] {
+            assert!(solve(&matrix, &[1.0, 1.0]).iter().all(|value| value.is_nan()), "{matrix:?}");
         }
     }
 }

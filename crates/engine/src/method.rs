@@ -72,11 +72,7 @@ pub struct UnknownMethod(pub String);
 
 impl fmt::Display for UnknownMethod {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            formatter,
-            "there is no method `{}`; the methods are ",
-            self.0
-        )?;
+        write!(formatter, "there is no method `{}`; the methods are ", self.0)?;
         for (index, method) in Method::ALL.into_iter().enumerate() {
             let separator = match index {
                 0 => "",
@@ -95,9 +91,6 @@ impl FromStr for Method {
     type Err = UnknownMethod;
 
     fn from_str(text: &str) -> Result<Self, UnknownMethod> {
-        Self::ALL
-            .into_iter()
-            .find(|method| method.name() == text)
-            .ok_or_else(|| UnknownMethod(text.to_owned()))
+        Self::ALL.into_iter().find(|method| method.name() == text).ok_or_else(|| UnknownMethod(text.to_owned()))
     }
 }

@@ -36,11 +36,7 @@ mod tests {
         ] {
             assert_eq!(shortest(value), text);
             if value.is_finite() {
-                assert_eq!(
-                    text.parse::<f64>().map(f64::to_bits),
-                    Ok(value.to_bits()),
-                    "{text}"
-                );
+                assert_eq!(text.parse::<f64>().map(f64::to_bits), Ok(value.to_bits()), "{text}");
             }
         }
     }

@@ -27,15 +27,9 @@ impl Tree {
     /// The product over the subtrees at stage `i`.
     fn product(&self, method: &Method, stage: usize) -> f64 {
         // Rosenbrock methods: a vertex with a single branch stands for the Jacobian, which the matrix gamma is for.
-        let matrix = if self.0.len() == 1 {
-            &method.single
-        } else {
-            &method.several
-        };
+        let matrix = if self.0.len() == 1 { &method.single } else { &method.several };
         let sum = |subtree: &Self| -> f64 {
-            (0..method.weights.len())
-                .map(|j| matrix[stage][j] * subtree.product(method, j))
-                .sum()
+            (0..method.weights.len()).map(|j| matrix[stage][j] * subtree.product(method, j)).sum()
         };
         self.0.iter().map(sum).product()
     }
@@ -75,9 +69,8 @@ impl Method {
         let power = (0..order).fold(1.0, |power, _| power * part);
         let mut greatest = 0.0_f64;
         for tree in Tree::of_order(order) {
-            let weight: f64 = (0..self.weights.len())
-                .map(|stage| self.weights[stage] * tree.product(self, stage))
-                .sum();
+            let weight: f64 =
+                (0..self.weights.len()).map(|stage| self.weights[stage] * tree.product(self, stage)).sum();
             greatest = greatest.max((weight - power / tree.density()).abs());
         }
         greatest
@@ -96,13 +89,7 @@ pub(crate) fn measured(mut step: impl FnMut(&mut Equations, f64, f64, &[f64], &m
         let size = 4.0 / f64::from(steps);
         let (mut from, mut to) = ([1.0, 0.5], [0.0; 2]);
         for index in 0..steps {
-            step(
-                &mut equations,
-                f64::from(index) * size,
-                size,
-                &from,
-                &mut to,
-            );
+            step(&mut equations, f64::from(index) * size, size, &from, &mut to);
             from = to;
         }
         from[0]

@@ -17,11 +17,7 @@ pub(crate) struct Places {
 impl Places {
     pub fn new(model: &Model, method: Method) -> Self {
         Self {
-            states: model
-                .states
-                .iter()
-                .map(|state| (state.name(), state.span))
-                .collect(),
+            states: model.states.iter().map(|state| (state.name(), state.span)).collect(),
             events: model.events.iter().map(|event| event.span).collect(),
             independent: model.independent.name.clone(),
             unit: model.independent.unit.clone(),
@@ -37,55 +33,28 @@ impl Places {
     }
 
     fn error(&self, code: &'static str, message: String, time: f64) -> RunError {
-        RunError {
-            code,
-            message,
-            time,
-            span: None,
-            hint: None,
-        }
+        RunError { code, message, time, span: None, hint: None }
     }
 
     /// A state that is not finite after a step that started at `time`.
     pub fn not_finite(&self, time: f64, state: &[f64], singular: bool) -> RunError {
-        let first = state
-            .iter()
-            .position(|value| !value.is_finite())
-            .unwrap_or_default();
+        let first = state.iter().position(|value| !value.is_finite()).unwrap_or_default();
         let (name, span) = self.states.get(first).cloned().unwrap_or_default();
         let moment = self.moment(time);
         let (code, message, hint) = if singular {
-            let message = format!(
-                "the equations have no unique solution for the highest derivatives after {moment}"
-            );
-            (
-                "singular-equations",
-                message,
-                "the determinant of the masses or coefficients has become zero there",
-            )
+            let message = format!("the equations have no unique solution for the highest derivatives after {moment}");
+            ("singular-equations", message, "the determinant of the masses or coefficients has become zero there")
         } else {
             let overflows = state.get(first).is_some_and(|value| value.is_infinite());
-            let fate = if overflows {
-                "grows beyond all numbers"
-            } else {
-                "is not a number any more"
-            };
+            let fate = if overflows { "grows beyond all numbers" } else { "is not a number any more" };
             let hint = match self.method {
-                Method::Rosenbrock => {
-                    "check the equations for a division by zero or a root of a negative number"
-                }
-                Method::DormandPrince => {
-                    "if nothing is divided by zero there, the method `rosenbrock` may help"
-                }
+                Method::Rosenbrock => "check the equations for a division by zero or a root of a negative number",
+                Method::DormandPrince => "if nothing is divided by zero there, the method `rosenbrock` may help",
                 _ => "if nothing is divided by zero there, a smaller step may help",
             };
             ("not-finite", format!("{name} {fate} after {moment}"), hint)
         };
-        RunError {
-            span: Some(span),
-            hint: Some(hint.to_owned()),
-            ..self.error(code, message, time)
-        }
+        RunError { span: Some(span), hint: Some(hint.to_owned()), ..self.error(code, message, time) }
     }
 
     /// An adaptive method that cannot go on from `time`.
@@ -93,10 +62,7 @@ impl Places {
         if stuck == Stuck::NotFinite {
             return self.not_finite(time, attempt, singular);
         }
-        let message = format!(
-            "no step from {} is small enough for the tolerance",
-            self.moment(time)
-        );
+        let message = format!("no step from {} is small enough for the tolerance", self.moment(time));
         let hint = "the solution is not smooth there, or grows beyond all bounds";
         RunError {
             span: self.states.first().map(|(_, span)| *span),
@@ -107,10 +73,7 @@ impl Places {
 
     /// Too much work for one row.
     pub fn too_many_steps(&self, limit: usize, time: f64) -> RunError {
-        let message = format!(
-            "{limit} steps were not enough for one row, at {}",
-            self.moment(time)
-        );
+        let message = format!("{limit} steps were not enough for one row, at {}", self.moment(time));
         let hint = match self.method {
             Method::Rosenbrock => "a larger tolerance or rows at shorter distances may help",
             _ => "if the equations are stiff, the method `rosenbrock` is made for them",
@@ -124,10 +87,7 @@ impl Places {
 
     /// Events without end.
     pub fn too_many_events(&self, limit: usize, event: Option<usize>, time: f64) -> RunError {
-        let message = format!(
-            "more than {limit} events in one step, at {}",
-            self.moment(time)
-        );
+        let message = format!("more than {limit} events in one step, at {}", self.moment(time));
         let hint = "the events follow one another ever faster, like the last bounces of a ball; \
                     let an event end the motion, or stop before";
         RunError {

@@ -32,8 +32,7 @@ impl Readings {
     pub fn at_row(&mut self, history: &History, row: usize) -> &[f64] {
         self.prepare(history.parameters(row), history.initial());
         history.state(row, &mut self.state);
-        self.routine
-            .evaluate(history.time(row), &self.state, &mut self.values);
+        self.routine.evaluate(history.time(row), &self.state, &mut self.values);
         &self.values
     }
 

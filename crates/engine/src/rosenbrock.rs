@@ -23,24 +23,9 @@ const STAGE_WEIGHTS: [&[f64]; STAGES] = [
     &[],
     &[1.544],
     &[0.946_678_528_081_582_6, 0.255_701_169_898_328_4],
-    &[
-        3.314_825_187_068_521,
-        2.896_124_015_972_201,
-        0.998_641_913_997_781_7,
-    ],
-    &[
-        1.221_224_509_226_641,
-        6.019_134_481_288_629,
-        12.537_083_329_320_87,
-        -0.687_886_036_105_895,
-    ],
-    &[
-        1.221_224_509_226_641,
-        6.019_134_481_288_629,
-        12.537_083_329_320_87,
-        -0.687_886_036_105_895,
-        1.0,
-    ],
+    &[3.314_825_187_068_521, 2.896_124_015_972_201, 0.998_641_913_997_781_7],
+    &[1.221_224_509_226_641, 6.019_134_481_288_629, 12.537_083_329_320_87, -0.687_886_036_105_895],
+    &[1.221_224_509_226_641, 6.019_134_481_288_629, 12.537_083_329_320_87, -0.687_886_036_105_895, 1.0],
 ];
 
 /// c_ij
@@ -48,17 +33,8 @@ const SOLVED_WEIGHTS: [&[f64]; STAGES] = [
     &[],
     &[-5.6688],
     &[-2.430_093_356_833_875, -0.206_359_915_709_191_5],
-    &[
-        -0.107_352_905_815_137_5,
-        -9.594_562_251_023_355,
-        -20.470_286_148_096_16,
-    ],
-    &[
-        7.496_443_313_967_647,
-        -10.246_804_314_643_52,
-        -33.999_903_528_199_05,
-        11.708_908_932_061_6,
-    ],
+    &[-0.107_352_905_815_137_5, -9.594_562_251_023_355, -20.470_286_148_096_16],
+    &[7.496_443_313_967_647, -10.246_804_314_643_52, -33.999_903_528_199_05, 11.708_908_932_061_6],
     &[
         8.083_246_795_921_522,
         -7.981_132_988_064_893,
@@ -133,13 +109,8 @@ impl Rosenbrock {
         }
         for row in 0..states {
             for column in 0..states {
-                let diagonal = if row == column {
-                    1.0 / (size * GAMMA)
-                } else {
-                    0.0
-                };
-                self.matrix.values[row * states + column] =
-                    diagonal - self.slopes[column * states + row];
+                let diagonal = if row == column { 1.0 / (size * GAMMA) } else { 0.0 };
+                self.matrix.values[row * states + column] = diagonal - self.slopes[column * states + row];
             }
         }
         self.matrix.factorize();
@@ -179,10 +150,7 @@ impl Rosenbrock {
 }
 
 fn weighted(weights: &[f64], solved: &[Vec<f64>], k: usize) -> f64 {
-    weights
-        .iter()
-        .zip(solved)
-        .fold(0.0, |sum, (weight, solved)| sum + weight * solved[k])
+    weights.iter().zip(solved).fold(0.0, |sum, (weight, solved)| sum + weight * solved[k])
 }
 
 #[cfg(test)]
@@ -191,13 +159,7 @@ mod tests {
     use crate::order_conditions::{self, Method};
 
     fn lower(rows: [&[f64]; STAGES]) -> Vec<Vec<f64>> {
-        rows.iter()
-            .map(|row| {
-                (0..STAGES)
-                    .map(|k| row.get(k).copied().unwrap_or_default())
-                    .collect()
-            })
-            .collect()
+        rows.iter().map(|row| (0..STAGES).map(|k| row.get(k).copied().unwrap_or_default()).collect()).collect()
     }
 
     /// Gamma = (I/gamma - C)^-1, column by column.
@@ -211,8 +173,7 @@ mod tests {
             }
         }
         factors.factorize();
-        let unit =
-            |column: usize| (0..STAGES).map(move |row| if row == column { 1.0 } else { 0.0 });
+        let unit = |column: usize| (0..STAGES).map(move |row| if row == column { 1.0 } else { 0.0 });
         let columns: Vec<Vec<f64>> = (0..STAGES)
             .map(|column| {
                 let mut right: Vec<f64> = unit(column).collect();
@@ -220,50 +181,27 @@ mod tests {
                 right
             })
             .collect();
-        (0..STAGES)
-            .map(|row| columns.iter().map(|column| column[row]).collect())
-            .collect()
+        (0..STAGES).map(|row| columns.iter().map(|column| column[row]).collect()).collect()
     }
 
     /// From weights of the transformed stages to those of the original ones.
     fn original(weights: &[f64]) -> Vec<f64> {
         let gammas = gammas();
-        (0..STAGES)
-            .map(|k| (0..STAGES).map(|j| weights[j] * gammas[j][k]).sum())
-            .collect()
+        (0..STAGES).map(|k| (0..STAGES).map(|j| weights[j] * gammas[j][k]).sum()).collect()
     }
 
     fn method(weights: &[f64]) -> Method {
-        let several: Vec<Vec<f64>> = lower(STAGE_WEIGHTS)
-            .iter()
-            .map(|row| original(row))
-            .collect();
+        let several: Vec<Vec<f64>> = lower(STAGE_WEIGHTS).iter().map(|row| original(row)).collect();
         let single = several
             .iter()
             .zip(gammas())
-            .map(|(alphas, gammas)| {
-                alphas
-                    .iter()
-                    .zip(gammas)
-                    .map(|(alpha, gamma)| alpha + gamma)
-                    .collect()
-            })
+            .map(|(alphas, gammas)| alphas.iter().zip(gammas).map(|(alpha, gamma)| alpha + gamma).collect())
             .collect();
-        Method {
-            single,
-            several,
-            weights: original(weights),
-        }
+        Method { single, several, weights: original(weights) }
     }
 
-    const RESULT: [f64; STAGES] = [
-        STAGE_WEIGHTS[5][0],
-        STAGE_WEIGHTS[5][1],
-        STAGE_WEIGHTS[5][2],
-        STAGE_WEIGHTS[5][3],
-        1.0,
-        1.0,
-    ];
+    const RESULT: [f64; STAGES] =
+        [STAGE_WEIGHTS[5][0], STAGE_WEIGHTS[5][1], STAGE_WEIGHTS[5][2], STAGE_WEIGHTS[5][3], 1.0, 1.0];
 
     #[test]
     fn the_coefficients_fulfil_the_conditions_of_their_orders() {

@@ -176,11 +176,7 @@ impl<'a> Compiler<'a> {
     fn latest(&self, node: Node) -> Stage {
         let mut operands = operands(self.graph, node).into_iter();
         let in_body = operands.any(|operand| self.stage[operand.0 as usize] == Stage::Body);
-        if in_body {
-            Stage::Body
-        } else {
-            Stage::Prologue
-        }
+        if in_body { Stage::Body } else { Stage::Prologue }
     }
 
     /// The operand of a sum or difference that is a product nobody else reads, and the other operand.
@@ -254,9 +250,7 @@ impl<'a> Compiler<'a> {
             let (a, b, c) = (self.of(a), self.of(b), self.of(other));
             return match node {
                 Node::Binary(Binary::Add, ..) => Instruction::MultiplyAdd(to, a, b, c),
-                Node::Binary(_, left, _) if left == product => {
-                    Instruction::MultiplySubtract(to, a, b, c)
-                }
+                Node::Binary(_, left, _) if left == product => Instruction::MultiplySubtract(to, a, b, c),
                 _ => Instruction::SubtractProduct(to, a, b, c),
             };
         }
@@ -264,19 +258,11 @@ impl<'a> Compiler<'a> {
             Node::Unary(Unary::Negate, a) => Instruction::Negate(to, self.of(a)),
             Node::Unary(function, a) => Instruction::Unary(function, to, self.of(a)),
             Node::Binary(Binary::Add, a, b) => Instruction::Add(to, self.of(a), self.of(b)),
-            Node::Binary(Binary::Subtract, a, b) => {
-                Instruction::Subtract(to, self.of(a), self.of(b))
-            }
-            Node::Binary(Binary::Multiply, a, b) => {
-                Instruction::Multiply(to, self.of(a), self.of(b))
-            }
+            Node::Binary(Binary::Subtract, a, b) => Instruction::Subtract(to, self.of(a), self.of(b)),
+            Node::Binary(Binary::Multiply, a, b) => Instruction::Multiply(to, self.of(a), self.of(b)),
             Node::Binary(Binary::Divide, a, b) => Instruction::Divide(to, self.of(a), self.of(b)),
-            Node::Binary(function, a, b) => {
-                Instruction::Binary(function, to, self.of(a), self.of(b))
-            }
-            Node::Select(condition, a, b) => {
-                Instruction::Select(to, self.of(condition), self.of(a), self.of(b))
-            }
+            Node::Binary(function, a, b) => Instruction::Binary(function, to, self.of(a), self.of(b)),
+            Node::Select(condition, a, b) => Instruction::Select(to, self.of(condition), self.of(a), self.of(b)),
             // Inputs and solutions are not computed by instructions of their own; `emit` has dealt with them.
             _ => Instruction::Negate(to, to),
         }
@@ -291,13 +277,7 @@ impl<'a> Compiler<'a> {
         self.routine.registers.resize(target as usize + size, 0.0);
         let number = self.routine.systems.len() as u32;
         let factors = Factors::new(size);
-        self.routine.systems.push(Elimination {
-            matrix,
-            right,
-            target,
-            factors,
-            solution: vec![0.0; size],
-        });
+        self.routine.systems.push(Elimination { matrix, right, target, factors, solution: vec![0.0; size] });
         self.push(stage, Instruction::Solve(number));
         self.system[system as usize] = Some(number);
         number
@@ -331,11 +311,7 @@ fn first_of_system(node: Node, read: &mut [bool]) -> bool {
 /// What a node reads.
 fn operands(graph: &Graph, node: Node) -> Vec<NodeId> {
     match node {
-        Node::Constant(_)
-        | Node::Parameter(_)
-        | Node::Initial(_)
-        | Node::Independent
-        | Node::State(_) => Vec::new(),
+        Node::Constant(_) | Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) => Vec::new(),
         Node::Unary(_, a) => vec![a],
         Node::Binary(_, a, b) => vec![a, b],
         Node::Select(condition, a, b) => vec![condition, a, b],

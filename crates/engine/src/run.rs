@@ -38,13 +38,7 @@ impl Run {
         let history = History::new(stepper.initial().to_vec(), setup.parameters.clone());
         let rates: Vec<NodeId> = model.states.iter().map(|state| state.derivative).collect();
         let state = stepper.state().to_vec();
-        Ok(Self {
-            rates: Readings::new(model, &rates),
-            setup,
-            stepper,
-            history,
-            ends: [state.clone(), state],
-        })
+        Ok(Self { rates: Readings::new(model, &rates), setup, stepper, history, ends: [state.clone(), state] })
     }
 
     /// Goes on to the next point of the grid t_n = n h.
@@ -57,14 +51,8 @@ impl Run {
             return Ok(Advance::Full);
         }
         let history = &mut self.history;
-        let events = self
-            .stepper
-            .advance(|time, state, jumped| history.push(time, state, jumped))?;
-        Ok(if events == 0 {
-            Advance::Step
-        } else {
-            Advance::Event
-        })
+        let events = self.stepper.advance(|time, state, jumped| history.push(time, state, jumped))?;
+        Ok(if events == 0 { Advance::Step } else { Advance::Event })
     }
 
     /// What has been recorded.
@@ -115,12 +103,7 @@ impl Run {
         let after_jump = row > 0 && history.segment(row) != history.segment(row - 1);
         let [state, _] = &mut self.ends;
         history.state(row, state);
-        self.stepper.resume(
-            history.time(row),
-            state,
-            self.setup.parameters.clone(),
-            after_jump,
-        );
+        self.stepper.resume(history.time(row), state, self.setup.parameters.clone(), after_jump);
     }
 
     /// Drops all rows but the last, where they have been written elsewhere; the run goes on as if they were there.
@@ -135,10 +118,7 @@ impl Run {
         let row = history.row_at(time);
         history.state(row, out);
         let next = row + 1;
-        if next >= history.len()
-            || history.segment(next) != history.segment(row)
-            || time <= history.time(row)
-        {
+        if next >= history.len() || history.segment(next) != history.segment(row) || time <= history.time(row) {
             return;
         }
         let [from, to] = &mut self.ends;

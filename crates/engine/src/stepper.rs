@@ -58,17 +58,10 @@ impl Stepper {
         let states = model.states.len();
         let adaptive = |pair| Solver::Adaptive(Box::new(Adaptive::new(pair, model, setup)));
         let (solver, equations) = match setup.method {
-            method @ (Method::Euler
-            | Method::EulerRichardson
-            | Method::VelocityVerlet
-            | Method::RungeKutta4) => (
-                Solver::Fixed(Fixed::new(method, states)),
-                Equations::new(model),
-            ),
-            Method::DormandPrince => (
-                adaptive(Pair::DormandPrince(DormandPrince::new(states))),
-                Equations::new(model),
-            ),
+            method @ (Method::Euler | Method::EulerRichardson | Method::VelocityVerlet | Method::RungeKutta4) => {
+                (Solver::Fixed(Fixed::new(method, states)), Equations::new(model))
+            }
+            Method::DormandPrince => (adaptive(Pair::DormandPrince(DormandPrince::new(states))), Equations::new(model)),
             Method::Rosenbrock => (
                 adaptive(Pair::Rosenbrock(Rosenbrock::new(states))),
                 Equations::with_slopes(model).ok_or_else(|| slopes_too_many(model))?,
@@ -139,10 +132,7 @@ impl Stepper {
     /// # Errors
     /// A state that is no longer finite, too many events, a step that has become too small or too many of them. The state
     /// is then the last finite one, and every further try gives the same error until parameters change.
-    pub fn advance(
-        &mut self,
-        mut record: impl FnMut(f64, &[f64], bool),
-    ) -> Result<usize, RunError> {
+    pub fn advance(&mut self, mut record: impl FnMut(f64, &[f64], bool)) -> Result<usize, RunError> {
         if let Some(error) = &self.stopped {
             return Err(error.clone());
         }
@@ -153,10 +143,7 @@ impl Stepper {
         result
     }
 
-    fn advance_to_grid(
-        &mut self,
-        record: &mut impl FnMut(f64, &[f64], bool),
-    ) -> Result<usize, RunError> {
+    fn advance_to_grid(&mut self, record: &mut impl FnMut(f64, &[f64], bool)) -> Result<usize, RunError> {
         let target = (self.index + 1) as f64 * self.step;
         let mut fired = 0;
         let mut steps = 0;
@@ -183,13 +170,7 @@ impl Stepper {
     }
 
     /// Goes on from another moment; `after_jump` where the state has just jumped.
-    pub(crate) fn resume(
-        &mut self,
-        time: f64,
-        state: &[f64],
-        parameters: Vec<f64>,
-        after_jump: bool,
-    ) {
+    pub(crate) fn resume(&mut self, time: f64, state: &[f64], parameters: Vec<f64>, after_jump: bool) {
         self.time = time;
         self.state.copy_from_slice(state);
         self.parameters = parameters;
@@ -205,8 +186,7 @@ impl Stepper {
         self.prepare();
         self.restart();
         if after_jump {
-            self.events
-                .arm_after_jump(&mut self.equations, time, &self.state, 1e-9 * self.step);
+            self.events.arm_after_jump(&mut self.equations, time, &self.state, 1e-9 * self.step);
         } else {
             self.events.arm(time, &self.state);
         }
@@ -230,16 +210,10 @@ impl Stepper {
             return Ok(None);
         };
         let equations = &mut self.equations;
-        let size = if self.on_grid {
-            self.step
-        } else {
-            target - self.time
-        };
+        let size = if self.on_grid { self.step } else { target - self.time };
         method.step(equations, self.time, size, &self.state, &mut self.next);
         if !self.next.iter().all(|value| value.is_finite()) {
-            return Err(self
-                .places
-                .not_finite(self.time, &self.next, equations.singular()));
+            return Err(self.places.not_finite(self.time, &self.next, equations.singular()));
         }
         if !self.events.is_empty() {
             if self.events.due(target, &self.next) {
@@ -267,12 +241,7 @@ impl Stepper {
         if method.end() <= self.time
             && let Err(stuck) = method.extend(equations, target)
         {
-            return Err(self.places.stuck(
-                stuck,
-                self.time,
-                method.attempt(),
-                equations.singular(),
-            ));
+            return Err(self.places.stuck(stuck, self.time, method.attempt(), equations.singular()));
         }
         let until = target.min(method.end());
         if until == method.end() {
@@ -283,12 +252,7 @@ impl Stepper {
         if !self.events.is_empty() {
             if self.events.due(until, &self.next) {
                 let start = method.start();
-                let crossing = method.locate(
-                    equations,
-                    &mut self.events,
-                    self.time - start,
-                    until - start,
-                );
+                let crossing = method.locate(equations, &mut self.events, self.time - start, until - start);
                 self.time = start + crossing.low;
                 return Ok(Some(crossing.high - crossing.low));
             }
@@ -319,17 +283,14 @@ impl Stepper {
             record(self.time, &self.state, true);
             if fired + count > Self::EVENT_LIMIT {
                 let event = self.events.first_due();
-                return Err(self
-                    .places
-                    .too_many_events(Self::EVENT_LIMIT, event, self.time));
+                return Err(self.places.too_many_events(Self::EVENT_LIMIT, event, self.time));
             }
             match self.events.cascade(self.time) {
                 0 => break,
                 more => count += more,
             }
         }
-        self.events
-            .settle(&mut self.equations, self.time, resolution, self.step);
+        self.events.settle(&mut self.equations, self.time, resolution, self.step);
         self.restart();
         Ok(count)
     }

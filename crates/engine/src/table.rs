@@ -33,11 +33,7 @@ pub struct Column {
 impl Column {
     /// The name with its unit, `y' [m/s]`; the name alone for pure numbers, texts and truth values.
     pub fn heading(&self) -> String {
-        if self.unit.text.is_empty() {
-            self.name.clone()
-        } else {
-            format!("{} [{}]", self.name, self.unit.text)
-        }
+        if self.unit.text.is_empty() { self.name.clone() } else { format!("{} [{}]", self.name, self.unit.text) }
     }
 }
 
@@ -76,11 +72,7 @@ impl Table {
     pub fn new(model: &Model) -> Self {
         let mut chosen = vec![independent(model)];
         chosen.extend((0..model.states.len()).map(|index| state(model, index)));
-        let varying = model
-            .quantities
-            .iter()
-            .enumerate()
-            .filter(|(_, quantity)| quantity.varies);
+        let varying = model.quantities.iter().enumerate().filter(|(_, quantity)| quantity.varies);
         chosen.extend(varying.map(|(index, _)| quantity(model, index)));
         Self::of(model, chosen)
     }
@@ -110,18 +102,8 @@ impl Table {
             });
         }
         let readings = Readings::new(model, &roots);
-        let texts = model
-            .texts
-            .iter()
-            .map(|text| Rc::from(text.as_str()))
-            .collect();
-        Self {
-            columns,
-            sources,
-            readings,
-            texts,
-            cells: Vec::new(),
-        }
+        let texts = model.texts.iter().map(|text| Rc::from(text.as_str())).collect();
+        Self { columns, sources, readings, texts, cells: Vec::new() }
     }
 
     /// The columns.
@@ -159,44 +141,25 @@ enum Origin {
 
 fn independent(model: &Model) -> (Column, Origin) {
     let unit = model.independent.unit.clone();
-    (
-        Column {
-            name: model.independent.name.clone(),
-            label: None,
-            unit,
-        },
-        Origin::Known(Source::Independent),
-    )
+    (Column { name: model.independent.name.clone(), label: None, unit }, Origin::Known(Source::Independent))
 }
 
 fn state(model: &Model, index: usize) -> (Column, Origin) {
     let state = &model.states[index];
-    let column = Column {
-        name: state.name(),
-        label: state.label.clone(),
-        unit: state.unit.clone(),
-    };
+    let column = Column { name: state.name(), label: state.label.clone(), unit: state.unit.clone() };
     (column, Origin::Known(Source::State(index)))
 }
 
 fn parameter(model: &Model, index: usize) -> (Column, Origin) {
     let parameter = &model.parameters[index];
-    let column = Column {
-        name: parameter.name.clone(),
-        label: parameter.label.clone(),
-        unit: parameter.unit.clone(),
-    };
+    let column = Column { name: parameter.name.clone(), label: parameter.label.clone(), unit: parameter.unit.clone() };
     (column, Origin::Known(Source::Parameter(index)))
 }
 
 fn quantity(model: &Model, index: usize) -> (Column, Origin) {
     let quantity = &model.quantities[index];
     let value = &quantity.value;
-    let column = Column {
-        name: quantity.name.clone(),
-        label: quantity.label.clone(),
-        unit: value.unit.clone(),
-    };
+    let column = Column { name: quantity.name.clone(), label: quantity.label.clone(), unit: value.unit.clone() };
     (column, Origin::Node(value.node, value.kind))
 }
 
@@ -207,48 +170,23 @@ fn find(model: &Model, name: &str) -> Result<(Column, Origin), UnknownColumn> {
     if let Some(index) = model.states.iter().position(|state| state.name() == name) {
         return Ok(state(model, index));
     }
-    if let Some(index) = model
-        .quantities
-        .iter()
-        .position(|quantity| quantity.name == name)
-    {
+    if let Some(index) = model.quantities.iter().position(|quantity| quantity.name == name) {
         return Ok(quantity(model, index));
     }
-    if let Some(index) = model
-        .parameters
-        .iter()
-        .position(|parameter| parameter.name == name)
-    {
+    if let Some(index) = model.parameters.iter().position(|parameter| parameter.name == name) {
         return Ok(parameter(model, index));
     }
     let bare = name.trim_end_matches('\'');
     let order = (name.len() - bare.len()) as u32;
     if let Some(value) = model.lookup(bare, order) {
-        let column = Column {
-            name: name.to_owned(),
-            label: None,
-            unit: value.unit,
-        };
+        let column = Column { name: name.to_owned(), label: None, unit: value.unit };
         return Ok((column, Origin::Node(value.node, value.kind)));
     }
     let states: Vec<String> = model.states.iter().map(State::name).collect();
     let known = std::iter::once(model.independent.name.as_str())
         .chain(states.iter().map(String::as_str))
-        .chain(
-            model
-                .quantities
-                .iter()
-                .map(|quantity| quantity.name.as_str()),
-        )
-        .chain(
-            model
-                .parameters
-                .iter()
-                .map(|parameter| parameter.name.as_str()),
-        );
+        .chain(model.quantities.iter().map(|quantity| quantity.name.as_str()))
+        .chain(model.parameters.iter().map(|parameter| parameter.name.as_str()));
     let near = model::nearest(name, known).map(str::to_owned);
-    Err(UnknownColumn {
-        name: name.to_owned(),
-        near,
-    })
+    Err(UnknownColumn { name: name.to_owned(), near })
 }

@@ -16,14 +16,7 @@ struct Case {
     allowed: f64,
 }
 
-const DEFAULT: Case = Case {
-    h_l: 3.0,
-    h_r: 2.0,
-    b: 50.0,
-    rho: 1000.0,
-    area: 0.05,
-    allowed: 4e-6,
-};
+const DEFAULT: Case = Case { h_l: 3.0, h_r: 2.0, b: 50.0, rho: 1000.0, area: 0.05, allowed: 4e-6 };
 
 impl Case {
     fn length(&self) -> f64 {
@@ -42,10 +35,7 @@ impl Case {
             start * decay * (libm::cos(omega * t) + gamma / omega * libm::sin(omega * t))
         } else {
             let kappa = (-square).sqrt();
-            let (slow, fast) = (
-                libm::exp((kappa - gamma) * t),
-                libm::exp((-kappa - gamma) * t),
-            );
+            let (slow, fast) = (libm::exp((kappa - gamma) * t), libm::exp((-kappa - gamma) * t));
             start * ((1.0 + gamma / kappa) * slow + (1.0 - gamma / kappa) * fast) / 2.0
         }
     }
@@ -53,13 +43,8 @@ impl Case {
     fn run(&self, method: Method, step: f64, rows: usize) -> engine::Run {
         let model = model(U_TUBE);
         let mut setup = setup(&model, method, step);
-        for (name, value) in [
-            ("h_l", self.h_l),
-            ("h_r", self.h_r),
-            ("b", self.b),
-            ("rho", self.rho),
-            ("S", self.area),
-        ] {
+        for (name, value) in [("h_l", self.h_l), ("h_r", self.h_r), ("b", self.b), ("rho", self.rho), ("S", self.area)]
+        {
             setup.parameters[parameter(&model, name)] = value;
         }
         support::run(&model, setup, rows)
@@ -73,14 +58,8 @@ impl Case {
         let mut all = vec![y];
         for _ in 0..rows {
             let (k1, l1) = (v, acceleration(y, v));
-            let (k2, l2) = (
-                v + step / 2.0 * l1,
-                acceleration(y + step / 2.0 * k1, v + step / 2.0 * l1),
-            );
-            let (k3, l3) = (
-                v + step / 2.0 * l2,
-                acceleration(y + step / 2.0 * k2, v + step / 2.0 * l2),
-            );
+            let (k2, l2) = (v + step / 2.0 * l1, acceleration(y + step / 2.0 * k1, v + step / 2.0 * l1));
+            let (k3, l3) = (v + step / 2.0 * l2, acceleration(y + step / 2.0 * k2, v + step / 2.0 * l2));
             let (k4, l4) = (v + step * l3, acceleration(y + step * k3, v + step * l3));
             y += step / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
             v += step / 6.0 * (l1 + 2.0 * l2 + 2.0 * l3 + l4);
@@ -94,24 +73,9 @@ fn cases() -> Vec<Case> {
     let critical = 2.0 * 1000.0 * 0.05 * 7.0 * (2.0 * 9.8 / 7.0_f64).sqrt();
     vec![
         DEFAULT,
-        Case {
-            h_l: 2.0,
-            h_r: 6.0,
-            b: 200.0,
-            rho: 13600.0,
-            area: 0.5,
-            allowed: 6e-5,
-        },
-        Case {
-            b: 1500.0,
-            allowed: 4e-6,
-            ..DEFAULT
-        },
-        Case {
-            b: critical,
-            allowed: 4e-6,
-            ..DEFAULT
-        },
+        Case { h_l: 2.0, h_r: 6.0, b: 200.0, rho: 13600.0, area: 0.5, allowed: 6e-5 },
+        Case { b: 1500.0, allowed: 4e-6, ..DEFAULT },
+        Case { b: critical, allowed: 4e-6, ..DEFAULT },
     ]
 }
 
@@ -124,16 +88,8 @@ fn the_u_tube_agrees_with_its_closed_form_and_with_a_plain_loop() {
         let amplitude = (case.h_l - case.h_r).abs() / 2.0;
         for (row, plain) in plain.iter().enumerate() {
             let y = history.column(0)[row];
-            assert!(
-                (y - case.exact(history.time(row))).abs() < case.allowed,
-                "b = {}, row {row}",
-                case.b
-            );
-            assert!(
-                (y - plain).abs() < 1e-11 * amplitude,
-                "b = {}, row {row}",
-                case.b
-            );
+            assert!((y - case.exact(history.time(row))).abs() < case.allowed, "b = {}, row {row}", case.b);
+            assert!((y - plain).abs() < 1e-11 * amplitude, "b = {}, row {row}", case.b);
         }
     }
 }
@@ -146,11 +102,7 @@ fn every_regime_with_the_adaptive_methods() {
             let history = run.history();
             for row in 0..=200 {
                 let error = history.column(0)[row] - case.exact(history.time(row));
-                assert!(
-                    error.abs() < 2e-4,
-                    "{method}, b = {}, row {row}: {error:e}",
-                    case.b
-                );
+                assert!(error.abs() < 2e-4, "{method}, b = {}, row {row}: {error:e}", case.b);
             }
         }
     }
@@ -175,14 +127,8 @@ y'(0) = -2.00158510637908252240537862224
 fn the_arenstorf_orbit_closes() {
     let model = model(ARENSTORF);
     let period = 17.065_216_560_157_96;
-    for (method, tolerance, allowed) in [
-        (Method::DormandPrince, 1e-10, 1e-5),
-        (Method::Rosenbrock, 1e-10, 1e-3),
-    ] {
-        let setup = Setup {
-            tolerance,
-            ..setup(&model, method, period / 100.0)
-        };
+    for (method, tolerance, allowed) in [(Method::DormandPrince, 1e-10, 1e-5), (Method::Rosenbrock, 1e-10, 1e-3)] {
+        let setup = Setup { tolerance, ..setup(&model, method, period / 100.0) };
         let run = support::run(&model, setup, 100);
         for (value, start) in run.state().iter().zip(run.initial()).take(2) {
             assert!((value - start).abs() < allowed, "{method}: {value} {start}");
@@ -196,10 +142,7 @@ fn a_kepler_ellipse_has_the_right_period_and_shape() {
     let model = model(
         "independent t\nr = sqrt(x^2 + y^2)\nx'' = -x/r^3\ny'' = -y/r^3\nx(0) = 0.4\nx'(0) = 0\ny(0) = 0\ny'(0) = 2\n",
     );
-    let setup = Setup {
-        tolerance: 1e-11,
-        ..setup(&model, Method::DormandPrince, core::f64::consts::PI)
-    };
+    let setup = Setup { tolerance: 1e-11, ..setup(&model, Method::DormandPrince, core::f64::consts::PI) };
     let run = support::run(&model, setup, 10);
     let x = run.history().column(0);
     for (row, x) in x.iter().enumerate() {
@@ -211,17 +154,10 @@ fn a_kepler_ellipse_has_the_right_period_and_shape() {
 #[test]
 fn van_der_pol_with_mu_1000_agrees_with_the_test_set() {
     // Mazzia & Magherini, Test Set for Initial Value Problem Solvers, release 2.4, problem VDPOLM at t = 2000.
-    let model = model(
-        "independent t\nparameter mu = 1000\ny'' = mu*(1 - y^2)*y' - y\ny(0) = 2\ny'(0) = 0\n",
-    );
-    let setup = Setup {
-        tolerance: 1e-9,
-        ..setup(&model, Method::Rosenbrock, 10.0)
-    };
+    let model = model("independent t\nparameter mu = 1000\ny'' = mu*(1 - y^2)*y' - y\ny(0) = 2\ny'(0) = 0\n");
+    let setup = Setup { tolerance: 1e-9, ..setup(&model, Method::Rosenbrock, 10.0) };
     let run = support::run(&model, setup, 200);
-    let [y, v] = run.state() else {
-        panic!("two states")
-    };
+    let [y, v] = run.state() else { panic!("two states") };
     assert!((y / 1.706_167_732_170_469 - 1.0).abs() < 1e-6, "{y}");
     assert!((v / -0.892_809_701_024_8e-3 - 1.0).abs() < 1e-5, "{v}");
 }
@@ -232,16 +168,11 @@ fn robertsons_reaction_agrees_with_the_test_set() {
     let model = model(
         "independent t\nx' = -0.04*x + 1e4*y*z\ny' = 0.04*x - 1e4*y*z - 3e7*y^2\nz' = 3e7*y^2\nx(0) = 1\ny(0) = 0\nz(0) = 0\n",
     );
-    let setup = Setup {
-        tolerance: 1e-8,
-        ..setup(&model, Method::Rosenbrock, 1e9)
-    };
+    let setup = Setup { tolerance: 1e-8, ..setup(&model, Method::Rosenbrock, 1e9) };
     let run = support::run(&model, setup, 100);
-    for (value, exact) in run.state().iter().zip([
-        0.208_334_014_970_125_5e-7,
-        0.833_336_077_033_471_3e-13,
-        0.999_999_979_166_505,
-    ]) {
+    for (value, exact) in
+        run.state().iter().zip([0.208_334_014_970_125_5e-7, 0.833_336_077_033_471_3e-13, 0.999_999_979_166_505])
+    {
         assert!((value / exact - 1.0).abs() < 1e-4, "{value:e} {exact:e}");
     }
 }
@@ -250,10 +181,7 @@ fn robertsons_reaction_agrees_with_the_test_set() {
 fn a_stiff_equation_driven_in_time_keeps_its_accuracy() {
     // Prothero & Robinson (Math. Comp. 28 (1974) 145): y = cos t whatever lambda is; needs the derivative by time.
     let model = model("independent t\ny' = -1e6*(y - cos(t)) - sin(t)\ny(0) = 1\n");
-    let setup = Setup {
-        tolerance: 1e-7,
-        ..setup(&model, Method::Rosenbrock, 0.1)
-    };
+    let setup = Setup { tolerance: 1e-7, ..setup(&model, Method::Rosenbrock, 0.1) };
     let run = support::run(&model, setup, 100);
     let error = run.state()[0] - libm::cos(run.time());
     assert!(error.abs() < 1e-7, "{error:e}");
@@ -273,23 +201,12 @@ q'(0) = 0
 E = p'^2 + q'^2/2 + p'*q'*cos(D) - 2*cos(p) - cos(q)
 ",
     );
-    let energy = model
-        .quantities
-        .iter()
-        .find(|quantity| quantity.name == "E")
-        .unwrap()
-        .value
-        .node;
+    let energy = model.quantities.iter().find(|quantity| quantity.name == "E").unwrap().value.node;
     let mut energy = engine::Readings::new(&model, &[energy]);
-    for (method, step, allowed) in [
-        (Method::RungeKutta4, 0.002, 1e-8),
-        (Method::DormandPrince, 0.1, 1e-6),
-        (Method::Rosenbrock, 0.1, 1e-6),
-    ] {
-        let setup = Setup {
-            tolerance: 1e-9,
-            ..setup(&model, method, step)
-        };
+    for (method, step, allowed) in
+        [(Method::RungeKutta4, 0.002, 1e-8), (Method::DormandPrince, 0.1, 1e-6), (Method::Rosenbrock, 0.1, 1e-6)]
+    {
+        let setup = Setup { tolerance: 1e-9, ..setup(&model, method, step) };
         let run = support::run(&model, setup, (20.0 / step) as usize);
         let start = energy.at_row(run.history(), 0)[0];
         let end = energy.at_row(run.history(), run.history().len() - 1)[0];

@@ -81,12 +81,8 @@ fn velocity_verlet_refuses_equations_of_other_orders() {
         ),
     ] {
         let model = model(text);
-        let error =
-            Run::start(&model, setup(&model, Method::VelocityVerlet, 0.1)).expect_err("refused");
-        assert_eq!(
-            (error.code, error.message.as_str()),
-            ("not-second-order", message)
-        );
+        let error = Run::start(&model, setup(&model, Method::VelocityVerlet, 0.1)).expect_err("refused");
+        assert_eq!((error.code, error.message.as_str()), ("not-second-order", message));
         assert_eq!(error.hint.as_deref(), Some("use the method `rk4`"));
         assert!(error.span.is_some());
     }
@@ -98,19 +94,13 @@ fn adaptive_methods_follow_their_tolerance() {
     for method in [Method::DormandPrince, Method::Rosenbrock] {
         let mut before = f64::INFINITY;
         for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
-            let setup = Setup {
-                tolerance,
-                ..setup(&model, method, 2.0)
-            };
+            let setup = Setup { tolerance, ..setup(&model, method, 2.0) };
             let run = support::run(&model, setup, 5);
             let history = run.history();
             let worst = (0..history.len())
                 .map(|row| (history.column(0)[row] - damped(history.time(row))).abs())
                 .fold(0.0, f64::max);
-            assert!(
-                worst < 30.0 * tolerance,
-                "{method} {tolerance:e}: {worst:e}"
-            );
+            assert!(worst < 30.0 * tolerance, "{method} {tolerance:e}: {worst:e}");
             assert!(worst < before / 10.0, "{method} {tolerance:e}: {worst:e}");
             before = worst;
         }
@@ -125,23 +115,12 @@ fn energy_behaves_as_each_method_is_known_for() {
     // The energy at the end of 100 s, relative to that at the start, and its greatest excursion on the way.
     let energies = |method| {
         let run = support::run(&model, setup(&model, method, 0.05), 2000);
-        let mut energy = engine::Readings::new(
-            &model,
-            &[model
-                .quantities
-                .iter()
-                .find(|q| q.name == "E")
-                .unwrap()
-                .value
-                .node],
-        );
+        let mut energy =
+            engine::Readings::new(&model, &[model.quantities.iter().find(|q| q.name == "E").unwrap().value.node]);
         let start = energy.at_row(run.history(), 0)[0];
-        let relative: Vec<f64> = (0..run.history().len())
-            .map(|row| energy.at_row(run.history(), row)[0] / start - 1.0)
-            .collect();
-        let worst = relative
-            .iter()
-            .fold(0.0_f64, |worst, value| worst.max(value.abs()));
+        let relative: Vec<f64> =
+            (0..run.history().len()).map(|row| energy.at_row(run.history(), row)[0] / start - 1.0).collect();
+        let worst = relative.iter().fold(0.0_f64, |worst, value| worst.max(value.abs()));
         (relative[2000], worst)
     };
     // Euler's energy grows by (1 + omega^2 h^2) in each step.
@@ -150,10 +129,7 @@ fn energy_behaves_as_each_method_is_known_for() {
     assert!((end / growth - 1.0).abs() < 1e-9, "{end} {growth}");
     // Velocity Verlet's stays within a bound of order (omega h)^2/4.
     let (_, worst) = energies(Method::VelocityVerlet);
-    assert!(
-        worst < 2.8 * 0.05 * 0.05 / 4.0 * 1.01 && worst > 1e-4,
-        "{worst}"
-    );
+    assert!(worst < 2.8 * 0.05 * 0.05 / 4.0 * 1.01 && worst > 1e-4, "{worst}");
     // RK4's falls by (omega h)^6/72 in each step.
     let (end, _) = energies(Method::RungeKutta4);
     let loss = 2000.0 * 2.8_f64 * 2.8 * 2.8 * 0.05 * 0.05 * 0.05 * 0.05 * 0.05 * 0.05 / 72.0;

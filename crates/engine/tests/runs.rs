@@ -37,11 +37,7 @@ fn a_parameter_changes_from_the_next_step_on_and_the_state_does_not_jump() {
     // A run that starts from row 10 with the new parameters goes the same way.
     let mut start = vec![0.0; 2];
     history.state(10, &mut start);
-    let again = Setup {
-        parameters: after,
-        start: Some(start),
-        ..run.setup().clone()
-    };
+    let again = Setup { parameters: after, start: Some(start), ..run.setup().clone() };
     let again = support::run(&model, again, 10);
     assert_eq!(again.history().column(0), &history.column(0)[10..]);
 }
@@ -69,10 +65,7 @@ fn going_back_restores_the_parameters_of_that_time() {
         while earlier.time() < original.time() {
             earlier.advance().unwrap();
         }
-        assert_eq!(
-            earlier.history().fingerprint(),
-            original.history().fingerprint()
-        );
+        assert_eq!(earlier.history().fingerprint(), original.history().fingerprint());
         assert_eq!(earlier.history().parameters(20), before);
     }
 }
@@ -110,10 +103,7 @@ fn between_rows_the_state_is_interpolated() {
     for row in 0..=400 {
         run.interpolate(row as f64 * 0.0125, &mut state);
         for (k, value) in state.iter().enumerate() {
-            assert!(
-                (value - fine.history().column(k)[row]).abs() < 5e-6,
-                "row {row}"
-            );
+            assert!((value - fine.history().column(k)[row]).abs() < 5e-6, "row {row}");
         }
     }
     run.interpolate(-1.0, &mut state);
@@ -142,10 +132,7 @@ fn nothing_is_interpolated_over_a_jump_or_where_rows_are_too_coarse() {
 #[test]
 fn a_start_replaces_the_initial_values() {
     let model = model("y' = (y(0) - y)/(1 [s])\ny(0) = 1 [m]\n");
-    let start = Setup {
-        start: Some(vec![3.0]),
-        ..Setup::defaults(&model)
-    };
+    let start = Setup { start: Some(vec![3.0]), ..Setup::defaults(&model) };
     let run = support::run(&model, start, 10);
     assert_eq!(run.initial(), [3.0]);
     assert_eq!(run.state(), [3.0]);
@@ -156,28 +143,11 @@ fn a_model_without_states_gives_rows_of_time() {
     let model = model("A = 2 [m]\nomega = 3 [1/s]\ny = A*cos(omega*t)\nv = y'\n");
     for method in Method::ALL {
         let run = support::run(&model, setup(&model, method, 0.1), 10);
-        assert_eq!(
-            (run.history().len(), run.history().states(), run.time()),
-            (11, 0, 1.0),
-            "{method}"
-        );
-        let node = |name| {
-            model
-                .quantities
-                .iter()
-                .find(|quantity| quantity.name == name)
-                .unwrap()
-                .value
-                .node
-        };
+        assert_eq!((run.history().len(), run.history().states(), run.time()), (11, 0, 1.0), "{method}");
+        let node = |name| model.quantities.iter().find(|quantity| quantity.name == name).unwrap().value.node;
         let mut readings = Readings::new(&model, &[node("y"), node("v")]);
-        let [y, v] = readings.at_row(run.history(), 10) else {
-            panic!("two values")
-        };
-        assert!(
-            (y - 2.0 * libm::cos(3.0)).abs() < 1e-15 && (v + 6.0 * libm::sin(3.0)).abs() < 1e-14,
-            "{y} {v}"
-        );
+        let [y, v] = readings.at_row(run.history(), 10) else { panic!("two values") };
+        assert!((y - 2.0 * libm::cos(3.0)).abs() < 1e-15 && (v + 6.0 * libm::sin(3.0)).abs() < 1e-14, "{y} {v}");
     }
 }
 
@@ -195,12 +165,7 @@ fn a_state_that_is_not_finite_stops_the_run_with_place_and_time() {
         assert_eq!(error.code, code, "{method}: {error}");
         assert!(error.time > 0.98 && error.time < 1.06, "{method}: {error}");
         assert_eq!(&text[error.span.unwrap().range()], "1", "{method}");
-        assert!(
-            run.history()
-                .column(0)
-                .iter()
-                .all(|value| value.is_finite())
-        );
+        assert!(run.history().column(0).iter().all(|value| value.is_finite()));
         // And the next try says the same.
         assert_eq!(run.advance().unwrap_err().code, code, "{method}");
     }
@@ -232,9 +197,7 @@ fn messages_name_the_state_and_the_time() {
     ] {
         let model = model(text);
         let mut run = Run::start(&model, setup(&model, method, 0.1)).unwrap();
-        let error = (0..100)
-            .find_map(|_| run.advance().err())
-            .unwrap_or_else(|| panic!("{text}"));
+        let error = (0..100).find_map(|_| run.advance().err()).unwrap_or_else(|| panic!("{text}"));
         assert_eq!(error.message, message);
     }
 }
@@ -243,89 +206,23 @@ fn messages_name_the_state_and_the_time() {
 fn a_setup_that_makes_no_sense_is_refused() {
     let model = model(U_TUBE);
     let good = Setup::defaults(&model);
-    let adaptive = Setup {
-        method: Method::DormandPrince,
-        ..good.clone()
-    };
+    let adaptive = Setup { method: Method::DormandPrince, ..good.clone() };
     for (setup, code) in [
-        (
-            Setup {
-                step: 0.0,
-                ..good.clone()
-            },
-            "step-not-positive",
-        ),
-        (
-            Setup {
-                step: -0.1,
-                ..good.clone()
-            },
-            "step-not-positive",
-        ),
-        (
-            Setup {
-                step: f64::NAN,
-                ..good.clone()
-            },
-            "step-not-positive",
-        ),
-        (
-            Setup {
-                tolerance: 0.0,
-                ..adaptive.clone()
-            },
-            "bad-tolerance",
-        ),
-        (
-            Setup {
-                tolerance: 1e-20,
-                ..adaptive.clone()
-            },
-            "bad-tolerance",
-        ),
-        (
-            Setup {
-                tolerance: f64::NAN,
-                ..adaptive
-            },
-            "bad-tolerance",
-        ),
-        (
-            Setup {
-                parameters: vec![1.0],
-                ..good.clone()
-            },
-            "wrong-parameters",
-        ),
-        (
-            Setup {
-                parameters: vec![f64::NAN; good.parameters.len()],
-                ..good.clone()
-            },
-            "parameter-not-finite",
-        ),
-        (
-            Setup {
-                start: Some(vec![1.0]),
-                ..good.clone()
-            },
-            "wrong-start",
-        ),
-        (
-            Setup {
-                start: Some(vec![1.0, f64::INFINITY]),
-                ..good
-            },
-            "initial-not-finite",
-        ),
+        (Setup { step: 0.0, ..good.clone() }, "step-not-positive"),
+        (Setup { step: -0.1, ..good.clone() }, "step-not-positive"),
+        (Setup { step: f64::NAN, ..good.clone() }, "step-not-positive"),
+        (Setup { tolerance: 0.0, ..adaptive.clone() }, "bad-tolerance"),
+        (Setup { tolerance: 1e-20, ..adaptive.clone() }, "bad-tolerance"),
+        (Setup { tolerance: f64::NAN, ..adaptive }, "bad-tolerance"),
+        (Setup { parameters: vec![1.0], ..good.clone() }, "wrong-parameters"),
+        (Setup { parameters: vec![f64::NAN; good.parameters.len()], ..good.clone() }, "parameter-not-finite"),
+        (Setup { start: Some(vec![1.0]), ..good.clone() }, "wrong-start"),
+        (Setup { start: Some(vec![1.0, f64::INFINITY]), ..good }, "initial-not-finite"),
     ] {
         let error = Run::start(&model, setup.clone()).expect_err(code);
         assert_eq!(error.code, code, "{setup:?}");
         let diagnostic = model::Diagnostic::from(error.clone());
-        assert_eq!(
-            (diagnostic.message, diagnostic.hints.len()),
-            (error.message, 1)
-        );
+        assert_eq!((diagnostic.message, diagnostic.hints.len()), (error.message, 1));
     }
 }
 
@@ -335,10 +232,7 @@ fn too_much_work_for_one_row_is_given_up() {
     let mut run = Run::start(&model, setup(&model, Method::DormandPrince, 1.0)).unwrap();
     let error = run.advance().unwrap_err();
     assert_eq!(error.code, "too-many-steps");
-    assert_eq!(
-        error.hint.as_deref(),
-        Some("if the equations are stiff, the method `rosenbrock` is made for them")
-    );
+    assert_eq!(error.hint.as_deref(), Some("if the equations are stiff, the method `rosenbrock` is made for them"));
 }
 
 #[test]

@@ -53,14 +53,8 @@ fn json_and_json_lines() {
     let first = r#"{"t [s]":0,"y [cm]":0,"x [nm]":0,"kind":"early","late":false,"w":null}"#;
     let second = r#"{"t [s]":0.1,"y [cm]":0.2,"x [nm]":50,"kind":"late, very","late":true,"w":-2.3025850929940455}"#;
     let mut table = Table::new(&model);
-    assert_eq!(
-        written(&mut table, &run, Format::Json),
-        format!("[\n{first},\n{second}\n]\n")
-    );
-    assert_eq!(
-        written(&mut table, &run, Format::JsonLines),
-        format!("{first}\n{second}\n")
-    );
+    assert_eq!(written(&mut table, &run, Format::Json), format!("[\n{first},\n{second}\n]\n"));
+    assert_eq!(written(&mut table, &run, Format::JsonLines), format!("{first}\n{second}\n"));
 }
 
 #[test]
@@ -73,10 +67,7 @@ fn chosen_columns() {
     );
     for (name, near) in [("knd", Some("kind")), ("Y", Some("y")), ("zebra", None)] {
         let unknown = Table::select(&model, &[name]).unwrap_err();
-        assert_eq!(
-            (unknown.name.as_str(), unknown.near.as_deref()),
-            (name, near)
-        );
+        assert_eq!((unknown.name.as_str(), unknown.near.as_deref()), (name, near));
     }
 }
 
@@ -86,8 +77,5 @@ fn a_table_shows_the_parameters_in_force() {
     run.set_parameters(vec![0.05]);
     run.advance().unwrap();
     let mut table = Table::select(&model, &["a", "k"]).unwrap();
-    assert_eq!(
-        written(&mut table, &run, Format::Csv),
-        "a [cm/s],k [m/s]\n2,0.04\n2,0.04\n5,0.1\n"
-    );
+    assert_eq!(written(&mut table, &run, Format::Csv), "a [cm/s],k [m/s]\n2,0.04\n2,0.04\n5,0.1\n");
 }

@@ -35,40 +35,18 @@ fn evaluations_by_tolerance_for_stiff_and_orbital_problems() {
     let orbit = model(
         "independent t\nr = sqrt(x^2 + y^2)\nx'' = -x/r^3\ny'' = -y/r^3\nx(0) = 0.4\nx'(0) = 0\ny(0) = 0\ny'(0) = 2\n",
     );
-    let stiff = model(
-        "independent t\nparameter mu = 1000\ny'' = mu*(1 - y^2)*y' - y\ny(0) = 2\ny'(0) = 0\n",
-    );
+    let stiff = model("independent t\nparameter mu = 1000\ny'' = mu*(1 - y^2)*y' - y\ny(0) = 2\ny'(0) = 0\n");
     let mut counts = Vec::new();
-    for (model, method, step) in [
-        (&orbit, Method::DormandPrince, 1.0),
-        (&stiff, Method::Rosenbrock, 20.0),
-    ] {
+    for (model, method, step) in [(&orbit, Method::DormandPrince, 1.0), (&stiff, Method::Rosenbrock, 20.0)] {
         for tolerance in [1e-3, 1e-6, 1e-9] {
-            let mut stepper = Stepper::new(
-                model,
-                &Setup {
-                    tolerance,
-                    ..setup(model, method, step)
-                },
-            )
-            .unwrap();
+            let mut stepper = Stepper::new(model, &Setup { tolerance, ..setup(model, method, step) }).unwrap();
             for _ in 0..100 {
                 stepper.advance(|_, _, _| {}).unwrap();
             }
             counts.push((stepper.evaluations(), stepper.jacobians()));
         }
     }
-    assert_eq!(
-        counts,
-        [
-            (1663, 0),
-            (4837, 0),
-            (16585, 0),
-            (1878, 235),
-            (5520, 874),
-            (53976, 8982)
-        ]
-    );
+    assert_eq!(counts, [(1663, 0), (4837, 0), (16585, 0), (1878, 235), (5520, 874), (53976, 8982)]);
 }
 
 #[test]
@@ -88,11 +66,8 @@ fn golden_runs() {
     let prints: Vec<[u64; 2]> = Method::ALL
         .into_iter()
         .map(|method| {
-            [&tube, &pendulum].map(|model| {
-                support::run(model, setup(model, method, 0.05), 1000)
-                    .history()
-                    .fingerprint()
-            })
+            [&tube, &pendulum]
+                .map(|model| support::run(model, setup(model, method, 0.05), 1000).history().fingerprint())
         })
         .collect();
     let expected: [[u64; 2]; 6] = [

@@ -56,9 +56,7 @@ const MOST: usize = 16;
 impl Announcements {
     /// Adds one. Of several of one kind in a row (a slider being moved) only the last is worth telling.
     pub fn push(&mut self, announcement: Announcement) {
-        let same = |last: &Announcement| {
-            std::mem::discriminant(last) == std::mem::discriminant(&announcement)
-        };
+        let same = |last: &Announcement| std::mem::discriminant(last) == std::mem::discriminant(&announcement);
         if self.0.back().is_some_and(same) || self.0.len() == MOST {
             self.0.pop_back();
         }

@@ -107,12 +107,7 @@ impl Course {
 
     /// How to make this run again.
     pub fn recipe(&self) -> Recipe {
-        Recipe {
-            setup: self.begun.clone(),
-            changes: self.changes.clone(),
-            front: self.front,
-            time: self.time,
-        }
+        Recipe { setup: self.begun.clone(), changes: self.changes.clone(), front: self.front, time: self.time }
     }
 
     /// What it was started with.
@@ -132,14 +127,12 @@ impl Course {
 
     /// How many rows lie at or behind the front.
     pub fn rows(&self) -> usize {
-        self.history()
-            .map_or(0, |history| history.row_at(self.front) + 1)
+        self.history().map_or(0, |history| history.row_at(self.front) + 1)
     }
 
     /// How many rows lie at or before the moment shown.
     pub fn rows_until_shown(&self) -> usize {
-        self.history()
-            .map_or(0, |history| history.row_at(self.time) + 1)
+        self.history().map_or(0, |history| history.row_at(self.time) + 1)
     }
 
     /// The time shown.
@@ -178,11 +171,7 @@ impl Course {
 
     /// Shows a moment between the start and the front.
     pub fn show(&mut self, time: f64) {
-        self.time = if time.is_finite() {
-            time.clamp(0.0, self.front)
-        } else {
-            self.front
-        };
+        self.time = if time.is_finite() { time.clamp(0.0, self.front) } else { self.front };
         if let Some(run) = &mut self.run {
             run.interpolate(self.time, &mut self.state);
         }
@@ -222,8 +211,7 @@ impl Course {
 
     /// The grid time before the one shown; 0 at the start.
     pub fn previous_grid_time(&self) -> f64 {
-        self.grid_time((self.time / self.begun.step - NEAR).ceil() - 1.0)
-            .max(0.0)
+        self.grid_time((self.time / self.begun.step - NEAR).ceil() - 1.0).max(0.0)
     }
 
     /// The row at which the run goes on from an earlier moment: the end of the step that the moment lies in.
@@ -249,19 +237,13 @@ impl Course {
     pub fn set_parameters(&mut self, model: &Model, parameters: Vec<f64>) {
         self.error = None;
         let Some(run) = self.run.as_mut().filter(|run| run.history().len() > 1) else {
-            let setup = Setup {
-                parameters,
-                ..self.begun.clone()
-            };
+            let setup = Setup { parameters, ..self.begun.clone() };
             *self = Self::start(model, setup, self.overhead);
             return;
         };
         let row = run.history().len();
         self.changes.retain(|&(first, _)| first < row);
-        let before = self
-            .changes
-            .last()
-            .map_or(&self.begun.parameters, |(_, last)| last);
+        let before = self.changes.last().map_or(&self.begun.parameters, |(_, last)| last);
         if *before != parameters {
             self.changes.push((row, parameters.clone()));
         }
@@ -289,9 +271,7 @@ impl Course {
     }
 
     fn last_time(&self) -> f64 {
-        self.history()
-            .and_then(|history| history.times().last().copied())
-            .unwrap_or(0.0)
+        self.history().and_then(|history| history.times().last().copied()).unwrap_or(0.0)
     }
 
     fn grid_time(&self, index: f64) -> f64 {

@@ -32,10 +32,7 @@ impl Session {
             self.drag_end();
         }
         let factor = |values: &[f64], index: Option<usize>| {
-            index
-                .and_then(|index| values.get(index).copied())
-                .filter(|value| value.is_finite())
-                .unwrap_or(0.0)
+            index.and_then(|index| values.get(index).copied()).filter(|value| value.is_finite()).unwrap_or(0.0)
         };
         let values = self.scene_values();
         let (right, up) = (factor(values, drag.right), factor(values, drag.up));
@@ -51,16 +48,7 @@ impl Session {
         }
         let playing = self.playing;
         self.pause();
-        self.hold = Some(Hold {
-            state: drag.state,
-            from,
-            right,
-            up,
-            reach,
-            shaping,
-            moved: false,
-            playing,
-        });
+        self.hold = Some(Hold { state: drag.state, from, right, up, reach, shaping, moved: false, playing });
     }
 
     /// The pointer is now `right` and `up` scene units from where it took hold (up is positive). It pulls the state no
@@ -120,12 +108,7 @@ impl Session {
         };
         let here = self.drawing(hold, &at(0.0));
         let there = self.drawing(hold, &at(1.0));
-        if !way.is_finite()
-            || here
-                .iter()
-                .zip(&there)
-                .any(|(here, there)| here.is_finite() && !there.is_finite())
-        {
+        if !way.is_finite() || here.iter().zip(&there).any(|(here, there)| here.is_finite() && !there.is_finite()) {
             return None;
         }
         if same(&here, &there) {
@@ -146,30 +129,19 @@ impl Session {
 
     /// The values that shape the drawing when a run begins with `state`.
     fn drawing(&mut self, hold: &Hold, state: &[f64]) -> Vec<f64> {
-        let values = self
-            .evaluators
-            .scene
-            .at(self.course.parameters(), state, 0.0, state);
-        hold.shaping
-            .iter()
-            .filter_map(|&index| values.get(index).copied())
-            .collect()
+        let values = self.evaluators.scene.at(self.course.parameters(), state, 0.0, state);
+        hold.shaping.iter().filter_map(|&index| values.get(index).copied()).collect()
     }
 }
 
 /// Whether two drawings are the same, bit by bit.
 fn same(one: &[f64], other: &[f64]) -> bool {
-    one.iter()
-        .map(|value| value.to_bits())
-        .eq(other.iter().map(|value| value.to_bits()))
+    one.iter().map(|value| value.to_bits()).eq(other.iter().map(|value| value.to_bits()))
 }
 
 /// Collects the values in the attributes of an element and those below it.
 fn collect_shaping(element: &Element, indices: &mut Vec<usize>) {
-    let pieces = element
-        .attributes
-        .iter()
-        .flat_map(|attribute| &attribute.value);
+    let pieces = element.attributes.iter().flat_map(|attribute| &attribute.value);
     indices.extend(pieces.filter_map(|piece| match piece {
         Piece::Value { index, .. } => Some(*index),
         Piece::Literal(_) => None,
@@ -187,19 +159,12 @@ fn extent(document: &Document, language: &str) -> (f64, f64) {
     let Some(scene) = document.scene(language) else {
         return unlimited;
     };
-    let view_box = scene
-        .root
-        .attributes
-        .iter()
-        .find(|attribute| attribute.name == "viewBox");
+    let view_box = scene.root.attributes.iter().find(|attribute| attribute.name == "viewBox");
     let Some([Piece::Literal(text)]) = view_box.map(|attribute| attribute.value.as_slice()) else {
         return unlimited;
     };
-    let numbers: Vec<f64> = text
-        .split([' ', ','])
-        .filter(|part| !part.is_empty())
-        .filter_map(|part| part.parse().ok())
-        .collect();
+    let numbers: Vec<f64> =
+        text.split([' ', ',']).filter(|part| !part.is_empty()).filter_map(|part| part.parse().ok()).collect();
     match numbers.as_slice() {
         [_, _, width, height] if *width > 0.0 && *height > 0.0 => (*width, *height),
         _ => unlimited,

@@ -9,32 +9,23 @@ pub(crate) const DIGITS: usize = 6;
 impl Session {
     /// Reads a value, SI: a number in `unit`, or with a unit of its own of the same dimension.
     pub(crate) fn read_value(&self, typed: &str, unit: &Unit) -> Result<f64, Refusal> {
-        let (value, rest) =
-            number::parse(typed, self.style).ok_or_else(|| Refusal::NotANumber {
-                typed: typed.trim().chars().take(40).collect(),
-            })?;
+        let (value, rest) = number::parse(typed, self.style)
+            .ok_or_else(|| Refusal::NotANumber { typed: typed.trim().chars().take(40).collect() })?;
         let value = if rest.is_empty() {
             unit.to_si(value)
         } else {
             let typed = rest.chars().take(40).collect();
-            let own =
-                Unit::parse(&number::unit_source(rest)).map_err(|_| Refusal::UnknownUnit {
-                    typed: rest.chars().take(40).collect(),
-                })?;
+            let own = Unit::parse(&number::unit_source(rest))
+                .map_err(|_| Refusal::UnknownUnit { typed: rest.chars().take(40).collect() })?;
             if own.dimension != unit.dimension {
-                return Err(Refusal::WrongUnit {
-                    typed,
-                    expected: number::unit_text(&unit.text),
-                });
+                return Err(Refusal::WrongUnit { typed, expected: number::unit_text(&unit.text) });
             }
             own.to_si(value)
         };
         if value.is_finite() {
             Ok(value)
         } else {
-            Err(Refusal::NotANumber {
-                typed: typed.trim().chars().take(40).collect(),
-            })
+            Err(Refusal::NotANumber { typed: typed.trim().chars().take(40).collect() })
         }
     }
 

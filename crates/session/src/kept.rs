@@ -74,13 +74,7 @@ impl Session {
         let free = |pattern: &u8| self.kept.iter().all(|kept| kept.pattern != *pattern);
         let pattern = (0..MOST_KEPT as u8).find(free).unwrap_or(0);
         let id = self.kept.last().map_or(0, |kept| kept.id) + 1;
-        self.kept.push(Kept {
-            id,
-            recipe,
-            shown: true,
-            pattern,
-            traces,
-        });
+        self.kept.push(Kept { id, recipe, shown: true, pattern, traces });
         self.revision.runs += 1;
         Ok(())
     }
@@ -90,21 +84,10 @@ impl Session {
         let mut views: Vec<KeptView> = Vec::new();
         for kept in &self.kept {
             let name = self.recipe_name(&kept.recipe);
-            let same = views
-                .iter()
-                .filter(|view| view.name == name || view.name.starts_with(&format!("{name} (")))
-                .count();
-            let name = if same == 0 {
-                name
-            } else {
-                format!("{name} ({})", same + 1)
-            };
-            views.push(KeptView {
-                id: kept.id,
-                name,
-                shown: kept.shown,
-                pattern: kept.pattern,
-            });
+            let same =
+                views.iter().filter(|view| view.name == name || view.name.starts_with(&format!("{name} ("))).count();
+            let name = if same == 0 { name } else { format!("{name} ({})", same + 1) };
+            views.push(KeptView { id: kept.id, name, shown: kept.shown, pattern: kept.pattern });
         }
         views
     }
@@ -143,16 +126,10 @@ impl Session {
     pub(crate) fn keep_ghost(&mut self, first: usize) {
         self.follow();
         let rows = self.traces.rows().saturating_sub(first);
-        let worth = if self.ghost.is_some() {
-            ROWS_WORTH_SEEING
-        } else {
-            2
-        };
+        let worth = if self.ghost.is_some() { ROWS_WORTH_SEEING } else { 2 };
         if rows >= worth {
             // From the row before on, so that the ghost hangs on to the line it left.
-            self.ghost = Some(Ghost {
-                traces: self.traces.thinned(first.saturating_sub(1), ROWS_KEPT),
-            });
+            self.ghost = Some(Ghost { traces: self.traces.thinned(first.saturating_sub(1), ROWS_KEPT) });
             self.revision.runs += 1;
         }
     }
@@ -160,56 +137,33 @@ impl Session {
     /// What distinguishes a run from the document's own: `b = 200 kg/s, rk4`.
     fn recipe_name(&self, recipe: &Recipe) -> String {
         let model = &self.document.model;
-        let last = recipe
-            .changes
-            .last()
-            .map_or(&recipe.setup.parameters, |(_, last)| last);
+        let last = recipe.changes.last().map_or(&recipe.setup.parameters, |(_, last)| last);
         let mut parts: Vec<String> = Vec::new();
         for (index, parameter) in model.parameters.iter().enumerate() {
-            let (Some(&first), Some(&value)) =
-                (recipe.setup.parameters.get(index), last.get(index))
-            else {
+            let (Some(&first), Some(&value)) = (recipe.setup.parameters.get(index), last.get(index)) else {
                 continue;
             };
-            let changed = std::iter::once(first).chain(
-                recipe
-                    .changes
-                    .iter()
-                    .filter_map(|(_, values)| values.get(index).copied()),
-            );
+            let changed = std::iter::once(first)
+                .chain(recipe.changes.iter().filter_map(|(_, values)| values.get(index).copied()));
             if changed.into_iter().any(|value| value != parameter.value) {
                 let symbol = symbol(&parameter.name);
                 let now = self.quantity_text(value, &parameter.unit);
                 parts.push(if first == value {
                     format!("{symbol} = {now}")
                 } else {
-                    format!(
-                        "{symbol} = {} → {now}",
-                        self.quantity_text(first, &parameter.unit)
-                    )
+                    format!("{symbol} = {} → {now}", self.quantity_text(first, &parameter.unit))
                 });
             }
         }
         for (state, &value) in model.states.iter().zip(recipe.setup.start.iter().flatten()) {
-            parts.push(format!(
-                "{}(0) = {}",
-                symbol(&state.name()),
-                self.quantity_text(value, &state.unit)
-            ));
+            parts.push(format!("{}(0) = {}", symbol(&state.name()), self.quantity_text(value, &state.unit)));
         }
         if recipe.setup.method != self.defaults.method {
             parts.push(self.tongue.method(recipe.setup.method).to_owned());
         }
         if recipe.setup.step != self.defaults.step {
-            parts.push(format!(
-                "h = {}",
-                self.quantity_text(recipe.setup.step, &model.independent.unit)
-            ));
+            parts.push(format!("h = {}", self.quantity_text(recipe.setup.step, &model.independent.unit)));
         }
-        if parts.is_empty() {
-            self.tongue.defaults().to_owned()
-        } else {
-            parts.join(", ")
-        }
+        if parts.is_empty() { self.tongue.defaults().to_owned() } else { parts.join(", ") }
     }
 }

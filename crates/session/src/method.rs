@@ -23,29 +23,20 @@ impl Session {
             name: method.name(),
             label: self.tongue.method(method).to_owned(),
             selected: method == self.course.begun().method,
-            refused: self
-                .method_refusal(method)
-                .map(|refusal| self.refusal_text(&refusal))
-                .unwrap_or_default(),
+            refused: self.method_refusal(method).map(|refusal| self.refusal_text(&refusal)).unwrap_or_default(),
         };
         Method::ALL.into_iter().map(view).collect()
     }
 
     /// Chooses a method by its name; the run starts anew from where it began.
     pub fn set_method(&mut self, name: &str) -> Result<(), Refusal> {
-        let method: Method = name.parse().map_err(|_| Refusal::Unknown {
-            name: name.to_owned(),
-        })?;
+        let method: Method = name.parse().map_err(|_| Refusal::Unknown { name: name.to_owned() })?;
         if let Some(refusal) = self.method_refusal(method) {
             return Err(refusal);
         }
         if method != self.course.begun().method || self.course.history().is_none() {
             let parameters = self.course.parameters().to_vec();
-            self.restart(Setup {
-                method,
-                parameters,
-                ..self.course.begun().clone()
-            });
+            self.restart(Setup { method, parameters, ..self.course.begun().clone() });
             self.announce(Announcement::Method(method));
         }
         Ok(())
@@ -59,10 +50,7 @@ impl Session {
     /// The step in the unit of the independent variable, and that unit for people.
     pub fn step_text(&self) -> (String, String) {
         let unit = &self.model().independent.unit;
-        (
-            number::plain(unit.from_si(self.step()), crate::input::DIGITS, self.style),
-            number::unit_text(&unit.text),
-        )
+        (number::plain(unit.from_si(self.step()), crate::input::DIGITS, self.style), number::unit_text(&unit.text))
     }
 
     /// Sets the step from what was typed; the run starts anew from where it began.
@@ -81,11 +69,7 @@ impl Session {
         }
         if step != self.step() {
             let parameters = self.course.parameters().to_vec();
-            self.restart(Setup {
-                step,
-                parameters,
-                ..self.course.begun().clone()
-            });
+            self.restart(Setup { step, parameters, ..self.course.begun().clone() });
             self.announce(Announcement::Step(step));
         }
         Ok(())
@@ -93,10 +77,7 @@ impl Session {
 
     /// Why a method cannot integrate the model, if it can be integrated at all.
     fn method_refusal(&self, method: Method) -> Option<Refusal> {
-        let setup = Setup {
-            method,
-            ..self.defaults.clone()
-        };
+        let setup = Setup { method, ..self.defaults.clone() };
         match Run::start(&self.document.model, setup) {
             Err(error) if METHOD_CODES.contains(&error.code) => Some(Refusal::Method { method }),
             _ => None,

@@ -36,9 +36,7 @@ pub struct ParameterView {
 impl Session {
     /// All parameters, in the order of the text.
     pub fn parameters(&self) -> Vec<ParameterView> {
-        (0..self.model().parameters.len())
-            .filter_map(|index| self.parameter(index))
-            .collect()
+        (0..self.model().parameters.len()).filter_map(|index| self.parameter(index)).collect()
     }
 
     /// One parameter.
@@ -81,9 +79,7 @@ impl Session {
     /// Sets a parameter from what was typed: a number in the parameter's unit, or with a unit of the same dimension. The
     /// text that the field shows leaves the value as it is, although it may be rounded.
     pub fn set_parameter_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
-        let view = self.parameter(index).ok_or_else(|| Refusal::Unknown {
-            name: index.to_string(),
-        })?;
+        let view = self.parameter(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
         if text.trim() == view.text {
             return Ok(());
         }
@@ -105,12 +101,7 @@ impl Session {
 
     /// Sets one parameter to its default.
     pub fn reset_parameter(&mut self, index: usize) {
-        if let Some(value) = self
-            .model()
-            .parameters
-            .get(index)
-            .map(|parameter| parameter.value)
-        {
+        if let Some(value) = self.model().parameters.get(index).map(|parameter| parameter.value) {
             let _ = self.set_parameter(index, value);
         }
     }
@@ -126,21 +117,13 @@ impl Session {
         let Some(parameter) = self.model().parameters.get(index) else {
             return "";
         };
-        parameter
-            .label
-            .as_deref()
-            .map_or(parameter.name.as_str(), |label| self.text(label))
+        parameter.label.as_deref().map_or(parameter.name.as_str(), |label| self.text(label))
     }
 
     /// The value if the parameter may have it.
     pub(crate) fn admit(&self, index: usize, value: f64) -> Result<f64, Refusal> {
-        let parameter = self
-            .model()
-            .parameters
-            .get(index)
-            .ok_or_else(|| Refusal::Unknown {
-                name: index.to_string(),
-            })?;
+        let parameter =
+            self.model().parameters.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
         let name = self.parameter_label(index).to_owned();
         if !value.is_finite() {
             return Err(Refusal::NoValue { name });
@@ -151,15 +134,9 @@ impl Session {
         // What is typed in another unit may miss the end of the range by a rounding.
         let slack = (high - low) * 1e-12;
         if value < low - slack {
-            Err(Refusal::TooSmall {
-                name,
-                least: self.quantity_text(low, &parameter.unit),
-            })
+            Err(Refusal::TooSmall { name, least: self.quantity_text(low, &parameter.unit) })
         } else if value > high + slack {
-            Err(Refusal::TooLarge {
-                name,
-                greatest: self.quantity_text(high, &parameter.unit),
-            })
+            Err(Refusal::TooLarge { name, greatest: self.quantity_text(high, &parameter.unit) })
         } else {
             Ok(value.max(low).min(high))
         }
@@ -174,19 +151,10 @@ impl Session {
         let deciding = |(index, parameter): (usize, &Parameter)| {
             (parameter.restarts && old.get(index) != parameters.get(index)).then_some(index)
         };
-        let decides = self
-            .model()
-            .parameters
-            .iter()
-            .enumerate()
-            .find_map(deciding);
+        let decides = self.model().parameters.iter().enumerate().find_map(deciding);
         self.revision.parameters += 1;
         if decides.is_some() || self.course.history().is_none() {
-            let setup = Setup {
-                parameters,
-                start: None,
-                ..self.course.begun().clone()
-            };
+            let setup = Setup { parameters, start: None, ..self.course.begun().clone() };
             let begun = self.course.front() > 0.0;
             self.restart(setup);
             if let (Some(index), true) = (decides, begun) {

@@ -2,9 +2,7 @@
 
 use crate::symbol::symbol;
 use crate::{Session, number};
-use figure::{
-    Axis, Direction, Figure, Interval, Palette, Plot, Point, Readout, Series, Settings, Style, View,
-};
+use figure::{Axis, Direction, Figure, Interval, Palette, Plot, Point, Readout, Series, Settings, Style, View};
 use model::Node;
 
 /// A plot in the list.
@@ -44,13 +42,7 @@ struct Labels {
 
 impl Default for PlotState {
     fn default() -> Self {
-        Self {
-            shown: true,
-            view: View::default(),
-            figure: Figure::default(),
-            cursor: None,
-            labels: Labels::default(),
-        }
+        Self { shown: true, view: View::default(), figure: Figure::default(), cursor: None, labels: Labels::default() }
     }
 }
 
@@ -105,15 +97,12 @@ impl Session {
 
     /// The plot as a standalone SVG file.
     pub fn plot_svg(&mut self, index: usize, settings: &Settings, palette: &Palette) -> String {
-        self.titled_figure(index, settings)
-            .map_or_else(String::new, |figure| figure.svg(palette))
+        self.titled_figure(index, settings).map_or_else(String::new, |figure| figure.svg(palette))
     }
 
     /// What lies at a pixel of the last layout, on the present run and the kept ones. The keyboard's cursor moves there.
     pub fn hover_plot(&mut self, index: usize, at: Point) -> Option<Readout> {
-        let readout = self
-            .plot_figure(index)?
-            .hover(&self.readable_plot(index)?, at)?;
+        let readout = self.plot_figure(index)?.hover(&self.readable_plot(index)?, at)?;
         let first = self.series_behind(index);
         let sample = readout.samples.iter().find(|sample| sample.series >= first);
         if let (Some(sample), Some(state)) = (sample, self.plots.get_mut(index)) {
@@ -138,13 +127,7 @@ impl Session {
     }
 
     /// Zooms by `factor` (2 shows half as much) about a pixel; about the centre without one.
-    pub fn zoom_plot(
-        &mut self,
-        index: usize,
-        at: Option<Point>,
-        factor: f64,
-        direction: Direction,
-    ) {
+    pub fn zoom_plot(&mut self, index: usize, at: Option<Point>, factor: f64, direction: Direction) {
         if !(factor.is_finite() && factor > 0.0) {
             return;
         }
@@ -179,8 +162,7 @@ impl Session {
     /// How many series are drawn behind those of the present run.
     fn series_behind(&self, index: usize) -> usize {
         let curves = self.columns.plot(index).map_or(0, |plot| plot.curves.len());
-        let behind =
-            usize::from(self.ghost.is_some()) + self.kept.iter().filter(|kept| kept.shown).count();
+        let behind = usize::from(self.ghost.is_some()) + self.kept.iter().filter(|kept| kept.shown).count();
         curves * behind
     }
 
@@ -198,33 +180,14 @@ impl Session {
     /// Says of samples of kept runs which run they are of.
     fn named(&self, index: usize, mut readout: Readout) -> Readout {
         let first = self.series_behind(index);
-        let curves = self
-            .plots
-            .get(index)
-            .map_or(&[][..], |plot| &plot.labels.curves);
-        let ghosts = if self.ghost.is_some() {
-            curves.len()
-        } else {
-            0
-        };
-        let kept: Vec<String> = self
-            .kept()
-            .into_iter()
-            .filter(|kept| kept.shown)
-            .map(|kept| kept.name)
-            .collect();
-        for sample in readout
-            .samples
-            .iter_mut()
-            .filter(|sample| sample.series < first)
-        {
+        let curves = self.plots.get(index).map_or(&[][..], |plot| &plot.labels.curves);
+        let ghosts = if self.ghost.is_some() { curves.len() } else { 0 };
+        let kept: Vec<String> = self.kept().into_iter().filter(|kept| kept.shown).map(|kept| kept.name).collect();
+        for sample in readout.samples.iter_mut().filter(|sample| sample.series < first) {
             let Some(place) = sample.series.checked_sub(ghosts) else {
                 continue;
             };
-            let (Some(run), Some(curve)) = (
-                kept.get(place / curves.len()),
-                curves.get(place % curves.len()),
-            ) else {
+            let (Some(run), Some(curve)) = (kept.get(place / curves.len()), curves.get(place % curves.len())) else {
                 continue;
             };
             let value = sample.text.rsplit(" = ").next().unwrap_or_default();
@@ -245,17 +208,9 @@ impl Session {
         for (traces, style) in ghosts.chain(kept).chain([(&self.traces, Style::Line)]) {
             let present_run = style == Style::Line;
             for (number, &(column, axis)) in columns.curves.iter().enumerate() {
-                let present = self
-                    .present
-                    .get(columns.x)
-                    .copied()
-                    .zip(self.present.get(column).copied());
+                let present = self.present.get(columns.x).copied().zip(self.present.get(column).copied());
                 series.push(Series {
-                    label: labels
-                        .curves
-                        .get(number)
-                        .filter(|_| present_run)
-                        .map_or("", String::as_str),
+                    label: labels.curves.get(number).filter(|_| present_run).map_or("", String::as_str),
                     axis,
                     colour: number as u8,
                     style,
@@ -272,26 +227,10 @@ impl Session {
         Some(Plot {
             title: &labels.title,
             description: &labels.description,
-            x: Axis {
-                label: &labels.x.0,
-                unit: &labels.x.1,
-                include: independent.then_some(first),
-            },
-            y: labels
-                .axes
-                .iter()
-                .map(|(label, unit)| Axis {
-                    label,
-                    unit,
-                    include: None,
-                })
-                .collect(),
+            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: independent.then_some(first) },
+            y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, include: None }).collect(),
             series,
-            marker: if independent {
-                self.present.get(columns.x).copied()
-            } else {
-                None
-            },
+            marker: if independent { self.present.get(columns.x).copied() } else { None },
             view: state.view.clone(),
             ordered: independent,
         })
@@ -325,17 +264,9 @@ impl Session {
         };
         let names: Vec<String> = plot.curves.iter().map(named).collect();
         let description = self.tongue.against(&names.join(", "), &named(&plot.x));
-        let curves: Vec<String> = plot
-            .curves
-            .iter()
-            .map(|curve| symbol(&curve.expression))
-            .collect();
+        let curves: Vec<String> = plot.curves.iter().map(|curve| symbol(&curve.expression)).collect();
         let axes = columns.axes.iter().enumerate().map(|(axis, unit)| {
-            let here = columns
-                .curves
-                .iter()
-                .zip(&curves)
-                .filter(|((_, of), _)| *of == axis);
+            let here = columns.curves.iter().zip(&curves).filter(|((_, of), _)| *of == axis);
             let names: Vec<&str> = here.map(|(_, name)| name.as_str()).collect();
             (names.join(", "), number::unit_text(&unit.text))
         });
@@ -343,10 +274,7 @@ impl Session {
             axes: axes.collect(),
             description: format!("{title}: {description}"),
             title,
-            x: (
-                symbol(&plot.x.expression),
-                number::unit_text(&plot.x.value.unit.text),
-            ),
+            x: (symbol(&plot.x.expression), number::unit_text(&plot.x.value.unit.text)),
             curves,
         })
     }

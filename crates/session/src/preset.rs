@@ -40,8 +40,7 @@ impl Session {
             let Some(preset) = self.document.presets.get(index) else {
                 continue;
             };
-            let near =
-                |(now, then): (&f64, &f64)| (now - then).abs() <= SAME * now.abs().max(then.abs());
+            let near = |(now, then): (&f64, &f64)| (now - then).abs() <= SAME * now.abs().max(then.abs());
             let view = PresetView {
                 index,
                 name: self.text(&preset.name).to_owned(),
@@ -51,18 +50,8 @@ impl Session {
             match groups.last_mut() {
                 Some((group, last)) if *group == preset.group => last.presets.push(view),
                 _ => {
-                    let name = preset
-                        .group
-                        .as_deref()
-                        .map_or("", |group| self.text(group))
-                        .to_owned();
-                    groups.push((
-                        preset.group.clone(),
-                        PresetGroup {
-                            name,
-                            presets: vec![view],
-                        },
-                    ));
+                    let name = preset.group.as_deref().map_or("", |group| self.text(group)).to_owned();
+                    groups.push((preset.group.clone(), PresetGroup { name, presets: vec![view] }));
                 }
             }
         }
@@ -72,13 +61,7 @@ impl Session {
     /// Sets the parameters of a preset, each computed with those before it; all of them or, when one is refused, none.
     pub fn apply_preset(&mut self, index: usize) -> Result<(), Refusal> {
         let parameters = self.preset_parameters(index);
-        let preset = self
-            .document
-            .presets
-            .get(index)
-            .ok_or_else(|| Refusal::Unknown {
-                name: index.to_string(),
-            })?;
+        let preset = self.document.presets.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
         let parameters = self.admit_assignments(&preset.values, parameters)?;
         self.change_parameters(parameters);
         self.announce(Announcement::Preset(index));
@@ -87,35 +70,17 @@ impl Session {
 
     fn preset_parameters(&mut self, index: usize) -> Vec<f64> {
         let presets = &self.document.presets;
-        let first = presets
-            .iter()
-            .take(index)
-            .map(|preset| preset.values.len())
-            .sum();
+        let first = presets.iter().take(index).map(|preset| preset.values.len()).sum();
         let values = presets.get(index).map_or(&[][..], |preset| &preset.values);
-        assign(
-            &mut self.evaluators.presets,
-            first,
-            values,
-            self.course.parameters(),
-            self.course.initial(),
-        )
+        assign(&mut self.evaluators.presets, first, values, self.course.parameters(), self.course.initial())
     }
 
     /// `b = 0 kg/s, ρ = 13534 kg/m³`
-    pub(crate) fn assignments_text(
-        &self,
-        assignments: &[Assignment],
-        parameters: &[f64],
-    ) -> String {
+    pub(crate) fn assignments_text(&self, assignments: &[Assignment], parameters: &[f64]) -> String {
         let text = |assignment: &Assignment| {
             let parameter = self.model().parameters.get(assignment.parameter)?;
             let value = parameters.get(assignment.parameter)?;
-            Some(format!(
-                "{} = {}",
-                symbol(&parameter.name),
-                self.quantity_text(*value, &parameter.unit)
-            ))
+            Some(format!("{} = {}", symbol(&parameter.name), self.quantity_text(*value, &parameter.unit)))
         };
         let texts: Vec<String> = assignments.iter().filter_map(text).collect();
         texts.join(", ")

@@ -24,10 +24,7 @@ impl Session {
     pub fn problem(&self) -> Option<Problem> {
         let error = self.course.error().filter(|_| !self.course.is_scrubbed())?;
         let (message, hint) = match self.tongue {
-            Tongue::English => (
-                error.message.clone(),
-                error.hint.clone().unwrap_or_default(),
-            ),
+            Tongue::English => (error.message.clone(), error.hint.clone().unwrap_or_default()),
             Tongue::Spanish => self.spanish(error),
         };
         Some(Problem {
@@ -49,16 +46,12 @@ impl Session {
                     Method::Rosenbrock => {
                         "busca en las ecuaciones una división entre cero o la raíz de un número negativo"
                     }
-                    Method::DormandPrince => {
-                        "si allí no se divide entre cero, puede ayudar el método de Rosenbrock"
-                    }
+                    Method::DormandPrince => "si allí no se divide entre cero, puede ayudar el método de Rosenbrock",
                     _ => "si allí no se divide entre cero, puede ayudar un paso menor",
                 },
             ),
             "singular-equations" => (
-                format!(
-                    "las ecuaciones no tienen solución única para las derivadas más altas después de {at}"
-                ),
+                format!("las ecuaciones no tienen solución única para las derivadas más altas después de {at}"),
                 "el determinante de las masas o los coeficientes se anula allí",
             ),
             "step-too-small" => (
@@ -81,26 +74,14 @@ impl Session {
                 "el método de Verlet solo sirve para ecuaciones de segundo orden".to_owned(),
                 "usa el método de Runge-Kutta",
             ),
-            "step-not-positive" => (
-                "el paso no es un número positivo".to_owned(),
-                "lo habitual son 0,05 s",
-            ),
-            "bad-tolerance" => (
-                "la tolerancia no está entre 0 y 1".to_owned(),
-                "lo habitual es 1e-6",
-            ),
+            "step-not-positive" => ("el paso no es un número positivo".to_owned(), "lo habitual son 0,05 s"),
+            "bad-tolerance" => ("la tolerancia no está entre 0 y 1".to_owned(), "lo habitual es 1e-6"),
             "unknown-method" => {
                 let named = self.document.method.as_deref().unwrap_or_default();
-                (
-                    format!("no hay ningún método «{named}»"),
-                    "elige uno de la lista",
-                )
+                (format!("no hay ningún método «{named}»"), "elige uno de la lista")
             }
             _ => {
-                return (
-                    error.message.clone(),
-                    error.hint.clone().unwrap_or_default(),
-                );
+                return (error.message.clone(), error.hint.clone().unwrap_or_default());
             }
         };
         (message, hint.to_owned())
@@ -108,11 +89,7 @@ impl Session {
 
     /// The symbol of the state whose initial value stands at a place.
     fn state_at(&self, span: Option<Span>) -> String {
-        let state = self
-            .model()
-            .states
-            .iter()
-            .find(|state| Some(state.span) == span);
+        let state = self.model().states.iter().find(|state| Some(state.span) == span);
         state.map_or_else(String::new, |state| symbol(&state.name()))
     }
 }

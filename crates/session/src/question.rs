@@ -43,10 +43,7 @@ impl Session {
             return self.verdict(Grade::Unanswerable);
         };
         match self.read_value(text, &asked.unit) {
-            Err(refusal) => Verdict {
-                grade: Grade::Unreadable,
-                text: self.refusal_text(&refusal),
-            },
+            Err(refusal) => Verdict { grade: Grade::Unreadable, text: self.refusal_text(&refusal) },
             Ok(given) => self.verdict(grade(given, right, asked.tolerance)),
         }
     }
@@ -58,29 +55,19 @@ impl Session {
         let Some(asked) = self.document.questions.get(question) else {
             return String::new();
         };
-        self.with_unit(
-            number::plain(asked.unit.from_si(right), 4, self.style),
-            &asked.unit,
-        )
+        self.with_unit(number::plain(asked.unit.from_si(right), 4, self.style), &asked.unit)
     }
 
     /// The unit in which an answer is asked for, for people.
     pub fn question_unit(&self, question: usize) -> String {
-        self.document
-            .questions
-            .get(question)
-            .map_or_else(String::new, |asked| number::unit_text(&asked.unit.text))
+        self.document.questions.get(question).map_or_else(String::new, |asked| number::unit_text(&asked.unit.text))
     }
 
     /// The parameter values a question supposes, `b = 0 kg/s, h_l = 3 m`, and whether they are set now; `None` if it
     /// supposes none.
     pub fn question_setup(&mut self, question: usize) -> Option<(String, bool)> {
         let parameters = self.supposed_parameters(question);
-        let asked = self
-            .document
-            .questions
-            .get(question)
-            .filter(|asked| !asked.setup.is_empty())?;
+        let asked = self.document.questions.get(question).filter(|asked| !asked.setup.is_empty())?;
         let set = self.course.parameters() == parameters;
         Some((self.assignments_text(&asked.setup, &parameters), set))
     }
@@ -88,9 +75,7 @@ impl Session {
     /// Sets the parameters that a question supposes.
     pub fn apply_question_setup(&mut self, question: usize) -> Result<(), Refusal> {
         let parameters = self.supposed_parameters(question);
-        let unknown = || Refusal::Unknown {
-            name: question.to_string(),
-        };
+        let unknown = || Refusal::Unknown { name: question.to_string() };
         let asked = self.document.questions.get(question).ok_or_else(unknown)?;
         let parameters = self.admit_assignments(&asked.setup, parameters)?;
         self.change_parameters(parameters);
@@ -99,41 +84,23 @@ impl Session {
     }
 
     fn verdict(&self, grade: Grade) -> Verdict {
-        Verdict {
-            grade,
-            text: self.tongue.grade(grade).to_owned(),
-        }
+        Verdict { grade, text: self.tongue.grade(grade).to_owned() }
     }
 
     /// The answer (SI), not a number if there is none.
     fn right_answer(&mut self, question: usize) -> f64 {
         let parameters = self.supposed_parameters(question);
         let initial = self.initial_for(&parameters);
-        let answers = self
-            .evaluators
-            .answers
-            .at(&parameters, &initial, 0.0, &initial);
+        let answers = self.evaluators.answers.at(&parameters, &initial, 0.0, &initial);
         answers.get(question).copied().unwrap_or(f64::NAN)
     }
 
     /// The present parameters with those that a question supposes in their place.
     fn supposed_parameters(&mut self, question: usize) -> Vec<f64> {
         let questions = &self.document.questions;
-        let first = questions
-            .iter()
-            .take(question)
-            .map(|question| question.setup.len())
-            .sum();
-        let setup = questions
-            .get(question)
-            .map_or(&[][..], |asked| &asked.setup);
-        assign(
-            &mut self.evaluators.setups,
-            first,
-            setup,
-            self.course.parameters(),
-            self.course.initial(),
-        )
+        let first = questions.iter().take(question).map(|question| question.setup.len()).sum();
+        let setup = questions.get(question).map_or(&[][..], |asked| &asked.setup);
+        assign(&mut self.evaluators.setups, first, setup, self.course.parameters(), self.course.initial())
     }
 }
 

@@ -51,49 +51,27 @@ impl Session {
             readouts.push(Readout {
                 kind: ReadoutKind::State(index),
                 name: state.name(),
-                label: state
-                    .label
-                    .as_deref()
-                    .map_or("", |label| self.text(label))
-                    .to_owned(),
+                label: state.label.as_deref().map_or("", |label| self.text(label)).to_owned(),
                 value: self.state_number(index, state, value),
                 unit: number::unit_text(&state.unit.text),
                 varies: true,
             });
         }
         let values = self.quantity_values();
-        for (index, (quantity, &value)) in self
-            .document
-            .model
-            .quantities
-            .iter()
-            .zip(&values)
-            .enumerate()
-        {
-            let scale = self
-                .scales
-                .get(self.document.model.states.len() + index)
-                .copied()
-                .unwrap_or_default();
+        for (index, (quantity, &value)) in self.document.model.quantities.iter().zip(&values).enumerate() {
+            let scale = self.scales.get(self.document.model.states.len() + index).copied().unwrap_or_default();
             let unit = &quantity.value.unit;
             let shown = match quantity.value.kind {
-                Kind::Number if quantity.varies => number::scaled(
-                    unit.from_si(value),
-                    unit.from_si(scale),
-                    MOVING_DIGITS,
-                    self.style,
-                ),
+                Kind::Number if quantity.varies => {
+                    number::scaled(unit.from_si(value), unit.from_si(scale), MOVING_DIGITS, self.style)
+                }
                 Kind::Number => number::plain(unit.from_si(value), MOVING_DIGITS, self.style),
                 Kind::Truth | Kind::Text => self.word_value(&quantity.value, value),
             };
             readouts.push(Readout {
                 kind: ReadoutKind::Quantity(index),
                 name: quantity.name.clone(),
-                label: quantity
-                    .label
-                    .as_deref()
-                    .map_or("", |label| self.text(label))
-                    .to_owned(),
+                label: quantity.label.as_deref().map_or("", |label| self.text(label)).to_owned(),
                 value: shown,
                 unit: number::unit_text(&unit.text),
                 varies: quantity.varies,
@@ -107,12 +85,7 @@ impl Session {
         let frame = (self.revision.frame, self.revision.parameters);
         if self.evaluators.scene_frame != Some(frame) {
             let course = &self.course;
-            let values = self.evaluators.scene.at(
-                course.parameters(),
-                course.initial(),
-                course.time(),
-                course.state(),
-            );
+            let values = self.evaluators.scene.at(course.parameters(), course.initial(), course.time(), course.state());
             self.evaluators.scene_values.clear();
             self.evaluators.scene_values.extend_from_slice(values);
             self.evaluators.scene_frame = Some(frame);
@@ -150,12 +123,8 @@ impl Session {
 
     fn quantity_values(&mut self) -> Vec<f64> {
         let course = &self.course;
-        let values = self.evaluators.quantities.at(
-            course.parameters(),
-            course.initial(),
-            course.time(),
-            course.state(),
-        );
+        let values =
+            self.evaluators.quantities.at(course.parameters(), course.initial(), course.time(), course.state());
         let states = self.document.model.states.len();
         for (scale, value) in self.scales.iter_mut().skip(states).zip(values) {
             if value.is_finite() {
@@ -171,12 +140,9 @@ impl Session {
             return number::DASH.to_owned();
         }
         match compiled.kind {
-            Kind::Text => self
-                .model()
-                .texts
-                .get(value as usize)
-                .map_or(number::DASH, |text| self.text(text))
-                .to_owned(),
+            Kind::Text => {
+                self.model().texts.get(value as usize).map_or(number::DASH, |text| self.text(text)).to_owned()
+            }
             _ => self.tongue.truth(value != 0.0).to_owned(),
         }
     }

@@ -96,11 +96,7 @@ impl Session {
             announcements: Announcements::default(),
             scales: vec![0.0; model.states.len() + model.quantities.len()],
             evaluators: Evaluators::new(&document, &language),
-            plots: document
-                .plots
-                .iter()
-                .map(|_| PlotState::default())
-                .collect(),
+            plots: document.plots.iter().map(|_| PlotState::default()).collect(),
             document,
             language,
             defaults,
@@ -191,8 +187,7 @@ impl Session {
 
     /// Brings the columns up to the front of the run.
     pub(crate) fn follow(&mut self) {
-        self.traces
-            .follow(&self.course, &mut self.columns, &self.present);
+        self.traces.follow(&self.course, &mut self.columns, &self.present);
     }
 
     /// Starts another run; the present one stays behind as a ghost if there is something to see of it.
@@ -223,10 +218,7 @@ impl Session {
     /// The initial state that the model gives for some parameters.
     pub(crate) fn initial_for(&mut self, parameters: &[f64]) -> Vec<f64> {
         let nothing = vec![0.0; self.document.model.states.len()];
-        self.evaluators
-            .initial
-            .at(parameters, &nothing, 0.0, &nothing)
-            .to_vec()
+        self.evaluators.initial.at(parameters, &nothing, 0.0, &nothing).to_vec()
     }
 }
 
@@ -257,31 +249,16 @@ impl Evaluators {
         let model = &document.model;
         let reading = |nodes: Vec<NodeId>| Readings::new(model, &nodes);
         let presets = document.presets.iter().flat_map(|preset| &preset.values);
-        let setups = document
-            .questions
-            .iter()
-            .flat_map(|question| &question.setup);
+        let setups = document.questions.iter().flat_map(|question| &question.setup);
         Self {
-            quantities: reading(
-                model
-                    .quantities
-                    .iter()
-                    .map(|quantity| quantity.value.node)
-                    .collect(),
-            ),
+            quantities: reading(model.quantities.iter().map(|quantity| quantity.value.node).collect()),
             scene: Self::scene(document, language),
             scene_values: Vec::new(),
             scene_frame: None,
             initial: reading(model.states.iter().map(|state| state.initial).collect()),
             presets: reading(presets.map(|assignment| assignment.value.node).collect()),
             setups: reading(setups.map(|assignment| assignment.value.node).collect()),
-            answers: reading(
-                document
-                    .questions
-                    .iter()
-                    .map(|question| question.answer.node)
-                    .collect(),
-            ),
+            answers: reading(document.questions.iter().map(|question| question.answer.node).collect()),
         }
     }
 

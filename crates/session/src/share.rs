@@ -33,17 +33,11 @@ impl Session {
     pub fn share(&self) -> String {
         let mut fields: Vec<String> = Vec::new();
         let mut recipe = self.course.recipe();
-        if recipe.changes.len() > MOST_CHANGES
-            && self.course.state().iter().all(|value| value.is_finite())
-        {
+        if recipe.changes.len() > MOST_CHANGES && self.course.state().iter().all(|value| value.is_finite()) {
             let parameters = self.course.parameters().to_vec();
             let start = Some(self.course.state().to_vec());
             recipe = Recipe {
-                setup: Setup {
-                    parameters,
-                    start,
-                    ..recipe.setup
-                },
+                setup: Setup { parameters, start, ..recipe.setup },
                 changes: Vec::new(),
                 front: 0.0,
                 time: 0.0,
@@ -53,11 +47,7 @@ impl Session {
         if self.speed != 1.0 {
             fields.push(format!("x={}", exact(self.speed)));
         }
-        let hidden = self
-            .plots
-            .iter()
-            .enumerate()
-            .filter(|(_, plot)| !plot.shown);
+        let hidden = self.plots.iter().enumerate().filter(|(_, plot)| !plot.shown);
         let hidden: Vec<String> = hidden.map(|(index, _)| index.to_string()).collect();
         if !hidden.is_empty() {
             fields.push(format!("v={}", hidden.join(",")));
@@ -66,11 +56,7 @@ impl Session {
             fields.push("k".to_owned());
             self.write_recipe(&kept.recipe, &mut fields);
         }
-        if fields.is_empty() {
-            String::new()
-        } else {
-            format!("{VERSION}&{}", fields.join("&"))
-        }
+        if fields.is_empty() { String::new() } else { format!("{VERSION}&{}", fields.join("&")) }
     }
 
     /// Brings back a state. What does not fit the document is left out and named in the refusal; the rest is applied.
@@ -86,18 +72,14 @@ impl Session {
         self.speed = 1.0;
         self.plots.iter_mut().for_each(|plot| plot.shown = true);
         self.revision.plots += 1;
-        let mut reader = Reader {
-            session: self,
-            left_out: Vec::new(),
-        };
+        let mut reader = Reader { session: self, left_out: Vec::new() };
         let fields: Vec<&str> = fields.collect();
         let mut sections = fields.split(|field| *field == "k");
         let present = reader.recipe(sections.next().unwrap_or_default());
         let kept: Vec<Recipe> = sections.map(|section| reader.recipe(section)).collect();
         let mut left_out = reader.left_out;
         let overhead = self.columns.bytes_per_row();
-        let (course, complete) =
-            Course::replay(&self.document.model, &present, overhead, MOST_STEPS);
+        let (course, complete) = Course::replay(&self.document.model, &present, overhead, MOST_STEPS);
         if !complete {
             left_out.push(format!("t={}", exact(present.front)));
         }
@@ -114,11 +96,7 @@ impl Session {
         }
         self.announcements.clear();
         self.announce(Announcement::Restored);
-        if left_out.is_empty() {
-            Ok(())
-        } else {
-            Err(Refusal::PartlyRestored { left_out })
-        }
+        if left_out.is_empty() { Ok(()) } else { Err(Refusal::PartlyRestored { left_out }) }
     }
 
     fn write_recipe(&self, recipe: &Recipe, fields: &mut Vec<String>) {
@@ -139,10 +117,7 @@ impl Session {
         }
         let mut before = &setup.parameters;
         for (row, parameters) in &recipe.changes {
-            fields.push(format!(
-                "c={row},{}",
-                self.differing(before, parameters).join(",")
-            ));
+            fields.push(format!("c={row},{}", self.differing(before, parameters).join(",")));
             before = parameters;
         }
         if recipe.front != recipe.time {
@@ -157,9 +132,7 @@ impl Session {
     fn differing(&self, from: &[f64], to: &[f64]) -> Vec<String> {
         let values = self.model().parameters.iter().zip(from.iter().zip(to));
         let differing = values.filter(|(_, (from, to))| from.to_bits() != to.to_bits());
-        differing
-            .map(|(parameter, (_, to))| format!("{}:{}", parameter.name, exact(*to)))
-            .collect()
+        differing.map(|(parameter, (_, to))| format!("{}:{}", parameter.name, exact(*to))).collect()
     }
 }
 
@@ -171,12 +144,8 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn recipe(&mut self, fields: &[&str]) -> Recipe {
-        let mut recipe = Recipe {
-            setup: self.session.defaults.clone(),
-            changes: Vec::new(),
-            front: 0.0,
-            time: f64::NAN,
-        };
+        let mut recipe =
+            Recipe { setup: self.session.defaults.clone(), changes: Vec::new(), front: 0.0, time: f64::NAN };
         for field in fields {
             let (key, value) = field.split_once('=').unwrap_or((field, ""));
             if self.field(key, value, &mut recipe).is_none() {
@@ -217,9 +186,7 @@ impl Reader<'_> {
                 {
                     return None;
                 }
-                let before = last
-                    .map_or(&recipe.setup.parameters, |(_, parameters)| parameters)
-                    .clone();
+                let before = last.map_or(&recipe.setup.parameters, |(_, parameters)| parameters).clone();
                 let parameters = self.parameters(values.split(','), &before);
                 recipe.changes.push((row, parameters));
             }
@@ -239,20 +206,11 @@ impl Reader<'_> {
     }
 
     /// `before` with some parameters replaced; those that do not fit are collected.
-    fn parameters<'t>(
-        &mut self,
-        values: impl Iterator<Item = &'t str>,
-        before: &[f64],
-    ) -> Vec<f64> {
+    fn parameters<'t>(&mut self, values: impl Iterator<Item = &'t str>, before: &[f64]) -> Vec<f64> {
         let mut parameters = before.to_vec();
         for text in values {
             let admitted = text.split_once(':').and_then(|(name, value)| {
-                let index = self
-                    .session
-                    .model()
-                    .parameters
-                    .iter()
-                    .position(|parameter| parameter.name == name)?;
+                let index = self.session.model().parameters.iter().position(|parameter| parameter.name == name)?;
                 Some((index, self.session.admit(index, number(value)?).ok()?))
             });
             match admitted.and_then(|(index, value)| parameters.get_mut(index).zip(Some(value))) {
@@ -267,11 +225,7 @@ impl Reader<'_> {
 /// The shorter of the two exact ways to write a number: `0.05`, `1e300`.
 fn exact(value: f64) -> String {
     let (plain, scientific) = (format!("{value}"), format!("{value:e}"));
-    if plain.len() <= scientific.len() {
-        plain
-    } else {
-        scientific
-    }
+    if plain.len() <= scientific.len() { plain } else { scientific }
 }
 
 fn number(text: &str) -> Option<f64> {

@@ -47,33 +47,19 @@ impl<'a> Mapping<'a> {
         if !(low < high && (high - low).is_finite()) {
             return None;
         }
-        let step = parameter
-            .step
-            .map(|step| unit.from_si(step))
-            .filter(|step| (high - low) / step <= MOST_POSITIONS);
+        let step = parameter.step.map(|step| unit.from_si(step)).filter(|step| (high - low) / step <= MOST_POSITIONS);
         let default = unit.from_si(parameter.value);
         let scale = match step.filter(|step| *step > 0.0) {
             Some(step) => even(low, high, step),
-            None if is_wide(low, high, default) => Scale::Fine {
-                power: power(low, high, default),
-            },
+            None if is_wide(low, high, default) => Scale::Fine { power: power(low, high, default) },
             None => even(low, high, round_step((high - low) / 100.0)),
         };
-        Some(Self {
-            parameter,
-            low,
-            high,
-            scale,
-        })
+        Some(Self { parameter, low, high, scale })
     }
 
     /// The slider at a value (SI): at the nearest position.
     pub fn slider(&self, value: f64) -> Slider {
-        let value = self
-            .parameter
-            .unit
-            .from_si(value)
-            .clamp(self.low, self.high);
+        let value = self.parameter.unit.from_si(value).clamp(self.low, self.high);
         let (positions, place) = match self.scale {
             Scale::Even { step, positions } => (positions, (value - self.low) / step),
             Scale::Fine { power } => {
@@ -82,16 +68,8 @@ impl<'a> Mapping<'a> {
                 (FINE_POSITIONS, place * f64::from(FINE_POSITIONS))
             }
         };
-        let position = if value == self.high {
-            positions
-        } else {
-            (place.round() as u32).min(positions)
-        };
-        Slider {
-            positions,
-            position,
-            page: (positions / 10).max(1),
-        }
+        let position = if value == self.high { positions } else { (place.round() as u32).min(positions) };
+        Slider { positions, position, page: (positions / 10).max(1) }
     }
 
     /// The value (SI) at a position.
@@ -110,9 +88,7 @@ impl<'a> Mapping<'a> {
             _ => self.high,
         };
         let si = self.parameter.unit.to_si(value.clamp(self.low, self.high));
-        self.parameter
-            .range
-            .map_or(si, |(low, high)| si.max(low).min(high))
+        self.parameter.range.map_or(si, |(low, high)| si.max(low).min(high))
     }
 
     fn fine(&self, place: f64, power: u32) -> f64 {
@@ -123,10 +99,7 @@ impl<'a> Mapping<'a> {
 
 fn even(low: f64, high: f64, step: f64) -> Scale {
     let positions = ((high - low) / step - 1e-6).ceil().max(1.0);
-    Scale::Even {
-        step,
-        positions: positions as u32,
-    }
+    Scale::Even { step, positions: positions as u32 }
 }
 
 /// Whether an even slider would leave no room for the small values that matter: the default lies in the first
@@ -138,11 +111,7 @@ fn is_wide(low: f64, high: f64, default: f64) -> bool {
 /// The cube, unless that would leave the default on the first twentieth of the slider.
 fn power(low: f64, high: f64, default: f64) -> u32 {
     let part = (default - low) / (high - low);
-    if part > 0.0 && libm::cbrt(part) < 0.05 {
-        5
-    } else {
-        3
-    }
+    if part > 0.0 && libm::cbrt(part) < 0.05 { 5 } else { 3 }
 }
 
 /// The greatest of 1, 2 or 5 times a power of ten that is at most `step`.
@@ -200,11 +169,7 @@ mod tests {
             let mut before = f64::NEG_INFINITY;
             for position in 0..=positions {
                 let value = mapping.value(position);
-                assert_eq!(
-                    mapping.slider(value).position,
-                    position,
-                    "{value} of {parameter:?}"
-                );
+                assert_eq!(mapping.slider(value).position, position, "{value} of {parameter:?}");
                 assert!(value > before, "{value} after {before} of {parameter:?}");
                 before = value;
             }
@@ -225,10 +190,9 @@ mod tests {
 
     #[test]
     fn a_wide_slider_is_fine_near_zero() {
-        for (high, expected) in [
-            (20_000.0, [10.0, 15.0, 20.0, 30.0, 40.0]),
-            (2_000_000.0, [10.0, 20.0, 30.0, 40.0, 50.0]),
-        ] {
+        for (high, expected) in
+            [(20_000.0, [10.0, 15.0, 20.0, 30.0, 40.0]), (2_000_000.0, [10.0, 20.0, 30.0, 40.0, 50.0])]
+        {
             let parameter = parameter(Unit::dimensionless(), 50.0, 0.0, high, None);
             let mapping = Mapping::of(&parameter).unwrap();
             let value = |value: f64| mapping.value(mapping.slider(value).position);

@@ -28,9 +28,7 @@ pub struct StateView {
 impl Session {
     /// All states, in the order of the model.
     pub fn states(&self) -> Vec<StateView> {
-        (0..self.model().states.len())
-            .filter_map(|index| self.state(index))
-            .collect()
+        (0..self.model().states.len()).filter_map(|index| self.state(index)).collect()
     }
 
     /// One state.
@@ -56,23 +54,17 @@ impl Session {
             return Err(Refusal::NotPaused);
         }
         if !value.is_finite() {
-            return Err(Refusal::NoValue {
-                name: self.state_label(index),
-            });
+            return Err(Refusal::NoValue { name: self.state_label(index) });
         }
         let mut state = self.course.state().to_vec();
         match state.get_mut(index) {
             Some(old) => *old = value,
             None => {
-                return Err(Refusal::Unknown {
-                    name: index.to_string(),
-                });
+                return Err(Refusal::Unknown { name: index.to_string() });
             }
         }
         if let Some(missing) = state.iter().position(|value| !value.is_finite()) {
-            return Err(Refusal::NoValue {
-                name: self.state_label(missing),
-            });
+            return Err(Refusal::NoValue { name: self.state_label(missing) });
         }
         self.start_from(state);
         self.announce(Announcement::StateSet(index, value));
@@ -82,9 +74,7 @@ impl Session {
     /// The same from what was typed, in the state's unit or with a unit of the same dimension. The text that the field
     /// shows leaves the state as it is.
     pub fn set_state_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
-        let view = self.state(index).ok_or_else(|| Refusal::Unknown {
-            name: index.to_string(),
-        })?;
+        let view = self.state(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
         if text.trim() == view.text {
             return Ok(());
         }
@@ -103,11 +93,7 @@ impl Session {
     /// Starts a run from a state, with the parameters shown.
     pub(crate) fn start_from(&mut self, state: Vec<f64>) {
         let parameters = self.course.parameters().to_vec();
-        let setup = Setup {
-            parameters,
-            start: Some(state),
-            ..self.course.begun().clone()
-        };
+        let setup = Setup { parameters, start: Some(state), ..self.course.begun().clone() };
         self.restart(setup);
     }
 
@@ -116,20 +102,12 @@ impl Session {
         let Some(state) = self.model().states.get(index) else {
             return String::new();
         };
-        state
-            .label
-            .as_deref()
-            .map_or_else(|| state.name(), |label| self.text(label).to_owned())
+        state.label.as_deref().map_or_else(|| state.name(), |label| self.text(label).to_owned())
     }
 
     /// A state's value in its unit, with the resolution that its swing in this run calls for.
     pub(crate) fn state_number(&self, index: usize, state: &State, value: f64) -> String {
         let scale = self.scales.get(index).copied().unwrap_or_default();
-        number::scaled(
-            state.unit.from_si(value),
-            state.unit.from_si(scale),
-            4,
-            self.style,
-        )
+        number::scaled(state.unit.from_si(value), state.unit.from_si(scale), 4, self.style)
     }
 }

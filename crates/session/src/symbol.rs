@@ -6,11 +6,9 @@ pub fn symbol(text: &str) -> String {
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
         let length = if first.is_ascii_alphabetic() {
-            rest.find(|character: char| !(character.is_ascii_alphanumeric() || character == '_'))
-                .unwrap_or(rest.len())
+            rest.find(|character: char| !(character.is_ascii_alphanumeric() || character == '_')).unwrap_or(rest.len())
         } else if first == '\'' {
-            rest.find(|character| character != '\'')
-                .unwrap_or(rest.len())
+            rest.find(|character| character != '\'').unwrap_or(rest.len())
         } else {
             first.len_utf8()
         };
@@ -40,18 +38,13 @@ fn name(piece: &str) -> String {
     let stem = greek(stem).map_or_else(|| stem.to_owned(), String::from);
     // Only the digits have lowered forms in every font.
     if !index.is_empty() && index.bytes().all(|byte| byte.is_ascii_digit()) {
-        let lowered = index
-            .bytes()
-            .filter_map(|digit| char::from_u32(0x2080 + u32::from(digit - b'0')));
+        let lowered = index.bytes().filter_map(|digit| char::from_u32(0x2080 + u32::from(digit - b'0')));
         return stem + &String::from_iter(lowered);
     }
     if index.is_empty() {
         stem
     } else {
-        format!(
-            "{stem}_{}",
-            greek(index).map_or_else(|| index.to_owned(), String::from)
-        )
+        format!("{stem}_{}", greek(index).map_or_else(|| index.to_owned(), String::from))
     }
 }
 
@@ -91,10 +84,7 @@ fn greek(name: &str) -> Option<char> {
         ("Psi", 'Ψ'),
         ("Omega", 'Ω'),
     ];
-    letters
-        .into_iter()
-        .find(|(spelled, _)| *spelled == name)
-        .map(|(_, letter)| letter)
+    letters.into_iter().find(|(spelled, _)| *spelled == name).map(|(_, letter)| letter)
 }
 
 #[cfg(test)]

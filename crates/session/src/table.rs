@@ -34,14 +34,7 @@ impl Session {
         };
         let mut table = Table::new(self.model());
         let rows = rows.start..rows.end.min(self.course.rows());
-        rows.map(|row| {
-            table
-                .row(history, row)
-                .iter()
-                .map(|cell| self.cell_text(cell))
-                .collect()
-        })
-        .collect()
+        rows.map(|row| table.row(history, row).iter().map(|cell| self.cell_text(cell)).collect()).collect()
     }
 
     /// The last row at or before the time shown.

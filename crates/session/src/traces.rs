@@ -30,25 +30,18 @@ pub(crate) struct PlotColumns {
 impl Columns {
     /// The columns that the plots need; equal ones once.
     pub fn new(model: &Model, plots: &[Plot]) -> Self {
-        let mut columns = Self {
-            readings: Readings::new(model, &[]),
-            nodes: Vec::new(),
-            units: Vec::new(),
-            plots: Vec::new(),
-        };
+        let mut columns =
+            Self { readings: Readings::new(model, &[]), nodes: Vec::new(), units: Vec::new(), plots: Vec::new() };
         for plot in plots {
             let x = columns.add(plot.x.value.node, &plot.x.value.unit);
             let mut axes: Vec<Unit> = Vec::new();
             let mut curves = Vec::new();
             for curve in &plot.curves {
                 let unit = &curve.value.unit;
-                let axis = axes
-                    .iter()
-                    .position(|axis| axis.dimension == unit.dimension)
-                    .unwrap_or_else(|| {
-                        axes.push(unit.clone());
-                        axes.len() - 1
-                    });
+                let axis = axes.iter().position(|axis| axis.dimension == unit.dimension).unwrap_or_else(|| {
+                    axes.push(unit.clone());
+                    axes.len() - 1
+                });
                 curves.push((columns.add(curve.value.node, &axes[axis]), axis));
             }
             columns.plots.push(PlotColumns { x, curves, axes });
@@ -58,11 +51,7 @@ impl Columns {
     }
 
     fn add(&mut self, node: NodeId, unit: &Unit) -> usize {
-        let known = self
-            .nodes
-            .iter()
-            .zip(&self.units)
-            .position(|(one, of)| *one == node && of == unit);
+        let known = self.nodes.iter().zip(&self.units).position(|(one, of)| *one == node && of == unit);
         known.unwrap_or_else(|| {
             self.nodes.push(node);
             self.units.push(unit.clone());
@@ -82,19 +71,9 @@ impl Columns {
 
     /// The values of all columns at the moment that `course` shows.
     pub fn present(&mut self, course: &Course, out: &mut Vec<f64>) {
-        let values = self.readings.at(
-            course.parameters(),
-            course.initial(),
-            course.time(),
-            course.state(),
-        );
+        let values = self.readings.at(course.parameters(), course.initial(), course.time(), course.state());
         out.clear();
-        out.extend(
-            values
-                .iter()
-                .zip(&self.units)
-                .map(|(&value, unit)| unit.from_si(value)),
-        );
+        out.extend(values.iter().zip(&self.units).map(|(&value, unit)| unit.from_si(value)));
     }
 
     fn row(&mut self, history: &History, row: usize, columns: &mut [Vec<f64>]) {
@@ -171,11 +150,7 @@ impl Traces {
         let length = self.columns.first().map_or(0, Vec::len);
         let stride = length.saturating_sub(first).div_ceil(most.max(1)).max(1);
         let rows: Vec<usize> = (first..length).step_by(stride).collect();
-        let columns = self
-            .columns
-            .iter()
-            .map(|column| rows.iter().map(|&row| column[row]).collect())
-            .collect();
+        let columns = self.columns.iter().map(|column| rows.iter().map(|&row| column[row]).collect()).collect();
         let mut breaks: Vec<usize> = self
             .breaks
             .iter()
@@ -183,10 +158,6 @@ impl Traces {
             .filter(|&row| row > 0 && row < rows.len())
             .collect();
         breaks.dedup();
-        Self {
-            columns,
-            breaks,
-            rows: rows.len(),
-        }
+        Self { columns, breaks, rows: rows.len() }
     }
 }

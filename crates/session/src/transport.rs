@@ -96,11 +96,7 @@ impl Session {
         self.stop();
         self.hold = None;
         let parameters = self.course.parameters().to_vec();
-        let setup = Setup {
-            parameters,
-            start: None,
-            ..self.course.begun().clone()
-        };
+        let setup = Setup { parameters, start: None, ..self.course.begun().clone() };
         self.restart(setup);
         self.clear_ghost();
         self.announce(Announcement::Reset);
@@ -120,13 +116,9 @@ impl Session {
 
     /// Sets the speed to the nearest of [`SPEEDS`].
     pub fn set_speed(&mut self, speed: f64) {
-        let distance =
-            |offered: &f64| (libm::log2(*offered) - libm::log2(speed.max(f64::MIN_POSITIVE))).abs();
-        let nearest = SPEEDS
-            .into_iter()
-            .min_by(|one, other| distance(one).total_cmp(&distance(other)));
-        if let Some(nearest) = nearest.filter(|&nearest| nearest != self.speed && speed.is_finite())
-        {
+        let distance = |offered: &f64| (libm::log2(*offered) - libm::log2(speed.max(f64::MIN_POSITIVE))).abs();
+        let nearest = SPEEDS.into_iter().min_by(|one, other| distance(one).total_cmp(&distance(other)));
+        if let Some(nearest) = nearest.filter(|&nearest| nearest != self.speed && speed.is_finite()) {
             self.speed = nearest;
             self.revision.transport += 1;
             self.announce(Announcement::Speed(nearest));
@@ -177,23 +169,13 @@ impl Session {
     pub fn time_words(&self, time: f64) -> String {
         let unit = &self.model().independent.unit;
         let number = self.time_number(time);
-        if unit.text.is_empty() {
-            number
-        } else {
-            format!("{number} {}", number::unit_text(&unit.text))
-        }
+        if unit.text.is_empty() { number } else { format!("{number} {}", number::unit_text(&unit.text)) }
     }
 
     pub(crate) fn time_number(&self, time: f64) -> String {
         let unit = &self.model().independent.unit;
-        let step = number::plain(
-            unit.from_si(self.course.begun().step),
-            3,
-            number::Style::default(),
-        );
-        let decimals = step
-            .split_once('.')
-            .map_or(0, |(_, decimals)| decimals.len());
+        let step = number::plain(unit.from_si(self.course.begun().step), 3, number::Style::default());
+        let decimals = step.split_once('.').map_or(0, |(_, decimals)| decimals.len());
         number::fixed(unit.from_si(time), decimals.clamp(2, 6), self.style)
     }
 

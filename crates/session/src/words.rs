@@ -20,13 +20,7 @@ pub fn words(language: &str) -> Tongue {
 impl Tongue {
     /// The language of a tag such as `es-MX`; English where the session does not speak it.
     pub fn of(language: &str) -> Self {
-        match language
-            .split(['-', '_'])
-            .next()
-            .unwrap_or_default()
-            .to_ascii_lowercase()
-            .as_str()
-        {
+        match language.split(['-', '_']).next().unwrap_or_default().to_ascii_lowercase().as_str() {
             "es" => Self::Spanish,
             _ => Self::English,
         }
@@ -46,11 +40,7 @@ impl Tongue {
 
     /// A truth value.
     pub fn truth(self, value: bool) -> &'static str {
-        if value {
-            self.pick("yes", "sí")
-        } else {
-            self.pick("no", "no")
-        }
+        if value { self.pick("yes", "sí") } else { self.pick("no", "no") }
     }
 
     /// The name of a method.
@@ -60,36 +50,26 @@ impl Tongue {
             Method::EulerRichardson => "Euler-Richardson",
             Method::VelocityVerlet => self.pick("velocity Verlet", "Verlet de velocidades"),
             Method::RungeKutta4 => self.pick("Runge-Kutta, order 4", "Runge-Kutta, orden 4"),
-            Method::DormandPrince => self.pick(
-                "Dormand-Prince 5(4), adaptive",
-                "Dormand-Prince 5(4), adaptativo",
-            ),
-            Method::Rosenbrock => {
-                self.pick("Rosenbrock (RODAS), stiff", "Rosenbrock (RODAS), rígido")
-            }
+            Method::DormandPrince => self.pick("Dormand-Prince 5(4), adaptive", "Dormand-Prince 5(4), adaptativo"),
+            Method::Rosenbrock => self.pick("Rosenbrock (RODAS), stiff", "Rosenbrock (RODAS), rígido"),
         }
     }
 
     /// What a plot shows.
     pub(crate) fn against(self, curves: &str, x: &str) -> String {
-        self.pick(
-            format!("{curves} against {x}."),
-            format!("{curves} frente a {x}."),
-        )
+        self.pick(format!("{curves} against {x}."), format!("{curves} frente a {x}."))
     }
 
     /// What an answer is worth.
     pub fn grade(self, grade: Grade) -> &'static str {
         match grade {
             Grade::Correct => self.pick("Correct.", "Correcto."),
-            Grade::Close => self.pick(
-                "Close, but not close enough. Measure again.",
-                "Cerca, pero no lo suficiente. Mide otra vez.",
-            ),
-            Grade::WrongSign => self.pick(
-                "The size is right; think about the sign.",
-                "El tamaño es correcto; piensa en el signo.",
-            ),
+            Grade::Close => {
+                self.pick("Close, but not close enough. Measure again.", "Cerca, pero no lo suficiente. Mide otra vez.")
+            }
+            Grade::WrongSign => {
+                self.pick("The size is right; think about the sign.", "El tamaño es correcto; piensa en el signo.")
+            }
             Grade::WrongScale => self.pick(
                 "The digits are right, but not the power of ten. Check the unit.",
                 "Las cifras son correctas, pero no la potencia de diez. Revisa la unidad.",
@@ -109,14 +89,12 @@ impl Tongue {
             Refusal::NotANumber { typed } if typed.is_empty() => {
                 self.pick("Type a number.", "Escribe un número.").to_owned()
             }
-            Refusal::NotANumber { typed } => self.pick(
-                format!("“{typed}” is not a number."),
-                format!("«{typed}» no es un número."),
-            ),
-            Refusal::UnknownUnit { typed } => self.pick(
-                format!("“{typed}” is not a known unit."),
-                format!("«{typed}» no es una unidad conocida."),
-            ),
+            Refusal::NotANumber { typed } => {
+                self.pick(format!("“{typed}” is not a number."), format!("«{typed}» no es un número."))
+            }
+            Refusal::UnknownUnit { typed } => {
+                self.pick(format!("“{typed}” is not a known unit."), format!("«{typed}» no es una unidad conocida."))
+            }
             Refusal::WrongUnit { typed, expected } if expected.is_empty() => self.pick(
                 format!("{typed} measures something else; this is a pure number."),
                 format!("{typed} mide otra cosa; esto es un número puro."),
@@ -125,30 +103,21 @@ impl Tongue {
                 format!("{typed} measures something else; a unit such as {expected} is needed."),
                 format!("{typed} mide otra cosa; hace falta una unidad como {expected}."),
             ),
-            Refusal::TooSmall { name, least } => self.pick(
-                format!("{name}: at least {least}."),
-                format!("{name}: como mínimo {least}."),
-            ),
-            Refusal::TooLarge { name, greatest } => self.pick(
-                format!("{name}: at most {greatest}."),
-                format!("{name}: como máximo {greatest}."),
-            ),
-            Refusal::NoValue { name } => self.pick(
-                format!("{name} would have no finite value."),
-                format!("{name} no tendría un valor finito."),
-            ),
-            Refusal::NotPositive => self
-                .pick(
-                    "It must be greater than zero.",
-                    "Tiene que ser mayor que cero.",
-                )
-                .to_owned(),
-            Refusal::NotPaused => self
-                .pick(
-                    "Pause first, then set the state.",
-                    "Pausa primero y luego cambia el estado.",
-                )
-                .to_owned(),
+            Refusal::TooSmall { name, least } => {
+                self.pick(format!("{name}: at least {least}."), format!("{name}: como mínimo {least}."))
+            }
+            Refusal::TooLarge { name, greatest } => {
+                self.pick(format!("{name}: at most {greatest}."), format!("{name}: como máximo {greatest}."))
+            }
+            Refusal::NoValue { name } => {
+                self.pick(format!("{name} would have no finite value."), format!("{name} no tendría un valor finito."))
+            }
+            Refusal::NotPositive => {
+                self.pick("It must be greater than zero.", "Tiene que ser mayor que cero.").to_owned()
+            }
+            Refusal::NotPaused => {
+                self.pick("Pause first, then set the state.", "Pausa primero y luego cambia el estado.").to_owned()
+            }
             Refusal::Method { method } => {
                 let name = self.method(*method);
                 self.pick(
@@ -160,10 +129,9 @@ impl Tongue {
                 format!("{most} runs are kept already; remove one first."),
                 format!("Ya hay {most} series guardadas; quita una primero."),
             ),
-            Refusal::Unknown { name } => self.pick(
-                format!("There is no “{name}” here."),
-                format!("Aquí no hay «{name}»."),
-            ),
+            Refusal::Unknown { name } => {
+                self.pick(format!("There is no “{name}” here."), format!("Aquí no hay «{name}»."))
+            }
             Refusal::UnreadableState => self
                 .pick(
                     "The link was not understood; the document opens as it is.",
@@ -173,12 +141,8 @@ impl Tongue {
             Refusal::PartlyRestored { left_out } => {
                 let parts = left_out.join(", ");
                 self.pick(
-                    format!(
-                        "Parts of the link do not fit this document and were left out: {parts}."
-                    ),
-                    format!(
-                        "Partes del enlace no encajan en este documento y se omitieron: {parts}."
-                    ),
+                    format!("Parts of the link do not fit this document and were left out: {parts}."),
+                    format!("Partes del enlace no encajan en este documento y se omitieron: {parts}."),
                 )
             }
         }
@@ -194,77 +158,49 @@ impl Session {
     /// An announcement in the session's language.
     pub fn announcement_text(&self, announcement: &Announcement) -> String {
         let say = |english: &str, spanish: &str| self.tongue.pick(english, spanish).to_owned();
-        let with =
-            |english: &str, spanish: &str, value: &str| say(english, spanish).replace("{}", value);
+        let with = |english: &str, spanish: &str, value: &str| say(english, spanish).replace("{}", value);
         let time = |time: f64| self.time_words(time);
         match announcement {
             Announcement::Playing => say("Playing", "En marcha"),
             Announcement::Paused(at) => with("Paused at {}", "En pausa en {}", &time(*at)),
             Announcement::Stepped(at) => with("Step, {}", "Paso, {}", &time(*at)),
             Announcement::Scrubbed(at) => time(*at),
-            Announcement::Reset => say(
-                "Reset to the initial values",
-                "De vuelta a los valores iniciales",
-            ),
+            Announcement::Reset => say("Reset to the initial values", "De vuelta a los valores iniciales"),
             Announcement::Restarted(index) => with(
                 "The run starts anew: {} changed",
                 "La serie comienza de nuevo: cambió {}",
                 self.parameter_label(*index),
             ),
             Announcement::ParameterSet(index, value) => {
-                let unit = self
-                    .model()
-                    .parameters
-                    .get(*index)
-                    .map(|parameter| &parameter.unit);
+                let unit = self.model().parameters.get(*index).map(|parameter| &parameter.unit);
                 let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
                 format!("{}: {value}", self.parameter_label(*index))
             }
-            Announcement::ParametersReset => say(
-                "All parameters have their initial settings",
-                "Todos los parámetros tienen su ajuste inicial",
-            ),
-            Announcement::Preset(index) => self
-                .document
-                .presets
-                .get(*index)
-                .map_or("", |preset| self.text(&preset.name))
-                .to_owned(),
+            Announcement::ParametersReset => {
+                say("All parameters have their initial settings", "Todos los parámetros tienen su ajuste inicial")
+            }
+            Announcement::Preset(index) => {
+                self.document.presets.get(*index).map_or("", |preset| self.text(&preset.name)).to_owned()
+            }
             Announcement::StateSet(index, value) => {
                 let unit = self.model().states.get(*index).map(|state| &state.unit);
                 let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
                 let label = self.state_label(*index);
-                with(
-                    "{}; the run starts from there",
-                    "{}; la serie parte de ahí",
-                    &format!("{label}: {value}"),
-                )
+                with("{}; the run starts from there", "{}; la serie parte de ahí", &format!("{label}: {value}"))
             }
             Announcement::Speed(speed) => with("Speed {}", "Velocidad {}", &speed_text(*speed)),
             Announcement::Kept(name) => with("Run kept: {}", "Serie guardada: {}", name),
             Announcement::Removed(name) => with("Run removed: {}", "Serie quitada: {}", name),
-            Announcement::Full => say(
-                "Paused: the recording is full",
-                "En pausa: el registro está lleno",
-            ),
-            Announcement::Failed => self
-                .problem()
-                .map_or_else(String::new, |problem| problem.message),
-            Announcement::Method(method) => {
-                with("Method: {}", "Método: {}", self.tongue.method(*method))
+            Announcement::Full => say("Paused: the recording is full", "En pausa: el registro está lleno"),
+            Announcement::Failed => self.problem().map_or_else(String::new, |problem| problem.message),
+            Announcement::Method(method) => with("Method: {}", "Método: {}", self.tongue.method(*method)),
+            Announcement::Step(step) => {
+                with("Step: {}", "Paso: {}", &self.quantity_text(*step, &self.model().independent.unit))
             }
-            Announcement::Step(step) => with(
-                "Step: {}",
-                "Paso: {}",
-                &self.quantity_text(*step, &self.model().independent.unit),
-            ),
-            Announcement::QuestionSetup(_) => say(
-                "Parameters set for the question",
-                "Parámetros ajustados para la pregunta",
-            ),
-            Announcement::Restored => {
-                say("The saved state is back", "Se recuperó el estado guardado")
+            Announcement::QuestionSetup(_) => {
+                say("Parameters set for the question", "Parámetros ajustados para la pregunta")
             }
+            Announcement::Restored => say("The saved state is back", "Se recuperó el estado guardado"),
         }
     }
 }
@@ -272,10 +208,7 @@ impl Session {
 /// `1/8×`, `1×`, `8×`
 pub fn speed_text(speed: f64) -> String {
     if speed > 0.0 && speed < 1.0 {
-        format!(
-            "1/{}×",
-            number::plain(1.0 / speed, 3, number::Style::default())
-        )
+        format!("1/{}×", number::plain(1.0 / speed, 3, number::Style::default()))
     } else {
         format!("{}×", number::plain(speed, 3, number::Style::default()))
     }

@@ -1,10 +1,6 @@
 //! Nothing that can be done, in any order, breaks the session.
 
-#![allow(
-    clippy::expect_used,
-    clippy::panic,
-    reason = "a test that fails says so"
-)]
+#![allow(clippy::expect_used, clippy::panic, reason = "a test that fails says so")]
 
 mod support;
 
@@ -83,11 +79,7 @@ fn perform(session: &mut Session, deed: Deed) {
         Deed::Type(index, text) => drop(session.set_parameter_text(index, &text)),
         Deed::State(index, value) => drop(session.set_state(index, value)),
         Deed::Drag(right, up) => {
-            session.drag_begin(&session::document::Drag {
-                state: 0,
-                up: Some(0),
-                right: Some(1),
-            });
+            session.drag_begin(&session::document::Drag { state: 0, up: Some(0), right: Some(1) });
             session.drag_move(right, up);
             session.drag_end();
         }
@@ -100,39 +92,17 @@ fn perform(session: &mut Session, deed: Deed) {
         }
         Deed::Step(step) => drop(session.set_step(step)),
         Deed::Zoom(at, factor) => {
-            session.zoom_plot(
-                0,
-                Some(Point {
-                    x: at as f32,
-                    y: at as f32,
-                }),
-                factor,
-                Direction::Both,
-            );
+            session.zoom_plot(0, Some(Point { x: at as f32, y: at as f32 }), factor, Direction::Both);
             session.pan_plot(1, at, factor);
         }
         Deed::Answer(text) => drop(session.check_answer(0, &text)),
         Deed::Reopen => {
             let fragment = session.share();
-            let before = (
-                session.csv(),
-                session.time(),
-                session.parameter_values().to_vec(),
-            );
+            let before = (session.csv(), session.time(), session.parameter_values().to_vec());
             let changes = fragment.matches("&c=").count();
-            session
-                .restore(&fragment)
-                .unwrap_or_else(|refusal| panic!("{fragment}: {refusal:?}"));
+            session.restore(&fragment).unwrap_or_else(|refusal| panic!("{fragment}: {refusal:?}"));
             assert!(changes < 300);
-            assert_eq!(
-                (
-                    session.csv(),
-                    session.time(),
-                    session.parameter_values().to_vec()
-                ),
-                before,
-                "{fragment}"
-            );
+            assert_eq!((session.csv(), session.time(), session.parameter_values().to_vec()), before, "{fragment}");
         }
     }
 }

@@ -1,11 +1,6 @@
 //! Model time is wall time, whatever the frame rate.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "a test that fails says so"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that fails says so")]
 
 mod support;
 
@@ -21,10 +16,7 @@ fn frames(rate: f64, seconds: f64) -> Vec<f64> {
 fn irregular() -> Vec<f64> {
     let mut frames = Vec::new();
     let mut left = 10.0;
-    for length in [0.004, 0.016, 0.033, 0.1, 0.25, 0.0007, 1.1]
-        .into_iter()
-        .cycle()
-    {
+    for length in [0.004, 0.016, 0.033, 0.1, 0.25, 0.0007, 1.1].into_iter().cycle() {
         if length >= left {
             frames.push(left);
             return frames;
@@ -42,12 +34,7 @@ fn model_time_is_wall_time_at_any_frame_rate() {
         play(&mut session, [10.0]);
         (bits(&session), state(&session))
     };
-    for frames in [
-        frames(30.0, 10.0),
-        frames(60.0, 10.0),
-        frames(144.0, 10.0),
-        irregular(),
-    ] {
+    for frames in [frames(30.0, 10.0), frames(60.0, 10.0), frames(144.0, 10.0), irregular()] {
         let mut session = utube();
         play(&mut session, frames);
         assert!((session.time() - 10.0).abs() < 1e-9, "{}", session.time());
@@ -74,11 +61,7 @@ fn the_drawing_moves_between_steps() {
     assert!(shown.windows(2).all(|pair| pair[1] < pair[0]), "{shown:?}");
     // y'' = -2 g y / L at the start: y(0.05) = 0.5 - 0.5 * 1.4 * 0.05 * 0.05 in the first approximation.
     assert!((shown[11] - (0.5 - 0.00175)).abs() < 2e-5, "{shown:?}");
-    assert_eq!(
-        session.table_length(),
-        1,
-        "the row ahead of the moment shown is not there yet"
-    );
+    assert_eq!(session.table_length(), 1, "the row ahead of the moment shown is not there yet");
     session.tick(1.0 / 240.0);
     assert_eq!(session.table_length(), 2);
 }
@@ -161,16 +144,10 @@ fn a_run_that_fails_says_so_and_shows_the_last_good_moment() {
     let told: Vec<_> = std::iter::from_fn(|| session.take_announcement()).collect();
     assert!(told.contains(&Announcement::Failed), "{told:?}");
     session.set_language("es");
-    assert_eq!(
-        session.problem().unwrap().message,
-        "y deja de ser un número finito después de 0,55 s."
-    );
+    assert_eq!(session.problem().unwrap().message, "y deja de ser un número finito después de 0,55 s.");
     // Back, and on with a value that holds.
     session.scrub(0.2);
-    assert_eq!(
-        (session.status(), session.problem()),
-        (Status::Paused, None)
-    );
+    assert_eq!((session.status(), session.problem()), (Status::Paused, None));
     set(&mut session, "k", 0.0);
     play(&mut session, [1.0]);
     assert_eq!(session.status(), Status::Paused);
@@ -180,11 +157,10 @@ fn a_run_that_fails_says_so_and_shows_the_last_good_moment() {
 #[test]
 fn a_full_history_pauses_the_run() {
     // Many plots, so that a row takes much memory and few rows fill it.
-    let mut source = "---\ntitle: Long\nstep: 1e-3 [s]\n---\n```model\ny' = -y/(1 [s])\ny(0) = 1\n```\n```plots\n".to_owned();
+    let mut source =
+        "---\ntitle: Long\nstep: 1e-3 [s]\n---\n```model\ny' = -y/(1 [s])\ny(0) = 1\n```\n```plots\n".to_owned();
     for plot in 0..24 {
-        let curves: Vec<String> = (0..12)
-            .map(|curve| format!("{}*y", 12 * plot + curve + 2))
-            .collect();
+        let curves: Vec<String> = (0..12).map(|curve| format!("{}*y", 12 * plot + curve + 2)).collect();
         source += &format!("\"{plot}\": {} against t\n", curves.join(", "));
     }
     source += "```\n";

@@ -1,11 +1,6 @@
 //! Parameters, presets, the state by hand, dragging, method and step.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "a test that fails says so"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that fails says so")]
 
 mod support;
 
@@ -15,9 +10,7 @@ use support::{bits, parameter, play, set, state, utube};
 fn refused(session: &mut Session, name: &str, text: &str) -> String {
     let index = parameter(session, name);
     let before = session.parameter_values().to_vec();
-    let refusal = session
-        .set_parameter_text(index, text)
-        .expect_err("this is to be refused");
+    let refusal = session.set_parameter_text(index, text).expect_err("this is to be refused");
     assert_eq!(session.parameter_values(), before);
     session.refusal_text(&refusal)
 }
@@ -37,11 +30,7 @@ fn what_is_typed_is_taken_in_any_unit_or_refused_in_words() {
     ] {
         let index = parameter(&session, name);
         session.set_parameter_text(index, text).unwrap();
-        assert_eq!(
-            session.parameter_values()[index],
-            expected,
-            "{name} = {text}"
-        );
+        assert_eq!(session.parameter_values()[index], expected, "{name} = {text}");
     }
     for (name, text, expected) in [
         ("h_l", "", "Type a number."),
@@ -50,32 +39,16 @@ fn what_is_typed_is_taken_in_any_unit_or_refused_in_words() {
         ("h_l", "1.5", "Left height: at least 2 m."),
         ("h_l", "150 cm", "Left height: at least 2 m."),
         ("b", "-500", "Damping: at least 0 kg/s."),
-        (
-            "h_l",
-            "3 kg",
-            "kg measures something else; a unit such as m is needed.",
-        ),
+        ("h_l", "3 kg", "kg measures something else; a unit such as m is needed."),
         ("h_l", "3 furlongs", "“furlongs” is not a known unit."),
         ("h_l", "1e999", "“1e999” is not a number."),
     ] {
-        assert_eq!(
-            refused(&mut session, name, text),
-            expected,
-            "{name} = {text}"
-        );
+        assert_eq!(refused(&mut session, name, text), expected, "{name} = {text}");
     }
     session.set_language("es");
-    assert_eq!(
-        refused(&mut session, "h_l", "1,5"),
-        "Altura izquierda: como mínimo 2 m."
-    );
-    assert_eq!(
-        refused(&mut session, "S", "2,5"),
-        "Sección: como máximo 2 m²."
-    );
-    assert!(
-        session.set_parameter(99, 1.0).is_err() && session.set_parameter_text(99, "1").is_err()
-    );
+    assert_eq!(refused(&mut session, "h_l", "1,5"), "Altura izquierda: como mínimo 2 m.");
+    assert_eq!(refused(&mut session, "S", "2,5"), "Sección: como máximo 2 m².");
+    assert!(session.set_parameter(99, 1.0).is_err() && session.set_parameter_text(99, "1").is_err());
     assert!(session.set_parameter(0, f64::NAN).is_err());
     session.slide(99, 1);
     session.reset_parameter(99);
@@ -87,10 +60,7 @@ fn a_field_that_is_left_as_it_is_does_not_round_the_value() {
     let b = parameter(&session, "b");
     set(&mut session, "b", 1_979.898_987_322_333);
     let shown = session.parameter(b).unwrap();
-    assert_eq!(
-        (shown.text.as_str(), shown.spoken.as_str()),
-        ("1979.9", "1979.9 kg/s")
-    );
+    assert_eq!((shown.text.as_str(), shown.spoken.as_str()), ("1979.9", "1979.9 kg/s"));
     session.set_parameter_text(b, &shown.text).unwrap();
     assert_eq!(session.parameter_values()[b], 1_979.898_987_322_333);
 }
@@ -100,27 +70,15 @@ fn controls_show_what_they_set() {
     let mut session = utube();
     session.set_language("es");
     let view = session.parameter(parameter(&session, "S")).unwrap();
-    assert_eq!(
-        (view.label.as_str(), view.unit.as_str(), view.text.as_str()),
-        ("Sección", "m²", "0,05")
-    );
+    assert_eq!((view.label.as_str(), view.unit.as_str(), view.text.as_str()), ("Sección", "m²", "0,05"));
     assert_eq!(view.range, Some(("0,01".to_owned(), "2".to_owned())));
-    assert_eq!(
-        view.slider
-            .map(|slider| (slider.position, slider.positions)),
-        Some((4, 199))
-    );
+    assert_eq!(view.slider.map(|slider| (slider.position, slider.positions)), Some((4, 199)));
     assert!(view.is_default && !view.restarts);
     session.slide(view.index, 9);
     let view = session.parameter(view.index).unwrap();
     assert_eq!((view.value, view.is_default), (0.1, false));
     session.reset_parameters();
-    assert!(
-        session
-            .parameters()
-            .iter()
-            .all(|parameter| parameter.is_default)
-    );
+    assert!(session.parameters().iter().all(|parameter| parameter.is_default));
 }
 
 #[test]
@@ -143,14 +101,8 @@ fn presets_are_computed_one_after_the_other() {
     let names: Vec<&str> = groups.iter().map(|group| group.name.as_str()).collect();
     assert_eq!(names, ["Liquid", "Regime"]);
     let selected = |session: &mut Session| {
-        let presets = session
-            .presets()
-            .into_iter()
-            .flat_map(|group| group.presets);
-        presets
-            .filter(|preset| preset.selected)
-            .map(|preset| preset.name)
-            .collect::<Vec<_>>()
+        let presets = session.presets().into_iter().flat_map(|group| group.presets);
+        presets.filter(|preset| preset.selected).map(|preset| preset.name).collect::<Vec<_>>()
     };
     assert_eq!(selected(&mut session), ["Water"]);
     session.apply_preset(3).unwrap();
@@ -162,17 +114,11 @@ fn presets_are_computed_one_after_the_other() {
     session.apply_preset(4).unwrap();
     let mercury = 13534.0 * 0.05 * 7.0;
     assert!((session.parameter_values()[b] - 2.0 * mercury * 2.8_f64.sqrt()).abs() < 1e-6);
-    assert_eq!(
-        selected(&mut session),
-        ["Mercury", "Critical", "Mercury, critical"]
-    );
+    assert_eq!(selected(&mut session), ["Mercury", "Critical", "Mercury, critical"]);
     // A value out of the range is refused, and nothing is set.
     let before = session.parameter_values().to_vec();
     let refusal = session.apply_preset(5).unwrap_err();
-    assert_eq!(
-        session.refusal_text(&refusal),
-        "Damping: at most 20000 kg/s."
-    );
+    assert_eq!(session.refusal_text(&refusal), "Damping: at most 20000 kg/s.");
     assert_eq!(session.parameter_values(), before);
     assert!(session.apply_preset(99).is_err());
     session.set_language("es");
@@ -185,10 +131,7 @@ fn the_state_is_set_by_hand_while_paused() {
     play(&mut session, [1.0]);
     let velocity = state(&session)[1];
     session.set_state_text(0, "80 cm").unwrap();
-    assert_eq!(
-        (session.time(), state(&session)),
-        (0.0, vec![0.8, velocity])
-    );
+    assert_eq!((session.time(), state(&session)), (0.0, vec![0.8, velocity]));
     assert!(session.has_ghost() && session.is_started_by_hand());
     session.play();
     assert_eq!(session.set_state(0, 0.1), Err(Refusal::NotPaused));
@@ -249,18 +192,11 @@ fn the_liquid_goes_no_further_than_the_drawing() {
     let drag = handle(&session);
     session.drag_begin(&drag);
     session.drag_move(0.0, 250.0);
-    assert!(
-        (state(&session)[0] - 2.0).abs() < 1e-9,
-        "{:?}",
-        state(&session)
-    );
+    assert!((state(&session)[0] - 2.0).abs() < 1e-9, "{:?}", state(&session));
     session.drag_move(0.0, 20.0);
     assert!((state(&session)[0] - 1.0).abs() < 1e-12);
     session.drag_move(0.0, -200.0);
-    assert!(
-        (state(&session)[0] + 4.5).abs() < 1e-12,
-        "downwards nothing limits it"
-    );
+    assert!((state(&session)[0] + 4.5).abs() < 1e-12, "downwards nothing limits it");
     session.drag_end();
     let told = std::iter::from_fn(|| session.take_announcement()).last();
     assert_eq!(told, Some(Announcement::StateSet(0, -4.5)));
@@ -276,11 +212,7 @@ fn a_click_on_the_liquid_changes_nothing() {
     session.drag_end();
     assert_eq!(bits(&session), before);
     assert!(!session.is_playing());
-    session.drag_begin(&session::document::Drag {
-        state: 9,
-        up: None,
-        right: Some(77),
-    });
+    session.drag_begin(&session::document::Drag { state: 9, up: None, right: Some(77) });
     session.drag_move(1.0, 1.0);
     session.drag_end();
     assert_eq!(bits(&session), before);
@@ -292,22 +224,12 @@ fn methods_and_steps_are_chosen() {
     let methods = session.methods();
     assert_eq!(methods.len(), 6);
     assert!(methods.iter().all(|method| method.refused.is_empty()));
-    assert_eq!(
-        methods
-            .iter()
-            .find(|method| method.selected)
-            .map(|method| method.name),
-        Some("rk4")
-    );
+    assert_eq!(methods.iter().find(|method| method.selected).map(|method| method.name), Some("rk4"));
     for method in methods {
         session.set_method(method.name).unwrap();
         play(&mut session, [1.0]);
         // y = 0.5 cos(omega t) but for a little damping and, with Euler's method, a little error.
-        assert!(
-            (state(&session)[0] - 0.5 * libm::cos(2.8_f64.sqrt())).abs() < 0.06,
-            "{}",
-            method.name
-        );
+        assert!((state(&session)[0] - 0.5 * libm::cos(2.8_f64.sqrt())).abs() < 0.06, "{}", method.name);
     }
     assert!(session.set_method("leapfrog").is_err());
     assert_eq!(session.step_text(), ("0.05".to_owned(), "s".to_owned()));
@@ -323,16 +245,8 @@ fn verlet_is_refused_for_an_equation_of_first_order() {
     let source = "---\ntitle: Decay\n---\n```model\ny' = -y/(1 [s])\ny(0) = 1\n```\n";
     let mut session = support::open(source, &[]);
     let refusal = session.set_method("velocity-verlet").unwrap_err();
-    assert_eq!(
-        session.refusal_text(&refusal),
-        "velocity Verlet is for equations of second order only."
-    );
-    assert!(
-        session
-            .methods()
-            .iter()
-            .any(|method| method.refused == session.refusal_text(&refusal))
-    );
+    assert_eq!(session.refusal_text(&refusal), "velocity Verlet is for equations of second order only.");
+    assert!(session.methods().iter().any(|method| method.refused == session.refusal_text(&refusal)));
     play(&mut session, [1.0]);
     assert!((state(&session)[0] - libm::exp(-1.0)).abs() < 1e-6);
 }
@@ -353,31 +267,15 @@ fn everything_is_announced() {
     }
     assert_eq!(
         texts,
-        [
-            "Playing",
-            "Paused at 1.00 s",
-            "Speed 1/4×",
-            "Mercury",
-            "Step, 1.05 s",
-            "Reset to the initial values"
-        ]
+        ["Playing", "Paused at 1.00 s", "Speed 1/4×", "Mercury", "Step, 1.05 s", "Reset to the initial values"]
     );
     session.set_language("es");
     let h_l = parameter(&session, "h_l");
     for (announcement, expected) in [
-        (
-            Announcement::Restarted(h_l),
-            "La serie comienza de nuevo: cambió Altura izquierda",
-        ),
-        (
-            Announcement::ParameterSet(h_l, 2.5),
-            "Altura izquierda: 2,5 m",
-        ),
+        (Announcement::Restarted(h_l), "La serie comienza de nuevo: cambió Altura izquierda"),
+        (Announcement::ParameterSet(h_l, 2.5), "Altura izquierda: 2,5 m"),
         (Announcement::Paused(1.25), "En pausa en 1,25 s"),
-        (
-            Announcement::StateSet(0, 0.25),
-            "Desplazamiento: 0,25 m; la serie parte de ahí",
-        ),
+        (Announcement::StateSet(0, 0.25), "Desplazamiento: 0,25 m; la serie parte de ahí"),
         (Announcement::ParameterSet(99, 2.5), ": "),
     ] {
         assert_eq!(session.announcement_text(&announcement), expected);

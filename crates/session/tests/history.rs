@@ -1,11 +1,6 @@
 //! Scrubbing, going on, changing parameters on the way, and what stays behind.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "a test that fails says so"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that fails says so")]
 
 mod support;
 
@@ -29,11 +24,7 @@ fn scrubbing_and_going_on_gives_the_same_bits() {
         play(&mut scrubbed, [10.0 - moment]);
         assert!(scrubbed.has_ghost());
         scrubbed.scrub(10.0);
-        assert_eq!(
-            bits(&scrubbed),
-            bits(&straight),
-            "after going on from {moment}"
-        );
+        assert_eq!(bits(&scrubbed), bits(&straight), "after going on from {moment}");
     }
 }
 
@@ -125,10 +116,7 @@ fn a_parameter_that_decides_an_initial_value_restarts_the_run() {
     assert_eq!((session.time(), session.end()), (0.0, 0.0));
     assert_eq!(state(&session), [1.0, 0.0]);
     assert!(session.has_ghost());
-    let expected = [
-        Announcement::Restarted(h_l),
-        Announcement::ParameterSet(h_l, 4.0),
-    ];
+    let expected = [Announcement::Restarted(h_l), Announcement::ParameterSet(h_l, 4.0)];
     assert_eq!(told(&mut session), expected);
     // While it is playing it goes on playing.
     session.play();
@@ -151,10 +139,7 @@ fn moving_a_slider_leaves_the_ghost_of_the_real_run() {
     let settings = Default::default();
     let svg = session.plot_svg(0, &settings, &session::figure::Palette::LIGHT);
     assert!(session.has_ghost());
-    assert!(
-        svg.contains("10"),
-        "the axis still has room for the ghost's 10 s"
-    );
+    assert!(svg.contains("10"), "the axis still has room for the ghost's 10 s");
     session.reset();
     assert!(!session.has_ghost());
 }
@@ -186,13 +171,7 @@ fn runs_are_kept_by_what_differs() {
     session.set_method("euler").unwrap();
     session.keep().unwrap();
     session.keep().unwrap();
-    let names = |session: &session::Session| {
-        session
-            .kept()
-            .into_iter()
-            .map(|kept| kept.name)
-            .collect::<Vec<_>>()
-    };
+    let names = |session: &session::Session| session.kept().into_iter().map(|kept| kept.name).collect::<Vec<_>>();
     assert_eq!(
         names(&session),
         [
@@ -212,18 +191,11 @@ fn runs_are_kept_by_what_differs() {
     session.show_kept(session.kept()[0].id, false);
     assert!(!session.kept()[0].shown);
     session.keep().unwrap();
-    assert_eq!(
-        session.kept().last().unwrap().pattern,
-        1,
-        "the free pattern is used again"
-    );
+    assert_eq!(session.kept().last().unwrap().pattern, 1, "the free pattern is used again");
     while session.kept().len() < MOST_KEPT {
         session.keep().unwrap();
     }
-    assert_eq!(
-        session.keep(),
-        Err(Refusal::TooManyRuns { most: MOST_KEPT })
-    );
+    assert_eq!(session.keep(), Err(Refusal::TooManyRuns { most: MOST_KEPT }));
     session.remove_kept(999);
     session.show_kept(999, true);
 }
@@ -240,10 +212,6 @@ fn events_are_part_of_the_run_and_break_its_line() {
         scrubbed.scrub(moment);
         play(&mut scrubbed, [3.0 - moment]);
         scrubbed.scrub(3.0);
-        assert_eq!(
-            bits(&scrubbed),
-            bits(&straight),
-            "after going on from {moment}"
-        );
+        assert_eq!(bits(&scrubbed), bits(&straight), "after going on from {moment}");
     }
 }

@@ -1,11 +1,6 @@
 //! What is read off: readouts, scene, table, plots, questions, pitch.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "a test that fails says so"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that fails says so")]
 
 mod support;
 
@@ -20,27 +15,14 @@ fn readouts_have_values_units_and_words() {
     let mut session = utube();
     let all = session.readouts();
     let names: Vec<&str> = all.iter().map(|readout| readout.name.as_str()).collect();
-    assert_eq!(
-        names,
-        [
-            "t", "y", "y'", "L", "m", "omega_0", "gamma", "omega_d", "regime", "T", "V", "E"
-        ]
-    );
+    assert_eq!(names, ["t", "y", "y'", "L", "m", "omega_0", "gamma", "omega_d", "regime", "T", "V", "E"]);
     let (l, e) = (&all[3], &all[11]);
     assert_eq!(
-        (
-            l.label.as_str(),
-            l.value.as_str(),
-            l.unit.as_str(),
-            l.varies
-        ),
+        (l.label.as_str(), l.value.as_str(), l.unit.as_str(), l.varies),
         ("Length of the column", "7", "m", false)
     );
     // E = m g y^2 / L = 350 * 9.8 * 0.25 / 7 = 122.5 J.
-    assert_eq!(
-        (e.value.as_str(), e.unit.as_str(), e.varies),
-        ("122.5", "J", true)
-    );
+    assert_eq!((e.value.as_str(), e.unit.as_str(), e.varies), ("122.5", "J", true));
     assert_eq!(readout(&mut session, "regime"), "underdamped");
     session.set_language("es");
     assert_eq!(readout(&mut session, "regime"), "subamortiguado");
@@ -67,10 +49,7 @@ fn a_paused_change_of_parameters_is_read_at_once() {
 fn the_scene_has_numbers_for_attributes_and_words_for_texts() {
     let mut session = utube();
     let values = session.scene_values().to_vec();
-    assert!(
-        values.contains(&0.5) && values.contains(&80.0),
-        "{values:?}"
-    );
+    assert!(values.contains(&0.5) && values.contains(&80.0), "{values:?}");
     let y = values.iter().position(|value| *value == 0.5).unwrap();
     assert_eq!(session.scene_text(y, None), "0.5000 m");
     assert_eq!(session.scene_text(y, Some(1)), "0.5 m");
@@ -78,9 +57,7 @@ fn the_scene_has_numbers_for_attributes_and_words_for_texts() {
     session.tick(0.5);
     assert!(session.scene_values()[y] < 0.5);
     session.set_language("es");
-    let texts: Vec<String> = (0..values.len())
-        .map(|index| session.scene_text(index, None))
-        .collect();
+    let texts: Vec<String> = (0..values.len()).map(|index| session.scene_text(index, None)).collect();
     assert!(texts.contains(&"subamortiguado".to_owned()), "{texts:?}");
     assert_eq!(session.scene_text(99, None), "");
 }
@@ -99,21 +76,8 @@ fn the_table_has_every_row_and_its_file_reads_back() {
     let csv = session.csv();
     let mut lines = csv.lines();
     assert!(lines.next().unwrap().starts_with("t [s],y [m],y' [m/s],"));
-    let last: Vec<f64> = lines
-        .last()
-        .unwrap()
-        .split(',')
-        .take(3)
-        .map(|cell| cell.parse().unwrap())
-        .collect();
-    assert_eq!(
-        last,
-        [
-            2.0,
-            support::state(&session)[0],
-            support::state(&session)[1]
-        ]
-    );
+    let last: Vec<f64> = lines.last().unwrap().split(',').take(3).map(|cell| cell.parse().unwrap()).collect();
+    assert_eq!(last, [2.0, support::state(&session)[0], support::state(&session)[1]]);
     assert_eq!(csv.lines().count(), 42);
     session.set_language("es");
     assert_eq!(session.table_rows(1..2)[0][0], "0,05");
@@ -131,9 +95,7 @@ fn the_file_is_that_of_a_run_without_a_session() {
 
     let model = session.model();
     let mut setup = Setup::defaults(model);
-    setup
-        .parameters
-        .clone_from_slice(session.parameter_values());
+    setup.parameters.clone_from_slice(session.parameter_values());
     let mut run = Run::start(model, setup).unwrap();
     for _ in 0..40 {
         run.advance().unwrap();
@@ -143,9 +105,7 @@ fn the_file_is_that_of_a_run_without_a_session() {
     table.write_head(Format::Csv, &mut expected).unwrap();
     for row in 0..=40 {
         let first = row == 0;
-        table
-            .write_row(Format::Csv, run.history(), row, first, &mut expected)
-            .unwrap();
+        table.write_row(Format::Csv, run.history(), row, first, &mut expected).unwrap();
     }
     table.write_end(Format::Csv, &mut expected).unwrap();
     assert_eq!(session.csv(), expected);
@@ -154,16 +114,7 @@ fn the_file_is_that_of_a_run_without_a_session() {
 /// The points of all lines of a figure.
 fn points(session: &mut Session, index: usize) -> usize {
     let figure = session.layout_plot(index, &Settings::default()).unwrap();
-    figure
-        .items()
-        .map(|item| {
-            if let Item::Polyline(points, _) = item {
-                points.len() / 2
-            } else {
-                0
-            }
-        })
-        .sum()
+    figure.items().map(|item| if let Item::Polyline(points, _) = item { points.len() / 2 } else { 0 }).sum()
 }
 
 #[test]
@@ -193,10 +144,7 @@ fn plots_are_read_by_pointer_and_by_keyboard() {
     let mut session = utube();
     play(&mut session, [5.0]);
     let panel = session.layout_plot(0, &Settings::default()).unwrap().panel;
-    let middle = Point {
-        x: panel.x + panel.width / 4.0,
-        y: panel.y + panel.height / 2.0,
-    };
+    let middle = Point { x: panel.x + panel.width / 4.0, y: panel.y + panel.height / 2.0 };
     let hovered = session.hover_plot(0, middle).unwrap();
     assert_eq!(hovered.samples.len(), 2);
     assert!(hovered.samples[0].text.starts_with("y = "), "{hovered:?}");
@@ -219,27 +167,13 @@ fn kept_runs_are_read_by_their_names_and_ghosts_not_at_all() {
         session.layout_plot(plot, &Settings::default());
         session.move_cursor(plot, -1000);
         let texts = session.move_cursor(plot, 0).unwrap().samples;
-        let texts: Vec<String> = texts
-            .into_iter()
-            .map(|sample| sample.text.replace('\u{a0}', " "))
-            .collect();
+        let texts: Vec<String> = texts.into_iter().map(|sample| sample.text.replace('\u{a0}', " ")).collect();
         let expected: &[&str] = match plot {
-            0 => &[
-                "y (initial settings) = 0.5",
-                "y′ (initial settings) = 0",
-                "y = 1",
-                "y′ = 0",
-            ],
+            0 => &["y (initial settings) = 0.5", "y′ (initial settings) = 0", "y = 1", "y′ = 0"],
             _ => &["y′ = 0"],
         };
         assert_eq!(texts.len(), expected.len(), "{texts:?}");
-        assert!(
-            texts
-                .iter()
-                .zip(expected)
-                .all(|(text, begin)| text.starts_with(begin)),
-            "{texts:?}"
-        );
+        assert!(texts.iter().zip(expected).all(|(text, begin)| text.starts_with(begin)), "{texts:?}");
     }
 }
 
@@ -271,15 +205,8 @@ fn figures_are_files_too() {
     play(&mut session, [5.0]);
     session.set_language("es");
     let svg = session.plot_svg(1, &Settings::default(), &Palette::LIGHT);
-    assert!(
-        svg.starts_with("<svg") && svg.contains("Retrato de fase"),
-        "{}",
-        &svg[..200.min(svg.len())]
-    );
-    assert_eq!(
-        session.plot_svg(9, &Settings::default(), &Palette::LIGHT),
-        ""
-    );
+    assert!(svg.starts_with("<svg") && svg.contains("Retrato de fase"), "{}", &svg[..200.min(svg.len())]);
+    assert_eq!(session.plot_svg(9, &Settings::default(), &Palette::LIGHT), "");
 }
 
 #[test]
@@ -301,17 +228,8 @@ fn answers_are_judged() {
     ] {
         assert_eq!(session.check_answer(0, text).grade, grade, "{text}");
     }
-    assert_eq!(
-        session.check_answer(0, "3.76 m").text,
-        "m measures something else; a unit such as s is needed."
-    );
-    assert_eq!(
-        (
-            session.reveal_answer(0).as_str(),
-            session.question_unit(0).as_str()
-        ),
-        ("3.758 s", "s")
-    );
+    assert_eq!(session.check_answer(0, "3.76 m").text, "m measures something else; a unit such as s is needed.");
+    assert_eq!((session.reveal_answer(0).as_str(), session.question_unit(0).as_str()), ("3.758 s", "s"));
     set(&mut session, "b", 5000.0);
     assert_eq!(session.check_answer(0, "3.76").grade, Grade::Unanswerable);
     assert_eq!(session.reveal_answer(0), "–");
@@ -322,10 +240,7 @@ fn answers_are_judged() {
 fn a_question_may_suppose_other_parameters() {
     let mut session = utube();
     assert_eq!(session.question_setup(0), None);
-    assert_eq!(
-        session.question_setup(1),
-        Some(("b = 0 kg/s, h_l = 4 m".to_owned(), false))
-    );
+    assert_eq!(session.question_setup(1), Some(("b = 0 kg/s, h_l = 4 m".to_owned(), false)));
     assert_eq!(session.check_answer(1, "1").grade, Grade::Correct);
     assert_eq!(session.reveal_answer(1), "1 m");
     session.apply_question_setup(1).unwrap();
@@ -358,22 +273,9 @@ fn units_other_than_si_are_shown_everywhere() {
     assert_eq!(readout(&mut session, "x"), "5.000");
     assert_eq!(session.table_header(), ["t [s]", "x [cm]", "x′ [cm/s]"]);
     assert_eq!(session.parameter(1).unwrap().text, "250");
-    assert_eq!(
-        session
-            .parameter(1)
-            .unwrap()
-            .slider
-            .map(|slider| slider.position),
-        Some(15)
-    );
+    assert_eq!(session.parameter(1).unwrap().slider.map(|slider| slider.position), Some(15));
     session.slide(1, 16);
-    assert_eq!(
-        (
-            session.parameter(1).unwrap().text.as_str(),
-            session.parameter_values()[1]
-        ),
-        ("260", 0.26)
-    );
+    assert_eq!((session.parameter(1).unwrap().text.as_str(), session.parameter_values()[1]), ("260", 0.26));
     session.layout_plot(0, &Settings::default());
     let readout = session.move_cursor(0, 0).unwrap();
     assert_eq!(readout.samples[0].y, 5.0);

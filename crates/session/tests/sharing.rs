@@ -1,11 +1,6 @@
 //! Links and saved states.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "a test that fails says so"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that fails says so")]
 
 mod support;
 
@@ -15,14 +10,10 @@ use support::{bits, play, set, utube};
 /// Opens the document anew and restores what `session` shares.
 fn reopened(session: &Session) -> Session {
     let fragment = session.share();
-    let allowed = |character: char| {
-        character.is_ascii_alphanumeric() || "-._~!$&'()*+,;=:@/?".contains(character)
-    };
+    let allowed = |character: char| character.is_ascii_alphanumeric() || "-._~!$&'()*+,;=:@/?".contains(character);
     assert!(fragment.chars().all(allowed), "{fragment}");
     let mut other = utube();
-    other
-        .restore(&fragment)
-        .unwrap_or_else(|refusal| panic!("{fragment}: {refusal:?}"));
+    other.restore(&fragment).unwrap_or_else(|refusal| panic!("{fragment}: {refusal:?}"));
     assert_eq!(other.share(), fragment);
     other
 }
@@ -130,23 +121,14 @@ fn what_does_not_fit_is_left_out_and_named() {
     ] {
         let mut session = utube();
         let refusal = session.restore(fragment).expect_err(fragment);
-        let Refusal::PartlyRestored { left_out: parts } = &refusal else {
-            panic!("{fragment}: {refusal:?}")
-        };
-        assert!(
-            parts.iter().any(|part| part.starts_with(left_out)),
-            "{fragment}: {parts:?}"
-        );
+        let Refusal::PartlyRestored { left_out: parts } = &refusal else { panic!("{fragment}: {refusal:?}") };
+        assert!(parts.iter().any(|part| part.starts_with(left_out)), "{fragment}: {parts:?}");
         session.play();
         session.tick(0.1);
     }
     for fragment in ["2&p=b:1", "hello", "%31", "p=b:200", "1;p=b:200", "é"] {
         let mut session = utube();
-        assert_eq!(
-            session.restore(fragment),
-            Err(Refusal::UnreadableState),
-            "{fragment}"
-        );
+        assert_eq!(session.restore(fragment), Err(Refusal::UnreadableState), "{fragment}");
         assert_eq!(session.share(), "");
     }
 }

@@ -1,11 +1,6 @@
 //! The documents that come with the laboratory, as a person uses them.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "a test that fails says so"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that fails says so")]
 
 mod support;
 
@@ -43,21 +38,10 @@ fn every_document_runs_and_is_drawn() {
         }
         documents += 1;
         let opened = session::document::open(&std::fs::read_to_string(&path).unwrap(), &[]);
-        let mut session = Session::open(
-            opened
-                .document
-                .unwrap_or_else(|| panic!("{name}: {:?}", opened.diagnostics)),
-        );
+        let mut session = Session::open(opened.document.unwrap_or_else(|| panic!("{name}: {:?}", opened.diagnostics)));
         play(&mut session, [1.0; 5]);
-        assert!(
-            (session.time() - 5.0).abs() < 1e-9,
-            "{name}: {:?}",
-            session.problem()
-        );
-        assert!(
-            session.scene_values().iter().all(|value| value.is_finite()),
-            "{name}"
-        );
+        assert!((session.time() - 5.0).abs() < 1e-9, "{name}: {:?}", session.problem());
+        assert!(session.scene_values().iter().all(|value| value.is_finite()), "{name}");
         for plot in 0..session.plots().len() {
             let figure = session.layout_plot(plot, &Settings::default()).unwrap();
             assert!(figure.items().count() > 10, "{name}");
@@ -72,25 +56,13 @@ fn every_document_runs_and_is_drawn() {
 #[test]
 fn every_preset_can_be_chosen_and_shows_itself_as_chosen() {
     let mut session = utube();
-    let presets: Vec<_> = session
-        .presets()
-        .into_iter()
-        .flat_map(|group| group.presets)
-        .collect();
+    let presets: Vec<_> = session.presets().into_iter().flat_map(|group| group.presets).collect();
     assert!(presets.len() > 10);
     for preset in presets {
         session.reset_parameters();
-        session
-            .apply_preset(preset.index)
-            .unwrap_or_else(|refusal| panic!("{}: {refusal:?}", preset.name));
-        let selected = session
-            .presets()
-            .into_iter()
-            .flat_map(|group| group.presets);
-        let selected: Vec<_> = selected
-            .filter(|preset| preset.selected)
-            .map(|preset| preset.index)
-            .collect();
+        session.apply_preset(preset.index).unwrap_or_else(|refusal| panic!("{}: {refusal:?}", preset.name));
+        let selected = session.presets().into_iter().flat_map(|group| group.presets);
+        let selected: Vec<_> = selected.filter(|preset| preset.selected).map(|preset| preset.index).collect();
         assert!(selected.contains(&preset.index), "{}", preset.name);
     }
 }
@@ -107,16 +79,8 @@ fn every_question_has_an_answer_that_is_taken_in_both_languages() {
             if session.question_setup(question).is_some() {
                 session.apply_question_setup(question).unwrap();
             }
-            assert_eq!(
-                session.reveal_answer(question),
-                before,
-                "the answer supposes what the question sets"
-            );
-            assert_eq!(
-                session.check_answer(question, &before).grade,
-                Grade::Correct,
-                "{question}: {before}"
-            );
+            assert_eq!(session.reveal_answer(question), before, "the answer supposes what the question sets");
+            assert_eq!(session.check_answer(question, &before).grade, Grade::Correct, "{question}: {before}");
             session.reset_parameters();
         }
     }
@@ -125,29 +89,15 @@ fn every_question_has_an_answer_that_is_taken_in_both_languages() {
 #[test]
 fn the_liquid_is_dragged_as_far_as_there_is_liquid() {
     let mut session = utube();
-    let drag = handle(&session.document().scene("en").unwrap().root)
-        .unwrap()
-        .clone();
+    let drag = handle(&session.document().scene("en").unwrap().root).unwrap().clone();
     session.drag_begin(&drag);
     session.drag_move(0.0, 53.0);
-    assert!(
-        (state(&session)[0] - 1.5).abs() < 1e-9,
-        "a metre is 53 units: {:?}",
-        state(&session)
-    );
+    assert!((state(&session)[0] - 1.5).abs() < 1e-9, "a metre is 53 units: {:?}", state(&session));
     session.drag_move(0.0, 500.0);
     // The columns are 3 m and 2 m high: at 2.5 m the right one is empty.
-    assert!(
-        (state(&session)[0] - 2.5).abs() < 1e-6,
-        "{:?}",
-        state(&session)
-    );
+    assert!((state(&session)[0] - 2.5).abs() < 1e-6, "{:?}", state(&session));
     session.drag_move(0.0, -500.0);
-    assert!(
-        (state(&session)[0] + 2.5).abs() < 1e-6,
-        "{:?}",
-        state(&session)
-    );
+    assert!((state(&session)[0] + 2.5).abs() < 1e-6, "{:?}", state(&session));
     session.drag_end();
     play(&mut session, [1.0]);
     assert!(state(&session)[0] > -2.5);
@@ -157,11 +107,7 @@ fn the_liquid_is_dragged_as_far_as_there_is_liquid() {
 fn everything_is_said_in_spanish() {
     let mut session = utube();
     session.set_language("es");
-    let labels: Vec<String> = session
-        .parameters()
-        .into_iter()
-        .map(|parameter| parameter.label)
-        .collect();
+    let labels: Vec<String> = session.parameters().into_iter().map(|parameter| parameter.label).collect();
     let model = session.model().clone();
     for (parameter, label) in model.parameters.iter().zip(&labels) {
         assert_ne!(parameter.label.as_ref(), Some(label));
@@ -170,10 +116,7 @@ fn everything_is_said_in_spanish() {
         assert_ne!(plot.title, view.title);
     }
     for readout in session.readouts() {
-        let english = model
-            .quantities
-            .iter()
-            .find(|quantity| quantity.name == readout.name);
+        let english = model.quantities.iter().find(|quantity| quantity.name == readout.name);
         if let Some(Some(label)) = english.map(|quantity| &quantity.label) {
             assert_ne!(label, &readout.label);
         }

@@ -69,19 +69,13 @@ impl Table {
             json_text(&column.heading(), out)?;
             out.write_char(':')?;
             match cell {
-                Cell::Number(value) if value.is_finite() => {
-                    out.write_str(&number::shortest(*value))?
-                }
+                Cell::Number(value) if value.is_finite() => out.write_str(&number::shortest(*value))?,
                 Cell::Number(_) => out.write_str("null")?,
                 Cell::Truth(value) => write!(out, "{value}")?,
                 Cell::Text(text) => json_text(text, out)?,
             }
         }
-        out.write_str(if format == Format::JsonLines {
-            "}\n"
-        } else {
-            "}"
-        })
+        out.write_str(if format == Format::JsonLines { "}\n" } else { "}" })
     }
 
     /// Writes what comes after the last row.
@@ -89,20 +83,12 @@ impl Table {
     /// # Errors
     /// Those of `out`.
     pub fn write_end(&self, format: Format, out: &mut impl Write) -> fmt::Result {
-        if format == Format::Json {
-            out.write_str("\n]\n")
-        } else {
-            Ok(())
-        }
+        if format == Format::Json { out.write_str("\n]\n") } else { Ok(()) }
     }
 }
 
 fn separate(index: usize, out: &mut impl Write) -> fmt::Result {
-    if index > 0 {
-        out.write_char(',')
-    } else {
-        Ok(())
-    }
+    if index > 0 { out.write_char(',') } else { Ok(()) }
 }
 
 /// A text as a field of CSV, in quotation marks where it needs them.

@@ -12,11 +12,7 @@ pub fn model(text: &str) -> Model {
 }
 
 pub fn setup(model: &Model, method: Method, step: f64) -> Setup {
-    Setup {
-        method,
-        step,
-        ..Setup::defaults(model)
-    }
+    Setup { method, step, ..Setup::defaults(model) }
 }
 
 /// A run of `rows` steps.
@@ -30,11 +26,7 @@ pub fn run(model: &Model, setup: Setup, rows: usize) -> Run {
 
 /// Index of the parameter called `name`.
 pub fn parameter(model: &Model, name: &str) -> usize {
-    model
-        .parameters
-        .iter()
-        .position(|parameter| parameter.name == name)
-        .expect(name)
+    model.parameters.iter().position(|parameter| parameter.name == name).expect(name)
 }
 
 /// The times of the rows right after jumps.

@@ -16,13 +16,8 @@ impl Style {
     /// The style of a language tag such as `es` or `en-GB`; a point where the language is unknown.
     pub fn of(language: &str) -> Self {
         let primary = language.split(['-', '_']).next().unwrap_or_default();
-        let comma = [
-            "es", "de", "fr", "it", "pt", "ca", "gl", "nl", "pl", "ru", "sv", "da", "nb", "fi",
-            "cs", "tr",
-        ];
-        Self {
-            decimal_comma: comma.contains(&primary.to_ascii_lowercase().as_str()),
-        }
+        let comma = ["es", "de", "fr", "it", "pt", "ca", "gl", "nl", "pl", "ru", "sv", "da", "nb", "fi", "cs", "tr"];
+        Self { decimal_comma: comma.contains(&primary.to_ascii_lowercase().as_str()) }
     }
 }
 
@@ -57,30 +52,19 @@ pub fn scaled(value: f64, scale: f64, digits: usize, style: Style) -> String {
         return fixed(value, decimals, style);
     }
     let unit: f64 = format!("1e{power}").parse().unwrap_or(1.0);
-    format!(
-        "{}×10{}",
-        fixed(value / unit, decimals, style),
-        superscript(power)
-    )
+    format!("{}×10{}", fixed(value / unit, decimals, style), superscript(power))
 }
 
 /// The exponent of the first of `digits` significant decimal digits.
 fn decimal_exponent(value: f64, digits: usize) -> i32 {
     let scientific = format!("{:.*e}", digits.clamp(1, 17) - 1, value.abs());
-    scientific
-        .split_once('e')
-        .and_then(|(_, exponent)| exponent.parse().ok())
-        .unwrap_or(0)
+    scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
 }
 
 /// The power of ten to be written out: none between 0.001 and 10^6 (or as many digits as are asked for), else a
 /// multiple of three.
 fn power_shown(exponent: i32, digits: usize) -> i32 {
-    if (-3..6.max(digits as i32)).contains(&exponent) {
-        0
-    } else {
-        exponent.div_euclid(3) * 3
-    }
+    if (-3..6.max(digits as i32)).contains(&exponent) { 0 } else { exponent.div_euclid(3) * 3 }
 }
 
 /// Exactly `decimals` digits after the decimal sign, whatever the size: for the time.
@@ -105,12 +89,7 @@ fn write(value: f64, digits: usize, style: Style, trim: bool) -> String {
     let exponent: i32 = exponent.parse().unwrap_or(0);
     if value == 0.0 {
         return dress(
-            if trim || digits == 1 {
-                "0".to_owned()
-            } else {
-                format!("0.{}", "0".repeat(digits - 1))
-            }
-            .as_str(),
+            if trim || digits == 1 { "0".to_owned() } else { format!("0.{}", "0".repeat(digits - 1)) }.as_str(),
             true,
             style,
         );
@@ -146,17 +125,9 @@ fn place_point(figures: &str, exponent: i32) -> String {
 }
 
 fn dress(text: &str, zero: bool, style: Style) -> String {
-    let text = if zero {
-        text.trim_start_matches('-')
-    } else {
-        text
-    };
+    let text = if zero { text.trim_start_matches('-') } else { text };
     let text = text.replace('-', "−");
-    if style.decimal_comma {
-        text.replace('.', ",")
-    } else {
-        text
-    }
+    if style.decimal_comma { text.replace('.', ",") } else { text }
 }
 
 /// `⁻³`
@@ -231,12 +202,8 @@ pub fn roundest(low: f64, high: f64) -> f64 {
 mod tests {
     use super::*;
 
-    const POINT: Style = Style {
-        decimal_comma: false,
-    };
-    const COMMA: Style = Style {
-        decimal_comma: true,
-    };
+    const POINT: Style = Style { decimal_comma: false };
+    const COMMA: Style = Style { decimal_comma: true };
 
     #[test]
     fn values_that_stand_still() {

@@ -42,17 +42,13 @@ pub fn parse(text: &str, style: Style) -> Option<(f64, &str)> {
             digits.push('-');
         }
         characters.next();
-        while characters
-            .next_if(|&(_, character)| character.is_whitespace())
-            .is_some()
-        {}
+        while characters.next_if(|&(_, character)| character.is_whitespace()).is_some() {}
     }
     let start = characters.peek().map_or(text.len(), |&(at, _)| at);
     let mut end = start;
     while let Some(&(at, character)) = characters.peek() {
-        let grouped = is_group_blank(character)
-            && three_digits_follow(&text[at + character.len_utf8()..])
-            && end > start;
+        let grouped =
+            is_group_blank(character) && three_digits_follow(&text[at + character.len_utf8()..]) && end > start;
         if !(character.is_ascii_digit() || matches!(character, '.' | ',') || grouped) {
             break;
         }
@@ -76,10 +72,7 @@ fn three_digits_follow(text: &str) -> bool {
 
 /// Digits with at most one decimal point from what was typed.
 fn decimal(typed: &str, style: Style) -> Option<String> {
-    let mut text: String = typed
-        .chars()
-        .filter(|character| !character.is_whitespace())
-        .collect();
+    let mut text: String = typed.chars().filter(|character| !character.is_whitespace()).collect();
     if !text.bytes().any(|byte| byte.is_ascii_digit()) {
         return None;
     }
@@ -89,15 +82,10 @@ fn decimal(typed: &str, style: Style) -> Option<String> {
     let mut groups = whole.split(thousands);
     let first = groups.next().unwrap_or_default();
     let rest: Vec<&str> = groups.collect();
-    let grouped = (1..=3).contains(&first.len())
-        && !first.starts_with('0')
-        && rest.iter().all(|group| group.len() == 3);
+    let grouped =
+        (1..=3).contains(&first.len()) && !first.starts_with('0') && rest.iter().all(|group| group.len() == 3);
     // A single point is decimal in every language: half the Spanish-speaking world writes it so.
-    let enough = if style.decimal_comma {
-        rest.len() > 1 || text.contains(',')
-    } else {
-        !rest.is_empty()
-    };
+    let enough = if style.decimal_comma { rest.len() > 1 || text.contains(',') } else { !rest.is_empty() };
     if grouped && enough {
         text = text.replace(thousands, "");
     }
@@ -117,11 +105,7 @@ fn power_of_ten(text: &str) -> (i32, &str) {
     let Some(tail) = plain.or(powered) else {
         return none;
     };
-    let tail = if plain.is_none() {
-        tail.strip_prefix('^').unwrap_or(tail)
-    } else {
-        tail
-    };
+    let tail = if plain.is_none() { tail.strip_prefix('^').unwrap_or(tail) } else { tail };
     let mut exponent = String::new();
     let mut end = 0;
     for (at, character) in tail.char_indices() {
@@ -164,12 +148,8 @@ mod tests {
     use super::super::plain;
     use super::*;
 
-    const POINT: Style = Style {
-        decimal_comma: false,
-    };
-    const COMMA: Style = Style {
-        decimal_comma: true,
-    };
+    const POINT: Style = Style { decimal_comma: false };
+    const COMMA: Style = Style { decimal_comma: true };
 
     #[test]
     fn typed_numbers() {
@@ -204,11 +184,7 @@ mod tests {
     fn what_is_written_reads_back() {
         for value in [1.5e-7, -3.25, 1_234_500.0, 0.001, 9.8, 1e21] {
             for style in [POINT, COMMA] {
-                assert_eq!(
-                    parse(&plain(value, 12, style), style),
-                    Some((value, "")),
-                    "{value}"
-                );
+                assert_eq!(parse(&plain(value, 12, style), style), Some((value, "")), "{value}");
             }
         }
     }

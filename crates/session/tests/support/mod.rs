@@ -22,20 +22,13 @@ pub fn utube() -> Session {
 
 /// The index of a parameter.
 pub fn parameter(session: &Session, name: &str) -> usize {
-    session
-        .model()
-        .parameters
-        .iter()
-        .position(|parameter| parameter.name == name)
-        .expect("the parameter exists")
+    session.model().parameters.iter().position(|parameter| parameter.name == name).expect("the parameter exists")
 }
 
 /// Sets a parameter to an SI value.
 pub fn set(session: &mut Session, name: &str, value: f64) {
     let index = parameter(session, name);
-    session
-        .set_parameter(index, value)
-        .expect("the value is in the range");
+    session.set_parameter(index, value).expect("the value is in the range");
 }
 
 /// Lets wall time pass in frames.
@@ -49,11 +42,7 @@ pub fn play(session: &mut Session, frames: impl IntoIterator<Item = f64>) {
 
 /// The states shown.
 pub fn state(session: &Session) -> Vec<f64> {
-    session
-        .states()
-        .into_iter()
-        .map(|state| state.value)
-        .collect()
+    session.states().into_iter().map(|state| state.value).collect()
 }
 
 /// The bits of a run: its table without loss.
@@ -63,10 +52,5 @@ pub fn bits(session: &Session) -> String {
 
 /// The value of a readout.
 pub fn readout(session: &mut Session, name: &str) -> String {
-    session
-        .readouts()
-        .into_iter()
-        .find(|readout| readout.name == name)
-        .expect("the readout exists")
-        .value
+    session.readouts().into_iter().find(|readout| readout.name == name).expect("the readout exists").value
 }

@@ -5,11 +5,7 @@ use std::path::Path;
 
 fn main() {
     println!("cargo::rustc-check-cfg=cfg(page_inside)");
-    let directory = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("..")
-        .join("..")
-        .join("target")
-        .join("page");
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join("..").join("target").join("page");
     let page = directory.join("meniscus.html");
     if page.is_file() {
         println!("cargo::rustc-cfg=page_inside");

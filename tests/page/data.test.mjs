@@ -33,14 +33,14 @@ visit("the table is that of the command line, byte for byte", async (lab) => {
 });
 
 visit("with other parameters and in Spanish too", { language: "es-ES" }, async (lab) => {
-  await lab.button("English").click();
+  await lab.press("EN – English");
   await lab.enter("Height of the left column", "2");
   await lab.enter("Height of the right column", "6");
   await lab.enter("Density of the liquid", "13600");
   await lab.enter("Cross-section of the tube", "0.5");
   await lab.enter("Damping", "200");
   await record(lab, 5);
-  await lab.button("Español").click();
+  await lab.press("ES – Español");
   await lab.tab("Datos");
   const { text } = await lab.save(lab.button("Descargar CSV"));
   const settings = ["h_l=2", "h_r=6", "rho=13600", "S=0.5", "b=200"].flatMap((setting) => ["--set", setting]);

@@ -21,15 +21,8 @@ pub fn all() -> Result<()> {
     if let Err(missing) = &browser {
         println!("{missing:#}");
     }
-    let place = if browser.is_ok() {
-        "in the browser"
-    } else {
-        "in Node"
-    };
-    let web = step(
-        &format!("the pace of the engine {place}, and the page"),
-        || in_wasm(browser.ok()),
-    )?;
+    let place = if browser.is_ok() { "in the browser" } else { "in Node" };
+    let web = step(&format!("the pace of the engine {place}, and the page"), || in_wasm(browser.ok()))?;
     let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
     encoder.write_all(&page)?;
     let gzipped = encoder.finish()?.len();
@@ -38,28 +31,13 @@ pub fn all() -> Result<()> {
     pace("natively", &native, "machine", "hand");
     pace(place, &web, "wasm-machine", "wasm-hand");
     row("size of the page", page.len() as f64 / 1000.0, "kB", "");
-    row(
-        "size of the page, gzipped",
-        gzipped as f64 / 1000.0,
-        "kB",
-        "at most 300",
-    );
+    row("size of the page, gzipped", gzipped as f64 / 1000.0, "kB", "at most 300");
     let aims = [
         ("plots", "plots on the screen", "", ""),
-        (
-            "script-per-frame",
-            "script for a frame, 2,000 rows",
-            "ms",
-            "at most 2",
-        ),
+        ("script-per-frame", "script for a frame, 2,000 rows", "ms", "at most 2"),
         ("thread-per-frame", "main thread for a frame", "ms", ""),
         ("frames-per-second", "frames in a second", "", ""),
-        (
-            "opening",
-            "opening until the play button",
-            "ms",
-            "the predecessor: 350 to 460",
-        ),
+        ("opening", "opening until the play button", "ms", "the predecessor: 350 to 460"),
     ];
     for (name, title, unit, aim) in aims {
         if let Some(value) = web.get(name) {
@@ -73,39 +51,19 @@ pub fn all() -> Result<()> {
 fn pace(place: &str, numbers: &Numbers, machine: &str, hand: &str) {
     if let (Some(machine), Some(hand)) = (numbers.get(machine), numbers.get(hand)) {
         let unit = "million/s";
-        row(
-            &format!("RK4 steps of the U-tube {place}"),
-            *machine,
-            unit,
-            "",
-        );
+        row(&format!("RK4 steps of the U-tube {place}"), *machine, unit, "");
         row("the same loop in Rust", *hand, unit, "");
         row("their ratio", machine / hand, "", "at least 0.25");
     }
 }
 
 fn row(title: &str, value: f64, unit: &str, aim: &str) {
-    let aim = if aim.is_empty() {
-        String::new()
-    } else {
-        format!("({aim})")
-    };
-    println!(
-        "{}",
-        format!("{title:<40}{value:>10.2} {unit:<10}{aim}").trim_end()
-    );
+    let aim = if aim.is_empty() { String::new() } else { format!("({aim})") };
+    println!("{}", format!("{title:<40}{value:>10.2} {unit:<10}{aim}").trim_end());
 }
 
 fn native() -> Result<Numbers> {
-    let arguments = [
-        "run",
-        "--release",
-        "--quiet",
-        "--package",
-        "probe",
-        "--example",
-        "pace",
-    ];
+    let arguments = ["run", "--release", "--quiet", "--package", "probe", "--example", "pace"];
     steps::output(&mut cargo(&arguments)).map(|text| numbers(&text))
 }
 
@@ -114,10 +72,7 @@ fn in_wasm(browser: Option<std::path::PathBuf>) -> Result<Numbers> {
     wasm::bind(&wasm::build("probe")?, Host::Page, &probe)?;
     let script = steps::root().join("tests").join("page").join("measure.mjs");
     let mut measure = steps::program(tools::node()?, &[]);
-    measure
-        .arg(script)
-        .env("PROBE", probe)
-        .env("PAGE", steps::page());
+    measure.arg(script).env("PROBE", probe).env("PAGE", steps::page());
     measure.env_remove("CHROME");
     if let Some(browser) = browser {
         tools::browser_packages()?;

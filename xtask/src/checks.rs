@@ -10,9 +10,7 @@ pub fn all() -> Result<()> {
     step("lints", lints)?;
     step("the page", page::build)?;
     // With the page built, the program of the tests has it inside and can export and serve.
-    step("unit and integration tests", || {
-        run(&mut cargo(&["test", "--workspace", "--exclude", "lab"]))
-    })?;
+    step("unit and integration tests", || run(&mut cargo(&["test", "--workspace", "--exclude", "lab"])))?;
     step("golden runs in WebAssembly", golden::compare)?;
     step("the page in a browser", browser)
 }
@@ -21,32 +19,17 @@ fn lints() -> Result<()> {
     const STRICT: [&str; 3] = ["--", "-D", "warnings"];
     run(cargo(&["clippy", "--all-targets"]).args(STRICT))?;
     tools::wasm_target()?;
-    let browser = [
-        "clippy",
-        "--package",
-        "lab",
-        "--package",
-        "probe",
-        "--target",
-        "wasm32-unknown-unknown",
-    ];
+    let browser = ["clippy", "--package", "lab", "--package", "probe", "--target", "wasm32-unknown-unknown"];
     run(cargo(&browser).args(STRICT))
 }
 
 fn browser() -> Result<()> {
     let node = tools::node()?;
     tools::browser_packages()?;
-    let program = steps::target()
-        .join("debug")
-        .join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
+    let program = steps::target().join("debug").join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
     let directory = steps::root().join("tests").join("page");
     let mut tests = std::process::Command::new(node);
-    tests
-        .args(["--test", "--test-reporter=spec"])
-        .current_dir(directory);
-    tests
-        .env("CHROME", tools::chromium()?)
-        .env("MENISCUS", program)
-        .env("PAGE", steps::page());
+    tests.args(["--test", "--test-reporter=spec"]).current_dir(directory);
+    tests.env("CHROME", tools::chromium()?).env("MENISCUS", program).env("PAGE", steps::page());
     run(&mut tests)
 }

@@ -8,31 +8,17 @@ use anyhow::{Context, Result, bail};
 pub fn compare() -> Result<()> {
     let directory = steps::target().join("probe").join("node");
     wasm::bind(&wasm::build("probe")?, wasm::Host::Node, &directory)?;
-    let script = format!(
-        "process.stdout.write(require({:?}).golden())",
-        directory.join("probe.js")
-    );
+    let script = format!("process.stdout.write(require({:?}).golden())", directory.join("probe.js"));
     let found = steps::output(&mut steps::program(tools::node()?, &["--eval", &script]))?;
-    let expected = std::fs::read_to_string(
-        steps::root()
-            .join("crates")
-            .join("probe")
-            .join("golden.txt"),
-    )
-    .context("cannot read crates/probe/golden.txt")?;
+    let expected = std::fs::read_to_string(steps::root().join("crates").join("probe").join("golden.txt"))
+        .context("cannot read crates/probe/golden.txt")?;
     let differing: Vec<String> = (expected.lines().zip(found.lines()))
         .filter(|(expected, found)| expected != found)
         .map(|(expected, found)| format!("expected {expected}\nfound    {found}"))
         .collect();
     if !differing.is_empty() || expected.lines().count() != found.lines().count() {
-        bail!(
-            "golden runs differ in WebAssembly\n{}\nall that was found:\n{found}",
-            differing.join("\n")
-        );
+        bail!("golden runs differ in WebAssembly\n{}\nall that was found:\n{found}", differing.join("\n"));
     }
-    println!(
-        "{} golden runs have the same bits natively and in WebAssembly",
-        expected.lines().count()
-    );
+    println!("{} golden runs have the same bits natively and in WebAssembly", expected.lines().count());
     Ok(())
 }

@@ -19,22 +19,13 @@ pub fn build() -> Result<PathBuf> {
     wasm::bind(&wasm::build("lab")?, Host::Page, &directory)?;
     let glue = read(&directory.join("lab.js"))?;
     let module = directory.join("lab_bg.wasm");
-    let module =
-        std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
+    let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
     let page = assemble(&glue, &module)?;
     let path = steps::page();
-    write_whole(&path, page.as_bytes())
-        .with_context(|| format!("cannot write {}", path.display()))?;
-    for (part, bytes) in [
-        ("page", page.as_bytes()),
-        ("module", &module),
-        ("glue", glue.as_bytes()),
-    ] {
+    write_whole(&path, page.as_bytes()).with_context(|| format!("cannot write {}", path.display()))?;
+    for (part, bytes) in [("page", page.as_bytes()), ("module", &module), ("glue", glue.as_bytes())] {
         let gzipped = gzip(bytes)?.len() as f64 / 1000.0;
-        println!(
-            "{part:8}{:8.1} kB, gzipped {gzipped:6.1} kB",
-            bytes.len() as f64 / 1000.0
-        );
+        println!("{part:8}{:8.1} kB, gzipped {gzipped:6.1} kB", bytes.len() as f64 / 1000.0);
     }
     Ok(path)
 }
@@ -51,17 +42,8 @@ fn assemble(glue: &str, module: &[u8]) -> Result<String> {
     let mut page = read(&source.join("index.html"))?;
     for (marker, text) in [
         ("<!--style-->", format!("<style>\n{style}</style>")),
-        (
-            "<!--glue-->",
-            format!(
-                "<script>\n{}\n</script>",
-                glue.replace("</script", "<\\/script")
-            ),
-        ),
-        (
-            "<!--module-->",
-            format!("<script type=\"application/octet-stream\" id=\"module\">{module}</script>"),
-        ),
+        ("<!--glue-->", format!("<script>\n{}\n</script>", glue.replace("</script", "<\\/script"))),
+        ("<!--module-->", format!("<script type=\"application/octet-stream\" id=\"module\">{module}</script>")),
         ("<!--boot-->", format!("<script>\n{boot}</script>")),
     ] {
         if page.matches(marker).count() != 1 {
@@ -71,18 +53,11 @@ fn assemble(glue: &str, module: &[u8]) -> Result<String> {
     }
     let documents = DOCUMENTS.iter().map(|name| {
         let text = read(&steps::root().join("simulations").join(name))?;
-        Ok(Source {
-            name: (*name).to_owned(),
-            text,
-        })
+        Ok(Source { name: (*name).to_owned(), text })
     });
     let documents = documents.collect::<Result<Vec<Source>>>()?;
-    document::page::embed(&page, &documents, &Options::default()).with_context(|| {
-        format!(
-            "crates/lab/page/index.html must contain {}",
-            document::page::MARKER
-        )
-    })
+    document::page::embed(&page, &documents, &Options::default())
+        .with_context(|| format!("crates/lab/page/index.html must contain {}", document::page::MARKER))
 }
 
 fn read(path: &Path) -> Result<String> {

@@ -9,30 +9,20 @@ use std::process::Command;
 pub fn wasm_target() -> Result<()> {
     const TARGET: &str = "wasm32-unknown-unknown";
     let sysroot = steps::output(&mut steps::program("rustc", &["--print", "sysroot"]))?;
-    if Path::new(sysroot.trim())
-        .join("lib")
-        .join("rustlib")
-        .join(TARGET)
-        .is_dir()
-    {
+    if Path::new(sysroot.trim()).join("lib").join("rustlib").join(TARGET).is_dir() {
         return Ok(());
     }
-    steps::run(&mut steps::program("rustup", &["target", "add", TARGET]))
-        .context("the WebAssembly target of Rust is missing; install it with `rustup target add wasm32-unknown-unknown`")
+    steps::run(&mut steps::program("rustup", &["target", "add", TARGET])).context(
+        "the WebAssembly target of Rust is missing; install it with `rustup target add wasm32-unknown-unknown`",
+    )
 }
 
 /// Node, at least version 20.
 pub fn node() -> Result<PathBuf> {
-    const HOW: &str =
-        "the tests in WebAssembly and in the browser need Node 20 or later: https://nodejs.org";
+    const HOW: &str = "the tests in WebAssembly and in the browser need Node 20 or later: https://nodejs.org";
     let node = find("node").context(HOW)?;
     let version = steps::output(Command::new(&node).arg("--version"))?;
-    let major = version
-        .trim()
-        .trim_start_matches('v')
-        .split('.')
-        .next()
-        .and_then(|text| text.parse::<u32>().ok());
+    let major = version.trim().trim_start_matches('v').split('.').next().and_then(|text| text.parse::<u32>().ok());
     match major {
         Some(major) if major >= 20 => Ok(node),
         _ => bail!("Node {} is too old; {HOW}", version.trim()),
@@ -49,11 +39,7 @@ pub fn browser_packages() -> Result<()> {
         return Ok(());
     }
     let npm = find("npm").context("npm is missing; it comes with Node: https://nodejs.org")?;
-    steps::run(
-        Command::new(npm)
-            .args(["ci", "--no-fund", "--no-audit"])
-            .current_dir(&directory),
-    )?;
+    steps::run(Command::new(npm).args(["ci", "--no-fund", "--no-audit"]).current_dir(&directory))?;
     std::fs::write(&stamp, lock).with_context(|| format!("cannot write {}", stamp.display()))
 }
 
@@ -69,33 +55,17 @@ pub fn chromium() -> Result<PathBuf> {
     if let Some(path) = installed_chromium() {
         return Ok(path);
     }
-    const HOW: &str = "the browser tests need Chromium or Chrome: install it, or say where it is with CHROME=/path/to/chrome";
+    const HOW: &str =
+        "the browser tests need Chromium or Chrome: install it, or say where it is with CHROME=/path/to/chrome";
     let apt = find("apt-get").context(HOW)?;
     steps::run(Command::new(&apt).arg("update")).context(HOW)?;
-    let arguments = [
-        "install",
-        "--yes",
-        "--no-install-recommends",
-        "chromium",
-        "fonts-dejavu-core",
-    ];
-    steps::run(
-        Command::new(&apt)
-            .args(arguments)
-            .env("DEBIAN_FRONTEND", "noninteractive"),
-    )
-    .context(HOW)?;
+    let arguments = ["install", "--yes", "--no-install-recommends", "chromium", "fonts-dejavu-core"];
+    steps::run(Command::new(&apt).args(arguments).env("DEBIAN_FRONTEND", "noninteractive")).context(HOW)?;
     installed_chromium().context(HOW)
 }
 
 fn installed_chromium() -> Option<PathBuf> {
-    const NAMES: [&str; 5] = [
-        "chromium",
-        "chromium-browser",
-        "google-chrome",
-        "google-chrome-stable",
-        "chrome",
-    ];
+    const NAMES: [&str; 5] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
     const PLACES: [&str; 4] = [
         "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
         "/Applications/Chromium.app/Contents/MacOS/Chromium",
@@ -108,17 +78,9 @@ fn installed_chromium() -> Option<PathBuf> {
 
 /// A program in `PATH`.
 pub fn find(name: &str) -> Option<PathBuf> {
-    let endings: &[&str] = if cfg!(windows) {
-        &[".exe", ".cmd"]
-    } else {
-        &[""]
-    };
+    let endings: &[&str] = if cfg!(windows) { &[".exe", ".cmd"] } else { &[""] };
     let path = std::env::var_os("PATH")?;
     std::env::split_paths(&path)
-        .flat_map(|directory| {
-            endings
-                .iter()
-                .map(move |ending| directory.join(format!("{name}{ending}")))
-        })
+        .flat_map(|directory| endings.iter().map(move |ending| directory.join(format!("{name}{ending}"))))
         .find(|candidate| candidate.is_file())
 }

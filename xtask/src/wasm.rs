@@ -27,10 +27,7 @@ pub fn build(package: &str) -> Result<PathBuf> {
         "--profile",
         "page",
     ]))?;
-    Ok(steps::target()
-        .join("wasm32-unknown-unknown")
-        .join("page")
-        .join(format!("{package}.wasm")))
+    Ok(steps::target().join("wasm32-unknown-unknown").join("page").join(format!("{package}.wasm")))
 }
 
 /// Writes `NAME.js` and `NAME_bg.wasm` of a built module into a directory.
@@ -39,11 +36,9 @@ pub fn bind(module: &Path, host: Host, directory: &Path) -> Result<()> {
     bindgen.input_path(module).typescript(false);
     match host {
         Host::Node => bindgen.nodejs(true),
-        Host::Page => bindgen.no_modules(true).map(|bindgen| {
-            bindgen
-                .remove_name_section(true)
-                .remove_producers_section(true)
-        }),
+        Host::Page => {
+            bindgen.no_modules(true).map(|bindgen| bindgen.remove_name_section(true).remove_producers_section(true))
+        }
     }
     .and_then(|bindgen| bindgen.generate(directory))
     .with_context(|| format!("cannot make the JavaScript of {}", module.display()))

@@ -11,50 +11,29 @@ const ARROWS: [(&str, &[&str]); 9] = [
     ("figure", &[]),
     ("engine", &["model", "units"]),
     ("document", &["model", "units"]),
-    (
-        "session",
-        &["document", "engine", "figure", "model", "units"],
-    ),
-    (
-        "probe",
-        &["document", "engine", "figure", "model", "session", "units"],
-    ),
+    ("session", &["document", "engine", "figure", "model", "units"]),
+    ("probe", &["document", "engine", "figure", "model", "session", "units"]),
     ("lab", &["document", "figure", "model", "session", "units"]),
     ("cli", &["document", "engine", "model", "units"]),
 ];
 
 /// The crates that do no I/O, read no clock and touch no DOM.
 const CORE: [&str; 6] = ["units", "model", "document", "engine", "figure", "session"];
-const OUTSIDE: [&str; 8] = [
-    "std::fs",
-    "std::net",
-    "std::env",
-    "std::process",
-    "std::time",
-    "std::thread",
-    "web_sys",
-    "js_sys",
-];
+const OUTSIDE: [&str; 8] =
+    ["std::fs", "std::net", "std::env", "std::process", "std::time", "std::thread", "web_sys", "js_sys"];
 
 /// Lines of a file, without its unit tests.
 const LONGEST: usize = 500;
 
 fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("..")
-        .canonicalize()
-        .expect("the workspace is there")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize().expect("the workspace is there")
 }
 
 /// All texts below a directory, without what is built or installed.
 fn texts(directory: &Path, found: &mut Vec<(PathBuf, String)>) {
     for entry in fs::read_dir(directory).expect("a directory") {
         let path = entry.expect("an entry").path();
-        let name = path
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         if path.is_dir() {
             if !["target", "node_modules", ".git", "corpus", "artifacts"].contains(&name.as_str()) {
                 texts(&path, found);
@@ -73,9 +52,7 @@ fn all_texts() -> Vec<(PathBuf, String)> {
 
 /// A source without the unit tests at its end.
 fn product(text: &str) -> &str {
-    text.split("#[cfg(test)]\nmod tests")
-        .next()
-        .unwrap_or_default()
+    text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default()
 }
 
 fn holds(path: &Path, ending: &str) -> bool {
@@ -86,27 +63,16 @@ fn holds(path: &Path, ending: &str) -> bool {
 fn crates_use_only_what_lies_below_them() {
     let names: Vec<&str> = ARROWS.iter().map(|(name, _)| *name).collect();
     for (name, allowed) in ARROWS {
-        let manifest = fs::read_to_string(root().join("crates").join(name).join("Cargo.toml"))
-            .expect("a manifest");
+        let manifest = fs::read_to_string(root().join("crates").join(name).join("Cargo.toml")).expect("a manifest");
         // Tests may look anywhere: only the part before them counts.
-        let product = manifest
-            .split("[dev-dependencies]")
-            .next()
-            .unwrap_or_default();
-        for used in product
-            .lines()
-            .filter_map(|line| line.split(['.', ' ', '=']).next())
-            .filter(|word| names.contains(word))
+        let product = manifest.split("[dev-dependencies]").next().unwrap_or_default();
+        for used in
+            product.lines().filter_map(|line| line.split(['.', ' ', '=']).next()).filter(|word| names.contains(word))
         {
-            assert!(
-                allowed.contains(&used),
-                "crates/{name} must not know {used}"
-            );
+            assert!(allowed.contains(&used), "crates/{name} must not know {used}");
         }
     }
-    let crates = fs::read_dir(root().join("crates"))
-        .expect("a directory")
-        .count();
+    let crates = fs::read_dir(root().join("crates")).expect("a directory").count();
     assert_eq!(crates, ARROWS.len(), "a new crate needs its arrows here");
 }
 
@@ -117,9 +83,7 @@ fn the_core_touches_nothing_outside() {
         texts(&root().join("crates").join(name).join("src"), &mut sources);
         for (path, text) in sources {
             for (number, line) in product(&text).lines().enumerate() {
-                let outside = OUTSIDE
-                    .iter()
-                    .find(|word| line.contains(**word) && !line.trim_start().starts_with("//"));
+                let outside = OUTSIDE.iter().find(|word| line.contains(**word) && !line.trim_start().starts_with("//"));
                 assert_eq!(outside, None, "{}:{}", path.display(), number + 1);
             }
         }
@@ -129,11 +93,7 @@ fn the_core_touches_nothing_outside() {
 #[test]
 fn files_hold_one_subject() {
     let long: Vec<String> = (all_texts().iter())
-        .filter(|(path, _)| {
-            ["rs", "mjs", "css"]
-                .iter()
-                .any(|ending| holds(path, ending))
-        })
+        .filter(|(path, _)| ["rs", "mjs", "css"].iter().any(|ending| holds(path, ending)))
         .map(|(path, text)| (path, product(text).lines().count()))
         .filter(|&(_, lines)| lines > LONGEST)
         .map(|(path, lines)| format!("{} has {lines} lines", path.display()))
@@ -146,12 +106,7 @@ fn no_path_of_a_machine_is_left() {
     let root = root();
     let mut places = vec![root.display().to_string()];
     // Homes as short as `/root` stand in paths that mean something else.
-    places.extend(
-        std::env::var("HOME")
-            .ok()
-            .filter(|home| home.len() > 1)
-            .map(|home| format!("{home}/")),
-    );
+    places.extend(std::env::var("HOME").ok().filter(|home| home.len() > 1).map(|home| format!("{home}/")));
     for (path, text) in all_texts() {
         let found = places.iter().find(|place| text.contains(place.as_str()));
         assert_eq!(found, None, "in {}", path.display());

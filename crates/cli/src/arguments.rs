@@ -143,10 +143,7 @@ pub struct Assignment {
 fn assignment(text: &str) -> Result<Assignment, String> {
     match text.split_once('=') {
         Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
-            Ok(Assignment {
-                name: name.trim().to_owned(),
-                value: value.trim().to_owned(),
-            })
+            Ok(Assignment { name: name.trim().to_owned(), value: value.trim().to_owned() })
         }
         _ => Err("write NAME=VALUE, such as b=200 or h_l='40 [dm]'".to_owned()),
     }
@@ -223,10 +220,7 @@ mod tests {
 
     #[test]
     fn assignments_keep_their_unit() {
-        let expected = Assignment {
-            name: "h_l".to_owned(),
-            value: "40 [cm]".to_owned(),
-        };
+        let expected = Assignment { name: "h_l".to_owned(), value: "40 [cm]".to_owned() };
         assert_eq!(assignment("h_l = 40 [cm]"), Ok(expected));
         assert!(assignment("h_l").is_err());
         assert!(assignment("=3").is_err());

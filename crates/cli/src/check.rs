@@ -23,19 +23,11 @@ pub fn check(arguments: &Check, terminal: Terminal) -> Result<(), Failure> {
     let mut output = Output::standard();
     let text = match arguments.format {
         Findings::Json => findings_as_json(&loaded),
-        Findings::Text => {
-            findings_as_text(&loaded, terminal.standard_output_colors()) + &summary(&loaded)
-        }
+        Findings::Text => findings_as_text(&loaded, terminal.standard_output_colors()) + &summary(&loaded),
     };
-    output
-        .write_all(text.as_bytes())
-        .map_err(|error| output.failure(&error))?;
+    output.write_all(text.as_bytes()).map_err(|error| output.failure(&error))?;
     output.finish()?;
-    if loaded.iter().any(|document| document.opened.has_errors()) {
-        Err(Failure::Document)
-    } else {
-        Ok(())
-    }
+    if loaded.iter().any(|document| document.opened.has_errors()) { Err(Failure::Document) } else { Ok(()) }
 }
 
 /// A line for each document.
@@ -48,11 +40,7 @@ fn summary(documents: &[Loaded]) -> String {
             (0, 0) => "ok".to_owned(),
             (0, _) => counted(warnings, "warning"),
             (_, 0) => counted(errors, "error"),
-            (_, _) => format!(
-                "{}, {}",
-                counted(errors, "error"),
-                counted(warnings, "warning")
-            ),
+            (_, _) => format!("{}, {}", counted(errors, "error"), counted(warnings, "warning")),
         };
         summary.push_str(&format!("{}: {verdict}\n", loaded.sources.path().display()));
     }
@@ -60,9 +48,5 @@ fn summary(documents: &[Loaded]) -> String {
 }
 
 fn counted(count: usize, noun: &str) -> String {
-    if count == 1 {
-        format!("1 {noun}")
-    } else {
-        format!("{count} {noun}s")
-    }
+    if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }

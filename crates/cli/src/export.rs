@@ -13,18 +13,11 @@ pub fn export(arguments: &Export, terminal: Terminal) -> Result<(), Failure> {
     page::own()?;
     let loaded = Loaded::open(load::sources(&arguments.document)?);
     terminal.report(&loaded);
-    let Some(document) = loaded
-        .opened
-        .document
-        .as_ref()
-        .filter(|_| !loaded.opened.has_errors())
-    else {
+    let Some(document) = loaded.opened.document.as_ref().filter(|_| !loaded.opened.has_errors()) else {
         return Err(Failure::Document);
     };
     let page = page::with(&loaded.sources, Some(document))?;
     let mut output = Output::to(&arguments.output, &loaded.sources)?;
-    output
-        .write_all(page.as_bytes())
-        .map_err(|error| output.failure(&error))?;
+    output.write_all(page.as_bytes()).map_err(|error| output.failure(&error))?;
     output.finish()
 }

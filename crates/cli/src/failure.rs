@@ -25,36 +25,24 @@ pub enum Failure {
 impl Failure {
     /// Something in the request is wrong.
     pub fn request(message: impl Into<String>) -> Self {
-        Self::Request {
-            message: message.into(),
-            hint: None,
-        }
+        Self::Request { message: message.into(), hint: None }
     }
 
     /// Something in the request is wrong, and there is a remedy.
     pub fn with_hint(message: impl Into<String>, hint: impl Into<String>) -> Self {
-        Self::Request {
-            message: message.into(),
-            hint: Some(hint.into()),
-        }
+        Self::Request { message: message.into(), hint: Some(hint.into()) }
     }
 
     /// A file that cannot be read or written.
     pub fn file(doing: &str, path: &Path, error: &io::Error) -> Self {
-        Self::Request {
-            message: format!("cannot {doing} {}: {}", path.display(), plain(error)),
-            hint: None,
-        }
+        Self::Request { message: format!("cannot {doing} {}: {}", path.display(), plain(error)), hint: None }
     }
 
     /// What writing to standard output ran into.
     pub fn standard_output(error: &io::Error) -> Self {
         match error.kind() {
             io::ErrorKind::BrokenPipe => Self::OutputClosed,
-            _ => Self::request(format!(
-                "cannot write to the standard output: {}",
-                plain(error)
-            )),
+            _ => Self::request(format!("cannot write to the standard output: {}", plain(error))),
         }
     }
 
@@ -80,12 +68,10 @@ fn plain(error: &io::Error) -> String {
 /// The nearest of `known` to a name that is none of them, if one is near.
 pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let limit = 1 + name.chars().count() / 3;
-    (known
-        .into_iter()
-        .map(|candidate| (distance(name, candidate), candidate)))
-    .filter(|&(distance, _)| distance <= limit)
-    .min_by_key(|&(distance, _)| distance)
-    .map(|(_, candidate)| candidate)
+    (known.into_iter().map(|candidate| (distance(name, candidate), candidate)))
+        .filter(|&(distance, _)| distance <= limit)
+        .min_by_key(|&(distance, _)| distance)
+        .map(|(_, candidate)| candidate)
 }
 
 /// How many letters must be inserted, deleted or replaced, capital letters counting as small ones.

@@ -25,13 +25,7 @@ struct File {
 impl Sources {
     /// A text that stands in no file.
     pub fn of_text(name: &str, text: &str) -> Self {
-        Self {
-            files: vec![File {
-                path: name.into(),
-                name: name.to_owned(),
-                text: text.to_owned(),
-            }],
-        }
+        Self { files: vec![File { path: name.into(), name: name.to_owned(), text: text.to_owned() }] }
     }
 
     /// The base document, as it is called in messages.
@@ -41,27 +35,17 @@ impl Sources {
 
     /// The file that a finding's index names.
     pub fn file_path(&self, index: usize) -> &Path {
-        self.files
-            .get(index)
-            .map_or(Path::new(""), |file| &file.path)
+        self.files.get(index).map_or(Path::new(""), |file| &file.path)
     }
 
     /// The paths and texts, base first.
     pub fn texts(&self) -> impl Iterator<Item = (&Path, &str)> {
-        self.files
-            .iter()
-            .map(|file| (file.path.as_path(), file.text.as_str()))
+        self.files.iter().map(|file| (file.path.as_path(), file.text.as_str()))
     }
 
     /// As an exported page carries them.
     pub fn embedded(&self) -> Vec<Source> {
-        self.files
-            .iter()
-            .map(|file| Source {
-                name: file.name.clone(),
-                text: file.text.clone(),
-            })
-            .collect()
+        self.files.iter().map(|file| Source { name: file.name.clone(), text: file.text.clone() }).collect()
     }
 
     /// Whether writing to `path` would destroy one of them.
@@ -69,9 +53,7 @@ impl Sources {
         let Ok(path) = path.canonicalize() else {
             return false;
         };
-        self.files
-            .iter()
-            .any(|file| file.path.canonicalize().is_ok_and(|own| own == path))
+        self.files.iter().any(|file| file.path.canonicalize().is_ok_and(|own| own == path))
     }
 
     /// The base without its translations.
@@ -101,11 +83,7 @@ impl Loaded {
 
     /// How many errors there are.
     pub fn errors(&self) -> usize {
-        self.opened
-            .diagnostics
-            .iter()
-            .filter(|(_, diagnostic)| diagnostic.severity == Severity::Error)
-            .count()
+        self.opened.diagnostics.iter().filter(|(_, diagnostic)| diagnostic.severity == Severity::Error).count()
     }
 }
 
@@ -114,18 +92,11 @@ impl Loaded {
 pub fn sources(path: &Path) -> Result<Sources, Failure> {
     if path == Path::new("-") {
         let text = standard_input()?;
-        return Ok(Sources {
-            files: vec![File {
-                path: "<stdin>".into(),
-                name: "document.md".to_owned(),
-                text,
-            }],
-        });
+        return Ok(Sources { files: vec![File { path: "<stdin>".into(), name: "document.md".to_owned(), text }] });
     }
     let text = read_text(path)?;
-    if path.extension().is_some_and(|ending| {
-        ending.eq_ignore_ascii_case("html") || ending.eq_ignore_ascii_case("htm")
-    }) {
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html") || ending.eq_ignore_ascii_case("htm"))
+    {
         return inside_page(path, &text);
     }
     let Some(name) = document::translates(&text) else {
@@ -133,13 +104,9 @@ pub fn sources(path: &Path) -> Result<Sources, Failure> {
     };
     let base = path.with_file_name(&name);
     let text = read_text(&base).map_err(|failure| match failure {
-        Failure::Request { message, .. } => Failure::with_hint(
-            message,
-            format!(
-                "{} is a translation and says `translates: {name}`",
-                path.display()
-            ),
-        ),
+        Failure::Request { message, .. } => {
+            Failure::with_hint(message, format!("{} is a translation and says `translates: {name}`", path.display()))
+        }
         other => other,
     })?;
     with_translations(&base, text, Some(path))
@@ -161,25 +128,15 @@ fn with_translations(base: &Path, text: String, asked: Option<&Path>) -> Result<
 }
 
 fn file(path: &Path, text: String) -> File {
-    let name = path
-        .file_name()
-        .map(|name| name.to_string_lossy().into_owned())
-        .unwrap_or_default();
-    File {
-        path: path.to_owned(),
-        name,
-        text,
-    }
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    File { path: path.to_owned(), name, text }
 }
 
 fn siblings(base: &Path) -> Vec<PathBuf> {
     let Some(stem) = base.file_stem().and_then(|stem| stem.to_str()) else {
         return Vec::new();
     };
-    let directory = base
-        .parent()
-        .filter(|parent| !parent.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
+    let directory = base.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let Ok(entries) = std::fs::read_dir(directory) else {
         return Vec::new();
     };
@@ -188,45 +145,28 @@ fn siblings(base: &Path) -> Vec<PathBuf> {
         .filter(|name| language_of(name, stem).is_some())
         .collect();
     names.sort();
-    names
-        .into_iter()
-        .map(|name| base.with_file_name(name))
-        .collect()
+    names.into_iter().map(|name| base.with_file_name(name)).collect()
 }
 
 /// `es` of `utube.es.md` for the stem `utube`.
 fn language_of<'a>(name: &'a str, stem: &str) -> Option<&'a str> {
-    let language = name
-        .strip_prefix(stem)?
-        .strip_prefix('.')?
-        .strip_suffix(".md")?;
+    let language = name.strip_prefix(stem)?.strip_prefix('.')?.strip_suffix(".md")?;
     let primary = language.split('-').next()?;
-    let letters = |text: &str| {
-        text.chars()
-            .all(|letter| letter.is_ascii_alphanumeric() || letter == '-')
-    };
-    ((2..=3).contains(&primary.len())
-        && primary.chars().all(|letter| letter.is_ascii_lowercase())
-        && letters(language))
-    .then_some(language)
+    let letters = |text: &str| text.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '-');
+    ((2..=3).contains(&primary.len()) && primary.chars().all(|letter| letter.is_ascii_lowercase()) && letters(language))
+        .then_some(language)
 }
 
 fn inside_page(path: &Path, page: &str) -> Result<Sources, Failure> {
     let sources = read(page).filter(|sources| !sources.is_empty());
-    let sources = sources.ok_or_else(|| {
-        Failure::request(format!(
-            "{} is a page without a document inside",
-            path.display()
-        ))
-    })?;
+    let sources =
+        sources.ok_or_else(|| Failure::request(format!("{} is a page without a document inside", path.display())))?;
     let files = sources.into_iter().map(|source| File {
         path: format!("{}:{}", path.display(), source.name).into(),
         name: source.name,
         text: source.text,
     });
-    Ok(Sources {
-        files: files.collect(),
-    })
+    Ok(Sources { files: files.collect() })
 }
 
 fn read_text(path: &Path) -> Result<String, Failure> {
@@ -244,19 +184,11 @@ fn standard_input() -> Result<String, Failure> {
 /// UTF-8, without the byte-order mark that some editors write.
 fn text(bytes: Vec<u8>, name: &str) -> Result<String, Failure> {
     let text = String::from_utf8(bytes).map_err(|error| {
-        let line = 1 + error.as_bytes()[..error.utf8_error().valid_up_to()]
-            .iter()
-            .filter(|&&byte| byte == b'\n')
-            .count();
-        Failure::with_hint(
-            format!("{name} is not text in UTF-8 (line {line})"),
-            "save it as UTF-8",
-        )
+        let line =
+            1 + error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
+        Failure::with_hint(format!("{name} is not text in UTF-8 (line {line})"), "save it as UTF-8")
     })?;
-    Ok(text
-        .strip_prefix('\u{feff}')
-        .map(str::to_owned)
-        .unwrap_or(text))
+    Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 
 #[cfg(test)]
@@ -267,24 +199,15 @@ mod tests {
     fn translations_are_known_by_their_names() {
         assert_eq!(language_of("utube.es.md", "utube"), Some("es"));
         assert_eq!(language_of("utube.pt-BR.md", "utube"), Some("pt-BR"));
-        for other in [
-            "utube.md",
-            "utube2.es.md",
-            "utube.notes.md",
-            "utube.es.md~",
-            "utube.es.txt",
-            "utube.old.copy.md",
-        ] {
+        for other in ["utube.md", "utube2.es.md", "utube.notes.md", "utube.es.md~", "utube.es.txt", "utube.old.copy.md"]
+        {
             assert_eq!(language_of(other, "utube"), None, "{other}");
         }
     }
 
     #[test]
     fn a_byte_order_mark_is_no_text() {
-        assert_eq!(
-            text(b"\xef\xbb\xbf# A".to_vec(), "a.md").ok(),
-            Some("# A".to_owned())
-        );
+        assert_eq!(text(b"\xef\xbb\xbf# A".to_vec(), "a.md").ok(), Some("# A".to_owned()));
     }
 
     #[test]

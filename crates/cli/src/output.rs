@@ -40,33 +40,21 @@ impl Output {
             return Ok(Self::standard());
         }
         if sources.contains(path) {
-            return Err(Failure::request(format!(
-                "{} is the document itself; choose another output",
-                path.display()
-            )));
+            return Err(Failure::request(format!("{} is the document itself; choose another output", path.display())));
         }
         let failure = |error: io::Error| Failure::file("write", path, &error);
         match fs::metadata(path) {
-            Ok(metadata) if metadata.is_dir() => Err(Failure::request(format!(
-                "cannot write {}: it is a directory",
-                path.display()
-            ))),
+            Ok(metadata) if metadata.is_dir() => {
+                Err(Failure::request(format!("cannot write {}: it is a directory", path.display())))
+            }
             Ok(metadata) if !metadata.is_file() => {
-                let device = fs::OpenOptions::new()
-                    .write(true)
-                    .open(path)
-                    .map_err(failure)?;
-                Ok(Self::Device {
-                    writer: BufWriter::new(device),
-                    target: path.to_owned(),
-                })
+                let device = fs::OpenOptions::new().write(true).open(path).map_err(failure)?;
+                Ok(Self::Device { writer: BufWriter::new(device), target: path.to_owned() })
             }
             // A link stays, and what it points to is replaced.
-            Ok(metadata) => Self::beside(
-                path.canonicalize().map_err(failure)?,
-                Some(metadata.permissions()),
-            )
-            .map_err(failure),
+            Ok(metadata) => {
+                Self::beside(path.canonicalize().map_err(failure)?, Some(metadata.permissions())).map_err(failure)
+            }
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
                 Self::beside(path.to_owned(), None).map_err(failure)
             }
@@ -75,10 +63,7 @@ impl Output {
     }
 
     fn beside(target: PathBuf, permissions: Option<fs::Permissions>) -> io::Result<Self> {
-        let directory = target
-            .parent()
-            .filter(|parent| !parent.as_os_str().is_empty())
-            .unwrap_or(Path::new("."));
+        let directory = target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let mut builder = Builder::new();
         builder.prefix(".meniscus-");
         #[cfg(unix)]
@@ -92,19 +77,14 @@ impl Output {
             }
             file.as_file().set_permissions(permissions)?;
         }
-        Ok(Self::File {
-            writer: BufWriter::new(file),
-            target,
-        })
+        Ok(Self::File { writer: BufWriter::new(file), target })
     }
 
     /// What an error of writing here means.
     pub fn failure(&self, error: &io::Error) -> Failure {
         match self {
             Self::Standard(_) => Failure::standard_output(error),
-            Self::File { target, .. } | Self::Device { target, .. } => {
-                Failure::file("write", target, error)
-            }
+            Self::File { target, .. } | Self::Device { target, .. } => Failure::file("write", target, error),
         }
     }
 
@@ -114,11 +94,8 @@ impl Output {
         match self {
             Self::Standard(_) | Self::Device { .. } => Ok(()),
             Self::File { writer, target } => {
-                let file = writer
-                    .into_inner()
-                    .map_err(|error| Failure::file("write", &target, error.error()))?;
-                file.persist(&target)
-                    .map_err(|error| Failure::file("write", &target, &error.error))?;
+                let file = writer.into_inner().map_err(|error| Failure::file("write", &target, error.error()))?;
+                file.persist(&target).map_err(|error| Failure::file("write", &target, &error.error))?;
                 Ok(())
             }
         }

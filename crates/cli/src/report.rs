@@ -51,18 +51,9 @@ impl Terminal {
 
     /// Writes an error that has no place in a document.
     pub fn error(self, message: &str, hint: Option<&str>) {
-        let notes = hint
-            .map(|hint| format!("hint: {hint}"))
-            .into_iter()
-            .collect();
-        let error = shown::Diagnostic::error()
-            .with_message(message)
-            .with_notes(notes);
-        self.print(&emitted(
-            &SimpleFiles::new(),
-            [error],
-            self.colors(std::io::stderr().is_terminal()),
-        ));
+        let notes = hint.map(|hint| format!("hint: {hint}")).into_iter().collect();
+        let error = shown::Diagnostic::error().with_message(message).with_notes(notes);
+        self.print(&emitted(&SimpleFiles::new(), [error], self.colors(std::io::stderr().is_terminal())));
     }
 
     /// Writes a line to the standard error; if that is closed, there is nobody to be told.
@@ -75,11 +66,7 @@ impl Terminal {
 pub fn findings_as_text(documents: &[Loaded], colors: bool) -> String {
     let mut text = String::new();
     for loaded in documents {
-        let findings = loaded
-            .opened
-            .diagnostics
-            .iter()
-            .map(|(file, diagnostic)| (*file, diagnostic));
+        let findings = loaded.opened.diagnostics.iter().map(|(file, diagnostic)| (*file, diagnostic));
         text.push_str(&rendered(&loaded.sources, findings, colors));
     }
     text
@@ -92,10 +79,7 @@ fn rendered<'a>(
 ) -> String {
     let mut files = SimpleFiles::new();
     let texts: Vec<&str> = sources.texts().map(|(_, text)| text).collect();
-    let ids: Vec<usize> = sources
-        .texts()
-        .map(|(path, text)| files.add(path.display().to_string(), text))
-        .collect();
+    let ids: Vec<usize> = sources.texts().map(|(path, text)| files.add(path.display().to_string(), text)).collect();
     let findings = findings.into_iter().filter_map(|(file, diagnostic)| {
         let (&id, &text) = (ids.get(file)?, texts.get(file)?);
         Some(with_places(diagnostic, id, text))
@@ -110,18 +94,10 @@ fn with_places(diagnostic: &Diagnostic, file: usize, text: &str) -> shown::Diagn
     };
     let labels = diagnostic.labels.iter().enumerate().map(|(index, label)| {
         let range = inside(label.span, text).range();
-        let place = if index == 0 {
-            shown::Label::primary(file, range)
-        } else {
-            shown::Label::secondary(file, range)
-        };
+        let place = if index == 0 { shown::Label::primary(file, range) } else { shown::Label::secondary(file, range) };
         place.with_message(&label.text)
     });
-    let notes = diagnostic
-        .notes
-        .iter()
-        .cloned()
-        .chain(diagnostic.hints.iter().map(|hint| format!("hint: {hint}")));
+    let notes = diagnostic.notes.iter().cloned().chain(diagnostic.hints.iter().map(|hint| format!("hint: {hint}")));
     shown::Diagnostic::new(severity)
         .with_code(diagnostic.code)
         .with_message(&diagnostic.message)
@@ -136,11 +112,8 @@ fn emitted<'a>(
 ) -> String {
     let mut bytes = Vec::new();
     {
-        let writer: &mut dyn WriteColor = if colors {
-            &mut Ansi::new(&mut bytes)
-        } else {
-            &mut NoColor::new(&mut bytes)
-        };
+        let writer: &mut dyn WriteColor =
+            if colors { &mut Ansi::new(&mut bytes) } else { &mut NoColor::new(&mut bytes) };
         for finding in findings {
             // Writing to memory cannot fail, and the places are inside their texts.
             let _ = term::emit_to_write_style(writer, &term::Config::default(), files, &finding);
@@ -208,10 +181,7 @@ pub fn findings_as_json(documents: &[Loaded]) -> String {
                 message: &diagnostic.message,
                 place: place(diagnostic.span(), text),
                 labels: (diagnostic.labels.iter())
-                    .map(|label| Words {
-                        text: &label.text,
-                        place: place(label.span, text),
-                    })
+                    .map(|label| Words { text: &label.text, place: place(label.span, text) })
                     .collect(),
                 notes: &diagnostic.notes,
                 hints: &diagnostic.hints,
@@ -224,19 +194,13 @@ pub fn findings_as_json(documents: &[Loaded]) -> String {
 
 fn place(span: Span, text: &str) -> Place {
     let span = inside(span, text);
-    Place {
-        start: position(span.start, text),
-        end: position(span.end, text),
-    }
+    Place { start: position(span.start, text), end: position(span.end, text) }
 }
 
 fn position(offset: usize, text: &str) -> Position {
     let before = &text[..offset];
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    Position {
-        line: 1 + before.matches('\n').count(),
-        column: 1 + before[line_start..].chars().count(),
-    }
+    Position { line: 1 + before.matches('\n').count(), column: 1 + before[line_start..].chars().count() }
 }
 
 #[cfg(test)]

@@ -30,20 +30,18 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
     let (setup, until) = settings::setup(&mut document, arguments, terminal)?;
     let model = &document.model;
     let table = match &arguments.columns {
-        Some(names) => Table::select(
-            model,
-            &names.iter().map(|name| name.trim()).collect::<Vec<_>>(),
-        )
-        .map_err(|unknown| {
-            let message = format!("there is no column `{}`", unknown.name);
-            match unknown.near {
-                Some(near) => Failure::with_hint(message, format!("did you mean `{near}`?")),
-                None => Failure::with_hint(
-                    message,
-                    "columns are names of the document: states, quantities and parameters",
-                ),
-            }
-        })?,
+        Some(names) => {
+            Table::select(model, &names.iter().map(|name| name.trim()).collect::<Vec<_>>()).map_err(|unknown| {
+                let message = format!("there is no column `{}`", unknown.name);
+                match unknown.near {
+                    Some(near) => Failure::with_hint(message, format!("did you mean `{near}`?")),
+                    None => Failure::with_hint(
+                        message,
+                        "columns are names of the document: states, quantities and parameters",
+                    ),
+                }
+            })?
+        }
         None => Table::new(model),
     };
     let steps = steps(until, setup.step)?;
@@ -54,13 +52,7 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
         None => Output::standard(),
     };
     let progress = progress(steps, arguments.output.as_deref());
-    let mut writer = Writer {
-        output,
-        table,
-        format: format(arguments),
-        text: String::new(),
-        any: false,
-    };
+    let mut writer = Writer { output, table, format: format(arguments), text: String::new(), any: false };
     writer.head()?;
     let outcome = rows(run, steps, &mut writer, &progress);
     progress.finish_and_clear();
@@ -81,11 +73,7 @@ fn steps(until: f64, step: f64) -> Result<u64, Failure> {
     let steps = (until / step * (1.0 + 1e-12)).floor();
     // Beyond this the number of a step times the step is no longer exact.
     const MOST: f64 = (1_u64 << 53) as f64;
-    if steps < MOST {
-        Ok(steps as u64)
-    } else {
-        Err(Failure::request("--until is too many steps away"))
-    }
+    if steps < MOST { Ok(steps as u64) } else { Err(Failure::request("--until is too many steps away")) }
 }
 
 /// Writes all rows; the error that ended the run, if one did.
@@ -124,12 +112,7 @@ fn failed(sources: &Sources, error: RunError, terminal: Terminal) -> Failure {
 
 fn format(arguments: &Run) -> engine::table::Format {
     let by_ending = || {
-        let ending = arguments
-            .output
-            .as_ref()?
-            .extension()?
-            .to_str()?
-            .to_ascii_lowercase();
+        let ending = arguments.output.as_ref()?.extension()?.to_str()?.to_ascii_lowercase();
         match ending.as_str() {
             "json" => Some(Format::Json),
             "jsonl" | "ndjson" => Some(Format::Jsonl),
@@ -145,17 +128,11 @@ fn format(arguments: &Run) -> engine::table::Format {
 
 /// A bar on the terminal, unless the table itself goes there. indicatif shows nothing where the standard error is none.
 fn progress(steps: u64, output: Option<&Path>) -> ProgressBar {
-    let table_on_screen =
-        output.is_none_or(|path| path == Path::new("-")) && std::io::stdout().is_terminal();
-    let target = if table_on_screen || steps < 200_000 {
-        ProgressDrawTarget::hidden()
-    } else {
-        ProgressDrawTarget::stderr()
-    };
+    let table_on_screen = output.is_none_or(|path| path == Path::new("-")) && std::io::stdout().is_terminal();
+    let target =
+        if table_on_screen || steps < 200_000 { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
     let bar = ProgressBar::with_draw_target(Some(steps), target);
-    let style = ProgressStyle::with_template(
-        "{bar:40} {percent:>3} %  {human_pos} of {human_len} steps  {eta} left",
-    );
+    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {human_pos} of {human_len} steps  {eta} left");
     match style {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
@@ -179,15 +156,9 @@ impl Writer {
     }
 
     fn row(&mut self, history: &engine::History, row: usize) -> Result<(), Failure> {
-        let _ = self
-            .table
-            .write_row(self.format, history, row, !self.any, &mut self.text);
+        let _ = self.table.write_row(self.format, history, row, !self.any, &mut self.text);
         self.any = true;
-        if self.text.len() >= CHUNK {
-            self.write()
-        } else {
-            Ok(())
-        }
+        if self.text.len() >= CHUNK { self.write() } else { Ok(()) }
     }
 
     fn write(&mut self) -> Result<(), Failure> {

@@ -33,28 +33,15 @@ pub fn serve(arguments: &Serve, terminal: Terminal) -> Result<(), Failure> {
     // Read once before anything is opened, so that a wrong name is an error here and not a broken page.
     laboratory_page(arguments.document.as_deref(), terminal)?;
     let listener = listen(arguments.port)?;
-    let port = listener
-        .local_addr()
-        .map_err(|error| network(&error))?
-        .port();
+    let port = listener.local_addr().map_err(|error| network(&error))?.port();
     let address = format!("http://127.0.0.1:{port}/");
-    terminal.print(&format!(
-        "The laboratory is at {address} (Ctrl-C ends it)\n"
-    ));
+    terminal.print(&format!("The laboratory is at {address} (Ctrl-C ends it)\n"));
     if !arguments.no_open && webbrowser::open(&address).is_err() {
         terminal.print("No browser could be opened; open the address yourself\n");
     }
-    let laboratory = Laboratory {
-        document: arguments.document.clone(),
-        terminal,
-        port,
-    };
-    let runtime = tokio::runtime::Builder::new_current_thread()
-        .enable_all()
-        .build();
-    runtime
-        .and_then(|runtime| runtime.block_on(answer(listener, laboratory)))
-        .map_err(|error| network(&error))
+    let laboratory = Laboratory { document: arguments.document.clone(), terminal, port };
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    runtime.and_then(|runtime| runtime.block_on(answer(listener, laboratory))).map_err(|error| network(&error))
 }
 
 fn listen(asked: Option<u16>) -> Result<TcpListener, Failure> {
@@ -62,9 +49,7 @@ fn listen(asked: Option<u16>) -> Result<TcpListener, Failure> {
         return TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(|error| {
             let hint = "without --port, the next free one is taken";
             match error.kind() {
-                io::ErrorKind::AddrInUse => {
-                    Failure::with_hint(format!("port {port} is in use"), hint)
-                }
+                io::ErrorKind::AddrInUse => Failure::with_hint(format!("port {port} is in use"), hint),
                 _ => Failure::with_hint(format!("cannot listen on port {port}: {error}"), hint),
             }
         });
@@ -83,10 +68,7 @@ async fn answer(listener: TcpListener, laboratory: Laboratory) -> io::Result<()>
     listener.set_nonblocking(true)?;
     let listener = tokio::net::TcpListener::from_std(listener)?;
     let guard = middleware::from_fn_with_state(laboratory.clone(), only_this_computer);
-    let routes = Router::new()
-        .route("/", get(index))
-        .layer(guard)
-        .with_state(laboratory);
+    let routes = Router::new().route("/", get(index)).layer(guard).with_state(laboratory);
     tokio::select! {
         result = axum::serve(listener, routes) => result,
         interrupted = tokio::signal::ctrl_c() => interrupted,
@@ -95,26 +77,16 @@ async fn answer(listener: TcpListener, laboratory: Laboratory) -> io::Result<()>
 
 /// Refuses requests under another name: a page elsewhere could give its own name the address 127.0.0.1 and read the
 /// document through the person's browser.
-async fn only_this_computer(
-    State(laboratory): State<Laboratory>,
-    request: Request,
-    next: Next,
-) -> Response {
+async fn only_this_computer(State(laboratory): State<Laboratory>, request: Request, next: Next) -> Response {
     if is_local(request.headers(), laboratory.port) {
         next.run(request).await
     } else {
-        (
-            StatusCode::FORBIDDEN,
-            "This laboratory is served to this computer alone.\n",
-        )
-            .into_response()
+        (StatusCode::FORBIDDEN, "This laboratory is served to this computer alone.\n").into_response()
     }
 }
 
 fn is_local(headers: &HeaderMap, port: u16) -> bool {
-    let host = headers
-        .get(header::HOST)
-        .and_then(|value| value.to_str().ok());
+    let host = headers.get(header::HOST).and_then(|value| value.to_str().ok());
     ["127.0.0.1", "localhost"]
         .iter()
         .any(|name| host == Some(&format!("{name}:{port}")) || (port == 80 && host == Some(*name)))
@@ -161,12 +133,7 @@ mod tests {
         for name in ["127.0.0.1:4242", "localhost:4242"] {
             assert!(is_local(&host(name), 4242), "{name}");
         }
-        for name in [
-            "attacker.example:4242",
-            "127.0.0.1",
-            "127.0.0.1:4243",
-            "localhost.attacker.example:4242",
-        ] {
+        for name in ["attacker.example:4242", "127.0.0.1", "127.0.0.1:4243", "localhost.attacker.example:4242"] {
             assert!(!is_local(&host(name), 4242), "{name}");
         }
         assert!(!is_local(&HeaderMap::new(), 4242));

@@ -14,19 +14,12 @@ use units::Unit;
 const UNTIL: f64 = 100.0;
 
 /// The setup of a run and the value of the independent variable at its end, all SI.
-pub fn setup(
-    document: &mut Document,
-    arguments: &Run,
-    terminal: Terminal,
-) -> Result<(Setup, f64), Failure> {
+pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Result<(Setup, f64), Failure> {
     let mut setup = Setup::defaults(&document.model);
     for name in &arguments.preset {
         apply_preset(document, name, &mut setup.parameters)?;
     }
-    let mut reader = Reader {
-        model: &mut document.model,
-        terminal,
-    };
+    let mut reader = Reader { model: &mut document.model, terminal };
     for assignment in &arguments.set {
         let (index, value) = reader.parameter(assignment, &setup.parameters)?;
         setup.parameters[index] = value;
@@ -37,23 +30,12 @@ pub fn setup(
     let time = reader.model.independent.unit.clone();
     let method = arguments.method.as_ref().or(document.method.as_ref());
     if let Some(name) = method {
-        setup.method = Method::from_str(name).map_err(|_| {
-            unknown(
-                "method",
-                name,
-                Method::ALL.iter().map(|method| method.name()),
-            )
-        })?;
+        setup.method = Method::from_str(name)
+            .map_err(|_| unknown("method", name, Method::ALL.iter().map(|method| method.name())))?;
     }
-    let mut reader = Reader {
-        model: &mut document.model,
-        terminal,
-    };
+    let mut reader = Reader { model: &mut document.model, terminal };
     setup.step = match &arguments.step {
-        Some(text) => positive(
-            "--step",
-            reader.value("--step", text, &time, &setup.parameters)?,
-        )?,
+        Some(text) => positive("--step", reader.value("--step", text, &time, &setup.parameters)?)?,
         None => document.step.unwrap_or(setup.step),
     };
     setup.tolerance = match arguments.tolerance {
@@ -63,11 +45,7 @@ pub fn setup(
     let until = match &arguments.until {
         Some(text) => positive(
             "--until",
-            Reader {
-                model: &mut document.model,
-                terminal,
-            }
-            .value("--until", text, &time, &setup.parameters)?,
+            Reader { model: &mut document.model, terminal }.value("--until", text, &time, &setup.parameters)?,
         )?,
         None => document.until.unwrap_or(time.to_si(UNTIL)),
     };
@@ -82,37 +60,18 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     /// `--set NAME=VALUE`: which parameter, and its value.
-    fn parameter(
-        &mut self,
-        assignment: &Assignment,
-        parameters: &[f64],
-    ) -> Result<(usize, f64), Failure> {
-        let Some(index) = self
-            .model
-            .parameters
-            .iter()
-            .position(|parameter| parameter.name == assignment.name)
-        else {
+    fn parameter(&mut self, assignment: &Assignment, parameters: &[f64]) -> Result<(usize, f64), Failure> {
+        let Some(index) = self.model.parameters.iter().position(|parameter| parameter.name == assignment.name) else {
             return Err(self.no_parameter(&assignment.name));
         };
         let unit = self.model.parameters[index].unit.clone();
-        let value = self.value(
-            &format!("--set {}", assignment.name),
-            &assignment.value,
-            &unit,
-            parameters,
-        )?;
+        let value = self.value(&format!("--set {}", assignment.name), &assignment.value, &unit, parameters)?;
         within_range(&self.model.parameters[index], value)?;
         Ok((index, value))
     }
 
     fn no_parameter(&self, name: &str) -> Failure {
-        if self
-            .model
-            .quantities
-            .iter()
-            .any(|quantity| quantity.name == name)
-        {
+        if self.model.quantities.iter().any(|quantity| quantity.name == name) {
             return Failure::request(format!(
                 "`{name}` is defined by the document and cannot be set; only parameters can"
             ));
@@ -120,52 +79,21 @@ impl Reader<'_> {
         if let Some(state) = self.model.states.iter().find(|state| state.name() == name) {
             return Failure::with_hint(
                 format!("`{name}` is a variable of the equations, not a parameter"),
-                format!(
-                    "`--start \"{}=...\"` starts the run from another value",
-                    state.name()
-                ),
+                format!("`--start \"{}=...\"` starts the run from another value", state.name()),
             );
         }
-        unknown(
-            "parameter",
-            name,
-            self.model
-                .parameters
-                .iter()
-                .map(|parameter| parameter.name.as_str()),
-        )
+        unknown("parameter", name, self.model.parameters.iter().map(|parameter| parameter.name.as_str()))
     }
 
     /// `--start NAME=VALUE`: the whole state, the document's where nothing else is asked for.
-    fn start(
-        &mut self,
-        assignments: &[Assignment],
-        parameters: &[f64],
-    ) -> Result<Vec<f64>, Failure> {
-        let nodes: Vec<_> = self
-            .model
-            .states
-            .iter()
-            .map(|state| state.initial)
-            .collect();
+    fn start(&mut self, assignments: &[Assignment], parameters: &[f64]) -> Result<Vec<f64>, Failure> {
+        let nodes: Vec<_> = self.model.states.iter().map(|state| state.initial).collect();
         let zeros = vec![0.0; nodes.len()];
-        let mut state = Readings::new(self.model, &nodes)
-            .at(parameters, &zeros, 0.0, &zeros)
-            .to_vec();
+        let mut state = Readings::new(self.model, &nodes).at(parameters, &zeros, 0.0, &zeros).to_vec();
         for assignment in assignments {
-            let Some(index) = self
-                .model
-                .states
-                .iter()
-                .position(|state| state.name() == assignment.name)
-            else {
-                let names: Vec<String> =
-                    self.model.states.iter().map(|state| state.name()).collect();
-                return Err(unknown(
-                    "variable",
-                    &assignment.name,
-                    names.iter().map(String::as_str),
-                ));
+            let Some(index) = self.model.states.iter().position(|state| state.name() == assignment.name) else {
+                let names: Vec<String> = self.model.states.iter().map(|state| state.name()).collect();
+                return Err(unknown("variable", &assignment.name, names.iter().map(String::as_str)));
             };
             let unit = self.model.states[index].unit.clone();
             let what = format!("--start {}", assignment.name);
@@ -175,13 +103,7 @@ impl Reader<'_> {
     }
 
     /// The SI value of a bare number in `unit`, of a number with a unit, or of an expression in the parameters.
-    fn value(
-        &mut self,
-        what: &str,
-        text: &str,
-        unit: &Unit,
-        parameters: &[f64],
-    ) -> Result<f64, Failure> {
+    fn value(&mut self, what: &str, text: &str, unit: &Unit, parameters: &[f64]) -> Result<f64, Failure> {
         if let Ok(number) = text.parse::<f64>() {
             return finite(what, unit.to_si(number));
         }
@@ -193,10 +115,7 @@ impl Reader<'_> {
                 Kind::Truth => "a condition".to_owned(),
                 Kind::Text => "a text".to_owned(),
             };
-            return Err(Failure::request(format!(
-                "{what} is {}, and {text} is {given}",
-                expected(unit)
-            )));
+            return Err(Failure::request(format!("{what} is {}, and {text} is {given}", expected(unit))));
         }
         let dependence = self.model.depends(compiled.node);
         if dependence.varies() || !dependence.initial.is_empty() {
@@ -205,10 +124,7 @@ impl Reader<'_> {
             )));
         }
         let zeros = vec![0.0; self.model.states.len()];
-        let value = Readings::new(self.model, &[compiled.node])
-            .at(parameters, &zeros, 0.0, &zeros)
-            .first()
-            .copied();
+        let value = Readings::new(self.model, &[compiled.node]).at(parameters, &zeros, 0.0, &zeros).first().copied();
         finite(what, value.unwrap_or(f64::NAN))
     }
 
@@ -230,34 +146,16 @@ impl Reader<'_> {
 
 /// `in kg/s`, or `a pure number`.
 fn expected(unit: &Unit) -> String {
-    if unit.text.is_empty() {
-        "a pure number".to_owned()
-    } else {
-        format!("in {unit}")
-    }
+    if unit.text.is_empty() { "a pure number".to_owned() } else { format!("in {unit}") }
 }
 
 fn apply_preset(document: &Document, name: &str, parameters: &mut [f64]) -> Result<(), Failure> {
-    let Some(preset) = document
-        .presets
-        .iter()
-        .find(|preset| preset.name.eq_ignore_ascii_case(name))
-    else {
-        return Err(unknown(
-            "preset",
-            name,
-            document.presets.iter().map(|preset| preset.name.as_str()),
-        ));
+    let Some(preset) = document.presets.iter().find(|preset| preset.name.eq_ignore_ascii_case(name)) else {
+        return Err(unknown("preset", name, document.presets.iter().map(|preset| preset.name.as_str())));
     };
-    let nodes: Vec<_> = preset
-        .values
-        .iter()
-        .map(|assignment| assignment.value.node)
-        .collect();
+    let nodes: Vec<_> = preset.values.iter().map(|assignment| assignment.value.node).collect();
     let zeros = vec![0.0; document.model.states.len()];
-    let values = Readings::new(&document.model, &nodes)
-        .at(parameters, &zeros, 0.0, &zeros)
-        .to_vec();
+    let values = Readings::new(&document.model, &nodes).at(parameters, &zeros, 0.0, &zeros).to_vec();
     for (assignment, value) in preset.values.iter().zip(values) {
         within_range(&document.model.parameters[assignment.parameter], value)?;
         parameters[assignment.parameter] = value;
@@ -273,23 +171,13 @@ fn within_range(parameter: &Parameter, value: f64) -> Result<(), Failure> {
         return Ok(());
     }
     let shown = |value: f64| parameter.unit.from_si(value).to_string();
-    let unit = if parameter.unit.text.is_empty() {
-        String::new()
-    } else {
-        format!(" {}", parameter.unit)
-    };
+    let unit = if parameter.unit.text.is_empty() { String::new() } else { format!(" {}", parameter.unit) };
     let (name, value, low, high) = (&parameter.name, shown(value), shown(low), shown(high));
-    Err(Failure::request(format!(
-        "{name} = {value}{unit} is out of range: it can be from {low}{unit} to {high}{unit}"
-    )))
+    Err(Failure::request(format!("{name} = {value}{unit} is out of range: it can be from {low}{unit} to {high}{unit}")))
 }
 
 fn finite(what: &str, value: f64) -> Result<f64, Failure> {
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(Failure::request(format!("{what} must be a finite number")))
-    }
+    if value.is_finite() { Ok(value) } else { Err(Failure::request(format!("{what} must be a finite number"))) }
 }
 
 fn positive(what: &str, value: f64) -> Result<f64, Failure> {
@@ -301,11 +189,7 @@ fn positive(what: &str, value: f64) -> Result<f64, Failure> {
 }
 
 /// A name that the document does not have, with the near one or all of them.
-pub fn unknown<'a>(
-    noun: &str,
-    name: &str,
-    known: impl Iterator<Item = &'a str> + Clone,
-) -> Failure {
+pub fn unknown<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Failure {
     let hint = match nearest(name, known.clone()) {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("there are {}", listed(known)),

@@ -17,13 +17,7 @@ struct Tube {
     s: f64,
 }
 
-const DEFAULT: Tube = Tube {
-    b: 50.0,
-    h_l: 3.0,
-    h_r: 2.0,
-    rho: 1000.0,
-    s: 0.05,
-};
+const DEFAULT: Tube = Tube { b: 50.0, h_l: 3.0, h_r: 2.0, rho: 1000.0, s: 0.05 };
 
 impl Tube {
     fn length(self) -> f64 {
@@ -51,11 +45,7 @@ impl Tube {
             return exp(-gamma * t) * y * (1.0 + gamma * t);
         }
         let omega = sqrt(square.abs());
-        let (c, s) = if square > 0.0 {
-            (cos(omega * t), sin(omega * t))
-        } else {
-            (cosh(omega * t), sinh(omega * t))
-        };
+        let (c, s) = if square > 0.0 { (cos(omega * t), sin(omega * t)) } else { (cosh(omega * t), sinh(omega * t)) };
         exp(-gamma * t) * y * (c + gamma / omega * s)
     }
 
@@ -83,11 +73,7 @@ impl Tube {
         words.extend(settings.iter().flat_map(|setting| ["--set", setting]));
         let done = meniscus(&words);
         assert_eq!(done.code, 0, "{}", done.stderr);
-        assert!(
-            done.stdout.starts_with("t [s],y [m]\n"),
-            "{}",
-            &done.stdout[..40]
-        );
+        assert!(done.stdout.starts_with("t [s],y [m]\n"), "{}", &done.stdout[..40]);
         let rows = numbers(&done.stdout);
         assert_eq!(rows.len(), 2001, "0 to 100 s in steps of 0.05 s");
         let plain = self.plain_rk4(2000);
@@ -97,17 +83,9 @@ impl Tube {
             closed_error = closed_error.max((row[1] - self.closed_form(row[0])).abs());
             plain_error = plain_error.max((row[1] - plain[n]).abs());
         }
-        println!(
-            "{settings:?}: {closed_error:e} m from the closed form, {plain_error:e} m from plain RK4"
-        );
-        assert!(
-            closed_error <= tolerance,
-            "{closed_error:e} m from the closed form"
-        );
-        assert!(
-            plain_error <= 1e-11 * self.start().abs(),
-            "{plain_error:e} m from plain RK4"
-        );
+        println!("{settings:?}: {closed_error:e} m from the closed form, {plain_error:e} m from plain RK4");
+        assert!(closed_error <= tolerance, "{closed_error:e} m from the closed form");
+        assert!(plain_error <= 1e-11 * self.start().abs(), "{plain_error:e} m from plain RK4");
     }
 }
 
@@ -118,23 +96,13 @@ fn with_the_defaults() {
 
 #[test]
 fn heavy_liquid_in_a_wide_tube() {
-    let tube = Tube {
-        h_l: 2.0,
-        h_r: 6.0,
-        b: 200.0,
-        rho: 13600.0,
-        s: 0.5,
-    };
+    let tube = Tube { h_l: 2.0, h_r: 6.0, b: 200.0, rho: 13600.0, s: 0.5 };
     tube.agrees(&["h_l=2", "h_r=6", "b=200", "rho=13600", "S=0.5"], 6e-5);
 }
 
 #[test]
 fn overdamped() {
-    Tube {
-        b: 1500.0,
-        ..DEFAULT
-    }
-    .agrees(&["b=1500"], 4e-6);
+    Tube { b: 1500.0, ..DEFAULT }.agrees(&["b=1500"], 4e-6);
 }
 
 #[test]

@@ -7,25 +7,14 @@ use common::{SPRING, directory_with, meniscus, names, root};
 #[test]
 fn the_documents_that_ship_have_no_findings() {
     let simulations = root().join("simulations");
-    let documents: Vec<String> = names(&simulations)
-        .into_iter()
-        .filter(|name| name.ends_with(".md"))
-        .collect();
+    let documents: Vec<String> = names(&simulations).into_iter().filter(|name| name.ends_with(".md")).collect();
     assert!(documents.len() >= 2, "{documents:?}");
     for document in &documents {
         let path = format!("simulations/{document}");
         let done = meniscus(&["check", &path]);
-        assert_eq!(
-            (done.code, done.stderr.as_str()),
-            (0, ""),
-            "{}",
-            done.stdout
-        );
+        assert_eq!((done.code, done.stderr.as_str()), (0, ""), "{}", done.stdout);
         assert!(done.stdout.ends_with(": ok\n"), "{}", done.stdout);
-        assert_eq!(
-            meniscus(&["check", &path, "--format", "json"]).stdout,
-            "[]\n"
-        );
+        assert_eq!(meniscus(&["check", &path, "--format", "json"]).stdout, "[]\n");
     }
 }
 
@@ -35,16 +24,8 @@ fn findings_name_file_line_column_and_remedy() {
     let path = path.to_str().expect("UTF-8");
     let done = meniscus(&["check", path]);
     assert_eq!((done.code, done.stderr.as_str()), (1, ""));
-    assert!(
-        done.stdout.contains(&format!("{path}:15:9")),
-        "{}",
-        done.stdout
-    );
-    assert!(
-        done.stdout.contains("m*x'' + kk*x = 0"),
-        "the line itself: {}",
-        done.stdout
-    );
+    assert!(done.stdout.contains(&format!("{path}:15:9")), "{}", done.stdout);
+    assert!(done.stdout.contains("m*x'' + kk*x = 0"), "the line itself: {}", done.stdout);
     assert!(done.stdout.contains("hint: "), "{}", done.stdout);
     assert!(done.stdout.ends_with(": 1 error\n"), "{}", done.stdout);
     assert!(!done.stdout.contains('\u{1b}'), "no colours in a pipe");
@@ -57,60 +38,29 @@ fn findings_name_file_line_column_and_remedy() {
     assert_eq!(finding["file"], path);
     assert_eq!(finding["severity"], "error");
     assert_eq!(finding["code"], "unknown-name");
-    assert_eq!(
-        (&finding["line"], &finding["column"]),
-        (&15.into(), &9.into())
-    );
-    assert_eq!(
-        (&finding["end"]["line"], &finding["end"]["column"]),
-        (&15.into(), &11.into())
-    );
-    assert!(
-        finding["hints"]
-            .as_array()
-            .is_some_and(|hints| !hints.is_empty()),
-        "{finding}"
-    );
-    assert!(
-        finding["notes"].is_array() && finding["labels"].is_array(),
-        "{finding}"
-    );
+    assert_eq!((&finding["line"], &finding["column"]), (&15.into(), &9.into()));
+    assert_eq!((&finding["end"]["line"], &finding["end"]["column"]), (&15.into(), &11.into()));
+    assert!(finding["hints"].as_array().is_some_and(|hints| !hints.is_empty()), "{finding}");
+    assert!(finding["notes"].is_array() && finding["labels"].is_array(), "{finding}");
 }
 
 #[test]
 fn a_translation_is_checked_with_its_base() {
     let (directory, base) = directory_with(SPRING);
     let translation = directory.path().join("spring.es.md");
-    std::fs::write(
-        &translation,
-        "---\ntitle: Un muelle\nlanguage: es\ntranslates: spring.md\n---\n\nUn cuerpo.\n",
-    )
-    .expect("it can be written");
-    let (base, translation) = (
-        base.to_str().expect("UTF-8"),
-        translation.to_str().expect("UTF-8"),
-    );
+    std::fs::write(&translation, "---\ntitle: Un muelle\nlanguage: es\ntranslates: spring.md\n---\n\nUn cuerpo.\n")
+        .expect("it can be written");
+    let (base, translation) = (base.to_str().expect("UTF-8"), translation.to_str().expect("UTF-8"));
     let done = meniscus(&["check", translation]);
     assert_eq!(done.code, 0, "{}{}", done.stdout, done.stderr);
     let both = meniscus(&["check", base, translation]);
-    assert_eq!(
-        both.stdout
-            .lines()
-            .filter(|line| line.starts_with(&format!("{base}: ")))
-            .count(),
-        1,
-        "checked once"
-    );
+    assert_eq!(both.stdout.lines().filter(|line| line.starts_with(&format!("{base}: "))).count(), 1, "checked once");
     let rows = |path: &str| meniscus(&["run", path, "--until", "1"]).stdout;
     assert_eq!(rows(translation), rows(base), "one model");
     std::fs::remove_file(base).expect("it is there");
     let alone = meniscus(&["check", translation]);
     assert_eq!(alone.code, 2);
-    assert!(
-        alone.stderr.contains("translates: spring.md"),
-        "{}",
-        alone.stderr
-    );
+    assert!(alone.stderr.contains("translates: spring.md"), "{}", alone.stderr);
 }
 
 #[test]
@@ -125,11 +75,7 @@ fn every_command_explains_itself_with_examples() {
     for command in ["serve", "run", "check", "export"] {
         let done = meniscus(&[command, "--help"]);
         assert_eq!((done.code, done.stderr.as_str()), (0, ""));
-        assert!(
-            done.stdout.contains("Examples:\n  meniscus "),
-            "{}",
-            done.stdout
-        );
+        assert!(done.stdout.contains("Examples:\n  meniscus "), "{}", done.stdout);
     }
     let done = meniscus(&["--help"]);
     assert!(done.stdout.contains("Exit codes:"), "{}", done.stdout);

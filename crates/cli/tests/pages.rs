@@ -9,15 +9,8 @@ use common::{SPRING, directory_with, meniscus, names};
 fn a_program_without_the_page_says_what_is_missing() {
     let (directory, path) = directory_with(SPRING);
     let output = directory.path().join("spring.html");
-    let (path, output) = (
-        path.to_str().expect("UTF-8"),
-        output.to_str().expect("UTF-8"),
-    );
-    for words in [
-        &["export", path, "--output", output][..],
-        &["serve", path, "--no-open"],
-        &["serve", "--no-open"],
-    ] {
+    let (path, output) = (path.to_str().expect("UTF-8"), output.to_str().expect("UTF-8"));
+    for words in [&["export", path, "--output", output][..], &["serve", path, "--no-open"], &["serve", "--no-open"]] {
         let done = meniscus(words);
         assert_eq!(done.code, 2);
         assert!(done.stderr.contains("cargo xtask page"), "{}", done.stderr);
@@ -37,22 +30,13 @@ mod with_the_page {
     fn an_exported_page_is_a_document_again() {
         let (directory, path) = directory_with(SPRING);
         let output = directory.path().join("spring.html");
-        let (path, output) = (
-            path.to_str().expect("UTF-8"),
-            output.to_str().expect("UTF-8"),
-        );
+        let (path, output) = (path.to_str().expect("UTF-8"), output.to_str().expect("UTF-8"));
         let done = meniscus(&["export", path, "--output", output]);
-        assert_eq!(
-            (done.code, done.stdout.as_str(), done.stderr.as_str()),
-            (0, "", "")
-        );
+        assert_eq!((done.code, done.stdout.as_str(), done.stderr.as_str()), (0, "", ""));
         assert_eq!(names(directory.path()), ["spring.html", "spring.md"]);
         let page = std::fs::read_to_string(output).expect("a page");
         assert!(page.contains("<title>A spring"), "its title");
-        assert_eq!(
-            meniscus(&["run", output]).stdout,
-            meniscus(&["run", path]).stdout
-        );
+        assert_eq!(meniscus(&["run", output]).stdout, meniscus(&["run", path]).stdout);
         let again = meniscus(&["export", output, "--output", "-"]);
         assert_eq!(again.stdout, page, "exporting it again changes nothing");
     }
@@ -61,12 +45,7 @@ mod with_the_page {
     fn a_document_with_errors_is_not_exported() {
         let (directory, path) = directory_with(&SPRING.replace("k*x = 0", "k*y = 0"));
         let output = directory.path().join("spring.html");
-        let done = meniscus(&[
-            "export",
-            path.to_str().expect("UTF-8"),
-            "--output",
-            output.to_str().expect("UTF-8"),
-        ]);
+        let done = meniscus(&["export", path.to_str().expect("UTF-8"), "--output", output.to_str().expect("UTF-8")]);
         assert_eq!(done.code, 1);
         assert_eq!(names(directory.path()), ["spring.md"]);
     }
@@ -86,27 +65,15 @@ mod with_the_page {
                 .spawn()
                 .expect("the program starts");
             let mut line = String::new();
-            BufReader::new(child.stderr.take().expect("a pipe"))
-                .read_line(&mut line)
-                .expect("a line");
-            let port = line
-                .split("127.0.0.1:")
-                .nth(1)
-                .and_then(|rest| rest.split('/').next()?.parse().ok());
-            Self {
-                child,
-                port: port.unwrap_or_else(|| panic!("no address in {line}")),
-            }
+            BufReader::new(child.stderr.take().expect("a pipe")).read_line(&mut line).expect("a line");
+            let port = line.split("127.0.0.1:").nth(1).and_then(|rest| rest.split('/').next()?.parse().ok());
+            Self { child, port: port.unwrap_or_else(|| panic!("no address in {line}")) }
         }
 
         /// The answer to one request.
         fn get(&self, path: &str, host: &str) -> String {
             let mut stream = TcpStream::connect(("127.0.0.1", self.port)).expect("it listens");
-            write!(
-                stream,
-                "GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n"
-            )
-            .expect("it reads");
+            write!(stream, "GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n").expect("it reads");
             let mut answer = String::new();
             stream.read_to_string(&mut answer).expect("it answers");
             answer
@@ -129,19 +96,11 @@ mod with_the_page {
         assert!(answer.starts_with("HTTP/1.1 200"), "{}", &answer[..100]);
         assert!(answer.to_lowercase().contains("cache-control: no-store"));
         assert!(answer.contains("<title>A spring"));
-        std::fs::write(&path, SPRING.replace("A spring", "Another spring"))
-            .expect("it can be written");
-        assert!(
-            server.get("/", &own).contains("<title>Another spring"),
-            "read anew at each reload"
-        );
+        std::fs::write(&path, SPRING.replace("A spring", "Another spring")).expect("it can be written");
+        assert!(server.get("/", &own).contains("<title>Another spring"), "read anew at each reload");
         std::fs::remove_file(&path).expect("it is there");
         assert!(server.get("/", &own).starts_with("HTTP/1.1 500"));
-        assert!(
-            server
-                .get("/", "attacker.example")
-                .starts_with("HTTP/1.1 403")
-        );
+        assert!(server.get("/", "attacker.example").starts_with("HTTP/1.1 403"));
         assert!(server.get("/other", &own).starts_with("HTTP/1.1 404"));
     }
 
@@ -151,15 +110,7 @@ mod with_the_page {
         let port = server.port.to_string();
         let done = meniscus(&["serve", "--no-open", "--port", &port]);
         assert_eq!(done.code, 2);
-        assert!(
-            done.stderr.contains(&format!("port {port} is in use")),
-            "{}",
-            done.stderr
-        );
-        assert_ne!(
-            Server::start(&[]).port,
-            server.port,
-            "without --port, another one"
-        );
+        assert!(done.stderr.contains(&format!("port {port} is in use")), "{}", done.stderr);
+        assert_ne!(Server::start(&[]).port, server.port, "without --port, another one");
     }
 }

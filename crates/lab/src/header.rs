@@ -43,7 +43,8 @@ fn languages(app: App) -> impl IntoView {
         .into_iter()
         .map(|language| {
             view! {
-                <button type="button" id=format!("language-{}", language.tag()) lang=language.tag() aria-label=language.name() title=language.name()
+                <button type="button" id=format!("language-{}", language.tag()) lang=language.tag() title=language.name()
+                    aria-label=format!("{} – {}", language.tag().to_uppercase(), language.name())
                     aria-pressed=move || (app.language.get() == language).to_string()
                     on:click=move |_| {
                         app.set_language(language);

@@ -8,19 +8,13 @@ use std::process::{Command, Output, Stdio};
 /// The program, in the root of the workspace, without colours.
 pub fn program() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_meniscus"));
-    command
-        .current_dir(root())
-        .env("NO_COLOR", "1")
-        .stdin(Stdio::null());
+    command.current_dir(root()).env("NO_COLOR", "1").stdin(Stdio::null());
     command
 }
 
 /// The root of the workspace.
 pub fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../..")
-        .canonicalize()
-        .expect("the workspace is there")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().expect("the workspace is there")
 }
 
 /// What a command did.
@@ -41,11 +35,7 @@ pub fn done(output: Output) -> Done {
     let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
     let (stdout, stderr) = (text(output.stdout), text(output.stderr));
     assert!(!stderr.contains("panicked"), "{stderr}");
-    Done {
-        code: output.status.code().expect("it ended by itself"),
-        stdout,
-        stderr,
-    }
+    Done { code: output.status.code().expect("it ended by itself"), stdout, stderr }
 }
 
 /// A document for tests that are not about the U-tube.
@@ -88,15 +78,8 @@ pub fn directory_with(text: &str) -> (tempfile::TempDir, PathBuf) {
 /// The names of all files in a directory, sorted.
 pub fn names(directory: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(directory).expect("a directory");
-    let mut names: Vec<String> = entries
-        .map(|entry| {
-            entry
-                .expect("an entry")
-                .file_name()
-                .to_string_lossy()
-                .into_owned()
-        })
-        .collect();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
     names.sort();
     names
 }
@@ -104,8 +87,5 @@ pub fn names(directory: &Path) -> Vec<String> {
 /// The numbers of a CSV table, row by row, without its header.
 pub fn numbers(csv: &str) -> Vec<Vec<f64>> {
     let number = |cell: &str| cell.parse().unwrap_or(f64::NAN);
-    csv.lines()
-        .skip(1)
-        .map(|line| line.split(',').map(number).collect())
-        .collect()
+    csv.lines().skip(1).map(|line| line.split(',').map(number).collect()).collect()
 }

@@ -1,7 +1,7 @@
 //! The axes of a figure: grid, lines, ticks, labels and titles.
 
 use crate::figure::{Anchor, Dash, Entry, Figure, Ink, Point, Stroke};
-use crate::layout::{GAP, ROW, TICK, crisp, point};
+use crate::layout::{GAP, LABEL, ROW, TICK, crisp, point};
 use crate::plot::Plot;
 use crate::text::width;
 use crate::ticks::Ticks;
@@ -10,49 +10,28 @@ impl Figure {
     /// The grid, of which the vertical axis at the left gives the level lines.
     pub(crate) fn grid(&mut self, x_ticks: &Ticks) {
         let panel = self.panel;
-        let rule = |ink| Stroke {
-            ink,
-            width: 1.0,
-            dash: Dash::Solid,
-        };
+        let rule = |ink| Stroke { ink, width: 1.0, dash: Dash::Solid };
         let (right, bottom) = (panel.x + panel.width, panel.y + panel.height);
         let mut zeros: Vec<(Point, Point)> = Vec::new();
         if let Some(x) = self.x {
             for (number, value) in x_ticks.iter() {
                 let pixel = crisp(x.pixel(value));
-                let ends = (
-                    Point {
-                        x: pixel,
-                        y: panel.y,
-                    },
-                    Point {
-                        x: pixel,
-                        y: bottom,
-                    },
-                );
+                let ends = (Point { x: pixel, y: panel.y }, Point { x: pixel, y: bottom });
                 if number == 0 && value != x.values.low {
                     zeros.push(ends);
                 } else {
-                    self.entries
-                        .push(Entry::Line(ends.0, ends.1, rule(Ink::Grid)));
+                    self.entries.push(Entry::Line(ends.0, ends.1, rule(Ink::Grid)));
                 }
             }
         }
         if let (Some(y), Some(ticks)) = (self.y.first(), self.y_ticks.first()) {
             for (number, value) in ticks.iter() {
                 let pixel = crisp(y.pixel(value));
-                let ends = (
-                    Point {
-                        x: panel.x,
-                        y: pixel,
-                    },
-                    Point { x: right, y: pixel },
-                );
+                let ends = (Point { x: panel.x, y: pixel }, Point { x: right, y: pixel });
                 if number == 0 && value != y.values.low {
                     zeros.push(ends);
                 } else {
-                    self.entries
-                        .push(Entry::Line(ends.0, ends.1, rule(Ink::Grid)));
+                    self.entries.push(Entry::Line(ends.0, ends.1, rule(Ink::Grid)));
                 }
             }
         }
@@ -61,28 +40,45 @@ impl Figure {
         }
     }
 
-    /// The horizontal axis: line, ticks, labels, title.
-    pub(crate) fn horizontal_axis(&mut self, plot: &Plot<'_>, ticks: &Ticks) {
+    /// The titles of all axes, before any label of a tick: a painter changes its font once.
+    pub(crate) fn axis_titles(&mut self, plot: &Plot<'_>, x_ticks: &Ticks, gutters: &[f64], rows: f64) {
+        let font = self.font_size;
+        let panel = self.panel;
+        let start = self.text.len();
+        x_ticks.write_title(&mut self.text, plot.x.label, plot.x.unit);
+        let at = point(
+            f64::from(panel.x + panel.width / 2.0),
+            f64::from(panel.y + panel.height) + TICK + (1.15 * LABEL + 1.25) * font,
+        );
+        self.push_written(start, at, Anchor::Middle, font, false, Ink::Text);
+
+        let baseline = f64::from(panel.y) - 0.7 * font;
+        let mut right = f64::from(panel.x + panel.width);
+        for (index, axis) in plot.y.iter().enumerate().take(self.y.len()) {
+            let start = self.text.len();
+            self.y_ticks[index].write_title(&mut self.text, axis.label, axis.unit);
+            let several = self.y.len() > 1;
+            let ink = if several { axis_ink(plot, index) } else { Ink::Text };
+            let (at, anchor) = if index == 0 {
+                let raised = if rows > 1.0 { ROW * font } else { 0.0 };
+                (point(GAP * font, baseline - raised), Anchor::Start)
+            } else {
+                right += gutters[index];
+                (point(right, baseline), Anchor::End)
+            };
+            self.push_written(start, at, anchor, font, false, ink);
+        }
+    }
+
+    /// The horizontal axis: line, ticks, labels.
+    pub(crate) fn horizontal_axis(&mut self, ticks: &Ticks) {
         let Some(scale) = self.x else { return };
         let (font, comma) = (self.font_size, self.decimal_comma);
-        let small = 0.92 * font;
-        let axis = Stroke {
-            ink: Ink::Axis,
-            width: 1.0,
-            dash: Dash::Solid,
-        };
+        let small = LABEL * font;
+        let axis = Stroke { ink: Ink::Axis, width: 1.0, dash: Dash::Solid };
         let panel = self.panel;
         let base = crisp(f64::from(panel.y + panel.height));
-        let ends = (
-            Point {
-                x: panel.x,
-                y: base,
-            },
-            Point {
-                x: panel.x + panel.width,
-                y: base,
-            },
-        );
+        let ends = (Point { x: panel.x, y: base }, Point { x: panel.x + panel.width, y: base });
         self.entries.push(Entry::Line(ends.0, ends.1, axis));
         let baseline = f64::from(base) + TICK + 1.15 * small;
         let mut free_from = f64::NEG_INFINITY;
@@ -97,48 +93,21 @@ impl Figure {
             ticks.write_label(&mut self.text, number, comma);
             let half = width(&self.text[start..], small) / 2.0;
             // The outermost labels are kept inside the figure; one that would then touch its neighbour is left out.
-            let centre = pixel.clamp(
-                half.min(self.width / 2.0),
-                (self.width - half).max(self.width / 2.0),
-            );
+            let centre = pixel.clamp(half.min(self.width / 2.0), (self.width - half).max(self.width / 2.0));
             if centre - half >= free_from {
                 free_from = centre + half + 0.3 * font;
-                self.push_written(
-                    start,
-                    point(centre, baseline),
-                    Anchor::Middle,
-                    small,
-                    false,
-                    Ink::Text,
-                );
+                self.push_written(start, point(centre, baseline), Anchor::Middle, small, false, Ink::Text);
             } else {
                 self.text.truncate(start);
             }
         }
-        let start = self.text.len();
-        ticks.write_title(&mut self.text, plot.x.label, plot.x.unit);
-        let at = point(
-            (scale.low + scale.high) / 2.0,
-            f64::from(base) + TICK + 1.15 * small + 1.25 * font,
-        );
-        self.push_written(start, at, Anchor::Middle, font, false, Ink::Text);
     }
 
-    /// The vertical axes: lines, ticks, labels, and the titles above them.
-    pub(crate) fn vertical_axes(
-        &mut self,
-        plot: &Plot<'_>,
-        gutters: &[f64],
-        title_baseline: f64,
-        title_rows: f64,
-    ) {
+    /// The vertical axes: lines, ticks, labels.
+    pub(crate) fn vertical_axes(&mut self, gutters: &[f64]) {
         let (font, comma) = (self.font_size, self.decimal_comma);
-        let small = 0.92 * font;
-        let rule = Stroke {
-            ink: Ink::Axis,
-            width: 1.0,
-            dash: Dash::Solid,
-        };
+        let small = LABEL * font;
+        let rule = Stroke { ink: Ink::Axis, width: 1.0, dash: Dash::Solid };
         let panel = self.panel;
         let mut place = f64::from(panel.x);
         for index in 0..self.y.len() {
@@ -150,64 +119,24 @@ impl Figure {
                 place += gutters[index - 1];
             }
             let line = f64::from(crisp(place));
-            self.entries.push(Entry::Line(
-                point(line, scale.high),
-                point(line, scale.low),
-                rule,
-            ));
-            let anchor = if index == 0 {
-                Anchor::End
-            } else {
-                Anchor::Start
-            };
+            self.entries.push(Entry::Line(point(line, scale.high), point(line, scale.low), rule));
+            let anchor = if index == 0 { Anchor::End } else { Anchor::Start };
             for (number, value) in ticks.iter() {
                 let pixel = scale.pixel(value);
                 let level = f64::from(crisp(pixel));
-                self.entries.push(Entry::Line(
-                    point(line, level),
-                    point(line + outward * TICK, level),
-                    rule,
-                ));
+                self.entries.push(Entry::Line(point(line, level), point(line + outward * TICK, level), rule));
                 let start = self.text.len();
                 ticks.write_label(&mut self.text, number, comma);
                 let at = point(line + outward * (TICK + 0.3 * font), pixel + 0.35 * small);
                 self.push_written(start, at, anchor, small, false, Ink::Text);
             }
-            let ink = if self.y.len() > 1 {
-                axis_ink(plot, index)
-            } else {
-                Ink::Text
-            };
-            let start = self.text.len();
-            ticks.write_title(&mut self.text, plot.y[index].label, plot.y[index].unit);
-            let (x, anchor) = match index {
-                0 => (GAP * font, Anchor::Start),
-                _ => (place + gutters[index], Anchor::End),
-            };
-            let raised = if title_rows > 1.0 && index == 0 {
-                ROW * font
-            } else {
-                0.0
-            };
-            self.push_written(
-                start,
-                point(x, title_baseline - 0.35 * font - raised),
-                anchor,
-                font,
-                false,
-                ink,
-            );
         }
     }
 }
 
 /// The colour of the title of an axis: that of its series if they share one.
 fn axis_ink(plot: &Plot<'_>, axis: usize) -> Ink {
-    let mut colours = plot
-        .series
-        .iter()
-        .filter(|series| series.axis == axis)
-        .map(|series| series.colour);
+    let mut colours = plot.series.iter().filter(|series| series.axis == axis).map(|series| series.colour);
     match colours.next() {
         Some(first) if colours.all(|colour| colour == first) => Ink::Series(first),
         _ => Ink::Text,

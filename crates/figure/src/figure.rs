@@ -30,8 +30,7 @@ pub struct Rect {
 impl Rect {
     /// Whether the point lies in it, edges included.
     pub fn contains(self, point: Point) -> bool {
-        (self.x..=self.x + self.width).contains(&point.x)
-            && (self.y..=self.y + self.height).contains(&point.y)
+        (self.x..=self.x + self.width).contains(&point.x) && (self.y..=self.y + self.height).contains(&point.y)
     }
 }
 
@@ -69,13 +68,8 @@ pub enum Dash {
 impl Dash {
     /// Lengths of dash and gap in turn, in CSS pixels; empty for a solid line.
     pub fn lengths(self) -> &'static [f32] {
-        const PATTERNS: [&[f32]; 5] = [
-            &[7.0, 4.0],
-            &[2.0, 3.0],
-            &[10.0, 3.0, 2.0, 3.0],
-            &[14.0, 5.0],
-            &[6.0, 3.0, 2.0, 3.0, 2.0, 3.0],
-        ];
+        const PATTERNS: [&[f32]; 5] =
+            [&[7.0, 4.0], &[2.0, 3.0], &[10.0, 3.0, 2.0, 3.0], &[14.0, 5.0], &[6.0, 3.0, 2.0, 3.0, 2.0, 3.0]];
         match self {
             Dash::Solid => &[],
             Dash::Pattern(number) => PATTERNS[usize::from(number) % PATTERNS.len()],
@@ -148,20 +142,8 @@ pub(crate) enum Entry {
     Fill(Rect, Ink),
     Line(Point, Point, Stroke),
     Polyline(Range<usize>, Stroke),
-    Dots {
-        centres: Range<usize>,
-        radius: f32,
-        ink: Ink,
-        ringed: bool,
-    },
-    Text {
-        text: Range<usize>,
-        at: Point,
-        anchor: Anchor,
-        size: f32,
-        strong: bool,
-        ink: Ink,
-    },
+    Dots { centres: Range<usize>, radius: f32, ink: Ink, ringed: bool },
+    Text { text: Range<usize>, at: Point, anchor: Anchor, size: f32, strong: bool, ink: Ink },
 }
 
 /// The linear map between the values of an axis and pixels.
@@ -232,28 +214,11 @@ impl Figure {
         self.entries.iter().map(|entry| match entry {
             Entry::Fill(area, ink) => Item::Fill(*area, *ink),
             Entry::Line(from, to, stroke) => Item::Line(*from, *to, *stroke),
-            Entry::Polyline(points, stroke) => {
-                Item::Polyline(&self.points[points.clone()], *stroke)
+            Entry::Polyline(points, stroke) => Item::Polyline(&self.points[points.clone()], *stroke),
+            Entry::Dots { centres, radius, ink, ringed } => {
+                Item::Dots { centres: &self.points[centres.clone()], radius: *radius, ink: *ink, ringed: *ringed }
             }
-            Entry::Dots {
-                centres,
-                radius,
-                ink,
-                ringed,
-            } => Item::Dots {
-                centres: &self.points[centres.clone()],
-                radius: *radius,
-                ink: *ink,
-                ringed: *ringed,
-            },
-            Entry::Text {
-                text,
-                at,
-                anchor,
-                size,
-                strong,
-                ink,
-            } => Item::Text {
+            Entry::Text { text, at, anchor, size, strong, ink } => Item::Text {
                 text: &self.text[text.clone()],
                 at: *at,
                 anchor: *anchor,

@@ -45,9 +45,7 @@ impl Figure {
             return self.at_abscissa(plot, f64::from(at.x));
         }
         let nearest = (plot.series.iter().enumerate())
-            .flat_map(|(index, series)| {
-                (0..series.x.len().min(series.y.len())).map(move |row| (index, row))
-            })
+            .flat_map(|(index, series)| (0..series.x.len().min(series.y.len())).map(move |row| (index, row)))
             .filter_map(|(index, row)| {
                 let (x, y) = self.pixel(plot, index, row)?;
                 let (right, down) = (x - f64::from(at.x), y - f64::from(at.y));
@@ -55,22 +53,14 @@ impl Figure {
             })
             .min_by(|one, other| one.0.total_cmp(&other.0))?;
         let (distance, index, row) = nearest;
-        if distance <= REACH * REACH {
-            self.single(plot, index, row)
-        } else {
-            None
-        }
+        if distance <= REACH * REACH { self.single(plot, index, row) } else { None }
     }
 
     /// The read-out at a row of a series, for a cursor moved by keyboard: with the other series at that abscissa if the
     /// abscissas are ordered.
     pub fn readout(&self, plot: &Plot<'_>, series: usize, row: usize) -> Option<Readout> {
         let (x, _) = self.pixel(plot, series, row)?;
-        if plot.ordered {
-            self.at_abscissa(plot, x)
-        } else {
-            self.single(plot, series, row)
-        }
+        if plot.ordered { self.at_abscissa(plot, x) } else { self.single(plot, series, row) }
     }
 
     /// The row that a cursor reaches by moving `rows` on from `row` in a series, over rows that cannot be drawn or are
@@ -79,12 +69,7 @@ impl Figure {
         let column = plot.series.get(series)?;
         let count = column.x.len().min(column.y.len());
         let shown = |row: &usize| {
-            self.pixel(plot, series, *row).is_some_and(|(x, y)| {
-                self.panel.contains(Point {
-                    x: x as f32,
-                    y: y as f32,
-                })
-            })
+            self.pixel(plot, series, *row).is_some_and(|(x, y)| self.panel.contains(Point { x: x as f32, y: y as f32 }))
         };
         let row = row.min(count.checked_sub(1)?);
         let distance = rows.unsigned_abs();
@@ -125,18 +110,12 @@ impl Figure {
             samples.extend(self.sample(plot, index, row));
         }
         let (_, x) = nearest?;
-        Some(Readout {
-            heading: self.heading_at(plot, x),
-            samples,
-        })
+        Some(Readout { heading: self.heading_at(plot, x), samples })
     }
 
     fn single(&self, plot: &Plot<'_>, series: usize, row: usize) -> Option<Readout> {
         let sample = self.sample(plot, series, row)?;
-        Some(Readout {
-            heading: self.heading_at(plot, sample.x),
-            samples: vec![sample],
-        })
+        Some(Readout { heading: self.heading_at(plot, sample.x), samples: vec![sample] })
     }
 
     fn heading_at(&self, plot: &Plot<'_>, x: f64) -> String {
@@ -151,11 +130,7 @@ impl Figure {
         let ticks = self.y_ticks.get(series.axis)?;
         let panel = self.panel;
         let (x, y) = (series.x[row], series.y[row]);
-        let label = if series.label.is_empty() {
-            axis.label
-        } else {
-            series.label
-        };
+        let label = if series.label.is_empty() { axis.label } else { series.label };
         Some(Sample {
             series: index,
             row,
@@ -170,14 +145,7 @@ impl Figure {
     }
 
     /// A value with its name and unit.
-    fn quantity(
-        &self,
-        label: &str,
-        axis: &Axis<'_>,
-        value: f64,
-        resolution: f64,
-        power: i32,
-    ) -> String {
+    fn quantity(&self, label: &str, axis: &Axis<'_>, value: f64, resolution: f64, power: i32) -> String {
         let mut text = String::new();
         if !label.is_empty() {
             text.push_str(label);

@@ -11,6 +11,8 @@ use crate::ticks::Ticks;
 pub(crate) const GAP: f64 = 0.5;
 /// The height of a row of text, in parts of the font size.
 pub(crate) const ROW: f64 = 1.45;
+/// The size of the labels of ticks, in parts of the font size.
+pub(crate) const LABEL: f64 = 0.92;
 /// The length of a tick in pixels.
 pub(crate) const TICK: f64 = 4.0;
 /// The length of a line sample in the legend, in parts of the font size.
@@ -31,19 +33,11 @@ pub fn layout(plot: &Plot<'_>, settings: &Settings) -> Figure {
 /// Lays a plot out in the buffers of an earlier figure.
 pub fn layout_into(figure: &mut Figure, plot: &Plot<'_>, settings: &Settings) {
     let size = |pixels: f64| {
-        if pixels.is_finite() {
-            pixels.clamp(0.0, 1e5)
-        } else {
-            0.0
-        }
+        if pixels.is_finite() { pixels.clamp(0.0, 1e5) } else { 0.0 }
     };
     figure.width = size(settings.width);
     figure.height = size(settings.height);
-    figure.font_size = if settings.font_size.is_finite() {
-        settings.font_size.clamp(1.0, 1e3)
-    } else {
-        13.0
-    };
+    figure.font_size = if settings.font_size.is_finite() { settings.font_size.clamp(1.0, 1e3) } else { 13.0 };
     figure.decimal_comma = settings.decimal_comma;
     figure.view.clone_from(&plot.view);
     figure.title.clear();
@@ -60,12 +54,7 @@ pub fn layout_into(figure: &mut Figure, plot: &Plot<'_>, settings: &Settings) {
     figure.home_x = None;
     figure.home_y.clear();
     figure.panel = Rect::default();
-    let whole = Rect {
-        x: 0.0,
-        y: 0.0,
-        width: figure.width as f32,
-        height: figure.height as f32,
-    };
+    let whole = Rect { x: 0.0, y: 0.0, width: figure.width as f32, height: figure.height as f32 };
     figure.entries.push(Entry::Fill(whole, Ink::Ground));
     if let Some(top) = figure.heading(plot) {
         figure.body(plot, top);
@@ -94,16 +83,12 @@ impl Figure {
         if listed().count() < 2 {
             return Some(top);
         }
-        let entry_width =
-            |series: &Series<'_>| (SAMPLE + BEFORE + AFTER) * font + width(series.label, font);
+        let entry_width = |series: &Series<'_>| (SAMPLE + BEFORE + AFTER) * font + width(series.label, font);
         let total: f64 = listed().map(entry_width).sum();
         let room = self.width - 2.0 * edge;
         // Beside the title if there is room, else in rows below it.
         let (mut x, mut y) = if title_width > 0.0 && title_width + total <= room {
-            (
-                self.width - edge - total + AFTER * font,
-                top - 1.15 * ROW * font,
-            )
+            (self.width - edge - total + AFTER * font, top - 1.15 * ROW * font)
         } else {
             (edge, top)
         };
@@ -121,10 +106,7 @@ impl Figure {
 
     fn legend_entry(&mut self, series: &Series<'_>, x: f64, baseline: f64) {
         let font = self.font_size;
-        let (from, to) = (
-            point(x, baseline - 0.34 * font),
-            point(x + SAMPLE * font, baseline - 0.34 * font),
-        );
+        let (from, to) = (point(x, baseline - 0.34 * font), point(x + SAMPLE * font, baseline - 0.34 * font));
         if series.style == Style::Points {
             let start = self.points.len();
             self.points.extend([(from.x + to.x) / 2.0, from.y]);
@@ -148,7 +130,7 @@ impl Figure {
     /// The axes and what lies between them.
     fn body(&mut self, plot: &Plot<'_>, top: f64) {
         let font = self.font_size;
-        let small = 0.92 * font;
+        let small = LABEL * font;
         let edge = GAP * font;
         let bottom = self.height - 2.0 * ROW * font - TICK;
         let title_rows = self.axis_title_rows(plot);
@@ -175,12 +157,7 @@ impl Figure {
             gutters.push(gutter);
         }
         let left = edge + gutters.first().copied().unwrap_or(0.0);
-        let right = self.width
-            - if gutters.len() > 1 {
-                edge + gutters[1..].iter().sum::<f64>()
-            } else {
-                1.3 * font
-            };
+        let right = self.width - if gutters.len() > 1 { edge + gutters[1..].iter().sum::<f64>() } else { 1.3 * font };
         if right - left < LEAST_PANEL {
             self.y.clear();
             self.y_ticks.clear();
@@ -199,24 +176,18 @@ impl Figure {
             self.trace(plot, series);
         }
         self.present(plot);
-        self.horizontal_axis(plot, &x_ticks);
-        self.vertical_axes(plot, &gutters, panel_top - 0.35 * font, title_rows);
+        self.axis_titles(plot, &x_ticks, &gutters, title_rows);
+        self.horizontal_axis(&x_ticks);
+        self.vertical_axes(&gutters);
     }
 
     /// One row of axis titles above the panel, or two if the left and the right ones would meet.
     fn axis_title_rows(&self, plot: &Plot<'_>) -> f64 {
         // The power of ten that a title may have is not known yet: room for one.
-        let total: f64 = plot
-            .y
-            .iter()
-            .map(|axis| width(axis.label, self.font_size) + width(axis.unit, self.font_size))
-            .sum();
+        let total: f64 =
+            plot.y.iter().map(|axis| width(axis.label, self.font_size) + width(axis.unit, self.font_size)).sum();
         let room = 4.5 * self.font_size * plot.y.len() as f64;
-        if plot.y.len() > 1 && total + room > self.width {
-            2.0
-        } else {
-            1.0
-        }
+        if plot.y.len() > 1 && total + room > self.width { 2.0 } else { 1.0 }
     }
 
     /// Limits, scales and ticks of the vertical axes.
@@ -243,11 +214,7 @@ impl Figure {
                 Ticks::spaced(values, height, least, |_, spacing| spacing >= least * 0.75)
             };
             self.home_y.push(home);
-            self.y.push(Scale {
-                values,
-                low: bottom,
-                high: top,
-            });
+            self.y.push(Scale { values, low: bottom, high: top });
             self.y_ticks.push(ticks);
         }
     }
@@ -255,11 +222,7 @@ impl Figure {
     /// Limits, scale and ticks of the horizontal axis.
     fn horizontal_scale(&mut self, plot: &Plot<'_>, left: f64, right: f64) -> Ticks {
         let font = self.font_size;
-        let extent_of = if plot.ordered {
-            Extent::of_ordered
-        } else {
-            Extent::of
-        };
+        let extent_of = if plot.ordered { Extent::of_ordered } else { Extent::of };
         let extent = (plot.series.iter().map(|series| extent_of(series.x)))
             .fold(Extent::EMPTY, Extent::union)
             .with(plot.x.include);
@@ -268,57 +231,28 @@ impl Figure {
             growing(extent)
         } else {
             let intervals = libm::floor(wide / (4.0 * font)).clamp(2.0, 8.0) as usize;
-            shared_limits(&[extent], intervals)
-                .first()
-                .map_or(Interval::new(-1.0, 1.0), |limits| limits.values)
+            shared_limits(&[extent], intervals).first().map_or(Interval::new(-1.0, 1.0), |limits| limits.values)
         };
         self.home_x = Some(home);
         let values = plot.view.x.map_or(home, sane);
-        self.x = Some(Scale {
-            values,
-            low: left,
-            high: right,
-        });
+        self.x = Some(Scale { values, low: left, high: right });
         let comma = self.decimal_comma;
         Ticks::spaced(values, wide, 4.0 * font, |ticks, spacing| {
-            spacing >= 3.2 * font && spacing >= ticks.widest_label(0.92 * font, comma) + font
+            spacing >= 3.2 * font && spacing >= ticks.widest_label(LABEL * font, comma) + font
         })
     }
 
-    fn push_text(
-        &mut self,
-        text: &str,
-        at: Point,
-        anchor: Anchor,
-        size: f64,
-        strong: bool,
-        ink: Ink,
-    ) {
+    fn push_text(&mut self, text: &str, at: Point, anchor: Anchor, size: f64, strong: bool, ink: Ink) {
         let start = self.text.len();
         self.text.push_str(text);
         self.push_written(start, at, anchor, size, strong, ink);
     }
 
     /// An item of the text that has been written to the buffer from `start` on.
-    pub(crate) fn push_written(
-        &mut self,
-        start: usize,
-        at: Point,
-        anchor: Anchor,
-        size: f64,
-        strong: bool,
-        ink: Ink,
-    ) {
+    pub(crate) fn push_written(&mut self, start: usize, at: Point, anchor: Anchor, size: f64, strong: bool, ink: Ink) {
         let text = start..self.text.len();
         if !text.is_empty() {
-            self.entries.push(Entry::Text {
-                text,
-                at,
-                anchor,
-                size: size as f32,
-                strong,
-                ink,
-            });
+            self.entries.push(Entry::Text { text, at, anchor, size: size as f32, strong, ink });
         }
     }
 }
@@ -329,8 +263,5 @@ pub(crate) fn crisp(pixel: f64) -> f32 {
 }
 
 pub(crate) fn point(x: f64, y: f64) -> Point {
-    Point {
-        x: x as f32,
-        y: y as f32,
-    }
+    Point { x: x as f32, y: y as f32 }
 }

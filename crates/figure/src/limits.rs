@@ -27,40 +27,20 @@ pub(crate) struct Extent {
 
 impl Extent {
     /// The extent of nothing.
-    pub(crate) const EMPTY: Extent = Extent {
-        low: f64::INFINITY,
-        high: f64::NEG_INFINITY,
-        turned: false,
-    };
+    pub(crate) const EMPTY: Extent = Extent { low: f64::INFINITY, high: f64::NEG_INFINITY, turned: false };
 
     /// The extent of the drawable values of a column.
     pub(crate) fn of(column: &[f64]) -> Extent {
         // This runs over every row for every frame: comparisons alone, which are false for what is not a number.
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for &value in column {
-            low = if value < low && value >= -LARGEST {
-                value
-            } else {
-                low
-            };
-            high = if value > high && value <= LARGEST {
-                value
-            } else {
-                high
-            };
+            low = if value < low && value >= -LARGEST { value } else { low };
+            high = if value > high && value <= LARGEST { value } else { high };
         }
         // Values beyond the largest on one side must not count on the other.
         low = if low > LARGEST { f64::INFINITY } else { low };
-        high = if high < -LARGEST {
-            f64::NEG_INFINITY
-        } else {
-            high
-        };
-        let mut extent = Extent {
-            low,
-            high,
-            turned: true,
-        };
+        high = if high < -LARGEST { f64::NEG_INFINITY } else { high };
+        let mut extent = Extent { low, high, turned: true };
         extent.turned = extent.close_up() && turns(column);
         extent
     }
@@ -70,32 +50,22 @@ impl Extent {
         let first = column.iter().copied().find(|value| drawable(*value));
         let last = column.iter().rev().copied().find(|value| drawable(*value));
         match (first, last) {
-            (Some(low), Some(high)) => Extent {
-                low: low.min(high),
-                high: high.max(low),
-                turned: false,
-            },
+            (Some(low), Some(high)) => Extent { low: low.min(high), high: high.max(low), turned: false },
             _ => Extent::EMPTY,
         }
     }
 
     /// Both together.
     pub(crate) fn union(self, other: Extent) -> Extent {
-        Extent {
-            low: self.low.min(other.low),
-            high: self.high.max(other.high),
-            turned: self.turned || other.turned,
-        }
+        Extent { low: self.low.min(other.low), high: self.high.max(other.high), turned: self.turned || other.turned }
     }
 
     /// This one and an interval.
     pub(crate) fn with(self, interval: Option<Interval>) -> Extent {
         match interval {
-            Some(Interval { low, high }) if drawable(low) && drawable(high) => self.union(Extent {
-                low: low.min(high),
-                high: high.max(low),
-                turned: false,
-            }),
+            Some(Interval { low, high }) if drawable(low) && drawable(high) => {
+                self.union(Extent { low: low.min(high), high: high.max(low), turned: false })
+            }
             _ => self,
         }
     }
@@ -108,10 +78,7 @@ impl Extent {
     /// that has only begun, and rounding errors of a constant, do not count.
     fn close_up(self) -> bool {
         let (length, magnitude) = (self.high - self.low, self.high.abs().max(self.low.abs()));
-        (self.low > 0.0 || self.high < 0.0)
-            && self.turned
-            && length < 0.3 * magnitude
-            && length > 1e-4 * magnitude
+        (self.low > 0.0 || self.high < 0.0) && self.turned && length < 0.3 * magnitude && length > 1e-4 * magnitude
     }
 }
 
@@ -133,11 +100,7 @@ fn turns(column: &[f64]) -> bool {
 /// An interval that can be drawn: finite, and long enough for doubles to tell its pixels apart.
 pub(crate) fn sane(interval: Interval) -> Interval {
     let clamp = |value: f64| {
-        if value.is_nan() {
-            0.0
-        } else {
-            value.clamp(-LARGEST, LARGEST)
-        }
+        if value.is_nan() { 0.0 } else { value.clamp(-LARGEST, LARGEST) }
     };
     let Interval { low, high } = Interval::new(clamp(interval.low), clamp(interval.high));
     let shortest = SMALLEST.max(FINEST * low.abs().max(high.abs()));
@@ -145,10 +108,7 @@ pub(crate) fn sane(interval: Interval) -> Interval {
         return Interval { low, high };
     }
     let middle = (low / 2.0 + high / 2.0).clamp(-LARGEST + shortest, LARGEST - shortest);
-    Interval {
-        low: middle - shortest,
-        high: middle + shortest,
-    }
+    Interval { low: middle - shortest, high: middle + shortest }
 }
 
 /// Limits of an axis along which the data go forward, as time does: from where they begin (zero if that is near) to the
@@ -156,33 +116,20 @@ pub(crate) fn sane(interval: Interval) -> Interval {
 pub(crate) fn growing(extent: Extent) -> Interval {
     const ROUND: [f64; 9] = [1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
     if extent.is_empty() {
-        return Interval {
-            low: 0.0,
-            high: 1.0,
-        };
+        return Interval { low: 0.0, high: 1.0 };
     }
     let Extent { low, high, .. } = extent;
     if low >= 0.0 && low <= 0.25 * high && high > SMALLEST {
         let power = scaled(1.0, leading_exponent(high));
         let mantissa = high / power;
-        let round = ROUND
-            .iter()
-            .copied()
-            .find(|round| *round >= mantissa * (1.0 - 1e-9))
-            .unwrap_or(10.0);
-        return sane(Interval {
-            low: 0.0,
-            high: round * power,
-        });
+        let round = ROUND.iter().copied().find(|round| *round >= mantissa * (1.0 - 1e-9)).unwrap_or(10.0);
+        return sane(Interval { low: 0.0, high: round * power });
     }
     if high - low <= SMALLEST.max(FINEST * high.abs().max(low.abs())) {
         return around(low, high);
     }
     let step = Step::at_least((high - low) / 10.0);
-    sane(Interval {
-        low: step.multiple(step.floor(low)),
-        high: step.multiple(step.ceil(high)),
-    })
+    sane(Interval { low: step.multiple(step.floor(low)), high: step.multiple(step.ceil(high)) })
 }
 
 /// Automatic limits, and the step between ticks from which they were made.
@@ -217,10 +164,7 @@ fn about_zero(needs: &[(f64, f64)], intervals: usize) -> Vec<Limits> {
         let step = step_for(*need, below, above);
         let low = step.multiple(-(below as i64));
         let high = step.multiple(above as i64);
-        Limits {
-            values: sane(Interval { low, high }),
-            step,
-        }
+        Limits { values: sane(Interval { low, high }), step }
     };
     needs.iter().map(limits).collect()
 }
@@ -233,10 +177,7 @@ fn close_up_limits(extent: Extent, intervals: usize) -> Limits {
     }
     let low = step.multiple(step.floor(extent.low));
     let high = step.multiple(step.ceil(extent.high));
-    Limits {
-        values: sane(Interval { low, high }),
-        step,
-    }
+    Limits { values: sane(Interval { low, high }), step }
 }
 
 /// How far an axis has to reach below and above zero.
@@ -256,10 +197,7 @@ fn step_for((low, high): (f64, f64), below: usize, above: usize) -> Step {
 
 /// How many intervals below and above zero fill the panel best for all axes together.
 fn split(needs: &[(f64, f64)], intervals: usize) -> (usize, usize) {
-    let (any_below, any_above) = (
-        needs.iter().any(|need| need.0 > 0.0),
-        needs.iter().any(|need| need.1 > 0.0),
-    );
+    let (any_below, any_above) = (needs.iter().any(|need| need.0 > 0.0), needs.iter().any(|need| need.1 > 0.0));
     let mut best = (usize::from(any_below), usize::from(any_above));
     let mut best_score = f64::NEG_INFINITY;
     for count in 2..=intervals {
@@ -270,9 +208,7 @@ fn split(needs: &[(f64, f64)], intervals: usize) -> (usize, usize) {
             }
             let fill: f64 = needs
                 .iter()
-                .map(|need| {
-                    (need.0 + need.1) / (step_for(*need, below, above).multiple(1) * count as f64)
-                })
+                .map(|need| (need.0 + need.1) / (step_for(*need, below, above).multiple(1) * count as f64))
                 .sum::<f64>()
                 / needs.len() as f64;
             // Two intervals read badly; beyond four, more are no better.
@@ -288,20 +224,11 @@ fn split(needs: &[(f64, f64)], intervals: usize) -> (usize, usize) {
 /// Limits about values that are all but equal: zero at one end, or one unit to either side of zero.
 fn around(low: f64, high: f64) -> Interval {
     if high > SMALLEST {
-        sane(Interval {
-            low: 0.0,
-            high: 2.0 * high,
-        })
+        sane(Interval { low: 0.0, high: 2.0 * high })
     } else if low < -SMALLEST {
-        sane(Interval {
-            low: 2.0 * low,
-            high: 0.0,
-        })
+        sane(Interval { low: 2.0 * low, high: 0.0 })
     } else {
-        Interval {
-            low: 0.0,
-            high: 1.0,
-        }
+        Interval { low: 0.0, high: 1.0 }
     }
 }
 
@@ -319,10 +246,7 @@ mod tests {
         type Case<'a> = (&'a [(f64, f64, bool)], &'a [(f64, f64)]);
         let cases: [Case<'_>; 11] = [
             (&[(-0.43, 0.5, true)], &[(-0.6, 0.6)]),
-            (
-                &[(-0.43, 0.5, true), (-0.8, 0.72, true)],
-                &[(-0.5, 0.5), (-1.0, 1.0)],
-            ),
+            (&[(-0.43, 0.5, true), (-0.8, 0.72, true)], &[(-0.5, 0.5), (-1.0, 1.0)]),
             (&[(0.0, 1715.0, true)], &[(0.0, 2000.0)]),
             (&[(9.8, 9.8, false)], &[(0.0, 10.0)]),
             (&[(-3.0, -3.0, false)], &[(-3.0, 0.0)]),
@@ -336,14 +260,9 @@ mod tests {
             (&[(1.0, 1e300, true)], &[(0.0, 1e300)]),
         ];
         for (extents, expected) in cases {
-            let extents: Vec<Extent> = extents
-                .iter()
-                .map(|(low, high, turned)| extent(*low, *high, *turned))
-                .collect();
-            let found: Vec<(f64, f64)> = shared_limits(&extents, 6)
-                .iter()
-                .map(|limits| (limits.values.low, limits.values.high))
-                .collect();
+            let extents: Vec<Extent> = extents.iter().map(|(low, high, turned)| extent(*low, *high, *turned)).collect();
+            let found: Vec<(f64, f64)> =
+                shared_limits(&extents, 6).iter().map(|limits| (limits.values.low, limits.values.high)).collect();
             assert_eq!(found, expected, "{extents:?}");
         }
     }
@@ -368,18 +287,11 @@ mod tests {
         for ((low, high), expected) in cases {
             let limits = growing(extent(low, high, false));
             assert!(
-                (limits.low - expected.0).abs() <= 1e-9
-                    && (limits.high / expected.1 - 1.0).abs() < 1e-9,
+                (limits.low - expected.0).abs() <= 1e-9 && (limits.high / expected.1 - 1.0).abs() < 1e-9,
                 "{low}..{high} gives {limits:?}"
             );
         }
-        assert_eq!(
-            growing(Extent::EMPTY),
-            Interval {
-                low: 0.0,
-                high: 1.0
-            }
-        );
+        assert_eq!(growing(Extent::EMPTY), Interval { low: 0.0, high: 1.0 });
     }
 
     #[test]
@@ -399,53 +311,26 @@ mod tests {
     #[test]
     fn extents_leave_out_what_cannot_be_drawn() {
         let cases: [(&[f64], (f64, f64), bool); 5] = [
-            (
-                &[f64::NAN, 1.0, f64::INFINITY, 3.0, 2.0, -1e301],
-                (1.0, 3.0),
-                false,
-            ),
+            (&[f64::NAN, 1.0, f64::INFINITY, 3.0, 2.0, -1e301], (1.0, 3.0), false),
             (&[2e300, -2e300, 7.0], (7.0, 7.0), false),
             (&[10.0, 10.4, f64::NAN, 10.1], (10.0, 10.4), true),
             (&[10.0, 10.2, 10.4], (10.0, 10.4), false),
-            (
-                &[2e300, f64::NAN],
-                (f64::INFINITY, f64::NEG_INFINITY),
-                false,
-            ),
+            (&[2e300, f64::NAN], (f64::INFINITY, f64::NEG_INFINITY), false),
         ];
         for (column, (low, high), turned) in cases {
-            assert_eq!(
-                Extent::of(column),
-                Extent { low, high, turned },
-                "{column:?}"
-            );
+            assert_eq!(Extent::of(column), Extent { low, high, turned }, "{column:?}");
         }
         assert_eq!(Extent::of(&[]), Extent::EMPTY);
-        assert_eq!(
-            Extent::of_ordered(&[f64::NAN, 1.0, 5.0, f64::NAN]),
-            Extent {
-                low: 1.0,
-                high: 5.0,
-                turned: false
-            }
-        );
+        assert_eq!(Extent::of_ordered(&[f64::NAN, 1.0, 5.0, f64::NAN]), Extent { low: 1.0, high: 5.0, turned: false });
     }
 
     #[test]
     fn sane_intervals_are_long_enough() {
-        for (low, high) in [
-            (1.0, 1.0),
-            (f64::NAN, 1.0),
-            (f64::NEG_INFINITY, f64::INFINITY),
-            (1e300, 1e300),
-            (0.0, 0.0),
-            (5.0, -5.0),
-        ] {
+        for (low, high) in
+            [(1.0, 1.0), (f64::NAN, 1.0), (f64::NEG_INFINITY, f64::INFINITY), (1e300, 1e300), (0.0, 0.0), (5.0, -5.0)]
+        {
             let interval = sane(Interval { low, high });
-            assert!(
-                interval.length() > 0.0 && interval.length().is_finite(),
-                "{low} {high} {interval:?}"
-            );
+            assert!(interval.length() > 0.0 && interval.length().is_finite(), "{low} {high} {interval:?}");
         }
     }
 }

@@ -5,13 +5,10 @@ use std::fmt::Write;
 /// Ten to an integer power; exact where a double can be, to the last digit or so elsewhere.
 pub(crate) fn power_of_ten(exponent: i32) -> f64 {
     const EXACT: [f64; 23] = [
-        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
-        1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19,
+        1e20, 1e21, 1e22,
     ];
-    match usize::try_from(exponent)
-        .ok()
-        .and_then(|index| EXACT.get(index))
-    {
+    match usize::try_from(exponent).ok().and_then(|index| EXACT.get(index)) {
         Some(power) => *power,
         None => libm::pow(10.0, f64::from(exponent)),
     }
@@ -19,11 +16,7 @@ pub(crate) fn power_of_ten(exponent: i32) -> f64 {
 
 /// `value * 10^exponent`, rounded once where ten to that power is exact.
 pub(crate) fn scaled(value: f64, exponent: i32) -> f64 {
-    if exponent < 0 {
-        value / power_of_ten(-exponent)
-    } else {
-        value * power_of_ten(exponent)
-    }
+    if exponent < 0 { value / power_of_ten(-exponent) } else { value * power_of_ten(exponent) }
 }
 
 /// The exponent of the leading digit of a positive number.
@@ -77,11 +70,7 @@ pub(crate) fn write_power(out: &mut String, exponent: i32) {
     let _ = write!(out, "{exponent}");
     let raised: String = out[start..]
         .chars()
-        .map(|character| {
-            character
-                .to_digit(10)
-                .map_or('⁻', |digit| RAISED[digit as usize])
-        })
+        .map(|character| character.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]))
         .collect();
     out.truncate(start);
     out.push_str("10");
@@ -90,22 +79,12 @@ pub(crate) fn write_power(out: &mut String, exponent: i32) {
 
 /// Writes a value as finely as `resolution` asks: its last digit is no coarser than that. Where the axis has a common
 /// power of ten the value is written with it, `1.25×10⁶`.
-pub(crate) fn write_value(
-    out: &mut String,
-    value: f64,
-    resolution: f64,
-    power: i32,
-    decimal_comma: bool,
-) {
+pub(crate) fn write_value(out: &mut String, value: f64, resolution: f64, power: i32, decimal_comma: bool) {
     if !value.is_finite() {
         out.push('–');
         return;
     }
-    let finest = if resolution > 0.0 && resolution.is_finite() {
-        leading_exponent(resolution)
-    } else {
-        0
-    };
+    let finest = if resolution > 0.0 && resolution.is_finite() { leading_exponent(resolution) } else { 0 };
     let decimals = (power - finest).clamp(0, 15) as usize;
     let start = out.len();
     let _ = write!(out, "{:.decimals$}", scaled(value, -power));
@@ -182,17 +161,8 @@ mod tests {
 
     #[test]
     fn common_powers_are_multiples_of_three() {
-        let cases = [
-            (0.0, 0),
-            (0.5, 0),
-            (99_999.0, 0),
-            (1e5, 3),
-            (2e6, 6),
-            (5e-4, -6),
-            (1e-3, 0),
-            (1e-9, -9),
-            (1e300, 300),
-        ];
+        let cases =
+            [(0.0, 0), (0.5, 0), (99_999.0, 0), (1e5, 3), (2e6, 6), (5e-4, -6), (1e-3, 0), (1e-9, -9), (1e300, 300)];
         for (magnitude, expected) in cases {
             assert_eq!(common_power(magnitude), expected, "{magnitude}");
         }

@@ -22,11 +22,7 @@ impl Colour {
     pub fn luminance(self) -> f64 {
         let linear = |channel: u8| {
             let value = f64::from(channel) / 255.0;
-            if value <= 0.04045 {
-                value / 12.92
-            } else {
-                libm::pow((value + 0.055) / 1.055, 2.4)
-            }
+            if value <= 0.04045 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) }
         };
         0.2126 * linear(self.0) + 0.7152 * linear(self.1) + 0.0722 * linear(self.2)
     }
@@ -43,11 +39,7 @@ impl Colour {
             let sum = u32::from(one) * u32::from(share) + u32::from(two) * (255 - u32::from(share));
             ((sum + 127) / 255) as u8
         };
-        Colour(
-            mix(self.0, other.0),
-            mix(self.1, other.1),
-            mix(self.2, other.2),
-        )
+        Colour(mix(self.0, other.0), mix(self.1, other.1), mix(self.2, other.2))
     }
 }
 
@@ -152,11 +144,7 @@ mod tests {
             assert!(palette.axis.contrast(ground) >= 3.0);
             assert!(palette.marker.contrast(ground) >= 3.0);
             for colour in palette.series {
-                assert!(
-                    colour.contrast(ground) >= 4.5,
-                    "{colour} on {ground}: {}",
-                    colour.contrast(ground)
-                );
+                assert!(colour.contrast(ground) >= 4.5, "{colour} on {ground}: {}", colour.contrast(ground));
             }
         }
     }
@@ -164,33 +152,18 @@ mod tests {
     #[test]
     fn series_differ_for_every_kind_of_eye() {
         const EYES: [(&str, [[f64; 3]; 3]); 4] = [
-            (
-                "trichromat",
-                [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-            ),
+            ("trichromat", [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
             (
                 "protanope",
-                [
-                    [0.152286, 1.052583, -0.204868],
-                    [0.114503, 0.786281, 0.099216],
-                    [-0.003882, -0.048116, 1.051998],
-                ],
+                [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
             ),
             (
                 "deuteranope",
-                [
-                    [0.367322, 0.860646, -0.227968],
-                    [0.280085, 0.672501, 0.047413],
-                    [-0.011820, 0.042940, 0.968881],
-                ],
+                [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
             ),
             (
                 "tritanope",
-                [
-                    [1.255528, -0.076749, -0.178779],
-                    [-0.078411, 0.930809, 0.147602],
-                    [0.004733, 0.691367, 0.303900],
-                ],
+                [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]],
             ),
         ];
         for palette in BOTH {
@@ -198,16 +171,9 @@ mod tests {
                 let seen = palette.series.map(|colour| lab(colour, matrix));
                 for one in 0..SERIES_COLOURS {
                     for other in 0..one {
-                        let square: f64 = (0..3)
-                            .map(|axis| seen[one][axis] - seen[other][axis])
-                            .map(|d| d * d)
-                            .sum();
+                        let square: f64 = (0..3).map(|axis| seen[one][axis] - seen[other][axis]).map(|d| d * d).sum();
                         let (a, b) = (palette.series[one], palette.series[other]);
-                        assert!(
-                            square.sqrt() >= 18.0,
-                            "{a} and {b} look alike to a {eye}: {}",
-                            square.sqrt()
-                        );
+                        assert!(square.sqrt() >= 18.0, "{a} and {b} look alike to a {eye}: {}", square.sqrt());
                     }
                 }
             }
@@ -218,30 +184,15 @@ mod tests {
     fn lab(colour: Colour, eye: [[f64; 3]; 3]) -> [f64; 3] {
         let linear = [colour.0, colour.1, colour.2].map(|channel| {
             let value = f64::from(channel) / 255.0;
-            if value <= 0.04045 {
-                value / 12.92
-            } else {
-                libm::pow((value + 0.055) / 1.055, 2.4)
-            }
+            if value <= 0.04045 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) }
         });
         let times = |matrix: [[f64; 3]; 3], vector: [f64; 3]| {
             matrix.map(|row| row[0] * vector[0] + row[1] * vector[1] + row[2] * vector[2])
         };
         let seen = times(eye, linear).map(|channel| channel.clamp(0.0, 1.0));
-        let xyz = times(
-            [
-                [0.4124, 0.3576, 0.1805],
-                [0.2126, 0.7152, 0.0722],
-                [0.0193, 0.1192, 0.9505],
-            ],
-            seen,
-        );
+        let xyz = times([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]], seen);
         let f = |t: f64| {
-            if t > 0.008856 {
-                libm::cbrt(t)
-            } else {
-                7.787 * t + 16.0 / 116.0
-            }
+            if t > 0.008856 { libm::cbrt(t) } else { 7.787 * t + 16.0 / 116.0 }
         };
         let (x, y, z) = (f(xyz[0] / 0.9505), f(xyz[1]), f(xyz[2] / 1.089));
         [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]

@@ -80,17 +80,7 @@ pub struct Interval {
 impl Interval {
     /// The interval between two values, in whichever order they come.
     pub fn new(one: f64, other: f64) -> Interval {
-        if other < one {
-            Interval {
-                low: other,
-                high: one,
-            }
-        } else {
-            Interval {
-                low: one,
-                high: other,
-            }
-        }
+        if other < one { Interval { low: other, high: one } } else { Interval { low: one, high: other } }
     }
 
     /// The distance between the ends.
@@ -135,11 +125,6 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Settings {
-        Settings {
-            width: 640.0,
-            height: 360.0,
-            font_size: 13.0,
-            decimal_comma: false,
-        }
+        Settings { width: 640.0, height: 360.0, font_size: 13.0, decimal_comma: false }
     }
 }

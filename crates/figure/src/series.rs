@@ -38,29 +38,12 @@ impl Figure {
         if series.style == Style::Points {
             let ink = Ink::Series(series.colour);
             let area = grown(panel, 0.5);
-            scatter(
-                &mut self.points,
-                &mut self.entries,
-                area,
-                ink,
-                DATA_RADIUS,
-                rows.filter_map(pixel),
-            );
+            scatter(&mut self.points, &mut self.entries, area, ink, DATA_RADIUS, rows.filter_map(pixel));
             return;
         }
         let dense = plot.ordered && count as f32 > 2.0 * panel.width;
-        let mut breaks = series
-            .breaks
-            .iter()
-            .copied()
-            .skip_while(|row| *row <= first)
-            .peekable();
-        let mut tracer = Tracer::new(
-            &mut self.points,
-            &mut self.entries,
-            grown(panel, BLEED),
-            stroke(series),
-        );
+        let mut breaks = series.breaks.iter().copied().skip_while(|row| *row <= first).peekable();
+        let mut tracer = Tracer::new(&mut self.points, &mut self.entries, grown(panel, BLEED), stroke(series));
         for row in rows {
             while breaks.next_if(|next| *next <= row).is_some() {
                 tracer.interrupt();
@@ -80,21 +63,8 @@ impl Figure {
         let panel = self.panel;
         if let Some(marker) = plot.marker.filter(|marker| x.values.contains(*marker)) {
             let pixel = crisp(x.pixel(marker));
-            let stroke = Stroke {
-                ink: Ink::Marker,
-                width: 1.0,
-                dash: Dash::Solid,
-            };
-            let (from, to) = (
-                Point {
-                    x: pixel,
-                    y: panel.y,
-                },
-                Point {
-                    x: pixel,
-                    y: panel.y + panel.height,
-                },
-            );
+            let stroke = Stroke { ink: Ink::Marker, width: 1.0, dash: Dash::Solid };
+            let (from, to) = (Point { x: pixel, y: panel.y }, Point { x: pixel, y: panel.y + panel.height });
             self.entries.push(Entry::Line(from, to, stroke));
         }
         for series in &plot.series {
@@ -103,15 +73,9 @@ impl Figure {
             };
             if x.values.contains(at_x) && y.values.contains(at_y) {
                 let start = self.points.len();
-                self.points
-                    .extend([x.pixel(at_x) as f32, y.pixel(at_y) as f32]);
+                self.points.extend([x.pixel(at_x) as f32, y.pixel(at_y) as f32]);
                 let centres = start..self.points.len();
-                self.entries.push(Entry::Dots {
-                    centres,
-                    radius: 4.0,
-                    ink: Ink::Series(series.colour),
-                    ringed: true,
-                });
+                self.entries.push(Entry::Dots { centres, radius: 4.0, ink: Ink::Series(series.colour), ringed: true });
             }
         }
     }
@@ -120,32 +84,15 @@ impl Figure {
 /// How the line of a series is drawn.
 pub(crate) fn stroke(series: &Series<'_>) -> Stroke {
     match series.style {
-        Style::Line | Style::Points => Stroke {
-            ink: Ink::Series(series.colour),
-            width: 2.0,
-            dash: Dash::Solid,
-        },
-        Style::Ghost => Stroke {
-            ink: Ink::Ghost(series.colour),
-            width: 1.25,
-            dash: Dash::Solid,
-        },
-        Style::Kept(number) => Stroke {
-            ink: Ink::Series(series.colour),
-            width: 1.5,
-            dash: Dash::Pattern(number),
-        },
+        Style::Line | Style::Points => Stroke { ink: Ink::Series(series.colour), width: 2.0, dash: Dash::Solid },
+        Style::Ghost => Stroke { ink: Ink::Ghost(series.colour), width: 1.25, dash: Dash::Solid },
+        Style::Kept(number) => Stroke { ink: Ink::Series(series.colour), width: 1.5, dash: Dash::Pattern(number) },
     }
 }
 
 /// A rectangle with its edges moved outwards.
 fn grown(area: Rect, by: f32) -> Rect {
-    Rect {
-        x: area.x - by,
-        y: area.y - by,
-        width: area.width + 2.0 * by,
-        height: area.height + 2.0 * by,
-    }
+    Rect { x: area.x - by, y: area.y - by, width: area.width + 2.0 * by, height: area.height + 2.0 * by }
 }
 
 /// The rows that can be seen: all, or where the abscissas ascend those in the panel and one more at either side.
@@ -155,9 +102,7 @@ fn visible_rows(plot: &Plot<'_>, series: &Series<'_>, x: &Scale) -> Range<usize>
         return 0..rows;
     }
     let column = &series.x[..rows];
-    let start = column
-        .partition_point(|value| *value < x.values.low)
-        .saturating_sub(1);
+    let start = column.partition_point(|value| *value < x.values.low).saturating_sub(1);
     let end = (column.partition_point(|value| *value <= x.values.high) + 1).min(rows);
     start..end.max(start)
 }

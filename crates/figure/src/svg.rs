@@ -6,8 +6,7 @@ use crate::figure::{Anchor, Figure, Item, Stroke};
 use crate::palette::Palette;
 
 /// The fonts of all texts: what the system shows its own in.
-pub const FONT_FAMILY: &str =
-    "system-ui, -apple-system, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif";
+pub const FONT_FAMILY: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif";
 
 impl Figure {
     /// The figure as a standalone, accessible SVG document: title and description are in it.
@@ -49,11 +48,7 @@ fn write_item(out: &mut String, item: Item<'_>, palette: &Palette) -> std::fmt::
         ),
         Item::Line(from, to, stroke) => {
             let ends = [from.x, from.y, to.x, to.y].map(Short);
-            write!(
-                out,
-                "<path d=\"M{} {}L{} {}\"",
-                ends[0], ends[1], ends[2], ends[3]
-            )?;
+            write!(out, "<path d=\"M{} {}L{} {}\"", ends[0], ends[1], ends[2], ends[3])?;
             write_stroke(out, stroke, palette)
         }
         Item::Polyline(points, stroke) => {
@@ -65,12 +60,7 @@ fn write_item(out: &mut String, item: Item<'_>, palette: &Palette) -> std::fmt::
             out.push('"');
             write_stroke(out, stroke, palette)
         }
-        Item::Dots {
-            centres,
-            radius,
-            ink,
-            ringed,
-        } => {
+        Item::Dots { centres, radius, ink, ringed } => {
             write!(out, "<g fill=\"{}\"", palette.colour(ink))?;
             if ringed {
                 write!(out, " stroke=\"{}\" stroke-width=\"1.5\"", palette.ground)?;
@@ -78,23 +68,12 @@ fn write_item(out: &mut String, item: Item<'_>, palette: &Palette) -> std::fmt::
             out.push('>');
             for centre in centres.chunks_exact(2) {
                 let (x, y) = (Short(centre[0]), Short(centre[1]));
-                write!(
-                    out,
-                    "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\"/>",
-                    Short(radius)
-                )?;
+                write!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\"/>", Short(radius))?;
             }
             out.push_str("</g>");
             Ok(())
         }
-        Item::Text {
-            text,
-            at,
-            anchor,
-            size,
-            strong,
-            ink,
-        } => {
+        Item::Text { text, at, anchor, size, strong, ink } => {
             let anchor = match anchor {
                 Anchor::Start => "start",
                 Anchor::Middle => "middle",
@@ -115,22 +94,12 @@ fn write_item(out: &mut String, item: Item<'_>, palette: &Palette) -> std::fmt::
 }
 
 fn write_stroke(out: &mut String, stroke: Stroke, palette: &Palette) -> std::fmt::Result {
-    write!(
-        out,
-        " fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"",
-        palette.colour(stroke.ink),
-        Short(stroke.width)
-    )?;
+    write!(out, " fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"", palette.colour(stroke.ink), Short(stroke.width))?;
     let lengths = stroke.dash.lengths();
     if !lengths.is_empty() {
         out.push_str(" stroke-dasharray=\"");
         for (index, length) in lengths.iter().enumerate() {
-            write!(
-                out,
-                "{}{}",
-                if index == 0 { "" } else { " " },
-                Short(*length)
-            )?;
+            write!(out, "{}{}", if index == 0 { "" } else { " " }, Short(*length))?;
         }
         out.push('"');
     }
@@ -144,10 +113,7 @@ struct Short(f32);
 impl std::fmt::Display for Short {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let hundredths = libm::roundf(self.0 * 100.0) as i64;
-        let (sign, hundredths) = (
-            if hundredths < 0 { "-" } else { "" },
-            hundredths.unsigned_abs(),
-        );
+        let (sign, hundredths) = (if hundredths < 0 { "-" } else { "" }, hundredths.unsigned_abs());
         write!(formatter, "{sign}{}", hundredths / 100)?;
         match hundredths % 100 {
             0 => Ok(()),
@@ -167,12 +133,7 @@ impl std::fmt::Display for Escaped<'_> {
                 '&' => formatter.write_str("&amp;")?,
                 '<' => formatter.write_str("&lt;")?,
                 '>' => formatter.write_str("&gt;")?,
-                '\u{0}'..='\u{8}'
-                | '\u{b}'
-                | '\u{c}'
-                | '\u{e}'..='\u{1f}'
-                | '\u{fffe}'
-                | '\u{ffff}' => {
+                '\u{0}'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => {
                     formatter.write_str("\u{fffd}")?;
                 }
                 other => formatter.write_char(other)?,

@@ -22,27 +22,15 @@ impl Step {
                 return step;
             }
         }
-        Step {
-            mantissa: 1,
-            exponent: exponent + 1,
-        }
+        Step { mantissa: 1, exponent: exponent + 1 }
     }
 
     /// The next larger step.
     pub(crate) fn larger(self) -> Step {
         match self.mantissa {
-            1 => Step {
-                mantissa: 2,
-                ..self
-            },
-            2 => Step {
-                mantissa: 5,
-                ..self
-            },
-            _ => Step {
-                mantissa: 1,
-                exponent: self.exponent + 1,
-            },
+            1 => Step { mantissa: 2, ..self },
+            2 => Step { mantissa: 5, ..self },
+            _ => Step { mantissa: 1, exponent: self.exponent + 1 },
         }
     }
 
@@ -77,22 +65,12 @@ impl Ticks {
     pub(crate) fn within(values: Interval, step: Step) -> Ticks {
         let (first, last) = (step.ceil(values.low), step.floor(values.high));
         let magnitude = step.multiple(first).abs().max(step.multiple(last).abs());
-        Ticks {
-            step,
-            first,
-            last,
-            power: common_power(magnitude),
-        }
+        Ticks { step, first, last, power: common_power(magnitude) }
     }
 
     /// The ticks with the smallest step for which so many pixels lie between two of them at least, and for which `fits`
     /// finds room.
-    pub(crate) fn spaced(
-        values: Interval,
-        pixels: f64,
-        spacing: f64,
-        fits: impl Fn(&Ticks, f64) -> bool,
-    ) -> Ticks {
+    pub(crate) fn spaced(values: Interval, pixels: f64, spacing: f64, fits: impl Fn(&Ticks, f64) -> bool) -> Ticks {
         let per_value = pixels / values.length();
         let mut step = Step::at_least(values.length() * (spacing / pixels).min(1.0));
         loop {
@@ -113,12 +91,7 @@ impl Ticks {
     /// Writes the label of a tick.
     pub(crate) fn write_label(&self, out: &mut String, number: i64, decimal_comma: bool) {
         let step = self.step;
-        write_decimal(
-            out,
-            number * step.mantissa,
-            step.exponent - self.power,
-            decimal_comma,
-        );
+        write_decimal(out, number * step.mantissa, step.exponent - self.power, decimal_comma);
     }
 
     /// The width of the widest label in a font of this size.
@@ -170,10 +143,7 @@ mod tests {
                 ticks.write_label(&mut label, number, comma);
                 let read: f64 = label.replace('−', "-").replace(',', ".").parse().unwrap();
                 let exact = scaled(read, ticks.power);
-                assert!(
-                    (exact - value).abs() <= 4.0 * f64::EPSILON * value.abs(),
-                    "{label} stands at {value}"
-                );
+                assert!((exact - value).abs() <= 4.0 * f64::EPSILON * value.abs(), "{label} stands at {value}");
                 label
             })
             .collect();
@@ -190,12 +160,7 @@ mod tests {
             (0.1, 0.7, 300.0, "y [m]: 0.1 0.2 0.3 0.4 0.5 0.6 0.7"),
             (-3e-7, 3e-7, 200.0, "y [10⁻⁹ m]: −200 0 200"),
             (0.0, 2.5e6, 250.0, "y [10⁶ m]: 0 0.5 1.0 1.5 2.0 2.5"),
-            (
-                40.000_01,
-                40.000_05,
-                250.0,
-                "y [m]: 40.00001 40.00002 40.00003 40.00004 40.00005",
-            ),
+            (40.000_01, 40.000_05, 250.0, "y [m]: 40.00001 40.00002 40.00003 40.00004 40.00005"),
             (0.0, 99_000.0, 150.0, "y [m]: 0 50000"),
             (0.0, 1e300, 100.0, "y [10³⁰⁰ m]: 0 0.5 1.0"),
             (-1e-290, 1e-290, 100.0, "y [10⁻²⁹¹ m]: −10 0 10"),
@@ -203,22 +168,14 @@ mod tests {
         for (low, high, pixels, expected) in cases {
             assert_eq!(labels(low, high, pixels, false), expected);
         }
-        assert_eq!(
-            labels(-0.25, 0.25, 500.0, true),
-            "y [m]: −0,25 −0,20 −0,15 −0,10 −0,05 0 0,05 0,10 0,15 0,20 0,25"
-        );
+        assert_eq!(labels(-0.25, 0.25, 500.0, true), "y [m]: −0,25 −0,20 −0,15 −0,10 −0,05 0 0,05 0,10 0,15 0,20 0,25");
     }
 
     #[test]
     fn steps_are_the_smallest_that_are_large_enough() {
-        for (size, mantissa, exponent) in [
-            (1.0, 1, 0),
-            (0.2, 2, -1),
-            (0.6 / 3.0, 2, -1),
-            (0.21, 5, -1),
-            (5.1, 1, 1),
-            (3e299, 5, 299),
-        ] {
+        for (size, mantissa, exponent) in
+            [(1.0, 1, 0), (0.2, 2, -1), (0.6 / 3.0, 2, -1), (0.21, 5, -1), (5.1, 1, 1), (3e299, 5, 299)]
+        {
             assert_eq!(Step::at_least(size), Step { mantissa, exponent }, "{size}");
         }
     }
@@ -233,15 +190,7 @@ mod tests {
             ("", "m", 0, "[m]"),
         ];
         for (label, unit, power, expected) in cases {
-            let ticks = Ticks {
-                step: Step {
-                    mantissa: 1,
-                    exponent: power,
-                },
-                first: 0,
-                last: 1,
-                power,
-            };
+            let ticks = Ticks { step: Step { mantissa: 1, exponent: power }, first: 0, last: 1, power };
             let mut title = String::new();
             ticks.write_title(&mut title, label, unit);
             assert_eq!(title, expected);

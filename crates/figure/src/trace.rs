@@ -44,12 +44,7 @@ struct Column {
 }
 
 impl<'a> Tracer<'a> {
-    pub(crate) fn new(
-        points: &'a mut Vec<f32>,
-        entries: &'a mut Vec<Entry>,
-        area: Rect,
-        stroke: Stroke,
-    ) -> Tracer<'a> {
+    pub(crate) fn new(points: &'a mut Vec<f32>, entries: &'a mut Vec<Entry>, area: Rect, stroke: Stroke) -> Tracer<'a> {
         let start = points.len();
         Tracer {
             points,
@@ -84,13 +79,7 @@ impl<'a> Tracer<'a> {
             _ => {
                 self.flush_column();
                 let point = (0, x, y);
-                self.column = Some(Column {
-                    number,
-                    count: 0,
-                    lowest: point,
-                    highest: point,
-                    last: point,
-                });
+                self.column = Some(Column { number, count: 0, lowest: point, highest: point, last: point });
                 self.line_to(x, y);
             }
         }
@@ -98,20 +87,10 @@ impl<'a> Tracer<'a> {
 
     /// Draws what was kept of a column, in the order in which it came.
     fn flush_column(&mut self) {
-        let Some(Column {
-            lowest,
-            highest,
-            last,
-            ..
-        }) = self.column.take()
-        else {
+        let Some(Column { lowest, highest, last, .. }) = self.column.take() else {
             return;
         };
-        let (one, two) = if lowest.0 < highest.0 {
-            (lowest, highest)
-        } else {
-            (highest, lowest)
-        };
+        let (one, two) = if lowest.0 < highest.0 { (lowest, highest) } else { (highest, lowest) };
         let mut drawn = 0;
         for (place, x, y) in [one, two, last] {
             if place > drawn {
@@ -153,12 +132,7 @@ impl<'a> Tracer<'a> {
         let (left, top) = (f64::from(area.x), f64::from(area.y));
         let (right, bottom) = (left + f64::from(area.width), top + f64::from(area.height));
         let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-        for (direction, distance) in [
-            (-dx, x - left),
-            (dx, right - x),
-            (-dy, y - top),
-            (dy, bottom - y),
-        ] {
+        for (direction, distance) in [(-dx, x - left), (dx, right - x), (-dy, y - top), (dy, bottom - y)] {
             if direction == 0.0 {
                 if distance < 0.0 {
                     enter = 2.0;
@@ -170,12 +144,7 @@ impl<'a> Tracer<'a> {
             }
         }
         if enter <= leave {
-            let at = |part: f64| {
-                (
-                    (x + part * dx).clamp(left, right) as f32,
-                    (y + part * dy).clamp(top, bottom) as f32,
-                )
-            };
+            let at = |part: f64| ((x + part * dx).clamp(left, right) as f32, (y + part * dy).clamp(top, bottom) as f32);
             if enter > 0.0 {
                 self.finish_polyline();
                 self.continue_to(at(enter));
@@ -198,9 +167,7 @@ impl<'a> Tracer<'a> {
         let (dx, dy) = (point.0 - anchor.0, point.1 - anchor.1);
         let distance = (dx * dx + dy * dy).sqrt();
         if let (Some(held), Some((right, left))) = (self.held, self.sleeve)
-            && (cross(right, (dx, dy)) < 0.0
-                || cross(left, (dx, dy)) > 0.0
-                || distance < self.reach - TOLERANCE)
+            && (cross(right, (dx, dy)) < 0.0 || cross(left, (dx, dy)) > 0.0 || distance < self.reach - TOLERANCE)
         {
             self.points.extend([held.0, held.1]);
             self.held = None;
@@ -215,23 +182,12 @@ impl<'a> Tracer<'a> {
         if distance > TOLERANCE {
             let ratio = TOLERANCE / distance;
             let (across_x, across_y) = (-dy * ratio, dx * ratio);
-            let own = (
-                (dx - across_x, dy - across_y),
-                (dx + across_x, dy + across_y),
-            );
+            let own = ((dx - across_x, dy - across_y), (dx + across_x, dy + across_y));
             self.sleeve = Some(match self.sleeve {
                 None => own,
                 Some((right, left)) => (
-                    if cross(right, own.0) > 0.0 {
-                        own.0
-                    } else {
-                        right
-                    },
-                    if cross(left, own.1) < 0.0 {
-                        own.1
-                    } else {
-                        left
-                    },
+                    if cross(right, own.0) > 0.0 { own.0 } else { right },
+                    if cross(left, own.1) < 0.0 { own.1 } else { left },
                 ),
             });
         }
@@ -250,12 +206,7 @@ impl<'a> Tracer<'a> {
             // A row by itself, between two that cannot be drawn, is a dot.
             2 => {
                 let (radius, ink) = (self.stroke.width * 0.75, self.stroke.ink);
-                self.entries.push(Entry::Dots {
-                    centres: range,
-                    radius,
-                    ink,
-                    ringed: false,
-                });
+                self.entries.push(Entry::Dots { centres: range, radius, ink, ringed: false });
             }
             _ => self.entries.push(Entry::Polyline(range, self.stroke)),
         }
@@ -289,11 +240,6 @@ pub(crate) fn scatter(
     }
     let centres: Range<usize> = start..points.len();
     if !centres.is_empty() {
-        entries.push(Entry::Dots {
-            centres,
-            radius,
-            ink,
-            ringed: false,
-        });
+        entries.push(Entry::Dots { centres, radius, ink, ringed: false });
     }
 }

@@ -33,41 +33,28 @@ impl Figure {
         self.change(direction, |scale, horizontal| {
             let fixed = scale.value(f64::from(if horizontal { at.x } else { at.y }));
             let Interval { low, high } = scale.values;
-            Interval {
-                low: fixed - (fixed - low) / factor,
-                high: fixed + (high - fixed) / factor,
-            }
+            Interval { low: fixed - (fixed - low) / factor, high: fixed + (high - fixed) / factor }
         })
     }
 
     /// Zooms by a factor about the centre of the panel.
     pub fn zoom_centre(&self, factor: f64, direction: Direction) -> View {
         let panel = self.panel;
-        let at = Point {
-            x: panel.x + panel.width / 2.0,
-            y: panel.y + panel.height / 2.0,
-        };
+        let at = Point { x: panel.x + panel.width / 2.0, y: panel.y + panel.height / 2.0 };
         self.zoom(at, factor, direction)
     }
 
     /// Zooms to the rectangle between two pixels. A flat or narrow one zooms along one direction only, and one that is
     /// both changes nothing.
     pub fn zoom_to(&self, one: Point, other: Point) -> View {
-        let direction = match (
-            (one.x - other.x).abs() >= LEAST_RECTANGLE,
-            (one.y - other.y).abs() >= LEAST_RECTANGLE,
-        ) {
+        let direction = match ((one.x - other.x).abs() >= LEAST_RECTANGLE, (one.y - other.y).abs() >= LEAST_RECTANGLE) {
             (true, true) => Direction::Both,
             (true, false) => Direction::Horizontal,
             (false, true) => Direction::Vertical,
             (false, false) => return self.view.clone(),
         };
         self.change(direction, |scale, horizontal| {
-            let ends = if horizontal {
-                (one.x, other.x)
-            } else {
-                (one.y, other.y)
-            };
+            let ends = if horizontal { (one.x, other.x) } else { (one.y, other.y) };
             let (least, most) = (scale.low.min(scale.high), scale.low.max(scale.high));
             let value = |pixel: f32| scale.value(f64::from(pixel).clamp(least, most));
             Interval::new(value(ends.0), value(ends.1))
@@ -84,10 +71,7 @@ impl Figure {
         };
         self.change(direction, |scale, horizontal| {
             let pixels = if horizontal { right } else { down };
-            Interval {
-                low: scale.value(scale.low - pixels),
-                high: scale.value(scale.high - pixels),
-            }
+            Interval { low: scale.value(scale.low - pixels), high: scale.value(scale.high - pixels) }
         })
     }
 
@@ -125,8 +109,5 @@ fn reasonable(wanted: Interval, present: Interval, home: Interval) -> Interval {
     let overlap = 0.1 * length.min(home.length());
     let right = (home.low + overlap - wanted.high).max(0.0);
     let left = (wanted.low - (home.high - overlap)).max(0.0);
-    sane(Interval {
-        low: wanted.low + right - left,
-        high: wanted.high + right - left,
-    })
+    sane(Interval { low: wanted.low + right - left, high: wanted.high + right - left })
 }

@@ -1,9 +1,6 @@
 //! Whatever comes in, a figure comes out: finite, well-formed, without a panic.
 
-use figure::{
-    Anchor, Axis, Direction, Interval, Item, Palette, Plot, Point, Series, Settings, Style, View,
-    layout,
-};
+use figure::{Anchor, Axis, Direction, Interval, Item, Palette, Plot, Point, Series, Settings, Style, View, layout};
 use proptest::prelude::*;
 
 fn value() -> impl Strategy<Value = f64> {
@@ -26,12 +23,7 @@ fn interval() -> impl Strategy<Value = Interval> {
 }
 
 fn style() -> impl Strategy<Value = Style> {
-    prop_oneof![
-        Just(Style::Line),
-        Just(Style::Ghost),
-        Just(Style::Points),
-        any::<u8>().prop_map(Style::Kept)
-    ]
+    prop_oneof![Just(Style::Line), Just(Style::Ghost), Just(Style::Points), any::<u8>().prop_map(Style::Kept)]
 }
 
 prop_compose! {

@@ -12,47 +12,16 @@ fn run() -> Run {
     let time: Vec<f64> = (0..=200).map(|row| f64::from(row) / 20.0).collect();
     let displacement = time.iter().map(|t| 0.5 * libm::cos(1.67 * t)).collect();
     let velocity = time.iter().map(|t| -0.835 * libm::sin(1.67 * t)).collect();
-    Run {
-        time,
-        displacement,
-        velocity,
-    }
+    Run { time, displacement, velocity }
 }
 
 fn time_plot(run: &Run) -> Plot<'_> {
     Plot {
-        x: Axis {
-            label: "t",
-            unit: "s",
-            include: None,
-        },
-        y: vec![
-            Axis {
-                label: "y",
-                unit: "m",
-                include: None,
-            },
-            Axis {
-                label: "y′",
-                unit: "m/s",
-                include: None,
-            },
-        ],
+        x: Axis { label: "t", unit: "s", include: None },
+        y: vec![Axis { label: "y", unit: "m", include: None }, Axis { label: "y′", unit: "m/s", include: None }],
         series: vec![
-            Series {
-                label: "y",
-                x: &run.time,
-                y: &run.displacement,
-                ..Series::default()
-            },
-            Series {
-                label: "y′",
-                axis: 1,
-                colour: 1,
-                x: &run.time,
-                y: &run.velocity,
-                ..Series::default()
-            },
+            Series { label: "y", x: &run.time, y: &run.displacement, ..Series::default() },
+            Series { label: "y′", axis: 1, colour: 1, x: &run.time, y: &run.velocity, ..Series::default() },
         ],
         ordered: true,
         ..Plot::default()
@@ -61,46 +30,24 @@ fn time_plot(run: &Run) -> Plot<'_> {
 
 fn phase_plot(run: &Run) -> Plot<'_> {
     Plot {
-        x: Axis {
-            label: "y",
-            unit: "m",
-            include: None,
-        },
-        y: vec![Axis {
-            label: "y′",
-            unit: "m/s",
-            include: None,
-        }],
-        series: vec![Series {
-            x: &run.displacement,
-            y: &run.velocity,
-            ..Series::default()
-        }],
+        x: Axis { label: "y", unit: "m", include: None },
+        y: vec![Axis { label: "y′", unit: "m/s", include: None }],
+        series: vec![Series { x: &run.displacement, y: &run.velocity, ..Series::default() }],
         ..Plot::default()
     }
 }
 
 fn settings() -> Settings {
-    Settings {
-        width: 640.0,
-        height: 320.0,
-        ..Settings::default()
-    }
+    Settings { width: 640.0, height: 320.0, ..Settings::default() }
 }
 
 fn with_view<'a>(plot: &Plot<'a>, view: View) -> Plot<'a> {
-    Plot {
-        view,
-        ..plot.clone()
-    }
+    Plot { view, ..plot.clone() }
 }
 
 fn centre(figure: &Figure) -> Point {
     let panel = figure.panel;
-    Point {
-        x: panel.x + panel.width / 2.0,
-        y: panel.y + panel.height / 2.0,
-    }
+    Point { x: panel.x + panel.width / 2.0, y: panel.y + panel.height / 2.0 }
 }
 
 fn close(one: f64, other: f64) -> bool {
@@ -116,10 +63,7 @@ fn values_and_pixels_lead_back_and_forth() {
             let value = scale.values.low + scale.values.length() * f64::from(step) / 100.0;
             assert!(close(scale.value(scale.pixel(value)), value));
         }
-        assert!(
-            close(scale.pixel(scale.values.low), scale.low)
-                && close(scale.pixel(scale.values.high), scale.high)
-        );
+        assert!(close(scale.pixel(scale.values.low), scale.low) && close(scale.pixel(scale.values.high), scale.high));
     }
 }
 
@@ -130,28 +74,13 @@ fn hovering_a_time_plot_reads_all_series_at_the_nearest_sample() {
     let figure = layout(&plot, &settings());
     let x = figure.x_scale().unwrap();
     // A little to the right of row 100, t = 5 s; anywhere above or below.
-    let at = Point {
-        x: x.pixel(5.02) as f32,
-        y: figure.panel.y + 3.0,
-    };
+    let at = Point { x: x.pixel(5.02) as f32, y: figure.panel.y + 3.0 };
     let readout = figure.hover(&plot, at).unwrap();
     assert_eq!(readout.heading, "t = 5.000\u{a0}s");
-    let texts: Vec<&str> = readout
-        .samples
-        .iter()
-        .map(|sample| sample.text.as_str())
-        .collect();
+    let texts: Vec<&str> = readout.samples.iter().map(|sample| sample.text.as_str()).collect();
     assert_eq!(texts, ["y = −0.2380\u{a0}m", "y′ = −0.7344\u{a0}m/s"]);
-    assert!(
-        readout
-            .samples
-            .iter()
-            .all(|sample| sample.row == 100 && sample.x == 5.0)
-    );
-    assert_eq!(
-        readout.samples[0].at.y,
-        figure.y_scales()[0].pixel(run.displacement[100]) as f32
-    );
+    assert!(readout.samples.iter().all(|sample| sample.row == 100 && sample.x == 5.0));
+    assert_eq!(readout.samples[0].at.y, figure.y_scales()[0].pixel(run.displacement[100]) as f32);
     // Outside the panel there is nothing to read.
     assert_eq!(figure.hover(&plot, Point { x: 1.0, y: 1.0 }), None);
 }
@@ -162,10 +91,7 @@ fn a_series_that_has_ended_is_not_read() {
     let mut plot = time_plot(&run);
     plot.series[1].x = &run.time[..50];
     let figure = layout(&plot, &settings());
-    let at = |t| Point {
-        x: figure.x_scale().unwrap().pixel(t) as f32,
-        y: centre(&figure).y,
-    };
+    let at = |t| Point { x: figure.x_scale().unwrap().pixel(t) as f32, y: centre(&figure).y };
     assert_eq!(figure.hover(&plot, at(1.0)).unwrap().samples.len(), 2);
     assert_eq!(figure.hover(&plot, at(8.0)).unwrap().samples.len(), 1);
 }
@@ -177,32 +103,18 @@ fn hovering_a_phase_portrait_reads_the_nearest_point() {
     let figure = layout(&plot, &settings());
     let row = 33;
     let (x, y) = (figure.x_scale().unwrap(), figure.y_scales()[0]);
-    let at = Point {
-        x: x.pixel(run.displacement[row]) as f32 + 2.0,
-        y: y.pixel(run.velocity[row]) as f32,
-    };
+    let at = Point { x: x.pixel(run.displacement[row]) as f32 + 2.0, y: y.pixel(run.velocity[row]) as f32 };
     let readout = figure.hover(&plot, at).unwrap();
     assert_eq!(readout.samples.len(), 1);
     let sample = &readout.samples[0];
     let distance = |row: usize| {
-        let (right, down) = (
-            x.pixel(run.displacement[row]) - f64::from(at.x),
-            y.pixel(run.velocity[row]) - f64::from(at.y),
-        );
+        let (right, down) =
+            (x.pixel(run.displacement[row]) - f64::from(at.x), y.pixel(run.velocity[row]) - f64::from(at.y));
         right * right + down * down
     };
     assert!((0..=200).all(|other| distance(sample.row) <= distance(other)));
     // The centre of the ellipse is far from every point.
-    assert_eq!(
-        figure.hover(
-            &plot,
-            Point {
-                x: x.pixel(0.0) as f32,
-                y: y.pixel(0.0) as f32
-            }
-        ),
-        None
-    );
+    assert_eq!(figure.hover(&plot, Point { x: x.pixel(0.0) as f32, y: y.pixel(0.0) as f32 }), None);
 }
 
 #[test]
@@ -220,29 +132,13 @@ fn the_cursor_steps_over_what_cannot_be_drawn() {
         (9999, 0, Some(200)),
     ];
     for (row, rows, expected) in cases {
-        assert_eq!(
-            figure.step(&plot, 0, row, rows),
-            expected,
-            "{row} by {rows}"
-        );
+        assert_eq!(figure.step(&plot, 0, row, rows), expected, "{row} by {rows}");
     }
     assert_eq!(figure.step(&plot, 7, 0, 1), None);
-    assert_eq!(
-        figure.readout(&plot, 0, 20).unwrap().heading,
-        "t = 1.000\u{a0}s"
-    );
+    assert_eq!(figure.readout(&plot, 0, 20).unwrap().heading, "t = 1.000\u{a0}s");
     assert_eq!(figure.readout(&plot, 0, 5), None);
     // In a zoomed view the cursor stays in the panel.
-    let zoomed = with_view(
-        &plot,
-        View {
-            x: Some(Interval {
-                low: 2.0,
-                high: 3.0,
-            }),
-            y: vec![],
-        },
-    );
+    let zoomed = with_view(&plot, View { x: Some(Interval { low: 2.0, high: 3.0 }), y: vec![] });
     let figure = layout(&zoomed, &settings());
     assert_eq!(figure.step(&zoomed, 0, 60, 5), Some(60));
     assert_eq!(figure.step(&zoomed, 0, 0, 1), Some(40));
@@ -253,10 +149,7 @@ fn zooming_keeps_the_value_under_the_pointer() {
     let run = run();
     let plot = time_plot(&run);
     let figure = layout(&plot, &settings());
-    let at = Point {
-        x: figure.panel.x + 100.0,
-        y: figure.panel.y + 30.0,
-    };
+    let at = Point { x: figure.panel.x + 100.0, y: figure.panel.y + 30.0 };
     let view = figure.zoom(at, 2.0, Direction::Both);
     let zoomed = layout(&with_view(&plot, view.clone()), &settings());
     // The panel may move a little, since the labels are longer: compare places within the panel.
@@ -268,19 +161,13 @@ fn zooming_keeps_the_value_under_the_pointer() {
     for (before, after) in pairs.chain(figure.x_scale().into_iter().zip(zoomed.x_scale())) {
         let horizontal = before.low < before.high;
         let value = before.value(f64::from(if horizontal { at.x } else { at.y }));
-        assert!(close(
-            part(&figure, before, value),
-            part(&zoomed, after, value)
-        ));
+        assert!(close(part(&figure, before, value), part(&zoomed, after, value)));
         assert!(close(after.values.length() * 2.0, before.values.length()));
     }
     // Out again, about the same values, is the way back.
     let back = zoomed.zoom(
         Point {
-            x: zoomed
-                .x_scale()
-                .unwrap()
-                .pixel(figure.x_scale().unwrap().value(f64::from(at.x))) as f32,
+            x: zoomed.x_scale().unwrap().pixel(figure.x_scale().unwrap().value(f64::from(at.x))) as f32,
             y: zoomed.y_scales()[0].pixel(figure.y_scales()[0].value(f64::from(at.y))) as f32,
         },
         0.5,
@@ -300,27 +187,15 @@ fn a_rectangle_becomes_the_view() {
     let plot = time_plot(&run);
     let figure = layout(&plot, &settings());
     let (x, y) = (figure.x_scale().unwrap(), figure.y_scales()[0]);
-    let corner = |t: f64, value: f64| Point {
-        x: x.pixel(t) as f32,
-        y: y.pixel(value) as f32,
-    };
+    let corner = |t: f64, value: f64| Point { x: x.pixel(t) as f32, y: y.pixel(value) as f32 };
     let view = figure.zoom_to(corner(4.0, 0.3), corner(2.0, -0.1));
     let limits = view.x.unwrap();
     assert!((limits.low - 2.0).abs() < 1e-5 && (limits.high - 4.0).abs() < 1e-5);
     assert!((view.y[0].low + 0.1).abs() < 1e-5 && (view.y[0].high - 0.3).abs() < 1e-5);
     assert_eq!(view.y.len(), 2);
     // A flat one is meant along the time alone, a click is not a rectangle, and one beyond the panel ends at its edge.
-    assert!(
-        figure
-            .zoom_to(corner(4.0, 0.3), corner(2.0, 0.3))
-            .y
-            .is_empty()
-    );
-    assert!(
-        figure
-            .zoom_to(corner(4.0, 0.3), corner(4.0, 0.3))
-            .is_automatic()
-    );
+    assert!(figure.zoom_to(corner(4.0, 0.3), corner(2.0, 0.3)).y.is_empty());
+    assert!(figure.zoom_to(corner(4.0, 0.3), corner(4.0, 0.3)).is_automatic());
     let beyond = figure.zoom_to(corner(5.0, 0.3), Point { x: 1e6, y: 1e6 });
     assert!(close(beyond.x.unwrap().high, 10.0));
 }
@@ -337,10 +212,7 @@ fn panning_moves_with_the_pointer_and_not_out_of_sight() {
     assert!(view.y.is_empty());
     let far = figure.pan(1e9, -1e9);
     let limits = far.x.unwrap();
-    assert!(
-        limits.high >= 1.0 - 1e-9 && limits.high <= 10.0,
-        "{limits:?}"
-    );
+    assert!(limits.high >= 1.0 - 1e-9 && limits.high <= 10.0, "{limits:?}");
     assert!(figure.pan(0.0, 0.0).is_automatic());
 }
 
@@ -357,11 +229,7 @@ fn zooming_ends_where_nothing_can_be_told_apart() {
         let figure = layout(&with_view(&plot, view.clone()), &settings());
         for scale in figure.y_scales().iter().chain(figure.x_scale()) {
             let length = scale.values.length();
-            assert!(
-                length > 1e-10 && length < 2e3,
-                "{factor}: {:?}",
-                scale.values
-            );
+            assert!(length > 1e-10 && length < 2e3, "{factor}: {:?}", scale.values);
         }
     }
 }

@@ -1,55 +1,32 @@
 //! Figures as a whole: what is written where, and what is drawn.
 
 use figure::{
-    Anchor, Axis, Figure, Ink, Interval, Item, Palette, Plot, Point, Series, Settings, Style, View,
-    layout, layout_into,
+    Anchor, Axis, Figure, Ink, Interval, Item, Palette, Plot, Point, Series, Settings, Style, View, layout, layout_into,
 };
 
 fn settings(width: f64, height: f64) -> Settings {
-    Settings {
-        width,
-        height,
-        ..Settings::default()
-    }
+    Settings { width, height, ..Settings::default() }
 }
 
 fn columns(rows: usize) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
     let time: Vec<f64> = (0..rows).map(|row| row as f64 * 0.05).collect();
-    let displacement = time
-        .iter()
-        .map(|t| 0.5 * libm::exp(-0.07 * t) * libm::cos(1.67 * t))
-        .collect();
-    let velocity = time
-        .iter()
-        .map(|t| -0.8 * libm::exp(-0.07 * t) * libm::sin(1.67 * t))
-        .collect();
+    let displacement = time.iter().map(|t| 0.5 * libm::exp(-0.07 * t) * libm::cos(1.67 * t)).collect();
+    let velocity = time.iter().map(|t| -0.8 * libm::exp(-0.07 * t) * libm::sin(1.67 * t)).collect();
     (time, displacement, velocity)
 }
 
 fn time_axis<'a>() -> Axis<'a> {
-    Axis {
-        label: "t",
-        unit: "s",
-        include: None,
-    }
+    Axis { label: "t", unit: "s", include: None }
 }
 
 fn axis<'a>(label: &'a str, unit: &'a str) -> Axis<'a> {
-    Axis {
-        label,
-        unit,
-        include: None,
-    }
+    Axis { label, unit, include: None }
 }
 
 /// All texts in order.
 fn texts(figure: &Figure) -> Vec<String> {
     let text = |item| {
-        if let Item::Text { text, .. } = item {
-            Some(String::from(text))
-        } else {
-            None
-        }
+        if let Item::Text { text, .. } = item { Some(String::from(text)) } else { None }
     };
     figure.items().filter_map(text).collect()
 }
@@ -57,12 +34,9 @@ fn texts(figure: &Figure) -> Vec<String> {
 /// The points of all polylines of an ink.
 fn polylines(figure: &Figure, wanted: Ink) -> Vec<Vec<(f32, f32)>> {
     let polyline = |item| match item {
-        Item::Polyline(points, stroke) if stroke.ink == wanted => Some(
-            points
-                .chunks_exact(2)
-                .map(|point| (point[0], point[1]))
-                .collect(),
-        ),
+        Item::Polyline(points, stroke) if stroke.ink == wanted => {
+            Some(points.chunks_exact(2).map(|point| (point[0], point[1])).collect())
+        }
         _ => None,
     };
     figure.items().filter_map(polyline).collect()
@@ -76,20 +50,8 @@ fn two_dimensions_have_an_axis_each() {
         x: time_axis(),
         y: vec![axis("y", "m"), axis("y′", "m/s")],
         series: vec![
-            Series {
-                label: "y",
-                x: &time,
-                y: &displacement,
-                ..Series::default()
-            },
-            Series {
-                label: "y′",
-                axis: 1,
-                colour: 1,
-                x: &time,
-                y: &velocity,
-                ..Series::default()
-            },
+            Series { label: "y", x: &time, y: &displacement, ..Series::default() },
+            Series { label: "y′", axis: 1, colour: 1, x: &time, y: &velocity, ..Series::default() },
         ],
         ordered: true,
         ..Plot::default()
@@ -97,16 +59,13 @@ fn two_dimensions_have_an_axis_each() {
     let wide = layout(&plot, &settings(640.0, 320.0));
     assert_eq!(
         texts(&wide).join(" "),
-        "Displacement and velocity y y′ 0 1 2 3 4 5 6 7 8 9 10 t [s] \
-         −0.8 −0.6 −0.4 −0.2 0 0.2 0.4 0.6 0.8 y [m] −0.8 −0.6 −0.4 −0.2 0 0.2 0.4 0.6 0.8 y′ [m/s]"
+        "Displacement and velocity y y′ t [s] y [m] y′ [m/s] 0 1 2 3 4 5 6 7 8 9 10 \
+         −0.8 −0.6 −0.4 −0.2 0 0.2 0.4 0.6 0.8 −0.8 −0.6 −0.4 −0.2 0 0.2 0.4 0.6 0.8"
     );
-    let phone = Settings {
-        decimal_comma: true,
-        ..settings(358.0, 200.0)
-    };
+    let phone = Settings { decimal_comma: true, ..settings(358.0, 200.0) };
     assert_eq!(
         texts(&layout(&plot, &phone)).join(" "),
-        "Displacement and velocity y y′ 0 2 4 6 8 10 t [s] −0,5 0 0,5 y [m] −1 0 1 y′ [m/s]"
+        "Displacement and velocity y y′ t [s] y [m] y′ [m/s] 0 2 4 6 8 10 −0,5 0 0,5 −1 0 1"
     );
 }
 
@@ -117,28 +76,15 @@ fn zeros_of_all_axes_are_level_and_the_present_is_marked() {
         x: time_axis(),
         y: vec![axis("y", "m"), axis("y′", "m/s")],
         series: vec![
-            Series {
-                x: &time,
-                y: &displacement,
-                present: Some((5.0, displacement[100])),
-                ..Series::default()
-            },
-            Series {
-                axis: 1,
-                colour: 1,
-                x: &time,
-                y: &velocity,
-                ..Series::default()
-            },
+            Series { x: &time, y: &displacement, present: Some((5.0, displacement[100])), ..Series::default() },
+            Series { axis: 1, colour: 1, x: &time, y: &velocity, ..Series::default() },
         ],
         ordered: true,
         marker: Some(5.0),
         ..Plot::default()
     };
     let figure = layout(&plot, &settings(640.0, 320.0));
-    let [left, right] = figure.y_scales() else {
-        panic!("two axes")
-    };
+    let [left, right] = figure.y_scales() else { panic!("two axes") };
     assert!((left.pixel(0.0) - right.pixel(0.0)).abs() < 1e-9);
     let x = figure.x_scale().unwrap();
     let marker = figure.items().find_map(|item| match item {
@@ -150,19 +96,11 @@ fn zeros_of_all_axes_are_level_and_the_present_is_marked() {
     let dots: Vec<(f32, f32)> = figure
         .items()
         .filter_map(|item| match item {
-            Item::Dots {
-                centres,
-                ink: Ink::Series(0),
-                ringed: true,
-                ..
-            } => Some((centres[0], centres[1])),
+            Item::Dots { centres, ink: Ink::Series(0), ringed: true, .. } => Some((centres[0], centres[1])),
             _ => None,
         })
         .collect();
-    assert_eq!(
-        dots,
-        [(x.pixel(5.0) as f32, left.pixel(displacement[100]) as f32)]
-    );
+    assert_eq!(dots, [(x.pixel(5.0) as f32, left.pixel(displacement[100]) as f32)]);
 }
 
 #[test]
@@ -170,56 +108,29 @@ fn labels_never_overlap_and_a_phone_has_fewer() {
     let (time, displacement, _) = columns(2001);
     let mut counts = Vec::new();
     for width in [1200.0, 640.0, 390.0, 240.0] {
-        for (low, high) in [
-            (0.0, 100.0),
-            (40.000_01, 40.000_04),
-            (-1e-7, 3e9),
-            (0.0, 1e300),
-        ] {
+        for (low, high) in [(0.0, 100.0), (40.000_01, 40.000_04), (-1e-7, 3e9), (0.0, 1e300)] {
             let plot = Plot {
                 x: time_axis(),
                 y: vec![axis("y", "m")],
-                series: vec![Series {
-                    x: &time,
-                    y: &displacement,
-                    ..Series::default()
-                }],
+                series: vec![Series { x: &time, y: &displacement, ..Series::default() }],
                 ordered: true,
-                view: View {
-                    x: Some(Interval { low, high }),
-                    y: vec![],
-                },
+                view: View { x: Some(Interval { low, high }), y: vec![] },
                 ..Plot::default()
             };
             let figure = layout(&plot, &settings(width, 240.0));
             let mut free_from = f32::NEG_INFINITY;
             let mut count = 0;
             for item in figure.items() {
-                let Item::Text {
-                    text,
-                    at,
-                    anchor: Anchor::Middle,
-                    size,
-                    ..
-                } = item
-                else {
+                let Item::Text { text, at, anchor: Anchor::Middle, size, .. } = item else {
                     continue;
                 };
                 if text == "t [s]" || text.contains('[') {
                     continue;
                 }
                 // Digits of the widest usual font, DejaVu Sans.
-                let half = text
-                    .chars()
-                    .map(|c| if c == '.' { 0.32 } else { 0.64 })
-                    .sum::<f32>()
-                    * size
-                    / 2.0;
+                let half = text.chars().map(|c| if c == '.' { 0.32 } else { 0.64 }).sum::<f32>() * size / 2.0;
                 assert!(at.x - half >= free_from, "{text} overlaps at width {width}");
-                assert!(
-                    at.x - half >= -0.5 && at.x + half <= width as f32 + 0.5,
-                    "{text} sticks out at {width}"
-                );
+                assert!(at.x - half >= -0.5 && at.x + half <= width as f32 + 0.5, "{text} sticks out at {width}");
                 free_from = at.x + half;
                 count += 1;
             }
@@ -234,41 +145,19 @@ fn labels_never_overlap_and_a_phone_has_fewer() {
 #[test]
 fn lines_break_at_jumps_and_gaps() {
     let time: Vec<f64> = (0..10).map(f64::from).collect();
-    let height = [
-        0.0,
-        3.0,
-        1.0,
-        4.0,
-        f64::NAN,
-        2.0,
-        f64::INFINITY,
-        0.0,
-        5.0,
-        1.0,
-    ];
+    let height = [0.0, 3.0, 1.0, 4.0, f64::NAN, 2.0, f64::INFINITY, 0.0, 5.0, 1.0];
     let plot = Plot {
         x: time_axis(),
         y: vec![axis("y", "m")],
-        series: vec![Series {
-            x: &time,
-            y: &height,
-            breaks: &[0, 2, 9],
-            ..Series::default()
-        }],
+        series: vec![Series { x: &time, y: &height, breaks: &[0, 2, 9], ..Series::default() }],
         ordered: true,
         ..Plot::default()
     };
     let figure = layout(&plot, &settings(640.0, 320.0));
-    let lengths: Vec<usize> = polylines(&figure, Ink::Series(0))
-        .iter()
-        .map(Vec::len)
-        .collect();
+    let lengths: Vec<usize> = polylines(&figure, Ink::Series(0)).iter().map(Vec::len).collect();
     assert_eq!(lengths, [2, 2, 2]);
     // Rows 5 and 9 stand alone and become dots.
-    let dots = figure
-        .items()
-        .filter(|item| matches!(item, Item::Dots { .. }))
-        .count();
+    let dots = figure.items().filter(|item| matches!(item, Item::Dots { .. })).count();
     assert_eq!(dots, 2);
 }
 
@@ -282,11 +171,7 @@ fn decimation_keeps_the_extrema_and_follows_every_point() {
     let plot = Plot {
         x: time_axis(),
         y: vec![axis("y", "m")],
-        series: vec![Series {
-            x: &time,
-            y: &height,
-            ..Series::default()
-        }],
+        series: vec![Series { x: &time, y: &height, ..Series::default() }],
         ordered: true,
         ..Plot::default()
     };
@@ -296,9 +181,8 @@ fn decimation_keeps_the_extrema_and_follows_every_point() {
     assert!(lines[0].len() < 4 * 640, "{} points", lines[0].len());
     let (x, y) = (figure.x_scale().unwrap(), figure.y_scales()[0]);
     let spike = (x.pixel(time[54_321]), y.pixel(1.9));
-    let near = |point: &&(f32, f32)| {
-        (f64::from(point.0) - spike.0).abs() < 0.3 && (f64::from(point.1) - spike.1).abs() < 0.3
-    };
+    let near =
+        |point: &&(f32, f32)| (f64::from(point.0) - spike.0).abs() < 0.3 && (f64::from(point.1) - spike.1).abs() < 0.3;
     assert!(lines[0].iter().find(near).is_some());
     // The lowest and highest value in each column of pixels are reached by the line there.
     let mut ends = vec![(f64::INFINITY, f64::NEG_INFINITY); 640];
@@ -307,10 +191,7 @@ fn decimation_keeps_the_extrema_and_follows_every_point() {
         *column = (column.0.min(y.pixel(*value)), column.1.max(y.pixel(*value)));
     }
     for segment in lines[0].windows(2) {
-        let (low, high) = (
-            segment[0].1.min(segment[1].1),
-            segment[0].1.max(segment[1].1),
-        );
+        let (low, high) = (segment[0].1.min(segment[1].1), segment[0].1.max(segment[1].1));
         for end in segment {
             let column = &mut ends[end.0 as usize];
             if f64::from(low) <= column.0 + 0.25 {
@@ -321,10 +202,7 @@ fn decimation_keeps_the_extrema_and_follows_every_point() {
             }
         }
     }
-    let missed = ends
-        .iter()
-        .filter(|ends| ends.0 < 1e9 || ends.1 > -1e9)
-        .count();
+    let missed = ends.iter().filter(|ends| ends.0 < 1e9 || ends.1 > -1e9).count();
     assert_eq!(missed, 0);
 }
 
@@ -334,11 +212,7 @@ fn a_simplified_curve_stays_within_a_quarter_of_a_pixel() {
     let plot = Plot {
         x: axis("y", "m"),
         y: vec![axis("y′", "m/s")],
-        series: vec![Series {
-            x: &displacement,
-            y: &velocity,
-            ..Series::default()
-        }],
+        series: vec![Series { x: &displacement, y: &velocity, ..Series::default() }],
         ..Plot::default()
     };
     let figure = layout(&plot, &settings(500.0, 500.0));
@@ -347,10 +221,7 @@ fn a_simplified_curve_stays_within_a_quarter_of_a_pixel() {
     let (x, y) = (figure.x_scale().unwrap(), figure.y_scales()[0]);
     for (a, b) in displacement.iter().zip(&velocity) {
         let point = (x.pixel(*a) as f32, y.pixel(*b) as f32);
-        let nearest = line
-            .windows(2)
-            .map(|ends| distance(point, ends[0], ends[1]))
-            .fold(f32::INFINITY, f32::min);
+        let nearest = line.windows(2).map(|ends| distance(point, ends[0], ends[1])).fold(f32::INFINITY, f32::min);
         assert!(nearest < 0.25, "{point:?} is {nearest} from the line");
     }
 }
@@ -358,8 +229,7 @@ fn a_simplified_curve_stays_within_a_quarter_of_a_pixel() {
 /// The distance of a point from a segment.
 fn distance(point: (f32, f32), from: (f32, f32), to: (f32, f32)) -> f32 {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-    let along =
-        ((point.0 - from.0) * dx + (point.1 - from.1) * dy) / (dx * dx + dy * dy).max(1e-12);
+    let along = ((point.0 - from.0) * dx + (point.1 - from.1) * dy) / (dx * dx + dy * dy).max(1e-12);
     let part = along.clamp(0.0, 1.0);
     let (x, y) = (point.0 - from.0 - part * dx, point.1 - from.1 - part * dy);
     (x * x + y * y).sqrt()
@@ -368,24 +238,11 @@ fn distance(point: (f32, f32), from: (f32, f32), to: (f32, f32)) -> f32 {
 #[test]
 fn a_zoomed_line_is_clipped_to_the_panel() {
     let (time, displacement, _) = columns(2001);
-    let view = View {
-        x: Some(Interval {
-            low: 10.013,
-            high: 10.02,
-        }),
-        y: vec![Interval {
-            low: -0.01,
-            high: 0.5,
-        }],
-    };
+    let view = View { x: Some(Interval { low: 10.013, high: 10.02 }), y: vec![Interval { low: -0.01, high: 0.5 }] };
     let plot = Plot {
         x: time_axis(),
         y: vec![axis("y", "m")],
-        series: vec![Series {
-            x: &time,
-            y: &displacement,
-            ..Series::default()
-        }],
+        series: vec![Series { x: &time, y: &displacement, ..Series::default() }],
         ordered: true,
         view,
         ..Plot::default()
@@ -399,36 +256,15 @@ fn a_zoomed_line_is_clipped_to_the_panel() {
         }
     }
     // Between two samples, with none in the panel, the line still passes.
-    let plot = Plot {
-        view: View {
-            x: Some(Interval {
-                low: 10.01,
-                high: 10.03,
-            }),
-            y: vec![],
-        },
-        ..plot
-    };
+    let plot = Plot { view: View { x: Some(Interval { low: 10.01, high: 10.03 }), y: vec![] }, ..plot };
     let figure = layout(&plot, &settings(640.0, 320.0));
-    assert_eq!(
-        polylines(&figure, Ink::Series(0))
-            .iter()
-            .map(Vec::len)
-            .collect::<Vec<_>>(),
-        [2]
-    );
+    assert_eq!(polylines(&figure, Ink::Series(0)).iter().map(Vec::len).collect::<Vec<_>>(), [2]);
 }
 
 #[test]
 fn styles_can_be_told_apart_without_colour() {
     let (time, displacement, _) = columns(50);
-    let series = |label, style| Series {
-        label,
-        style,
-        x: &time,
-        y: &displacement,
-        ..Series::default()
-    };
+    let series = |label, style| Series { label, style, x: &time, y: &displacement, ..Series::default() };
     let plot = Plot {
         x: time_axis(),
         y: vec![axis("y", "m")],
@@ -457,36 +293,15 @@ fn styles_can_be_told_apart_without_colour() {
         let faint = palette.colour(Ink::Ghost(0)).contrast(palette.ground);
         assert!(faint > 1.3 && faint < palette.colour(Ink::Series(0)).contrast(palette.ground));
     }
-    assert!(
-        texts(&figure)
-            .starts_with(&["before", "run 1", "run 2", "now", "measured"].map(String::from))
-    );
+    assert!(texts(&figure).starts_with(&["before", "run 1", "run 2", "now", "measured"].map(String::from)));
 }
 
 #[test]
 fn a_figure_without_data_or_room_is_still_a_figure() {
-    let plot = Plot {
-        title: "Nothing",
-        x: time_axis(),
-        y: vec![axis("y", "m")],
-        ordered: true,
-        ..Plot::default()
-    };
+    let plot = Plot { title: "Nothing", x: time_axis(), y: vec![axis("y", "m")], ordered: true, ..Plot::default() };
     let figure = layout(&plot, &settings(640.0, 320.0));
-    assert_eq!(
-        figure.x_scale().unwrap().values,
-        Interval {
-            low: 0.0,
-            high: 1.0
-        }
-    );
-    for (width, height) in [
-        (0.0, 0.0),
-        (30.0, 300.0),
-        (300.0, 20.0),
-        (f64::NAN, f64::INFINITY),
-        (-5.0, 1e9),
-    ] {
+    assert_eq!(figure.x_scale().unwrap().values, Interval { low: 0.0, high: 1.0 });
+    for (width, height) in [(0.0, 0.0), (30.0, 300.0), (300.0, 20.0), (f64::NAN, f64::INFINITY), (-5.0, 1e9)] {
         let figure = layout(&plot, &settings(width, height));
         assert!(figure.svg(&Palette::LIGHT).ends_with("</svg>\n"));
         assert!(figure.hover(&plot, Point { x: 10.0, y: 10.0 }).is_none());
@@ -500,23 +315,14 @@ fn a_figure_used_again_is_as_one_made_anew() {
         title: "One",
         x: time_axis(),
         y: vec![axis("y", "m"), axis("y′", "m/s")],
-        series: vec![Series {
-            label: "y",
-            x: &time,
-            y: &displacement,
-            ..Series::default()
-        }],
+        series: vec![Series { label: "y", x: &time, y: &displacement, ..Series::default() }],
         ordered: true,
         ..Plot::default()
     };
     let two = Plot {
         x: axis("y", "m"),
         y: vec![axis("y′", "m/s")],
-        series: vec![Series {
-            x: &displacement,
-            y: &velocity,
-            ..Series::default()
-        }],
+        series: vec![Series { x: &displacement, y: &velocity, ..Series::default() }],
         ..Plot::default()
     };
     let mut figure = layout(&one, &settings(640.0, 320.0));

@@ -18,9 +18,7 @@ pub struct Opened {
 impl Opened {
     /// Whether any finding, in any file, is an error.
     pub fn has_errors(&self) -> bool {
-        self.diagnostics
-            .iter()
-            .any(|(_, diagnostic)| diagnostic.severity == model::Severity::Error)
+        self.diagnostics.iter().any(|(_, diagnostic)| diagnostic.severity == model::Severity::Error)
     }
 }
 
@@ -60,26 +58,18 @@ pub struct Document {
 impl Document {
     /// The languages in which the document exists, its own first.
     pub fn languages(&self) -> impl Iterator<Item = &str> {
-        self.editions
-            .iter()
-            .map(|edition| edition.language.as_str())
+        self.editions.iter().map(|edition| edition.language.as_str())
     }
 
     /// The edition in `language`; the document's own where there is none.
     pub fn edition(&self, language: &str) -> &Edition {
-        self.editions
-            .iter()
-            .find(|edition| edition.language == language)
-            .unwrap_or(&self.editions[0])
+        self.editions.iter().find(|edition| edition.language == language).unwrap_or(&self.editions[0])
     }
 
     /// What a text of the document (a label, a title of a plot, a preset's or its group's name, a text value) is in
     /// `language`; itself where it has no translation.
     pub fn text<'a>(&'a self, language: &str, original: &'a str) -> &'a str {
-        self.edition(language)
-            .texts
-            .get(original)
-            .map_or(original, String::as_str)
+        self.edition(language).texts.get(original).map_or(original, String::as_str)
     }
 
     /// The texts that [`Self::text`] may be asked for.
@@ -88,23 +78,11 @@ impl Document {
         let labels = (model.parameters.iter().map(|parameter| &parameter.label))
             .chain(model.states.iter().map(|state| &state.label))
             .chain(model.quantities.iter().map(|quantity| &quantity.label));
-        let curves = self
-            .plots
-            .iter()
-            .flat_map(|plot| plot.curves.iter().chain([&plot.x]))
-            .map(|curve| &curve.label);
+        let curves = self.plots.iter().flat_map(|plot| plot.curves.iter().chain([&plot.x])).map(|curve| &curve.label);
         let groups = self.presets.iter().map(|preset| &preset.group);
         let optional = labels.chain(curves).chain(groups).flatten();
-        let named = self
-            .plots
-            .iter()
-            .map(|plot| &plot.title)
-            .chain(self.presets.iter().map(|preset| &preset.name));
-        optional
-            .chain(named)
-            .chain(&model.texts)
-            .map(String::as_str)
-            .collect()
+        let named = self.plots.iter().map(|plot| &plot.title).chain(self.presets.iter().map(|preset| &preset.name));
+        optional.chain(named).chain(&model.texts).map(String::as_str).collect()
     }
 
     /// The scene with its texts in `language`.
@@ -120,10 +98,7 @@ impl Document {
     /// The words of question `index` in `language`.
     pub fn question_text(&self, language: &str, index: usize) -> &QuestionText {
         let edition = self.edition(language);
-        edition
-            .questions
-            .get(index)
-            .unwrap_or(&self.editions[0].questions[index])
+        edition.questions.get(index).unwrap_or(&self.editions[0].questions[index])
     }
 }
 

@@ -1,10 +1,7 @@
 //! Expressions outside the model: read, completed with the scene's own names, and compiled against the model.
 
 use crate::Assignment;
-use model::{
-    Compiled, Diagnostic, Expression, ExpressionKind, Kind, Model, Node, Span, StatedUnit,
-    StatementKind,
-};
+use model::{Compiled, Diagnostic, Expression, ExpressionKind, Kind, Model, Node, Span, StatedUnit, StatementKind};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -28,12 +25,7 @@ pub struct Expressions<'a> {
 impl<'a> Expressions<'a> {
     /// For the expressions of `source`.
     pub fn new(source: &'a str, model: &'a mut Model) -> Self {
-        Self {
-            source,
-            model,
-            diagnostics: Vec::new(),
-            local: BTreeMap::new(),
-        }
+        Self { source, model, diagnostics: Vec::new(), local: BTreeMap::new() }
     }
 
     /// The expression that fills `range`. None if it has an error.
@@ -41,11 +33,7 @@ impl<'a> Expressions<'a> {
         let (expression, unit, diagnostics) = model::parse_expression(self.source, range);
         let failed = model::has_errors(&diagnostics);
         self.diagnostics.extend(diagnostics);
-        if failed {
-            None
-        } else {
-            self.finish(expression, unit.as_ref())
-        }
+        if failed { None } else { self.finish(expression, unit.as_ref()) }
     }
 
     /// The number that fills `range`.
@@ -71,11 +59,7 @@ impl<'a> Expressions<'a> {
                 continue;
             };
             if result.iter().any(|earlier| earlier.parameter == parameter) {
-                self.error(
-                    "duplicate-name",
-                    format!("`{}` is set twice", name.text),
-                    name.span,
-                );
+                self.error("duplicate-name", format!("`{}` is set twice", name.text), name.span);
                 continue;
             }
             let Some(value) = self.finish(assignment.value, assignment.unit.as_ref()) else {
@@ -101,13 +85,10 @@ impl<'a> Expressions<'a> {
             let message = format!("`{}` cannot have this value", parameter.name);
             let found = (value.span, value.dimension());
             let expected = (parameter.span, parameter.unit.dimension);
-            self.diagnostics
-                .push(dimension_error(message, found, expected));
+            self.diagnostics.push(dimension_error(message, found, expected));
             return false;
         }
-        let (Node::Constant(bits), Some((low, high))) =
-            (self.model.graph.node(value.node), parameter.range)
-        else {
+        let (Node::Constant(bits), Some((low, high))) = (self.model.graph.node(value.node), parameter.range) else {
             return true;
         };
         if (low..=high).contains(&f64::from_bits(bits)) {
@@ -126,23 +107,15 @@ impl<'a> Expressions<'a> {
 
     /// Which parameter a name is.
     fn parameter(&mut self, name: &model::Name) -> Option<usize> {
-        let found = self
-            .model
-            .parameters
-            .iter()
-            .position(|parameter| parameter.name == name.text);
+        let found = self.model.parameters.iter().position(|parameter| parameter.name == name.text);
         if found.is_none() {
             let message = format!("`{}` is not a parameter of the model", name.text);
-            let names = self
-                .model
-                .parameters
-                .iter()
-                .map(|parameter| parameter.name.as_str());
+            let names = self.model.parameters.iter().map(|parameter| parameter.name.as_str());
             let hint = match crate::near::nearest(&name.text, names) {
                 Some(near) => Some(format!("did you mean `{near}`?")),
-                None if self.model.lookup(&name.text, 0).is_some() => Some(
-                    "only parameters can be set; what is computed follows from them".to_owned(),
-                ),
+                None if self.model.lookup(&name.text, 0).is_some() => {
+                    Some("only parameters can be set; what is computed follows from them".to_owned())
+                }
                 None => None,
             };
             let mut diagnostic = Diagnostic::error("unknown-name", message, name.span);
@@ -157,12 +130,7 @@ impl<'a> Expressions<'a> {
         let (statements, diagnostics) = model::parse(self.source, &[range]);
         self.diagnostics.extend(diagnostics);
         for statement in statements {
-            let StatementKind::Definition {
-                name,
-                mut value,
-                unit,
-            } = statement.kind
-            else {
+            let StatementKind::Definition { name, mut value, unit } = statement.kind else {
                 self.error(
                     "scene-definition",
                     "before the drawing only definitions can stand: `name = expression`",
@@ -171,17 +139,9 @@ impl<'a> Expressions<'a> {
                 continue;
             };
             if self.model.lookup(&name.text, 0).is_some() {
-                self.error(
-                    "duplicate-name",
-                    format!("`{}` is already a name of the model", name.text),
-                    name.span,
-                );
+                self.error("duplicate-name", format!("`{}` is already a name of the model", name.text), name.span);
             } else if self.local.contains_key(&name.text) {
-                self.error(
-                    "duplicate-name",
-                    format!("`{}` is defined twice", name.text),
-                    name.span,
-                );
+                self.error("duplicate-name", format!("`{}` is defined twice", name.text), name.span);
             } else {
                 let whole = value.clone();
                 if self.finish(whole, unit.as_ref()).is_none() {
@@ -200,11 +160,7 @@ impl<'a> Expressions<'a> {
         self.local.clear();
     }
 
-    fn finish(
-        &mut self,
-        mut expression: Expression,
-        unit: Option<&StatedUnit>,
-    ) -> Option<Compiled> {
+    fn finish(&mut self, mut expression: Expression, unit: Option<&StatedUnit>) -> Option<Compiled> {
         let mut nodes = 0;
         self.replace(&mut expression, &mut nodes);
         if nodes > NODES || depth(&expression) > DEPTH {
@@ -264,23 +220,16 @@ impl<'a> Expressions<'a> {
             None => return Some(compiled),
         };
         self.diagnostics.push(
-            Diagnostic::error(
-                "varies",
-                format!("{what} cannot change during the run"),
-                compiled.span,
-            )
-            .saying(format!("depends on {culprit}"))
-            .with_hint(
-                "use parameters, quantities made of them, and values at the start such as `y(0)`",
-            ),
+            Diagnostic::error("varies", format!("{what} cannot change during the run"), compiled.span)
+                .saying(format!("depends on {culprit}"))
+                .with_hint("use parameters, quantities made of them, and values at the start such as `y(0)`"),
         );
         None
     }
 
     /// Adds an error.
     pub fn error(&mut self, code: &'static str, message: impl Into<String>, span: Span) {
-        self.diagnostics
-            .push(Diagnostic::error(code, message, span));
+        self.diagnostics.push(Diagnostic::error(code, message, span));
     }
 }
 
@@ -292,16 +241,8 @@ pub fn dimension_error(
 ) -> Diagnostic {
     let describe = |dimension: units::Dimension| {
         let names = dimension.quantity_names().join(", ");
-        let text = if dimension.is_none() {
-            "a pure number".to_owned()
-        } else {
-            dimension.to_string()
-        };
-        if names.is_empty() || dimension.is_none() {
-            text
-        } else {
-            format!("{text} ({names})")
-        }
+        let text = if dimension.is_none() { "a pure number".to_owned() } else { dimension.to_string() };
+        if names.is_empty() || dimension.is_none() { text } else { format!("{text} ({names})") }
     };
     Diagnostic::error("dimension-mismatch", message, found.0)
         .saying(describe(found.1))
@@ -310,8 +251,7 @@ pub fn dimension_error(
 
 /// Whether something in an expression could not be read.
 fn has_gap(expression: &Expression) -> bool {
-    matches!(expression.kind, ExpressionKind::Error)
-        || operands(expression).into_iter().any(has_gap)
+    matches!(expression.kind, ExpressionKind::Error) || operands(expression).into_iter().any(has_gap)
 }
 
 fn count(expression: &Expression) -> usize {

@@ -34,10 +34,7 @@ const KINDS: [(&str, FenceKind); 6] = [
 impl FenceKind {
     /// The word after the backquotes.
     pub fn word(self) -> &'static str {
-        KINDS
-            .iter()
-            .find(|(_, kind)| *kind == self)
-            .map_or("", |(word, _)| word)
+        KINDS.iter().find(|(_, kind)| *kind == self).map_or("", |(word, _)| word)
     }
 }
 
@@ -75,33 +72,22 @@ impl<'a> Opening<'a> {
         if line.len() - text.len() > 3 {
             return None;
         }
-        let mark = text
-            .chars()
-            .next()
-            .filter(|mark| matches!(mark, '`' | '~'))?;
+        let mark = text.chars().next().filter(|mark| matches!(mark, '`' | '~'))?;
         let info = text.trim_start_matches(mark);
         let length = text.len() - info.len();
         if length < 3 || (mark == '`' && info.contains('`')) {
             return None;
         }
-        Some(Self {
-            mark,
-            length,
-            word: info.split_whitespace().next().unwrap_or(""),
-        })
+        Some(Self { mark, length, word: info.split_whitespace().next().unwrap_or("") })
     }
 
     fn kind(&self) -> Option<FenceKind> {
-        KINDS
-            .iter()
-            .find(|(word, _)| *word == self.word)
-            .map(|(_, kind)| *kind)
+        KINDS.iter().find(|(word, _)| *word == self.word).map(|(_, kind)| *kind)
     }
 
     fn is_closed_by(&self, line: &str) -> bool {
-        Opening::read(line).is_some_and(|other| {
-            other.mark == self.mark && other.length >= self.length && other.word.is_empty()
-        })
+        Opening::read(line)
+            .is_some_and(|other| other.mark == self.mark && other.length >= self.length && other.word.is_empty())
     }
 }
 
@@ -118,10 +104,7 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
         let Some(kind) = opening.kind() else {
             warn_of_near_kind(&opening, span, diagnostics);
             // A block of code: it belongs to the prose, and what stands inside means nothing.
-            while rest
-                .next_if(|line| !opening.is_closed_by(line.text(source)))
-                .is_some()
-            {}
+            while rest.next_if(|line| !opening.is_closed_by(line.text(source))).is_some() {}
             rest.next();
             continue;
         };
@@ -133,11 +116,7 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
         while let Some(inner) = rest.next_if(|inner| !ends_inside(source, &opening, inner)) {
             content_end = inner.next;
         }
-        parts.push(Part::Fence(Fence {
-            kind,
-            opening: span,
-            content: content_start..content_end,
-        }));
+        parts.push(Part::Fence(Fence { kind, opening: span, content: content_start..content_end }));
         prose = content_end;
         match rest.next_if(|closing| opening.is_closed_by(closing.text(source))) {
             Some(closing) => prose = closing.next,
@@ -154,9 +133,8 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
 fn ends_inside(source: &str, opening: &Opening, line: &Line) -> bool {
     let text = line.text(source);
     opening.is_closed_by(text)
-        || Opening::read(text).is_some_and(|next| {
-            next.kind().is_some() && next.mark == opening.mark && next.length >= opening.length
-        })
+        || Opening::read(text)
+            .is_some_and(|next| next.kind().is_some() && next.mark == opening.mark && next.length >= opening.length)
 }
 
 fn unclosed(opening: &Opening, span: Span, next: Option<&Line>) -> Diagnostic {
@@ -164,10 +142,7 @@ fn unclosed(opening: &Opening, span: Span, next: Option<&Line>) -> Diagnostic {
     let message = format!("the `{}` block is not closed", opening.word);
     let diagnostic = Diagnostic::error("fence", message, span).saying("begins here");
     match next {
-        Some(next) => diagnostic.with_label(
-            Span::new(next.start, next.end),
-            "and the next one begins inside it",
-        ),
+        Some(next) => diagnostic.with_label(Span::new(next.start, next.end), "and the next one begins inside it"),
         None => diagnostic,
     }
     .with_hint(format!("end it with a line `{marks}`"))
@@ -179,10 +154,7 @@ fn warn_of_near_kind(opening: &Opening, span: Span, diagnostics: &mut Vec<Diagno
         diagnostics.push(
             Diagnostic::warning(
                 "unknown-fence",
-                format!(
-                    "a `{}` block is shown as code and means nothing else",
-                    opening.word
-                ),
+                format!("a `{}` block is shown as code and means nothing else", opening.word),
                 span,
             )
             .with_hint(format!("did you mean `{near}`?")),
@@ -209,16 +181,7 @@ mod tests {
     #[test]
     fn prose_and_fences_alternate() {
         let (parts, messages) = summary("A\n```model\nx = 1\n```\nB\n~~~plots\n~~~\n```model\n```");
-        assert_eq!(
-            parts,
-            [
-                "prose \"A\\n\"",
-                "model \"x = 1\\n\"",
-                "prose \"B\\n\"",
-                "plots \"\"",
-                "model \"\""
-            ]
-        );
+        assert_eq!(parts, ["prose \"A\\n\"", "model \"x = 1\\n\"", "prose \"B\\n\"", "plots \"\"", "model \"\""]);
         assert_eq!(messages, [""; 0]);
     }
 
@@ -231,10 +194,7 @@ mod tests {
     #[test]
     fn an_open_fence_ends_where_the_next_begins() {
         let (parts, messages) = summary("```model\nx = 1\n```plots\ny\n```\nB");
-        assert_eq!(
-            parts,
-            ["model \"x = 1\\n\"", "plots \"y\\n\"", "prose \"B\""]
-        );
+        assert_eq!(parts, ["model \"x = 1\\n\"", "plots \"y\\n\"", "prose \"B\""]);
         assert_eq!(messages, ["the `model` block is not closed"]);
         let (parts, messages) = summary("```model\nx = 1");
         assert_eq!(parts, ["model \"x = 1\""]);
@@ -243,10 +203,7 @@ mod tests {
 
     #[test]
     fn a_misspelt_kind_is_noticed() {
-        assert_eq!(
-            summary("```preset\n```").1,
-            ["a `preset` block is shown as code and means nothing else"]
-        );
+        assert_eq!(summary("```preset\n```").1, ["a `preset` block is shown as code and means nothing else"]);
         assert_eq!(summary("```python\n```").1, [""; 0]);
     }
 }

@@ -6,15 +6,7 @@ use model::{Diagnostic, Span};
 use std::ops::Range;
 
 /// The keys there are.
-const KEYS: [&str; 7] = [
-    "title",
-    "language",
-    "translates",
-    "method",
-    "step",
-    "until",
-    "tolerance",
-];
+const KEYS: [&str; 7] = ["title", "language", "translates", "method", "step", "until", "tolerance"];
 
 /// A value of the front matter and where it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,25 +28,16 @@ pub struct FrontMatter {
 impl FrontMatter {
     /// The value of `key`, if it is there and not empty.
     pub fn get(&self, key: &str) -> Option<&Value> {
-        self.entries
-            .iter()
-            .find(|(name, _)| *name == key)
-            .map(|(_, value)| value)
+        self.entries.iter().find(|(name, _)| *name == key).map(|(_, value)| value)
     }
 }
 
 /// Reads the front matter of `source`; a document may have none.
 pub fn read(source: &str, diagnostics: &mut Vec<Diagnostic>) -> FrontMatter {
     let start = source.len() - source.trim_start_matches('\u{feff}').len();
-    let mut matter = FrontMatter {
-        entries: Vec::new(),
-        end: start,
-    };
+    let mut matter = FrontMatter { entries: Vec::new(), end: start };
     let mut rest = lines(source, start..source.len());
-    let Some(opening) = rest
-        .next()
-        .filter(|line| line.text(source).trim_end() == "---")
-    else {
+    let Some(opening) = rest.next().filter(|line| line.text(source).trim_end() == "---") else {
         return matter;
     };
     for line in rest {
@@ -79,13 +62,9 @@ pub fn read(source: &str, diagnostics: &mut Vec<Diagnostic>) -> FrontMatter {
 }
 
 fn unclosed(opening: Range<usize>) -> Diagnostic {
-    Diagnostic::error(
-        "front-matter",
-        "the front matter is not closed",
-        Span::new(opening.start, opening.end),
-    )
-    .saying("begins here")
-    .with_hint("end it with a line that holds `---` and nothing else")
+    Diagnostic::error("front-matter", "the front matter is not closed", Span::new(opening.start, opening.end))
+        .saying("begins here")
+        .with_hint("end it with a line that holds `---` and nothing else")
 }
 
 impl FrontMatter {
@@ -96,22 +75,15 @@ impl FrontMatter {
             return false;
         };
         let name = key.trim();
-        if name.is_empty()
-            || !name
-                .chars()
-                .all(|c| c.is_alphanumeric() || c == '-' || c == '_')
-        {
+        if name.is_empty() || !name.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_') {
             return false;
         }
         let key_start = line.start + key.len() - key.trim_start().len();
         let key_span = Span::new(key_start, key_start + name.len());
         let value = trimmed(value, line.start + key.len() + 1);
         let Some(known) = KEYS.iter().find(|known| **known == name) else {
-            let mut unknown = Diagnostic::warning(
-                "unknown-key",
-                format!("the front matter has no key `{name}`"),
-                key_span,
-            );
+            let mut unknown =
+                Diagnostic::warning("unknown-key", format!("the front matter has no key `{name}`"), key_span);
             unknown = match nearest(name, KEYS) {
                 Some(near) => unknown.with_hint(format!("did you mean `{near}`?")),
                 None => unknown.with_hint(format!("the keys are {}", KEYS.join(", "))),
@@ -121,19 +93,11 @@ impl FrontMatter {
         };
         if let Some(first) = self.get(name) {
             diagnostics.push(
-                Diagnostic::error(
-                    "duplicate-key",
-                    format!("`{name}` is given twice"),
-                    key_span,
-                )
-                .with_label(first.span, "given here first"),
+                Diagnostic::error("duplicate-key", format!("`{name}` is given twice"), key_span)
+                    .with_label(first.span, "given here first"),
             );
         } else if value.text.is_empty() {
-            diagnostics.push(Diagnostic::error(
-                "empty-key",
-                format!("`{name}` has no value"),
-                key_span,
-            ));
+            diagnostics.push(Diagnostic::error("empty-key", format!("`{name}` has no value"), key_span));
         } else {
             self.entries.push((known, value));
         }
@@ -146,20 +110,13 @@ fn trimmed(text: &str, offset: usize) -> Value {
     let start = offset + text.len() - text.trim_start().len();
     let text = text.trim();
     let span = Span::new(start, start + text.len());
-    let inner = ['"', '\'']
-        .iter()
-        .find_map(|mark| text.strip_prefix(*mark)?.strip_suffix(*mark));
-    Value {
-        text: inner.unwrap_or(text).to_owned(),
-        span,
-    }
+    let inner = ['"', '\''].iter().find_map(|mark| text.strip_prefix(*mark)?.strip_suffix(*mark));
+    Value { text: inner.unwrap_or(text).to_owned(), span }
 }
 
 /// The file name of the base document, where `source` is a translation: what its `translates:` says.
 pub fn translates(source: &str) -> Option<String> {
-    read(source, &mut Vec::new())
-        .get("translates")
-        .map(|value| value.text.clone())
+    read(source, &mut Vec::new()).get("translates").map(|value| value.text.clone())
 }
 
 #[cfg(test)]
@@ -169,17 +126,7 @@ mod tests {
     fn messages(source: &str) -> (FrontMatter, Vec<String>) {
         let mut diagnostics = Vec::new();
         let matter = read(source, &mut diagnostics);
-        (
-            matter,
-            diagnostics
-                .iter()
-                .map(|d| {
-                    [vec![d.message.clone()], d.hints.clone()]
-                        .concat()
-                        .join("; ")
-                })
-                .collect(),
-        )
+        (matter, diagnostics.iter().map(|d| [vec![d.message.clone()], d.hints.clone()].concat().join("; ")).collect())
     }
 
     #[test]
@@ -212,12 +159,7 @@ mod tests {
             ]
         );
         let (matter, messages) = messages("---\ntitle: x\n\nA liquid swings.\n");
-        assert_eq!(
-            messages,
-            [
-                "the front matter is not closed; end it with a line that holds `---` and nothing else"
-            ]
-        );
+        assert_eq!(messages, ["the front matter is not closed; end it with a line that holds `---` and nothing else"]);
         assert_eq!(matter.end, 14);
     }
 }

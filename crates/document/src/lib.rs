@@ -18,9 +18,7 @@ mod settings;
 mod source;
 mod translation;
 
-pub use document::{
-    Assignment, Curve, Document, Edition, Opened, Plot, Preset, Question, QuestionText, Tolerance,
-};
+pub use document::{Assignment, Curve, Document, Edition, Opened, Plot, Preset, Question, QuestionText, Tolerance};
 pub use front_matter::translates;
 pub use open::open;
 pub use prose::{Block, Section};

@@ -14,11 +14,7 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 
 /// How many letters to insert, remove, replace or swap with their neighbour (optimal string alignment).
 fn distance(word: &[char], candidate: &str) -> usize {
-    let candidate: Vec<char> = candidate
-        .chars()
-        .take(80)
-        .flat_map(char::to_lowercase)
-        .collect();
+    let candidate: Vec<char> = candidate.chars().take(80).flat_map(char::to_lowercase).collect();
     let mut rows: [Vec<usize>; 3] = [Vec::new(), Vec::new(), (0..=candidate.len()).collect()];
     for i in 1..=word.len() {
         rows.rotate_left(1);
@@ -26,8 +22,7 @@ fn distance(word: &[char], candidate: &str) -> usize {
         for j in 1..=candidate.len() {
             let replaced = rows[1][j - 1] + usize::from(word[i - 1] != candidate[j - 1]);
             let mut best = replaced.min(rows[1][j] + 1).min(row[j - 1] + 1);
-            if i > 1 && j > 1 && word[i - 1] == candidate[j - 2] && word[i - 2] == candidate[j - 1]
-            {
+            if i > 1 && j > 1 && word[i - 1] == candidate[j - 2] && word[i - 2] == candidate[j - 1] {
                 best = best.min(rows[0][j - 2] + 1);
             }
             row.push(best);

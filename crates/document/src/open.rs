@@ -25,12 +25,8 @@ pub fn open(source: &str, translations: &[&str]) -> Opened {
     if let Some(base) = file.matter.get("translates") {
         let hint = format!("open {}, and this file with it", base.text);
         file.diagnostics.push(
-            Diagnostic::error(
-                "translation",
-                "this is a translation, which has no model of its own",
-                base.span,
-            )
-            .with_hint(hint),
+            Diagnostic::error("translation", "this is a translation, which has no model of its own", base.span)
+                .with_hint(hint),
         );
     }
     let model = file.model();
@@ -41,10 +37,7 @@ pub fn open(source: &str, translations: &[&str]) -> Opened {
         }
         None => (None, Vec::new()),
     };
-    let scene = file
-        .fences(FenceKind::Scene)
-        .first()
-        .map(|fence| fence.content.clone());
+    let scene = file.fences(FenceKind::Scene).first().map(|fence| fence.content.clone());
     let mut diagnostics = vec![file.diagnostics];
     for text in translations {
         let mut translation = File::read(text);
@@ -56,9 +49,7 @@ pub fn open(source: &str, translations: &[&str]) -> Opened {
     let diagnostics = diagnostics.into_iter().enumerate();
     Opened {
         document,
-        diagnostics: diagnostics
-            .flat_map(|(file, found)| bounded(found).into_iter().map(move |d| (file, d)))
-            .collect(),
+        diagnostics: diagnostics.flat_map(|(file, found)| bounded(found).into_iter().map(move |d| (file, d))).collect(),
     }
 }
 
@@ -85,26 +76,13 @@ impl<'a> File<'a> {
         let mut diagnostics = Vec::new();
         if source.len() > LENGTH {
             let end = source.chars().next().map_or(0, char::len_utf8);
-            let message = format!(
-                "a document cannot be longer than {LENGTH} bytes; this one has {}",
-                source.len()
-            );
+            let message = format!("a document cannot be longer than {LENGTH} bytes; this one has {}", source.len());
             diagnostics.push(Diagnostic::error("too-large", message, Span::new(0, end)));
-            return Self {
-                source: "",
-                matter: FrontMatter::default(),
-                parts: Vec::new(),
-                diagnostics,
-            };
+            return Self { source: "", matter: FrontMatter::default(), parts: Vec::new(), diagnostics };
         }
         let matter = front_matter::read(source, &mut diagnostics);
         let parts = fences::split(source, matter.end..source.len(), &mut diagnostics);
-        Self {
-            source,
-            matter,
-            parts,
-            diagnostics,
-        }
+        Self { source, matter, parts, diagnostics }
     }
 
     fn fences(&self, kind: FenceKind) -> Vec<&Fence> {
@@ -116,18 +94,14 @@ impl<'a> File<'a> {
     }
 
     fn model(&mut self) -> Option<model::Model> {
-        let parts: Vec<Range<usize>> = self
-            .fences(FenceKind::Model)
-            .into_iter()
-            .map(|fence| fence.content.clone())
-            .collect();
+        let parts: Vec<Range<usize>> =
+            self.fences(FenceKind::Model).into_iter().map(|fence| fence.content.clone()).collect();
         if parts.is_empty() {
             if !model::has_errors(&self.diagnostics) {
                 let start = Span::new(self.matter.end, self.matter.end);
                 self.diagnostics.push(
-                    Diagnostic::error("no-model", "the document has no model", start).with_hint(
-                        "write its equations in a block that begins with a line \"```model\"",
-                    ),
+                    Diagnostic::error("no-model", "the document has no model", start)
+                        .with_hint("write its equations in a block that begins with a line \"```model\""),
                 );
             }
             return None;
@@ -150,13 +124,9 @@ impl<'a> File<'a> {
             presets::read(&mut expressions, fence.content.clone(), &mut presets);
         }
         let scenes = self.fences(FenceKind::Scene);
-        let scene = scenes.first().and_then(|fence| {
-            scene::build(
-                &mut expressions,
-                fence.content.clone(),
-                &mut Texts::default(),
-            )
-        });
+        let scene = scenes
+            .first()
+            .and_then(|fence| scene::build(&mut expressions, fence.content.clone(), &mut Texts::default()));
         let mut further: Vec<Diagnostic> = (scenes.iter().skip(1))
             .map(|fence| Diagnostic::error("fence", "a document has one scene", fence.opening))
             .collect();
@@ -188,10 +158,7 @@ impl<'a> File<'a> {
             editions: vec![edition],
             model,
             method: settings.method.as_ref().map(|method| method.text.clone()),
-            method_span: settings
-                .method
-                .map(|method| method.span)
-                .unwrap_or_default(),
+            method_span: settings.method.map(|method| method.span).unwrap_or_default(),
             step: settings.step,
             until: settings.until,
             tolerance: settings.tolerance,
@@ -217,8 +184,7 @@ impl<'a> File<'a> {
                 Part::Prose(range) => prose.markdown(range.clone()),
                 Part::Fence(fence) if fence.kind == FenceKind::Question => {
                     if numbers.len() == QUESTIONS {
-                        let message =
-                            format!("a document cannot have more than {QUESTIONS} questions");
+                        let message = format!("a document cannot have more than {QUESTIONS} questions");
                         diagnostics.push(Diagnostic::error("too-large", message, fence.opening));
                         break;
                     }
@@ -241,21 +207,12 @@ impl<'a> File<'a> {
     }
 
     /// Adds this file to `document` as its edition in another language. `numbers` are those of the original's questions.
-    fn translate(
-        &mut self,
-        document: &mut Document,
-        scene: &Option<Range<usize>>,
-        numbers: &[Option<usize>],
-    ) {
+    fn translate(&mut self, document: &mut Document, scene: &Option<Range<usize>>, numbers: &[Option<usize>]) {
         document.translations.push(self.source.to_owned());
         let Some(language) = self.matter.get("language").cloned() else {
             self.diagnostics.push(
-                Diagnostic::error(
-                    "translation",
-                    "the translation does not say its language",
-                    Span::new(0, 0),
-                )
-                .with_hint("its front matter must have a line such as `language: es`"),
+                Diagnostic::error("translation", "the translation does not say its language", Span::new(0, 0))
+                    .with_hint("its front matter must have a line such as `language: es`"),
             );
             return;
         };
@@ -265,8 +222,7 @@ impl<'a> File<'a> {
         }
         if document.languages().any(|known| known == language.text) {
             let message = format!("the document exists in `{}` already", language.text);
-            self.diagnostics
-                .push(Diagnostic::error("translation", message, language.span));
+            self.diagnostics.push(Diagnostic::error("translation", message, language.span));
             return;
         }
         let mut found = Vec::new();
@@ -288,11 +244,7 @@ impl<'a> File<'a> {
         });
         found.extend(warnings);
         found.extend(surplus.into_iter().map(|span| {
-            Diagnostic::error(
-                "translation",
-                format!("the original has {} questions only", numbers.len()),
-                span,
-            )
+            Diagnostic::error("translation", format!("the original has {} questions only", numbers.len()), span)
         }));
         if written < numbers.len() {
             let message = match numbers.len() - written {
@@ -313,44 +265,24 @@ impl<'a> File<'a> {
             }
         }
         found.extend(texts.finish(language.span));
-        let title = self
-            .matter
-            .get("title")
-            .map_or_else(|| document.title.clone(), |title| title.text.clone());
-        document.editions.push(Edition {
-            language: language.text,
-            title,
-            sections,
-            questions,
-            scene,
-            texts: table,
-        });
+        let title = self.matter.get("title").map_or_else(|| document.title.clone(), |title| title.text.clone());
+        document.editions.push(Edition { language: language.text, title, sections, questions, scene, texts: table });
         self.diagnostics.extend(found);
     }
 
     /// What belongs to the original only.
     fn check_kinds(&self, found: &mut Vec<Diagnostic>) {
-        for kind in [
-            FenceKind::Model,
-            FenceKind::Scene,
-            FenceKind::Plots,
-            FenceKind::Presets,
-        ] {
+        for kind in [FenceKind::Model, FenceKind::Scene, FenceKind::Plots, FenceKind::Presets] {
             for fence in self.fences(kind) {
                 let message = format!("a translation has no `{}` of its own", kind.word());
-                found.push(
-                    Diagnostic::error("translation", message, fence.opening)
-                        .with_hint("the original's is used"),
-                );
+                found
+                    .push(Diagnostic::error("translation", message, fence.opening).with_hint("the original's is used"));
             }
         }
         for key in ["method", "step", "until", "tolerance"] {
             if let Some(value) = self.matter.get(key) {
                 let message = format!("`{key}` in a translation means nothing");
-                found.push(
-                    Diagnostic::warning("translation", message, value.span)
-                        .with_hint("the original's is used"),
-                );
+                found.push(Diagnostic::warning("translation", message, value.span).with_hint("the original's is used"));
             }
         }
     }

@@ -31,57 +31,31 @@ pub fn embed(template: &str, documents: &[Source], options: &Options) -> Option<
         Some(around) => around,
         None => {
             let (start, end) = embedded(template)?;
-            (
-                &template[..start - OPENING.len()],
-                &template[end + CLOSING.len()..],
-            )
+            (&template[..start - OPENING.len()], &template[end + CLOSING.len()..])
         }
     };
     let mut head = before.to_owned();
     if let Some(title) = &options.title {
-        replace_between(
-            &mut head,
-            "<title>",
-            "</title>",
-            &crate::prose::escape(title),
-        );
+        replace_between(&mut head, "<title>", "</title>", &crate::prose::escape(title));
     }
-    if let Some(language) = options
-        .language
-        .as_ref()
-        .filter(|language| crate::settings::is_language(language))
-    {
+    if let Some(language) = options.language.as_ref().filter(|language| crate::settings::is_language(language)) {
         replace_between(&mut head, "<html lang=\"", "\"", language);
     }
     let list: Vec<String> = documents
         .iter()
-        .map(|source| {
-            format!(
-                "{{\"name\":{},\"text\":{}}}",
-                encode(&source.name),
-                encode(&source.text)
-            )
-        })
+        .map(|source| format!("{{\"name\":{},\"text\":{}}}", encode(&source.name), encode(&source.text)))
         .collect();
-    Some(format!(
-        "{head}{OPENING}[{}]{CLOSING}{after}",
-        list.join(",\n")
-    ))
+    Some(format!("{head}{OPENING}[{}]{CLOSING}{after}", list.join(",\n")))
 }
 
 /// The documents in a page that [`embed`] made. None where it holds none.
 pub fn read(page: &str) -> Option<Vec<Source>> {
     let (start, end) = embedded(page)?;
-    let mut reader = Reader {
-        rest: &page[start..end],
-    };
+    let mut reader = Reader { rest: &page[start..end] };
     let mut documents = Vec::new();
     reader.expect('[')?;
     while reader.expect('{').is_some() {
-        let mut source = Source {
-            name: String::new(),
-            text: String::new(),
-        };
+        let mut source = Source { name: String::new(), text: String::new() };
         loop {
             let key = reader.string()?;
             reader.expect(':')?;
@@ -188,18 +162,12 @@ impl Reader<'_> {
             return char::from_u32(first);
         }
         self.rest = self.rest.strip_prefix("\\u")?;
-        let second = self
-            .hexadecimal()?
-            .checked_sub(0xdc00)
-            .filter(|low| *low < 0x400)?;
+        let second = self.hexadecimal()?.checked_sub(0xdc00).filter(|low| *low < 0x400)?;
         char::from_u32(0x10000 + ((first - 0xd800) << 10) + second)
     }
 
     fn hexadecimal(&mut self) -> Option<u32> {
-        let digits = self
-            .rest
-            .get(..4)
-            .filter(|digits| digits.bytes().all(|b| b.is_ascii_hexdigit()))?;
+        let digits = self.rest.get(..4).filter(|digits| digits.bytes().all(|b| b.is_ascii_hexdigit()))?;
         self.rest = &self.rest[4..];
         u32::from_str_radix(digits, 16).ok()
     }
@@ -209,14 +177,10 @@ impl Reader<'_> {
 mod tests {
     use super::*;
 
-    const TEMPLATE: &str =
-        "<!doctype html><html lang=\"en\"><title>M</title><body><!--documents--></body></html>";
+    const TEMPLATE: &str = "<!doctype html><html lang=\"en\"><title>M</title><body><!--documents--></body></html>";
 
     fn source(text: &str) -> Source {
-        Source {
-            name: "a \"b\".md".to_owned(),
-            text: text.to_owned(),
-        }
+        Source { name: "a \"b\".md".to_owned(), text: text.to_owned() }
     }
 
     #[test]
@@ -232,18 +196,11 @@ mod tests {
 
     #[test]
     fn an_exported_page_can_be_given_other_documents() {
-        let options = Options {
-            title: Some("A < B".into()),
-            language: Some("es".into()),
-        };
+        let options = Options { title: Some("A < B".into()), language: Some("es".into()) };
         let page = embed(TEMPLATE, &[source("1")], &options).unwrap();
         let again = embed(&page, &[source("2")], &Options::default()).unwrap();
         assert_eq!(read(&again).unwrap(), [source("2")]);
-        assert!(
-            again.starts_with(
-                "<!doctype html><html lang=\"es\"><title>A &lt; B</title><body><script"
-            )
-        );
+        assert!(again.starts_with("<!doctype html><html lang=\"es\"><title>A &lt; B</title><body><script"));
         assert!(again.ends_with("</script></body></html>"));
     }
 
@@ -263,15 +220,7 @@ mod tests {
 
     #[test]
     fn json_of_other_writers_is_read() {
-        let page = format!(
-            "{OPENING}\n[ {{ \"text\" : \"\\u00e9\\ud83d\\ude00\\/\", \"name\" : \"x\" }} ]\n{CLOSING}"
-        );
-        assert_eq!(
-            read(&page).unwrap(),
-            [Source {
-                name: "x".into(),
-                text: "é😀/".into()
-            }]
-        );
+        let page = format!("{OPENING}\n[ {{ \"text\" : \"\\u00e9\\ud83d\\ude00\\/\", \"name\" : \"x\" }} ]\n{CLOSING}");
+        assert_eq!(read(&page).unwrap(), [Source { name: "x".into(), text: "é😀/".into() }]);
     }
 }

@@ -15,11 +15,7 @@ const CURVES: usize = 12;
 pub fn read(expressions: &mut Expressions, range: Range<usize>, plots: &mut Vec<Plot>) {
     for statement in statements(expressions.source, range) {
         if plots.len() == PLOTS {
-            expressions.error(
-                "too-large",
-                format!("a document cannot have more than {PLOTS} plots"),
-                span(&statement),
-            );
+            expressions.error("too-large", format!("a document cannot have more than {PLOTS} plots"), span(&statement));
             return;
         }
         plots.extend(plot(expressions, statement));
@@ -33,56 +29,34 @@ fn span(range: &Range<usize>) -> Span {
 fn plot(expressions: &mut Expressions, statement: Range<usize>) -> Option<Plot> {
     let source = expressions.source;
     let malformed = |message: &str, range: &Range<usize>| {
-        Diagnostic::error("plot-syntax", message, span(range))
-            .with_hint("a plot is `\"Title\": y, y' against t`")
+        Diagnostic::error("plot-syntax", message, span(range)).with_hint("a plot is `\"Title\": y, y' against t`")
     };
     let title = leading_text(source, statement.clone());
     let Some((title, title_end)) = title.filter(|(title, _)| !title.trim().is_empty()) else {
-        expressions.diagnostics.push(malformed(
-            "a plot begins with its title in quotation marks",
-            &statement,
-        ));
+        expressions.diagnostics.push(malformed("a plot begins with its title in quotation marks", &statement));
         return None;
     };
     let rest = trim(source, title_end..statement.end);
     if !source[rest.clone()].starts_with(':') {
-        expressions.diagnostics.push(malformed(
-            "a colon must follow the title",
-            &(statement.start..title_end),
-        ));
+        expressions.diagnostics.push(malformed("a colon must follow the title", &(statement.start..title_end)));
         return None;
     }
     let rest = rest.start + 1..rest.end;
     let Some(against) = find_word(source, rest.clone(), "against") else {
-        expressions.diagnostics.push(malformed(
-            "the plot does not say what it is drawn against",
-            &statement,
-        ));
+        expressions.diagnostics.push(malformed("the plot does not say what it is drawn against", &statement));
         return None;
     };
     let x = curve(expressions, against.end..rest.end);
     let parts = split(source, rest.start..against.start, ',');
     if parts.len() > CURVES {
-        expressions.error(
-            "too-large",
-            format!("a plot cannot have more than {CURVES} curves"),
-            span(&statement),
-        );
+        expressions.error("too-large", format!("a plot cannot have more than {CURVES} curves"), span(&statement));
         return None;
     }
-    let curves: Vec<Curve> = parts
-        .into_iter()
-        .filter_map(|part| curve(expressions, part))
-        .collect();
+    let curves: Vec<Curve> = parts.into_iter().filter_map(|part| curve(expressions, part)).collect();
     if curves.is_empty() {
         return None;
     }
-    Some(Plot {
-        title: title.to_owned(),
-        x: x?,
-        curves,
-        span: span(&statement),
-    })
+    Some(Plot { title: title.to_owned(), x: x?, curves, span: span(&statement) })
 }
 
 /// `y'` or `(h_l + h_r)/2 + y "Left level"`
@@ -90,10 +64,7 @@ fn curve(expressions: &mut Expressions, range: Range<usize>) -> Option<Curve> {
     let source = expressions.source;
     let mut range = trim(source, range);
     let mut label = None;
-    if let Some(opening) = source[range.clone()]
-        .strip_suffix('"')
-        .and_then(|text| text.rfind('"'))
-    {
+    if let Some(opening) = source[range.clone()].strip_suffix('"').and_then(|text| text.rfind('"')) {
         let quote = range.start + opening;
         if quote > range.start {
             label = Some(source[quote + 1..range.end - 1].to_owned());
@@ -101,16 +72,9 @@ fn curve(expressions: &mut Expressions, range: Range<usize>) -> Option<Curve> {
         }
     }
     let value = expressions.number(range.clone())?;
-    let expression = source[range.clone()]
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
+    let expression = source[range.clone()].split_whitespace().collect::<Vec<_>>().join(" ");
     let label = label.or_else(|| label_of_name(expressions.model, source, range));
-    Some(Curve {
-        expression,
-        label,
-        value,
-    })
+    Some(Curve { expression, label, value })
 }
 
 /// The author's label of the name that fills `range`, if a name does.
@@ -119,27 +83,15 @@ fn label_of_name(model: &Model, source: &str, range: Range<usize>) -> Option<Str
     let ExpressionKind::Name { name, order } = expression.kind else {
         return None;
     };
-    let state = model
-        .states
-        .iter()
-        .find(|state| state.variable == name && state.order == order);
+    let state = model.states.iter().find(|state| state.variable == name && state.order == order);
     if let Some(state) = state {
         return state.label.clone();
     }
     if order > 0 {
         return None;
     }
-    let quantity = model
-        .quantities
-        .iter()
-        .find(|quantity| quantity.name == name)
-        .map(|quantity| &quantity.label);
-    let parameter = || {
-        model
-            .parameters
-            .iter()
-            .find(|parameter| parameter.name == name)
-            .map(|parameter| &parameter.label)
-    };
+    let quantity = model.quantities.iter().find(|quantity| quantity.name == name).map(|quantity| &quantity.label);
+    let parameter =
+        || model.parameters.iter().find(|parameter| parameter.name == name).map(|parameter| &parameter.label);
     quantity.or_else(parameter)?.clone()
 }

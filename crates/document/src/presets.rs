@@ -19,9 +19,7 @@ pub fn read(expressions: &mut Expressions, range: Range<usize>, presets: &mut Ve
         if let Some(rest) = source[statement.clone()].strip_prefix("group") {
             let rest = trim(source, statement.end - rest.len()..statement.end);
             match leading_text(source, rest.clone()).filter(|(_, end)| *end == rest.end) {
-                Some((name, _)) => {
-                    group = Some(name.to_owned()).filter(|name| !name.trim().is_empty())
-                }
+                Some((name, _)) => group = Some(name.to_owned()).filter(|name| !name.trim().is_empty()),
                 None => expressions.diagnostics.push(
                     Diagnostic::error("preset-syntax", "a group is named in quotation marks", span)
                         .with_hint("write `group \"Liquid\"`"),
@@ -30,47 +28,28 @@ pub fn read(expressions: &mut Expressions, range: Range<usize>, presets: &mut Ve
             continue;
         }
         if presets.len() == PRESETS {
-            expressions.error(
-                "too-large",
-                format!("a document cannot have more than {PRESETS} presets"),
-                span,
-            );
+            expressions.error("too-large", format!("a document cannot have more than {PRESETS} presets"), span);
             return;
         }
         presets.extend(preset(expressions, statement, &group));
     }
 }
 
-fn preset(
-    expressions: &mut Expressions,
-    statement: Range<usize>,
-    group: &Option<String>,
-) -> Option<Preset> {
+fn preset(expressions: &mut Expressions, statement: Range<usize>, group: &Option<String>) -> Option<Preset> {
     let source = expressions.source;
     let span = Span::new(statement.start, statement.end);
     let name = leading_text(source, statement.clone()).filter(|(name, _)| !name.trim().is_empty());
     let values = name.and_then(|(name, end)| {
         let rest = trim(source, end..statement.end);
-        source[rest.clone()]
-            .starts_with(':')
-            .then(|| (name, rest.start + 1..rest.end))
+        source[rest.clone()].starts_with(':').then(|| (name, rest.start + 1..rest.end))
     });
     let Some((name, range)) = values else {
         expressions.diagnostics.push(
-            Diagnostic::error(
-                "preset-syntax",
-                "a preset is a name in quotation marks, a colon and values",
-                span,
-            )
-            .with_hint("write `\"Mercury\": rho = 13534 [kg/m^3]`"),
+            Diagnostic::error("preset-syntax", "a preset is a name in quotation marks, a colon and values", span)
+                .with_hint("write `\"Mercury\": rho = 13534 [kg/m^3]`"),
         );
         return None;
     };
     let values = expressions.assignments(range);
-    (!values.is_empty()).then(|| Preset {
-        group: group.clone(),
-        name: name.to_owned(),
-        values,
-        span,
-    })
+    (!values.is_empty()).then(|| Preset { group: group.clone(), name: name.to_owned(), values, span })
 }

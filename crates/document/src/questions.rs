@@ -25,19 +25,13 @@ pub struct RawQuestion {
 
 impl RawQuestion {
     fn field(&self, key: &str) -> Option<Range<usize>> {
-        self.fields
-            .iter()
-            .find(|(name, _)| *name == key)
-            .map(|(_, range)| range.clone())
+        self.fields.iter().find(|(name, _)| *name == key).map(|(_, range)| range.clone())
     }
 }
 
 /// Takes the question in `range` apart. A key goes on until the next key.
 pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> RawQuestion {
-    let mut question = RawQuestion {
-        place: trim(source, range.clone()),
-        ..RawQuestion::default()
-    };
+    let mut question = RawQuestion { place: trim(source, range.clone()), ..RawQuestion::default() };
     question.prompt = range.start..range.end;
     for line in lines(source, range.clone()) {
         let Some((word, _)) = line.text(source).split_once(':') else {
@@ -52,15 +46,9 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
         }
         if question.field(key).is_some() {
             let span = Span::new(line.start, line.start + key.len());
-            diagnostics.push(Diagnostic::error(
-                "duplicate-key",
-                format!("the question has two `{key}:`"),
-                span,
-            ));
+            diagnostics.push(Diagnostic::error("duplicate-key", format!("the question has two `{key}:`"), span));
         }
-        question
-            .fields
-            .push((key, line.start + key.len() + 1..range.end));
+        question.fields.push((key, line.start + key.len() + 1..range.end));
     }
     question
 }
@@ -80,12 +68,8 @@ pub fn check_translation(raw: &RawQuestion, diagnostics: &mut Vec<Diagnostic>) {
         if matches!(*key, "answer" | "set") {
             let span = Span::new(range.start - key.len() - 1, range.end);
             diagnostics.push(
-                Diagnostic::warning(
-                    "translation",
-                    format!("`{key}:` in a translation means nothing"),
-                    span,
-                )
-                .with_hint("the original says it; a translation has the words only"),
+                Diagnostic::warning("translation", format!("`{key}:` in a translation means nothing"), span)
+                    .with_hint("the original says it; a translation has the words only"),
             );
         }
     }
@@ -102,60 +86,35 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion) -> Option<Quest
         );
         return None;
     };
-    let setup = raw
-        .field("set")
-        .map_or(Vec::new(), |range| expressions.assignments(range));
+    let setup = raw.field("set").map_or(Vec::new(), |range| expressions.assignments(range));
     let answer = trim(source, answer);
     let Some(within) = find_word(source, answer.clone(), "within") else {
         expressions.diagnostics.push(
-            Diagnostic::error(
-                "question-syntax",
-                "how exact must the answer be?",
-                Span::new(answer.start, answer.end),
-            )
-            .with_hint("end it with `within 2 %` or, say, `within 0.1 [s]`"),
+            Diagnostic::error("question-syntax", "how exact must the answer be?", Span::new(answer.start, answer.end))
+                .with_hint("end it with `within 2 %` or, say, `within 0.1 [s]`"),
         );
         return None;
     };
     let compiled = expressions.constant(answer.start..within.start, "an answer")?;
     let tolerance = tolerance(expressions, trim(source, within.end..answer.end), &compiled)?;
-    Some(Question {
-        setup,
-        unit: compiled.unit.clone(),
-        answer: compiled,
-        tolerance,
-        span,
-    })
+    Some(Question { setup, unit: compiled.unit.clone(), answer: compiled, tolerance, span })
 }
 
 /// `2 %` or `0.1 [s]`
-fn tolerance(
-    expressions: &mut Expressions,
-    range: Range<usize>,
-    answer: &model::Compiled,
-) -> Option<Tolerance> {
+fn tolerance(expressions: &mut Expressions, range: Range<usize>, answer: &model::Compiled) -> Option<Tolerance> {
     let span = Span::new(range.start, range.end);
     let text = &expressions.source[range.clone()];
     let tolerance = if let Some(percent) = text.strip_suffix('%') {
-        percent
-            .trim()
-            .parse()
-            .ok()
-            .map(|percent: f64| Tolerance::Relative(percent / 100.0))
+        percent.trim().parse().ok().map(|percent: f64| Tolerance::Relative(percent / 100.0))
     } else {
         let (expression, _, _) = model::parse_expression(expressions.source, range);
         match expression.kind {
             ExpressionKind::Number { value, unit } => {
                 let unit = unit.unwrap_or_else(units::Unit::dimensionless);
                 if unit.dimension != answer.dimension() {
-                    let message =
-                        "the tolerance and the answer have different dimensions".to_owned();
+                    let message = "the tolerance and the answer have different dimensions".to_owned();
                     let expected = (answer.span, answer.dimension());
-                    expressions.diagnostics.push(dimension_error(
-                        message,
-                        (span, unit.dimension),
-                        expected,
-                    ));
+                    expressions.diagnostics.push(dimension_error(message, (span, unit.dimension), expected));
                     return None;
                 }
                 Some(Tolerance::Absolute(unit.to_si(value)))

@@ -8,28 +8,26 @@ pub fn top_level(source: &str, range: Range<usize>) -> impl Iterator<Item = (usi
     let mut depth = 0usize;
     let mut quoted = false;
     let mut comment = false;
-    source[range]
-        .char_indices()
-        .filter_map(move |(at, letter)| {
-            let outside = !quoted && !comment && depth == 0;
-            match letter {
-                '\n' => {
-                    comment = false;
-                    quoted = false;
-                }
-                _ if comment => {}
-                '"' => quoted = !quoted,
-                _ if quoted => {}
-                '#' => {
-                    comment = true;
-                    return None;
-                }
-                '(' | '[' | '{' => depth += 1,
-                ')' | ']' | '}' => depth = depth.saturating_sub(1),
-                _ => {}
+    source[range].char_indices().filter_map(move |(at, letter)| {
+        let outside = !quoted && !comment && depth == 0;
+        match letter {
+            '\n' => {
+                comment = false;
+                quoted = false;
             }
-            outside.then_some((start + at, letter))
-        })
+            _ if comment => {}
+            '"' => quoted = !quoted,
+            _ if quoted => {}
+            '#' => {
+                comment = true;
+                return None;
+            }
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        outside.then_some((start + at, letter))
+    })
 }
 
 /// The parts of `range` between the `separator`s at the top level.
@@ -48,8 +46,7 @@ pub fn split(source: &str, range: Range<usize>, separator: char) -> Vec<Range<us
 
 /// The place of the last `word` at the top level.
 pub fn find_word(source: &str, range: Range<usize>, word: &str) -> Option<Range<usize>> {
-    let is_boundary =
-        |letter: Option<char>| letter.is_none_or(|c| !c.is_alphanumeric() && c != '_');
+    let is_boundary = |letter: Option<char>| letter.is_none_or(|c| !c.is_alphanumeric() && c != '_');
     top_level(source, range.clone())
         .filter(|(at, _)| source[*at..range.end].starts_with(word))
         .filter(|(at, _)| {
@@ -64,9 +61,7 @@ pub fn find_word(source: &str, range: Range<usize>, word: &str) -> Option<Range<
 pub fn leading_text(source: &str, range: Range<usize>) -> Option<(&str, usize)> {
     let inner = source[range.clone()].strip_prefix('"')?;
     let end = inner.find(['"', '\n'])?;
-    inner[end..]
-        .starts_with('"')
-        .then(|| (&inner[..end], range.start + end + 2))
+    inner[end..].starts_with('"').then(|| (&inner[..end], range.start + end + 2))
 }
 
 /// The statements in `range`: lines, where one that ends with a comma or colon goes on in the next. Comments and empty
@@ -107,10 +102,7 @@ mod tests {
     #[test]
     fn separators_inside_brackets_and_texts_do_not_count() {
         let source = "f(a, b), \"c, d\" [m, s], e # f, g";
-        let parts: Vec<_> = split(source, 0..source.len(), ',')
-            .into_iter()
-            .map(|part| &source[part])
-            .collect();
+        let parts: Vec<_> = split(source, 0..source.len(), ',').into_iter().map(|part| &source[part]).collect();
         assert_eq!(parts, ["f(a, b)", " \"c, d\" [m, s]", " e # f, g"]);
     }
 
@@ -125,10 +117,7 @@ mod tests {
     #[test]
     fn statements_go_on_after_commas() {
         let source = "# a\n\"b # c\": d, # e\n  f\n\ng";
-        let found: Vec<_> = statements(source, 0..source.len())
-            .into_iter()
-            .map(|range| &source[range])
-            .collect();
+        let found: Vec<_> = statements(source, 0..source.len()).into_iter().map(|range| &source[range]).collect();
         assert_eq!(found, ["\"b # c\": d, # e\n  f", "g"]);
     }
 }

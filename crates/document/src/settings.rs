@@ -32,39 +32,25 @@ pub fn read(matter: &FrontMatter, model: &Model, diagnostics: &mut Vec<Diagnosti
         good
     });
     Settings {
-        title: matter
-            .get("title")
-            .map_or_else(|| "Untitled".to_owned(), |title| title.text.clone()),
+        title: matter.get("title").map_or_else(|| "Untitled".to_owned(), |title| title.text.clone()),
         language: language.map_or_else(|| "en".to_owned(), |language| language.text.clone()),
         method: matter.get("method").cloned(),
-        step: matter
-            .get("step")
-            .and_then(|value| quantity("step", value, independent, diagnostics)),
-        until: matter
-            .get("until")
-            .and_then(|value| quantity("until", value, independent, diagnostics)),
-        tolerance: matter
-            .get("tolerance")
-            .and_then(|value| tolerance(value, diagnostics)),
+        step: matter.get("step").and_then(|value| quantity("step", value, independent, diagnostics)),
+        until: matter.get("until").and_then(|value| quantity("until", value, independent, diagnostics)),
+        tolerance: matter.get("tolerance").and_then(|value| tolerance(value, diagnostics)),
     }
 }
 
 /// What is said of a language that is none.
 pub fn no_language(language: &Value) -> Diagnostic {
-    Diagnostic::error(
-        "language",
-        format!("`{}` is not a language", language.text),
-        language.span,
-    )
-    .with_hint("write its code, such as `en`, `es` or `pt-BR`")
+    Diagnostic::error("language", format!("`{}` is not a language", language.text), language.span)
+        .with_hint("write its code, such as `en`, `es` or `pt-BR`")
 }
 
 /// Whether a text can be a language code (BCP 47, roughly).
 pub fn is_language(text: &str) -> bool {
     text.len() <= 20
-        && text.split('-').all(|part| {
-            (1..=8).contains(&part.len()) && part.chars().all(|c| c.is_ascii_alphanumeric())
-        })
+        && text.split('-').all(|part| (1..=8).contains(&part.len()) && part.chars().all(|c| c.is_ascii_alphanumeric()))
         && text.starts_with(|c: char| c.is_ascii_alphabetic())
 }
 
@@ -81,33 +67,17 @@ fn tolerance(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
 }
 
 /// A positive number, bare (then in `unit`) or with a unit of its dimension. SI.
-fn quantity(
-    key: &str,
-    value: &Value,
-    unit: &Unit,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Option<f64> {
+fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
     let (number, stated) = match value.text.split_once('[') {
         Some((number, rest)) => (number.trim(), rest.trim_end().strip_suffix(']')),
         None => (value.text.as_str(), Some("")),
     };
     let malformed = || {
-        let example = if unit.text.is_empty() {
-            format!("{key}: 1e-8")
-        } else {
-            format!("{key}: 0.05 [{unit}]")
-        };
-        Diagnostic::error(
-            "setting",
-            format!("`{key}` must be a positive number"),
-            value.span,
-        )
-        .with_hint(format!("write `{example}`"))
+        let example = if unit.text.is_empty() { format!("{key}: 1e-8") } else { format!("{key}: 0.05 [{unit}]") };
+        Diagnostic::error("setting", format!("`{key}` must be a positive number"), value.span)
+            .with_hint(format!("write `{example}`"))
     };
-    let number: Option<f64> = number
-        .parse()
-        .ok()
-        .filter(|number: &f64| number.is_finite() && *number > 0.0);
+    let number: Option<f64> = number.parse().ok().filter(|number: &f64| number.is_finite() && *number > 0.0);
     let (Some(number), Some(stated)) = (number, stated) else {
         diagnostics.push(malformed());
         return None;
@@ -131,17 +101,9 @@ fn quantity(
 }
 
 fn mismatch(key: &str, span: Span, found: Dimension, expected: Dimension) -> Diagnostic {
-    let mut diagnostic = dimension_error(
-        format!("`{key}` has the wrong dimension"),
-        (span, found),
-        (span, expected),
-    );
+    let mut diagnostic = dimension_error(format!("`{key}` has the wrong dimension"), (span, found), (span, expected));
     // Both labels would lie on one another.
-    let expected = diagnostic
-        .labels
-        .pop()
-        .map(|label| label.text)
-        .unwrap_or_default();
+    let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
     diagnostic = diagnostic.with_note(format!("it must be {expected}"));
     diagnostic
 }

@@ -58,17 +58,8 @@ mod tests {
     #[test]
     fn lines_keep_their_places() {
         let source = "a\r\nbc\n\nd";
-        let found: Vec<_> = lines(source, 0..source.len())
-            .map(|line| line.text(source))
-            .collect();
+        let found: Vec<_> = lines(source, 0..source.len()).map(|line| line.text(source)).collect();
         assert_eq!(found, ["a", "bc", "", "d"]);
-        assert_eq!(
-            lines(source, 3..5).collect::<Vec<_>>(),
-            [Line {
-                start: 3,
-                end: 5,
-                next: 5
-            }]
-        );
+        assert_eq!(lines(source, 3..5).collect::<Vec<_>>(), [Line { start: 3, end: 5, next: 5 }]);
     }
 }

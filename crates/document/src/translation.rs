@@ -30,41 +30,26 @@ impl Texts {
             let span = Span::new(statement.start, statement.end);
             let Some((original, text)) = entry(source, statement) else {
                 self.diagnostics.push(
-                    Diagnostic::error(
-                        "translation",
-                        "a translation is a text, `=` and a text",
-                        span,
-                    )
-                    .with_hint("write `\"Damping\" = \"Amortiguamiento\"`"),
+                    Diagnostic::error("translation", "a translation is a text, `=` and a text", span)
+                        .with_hint("write `\"Damping\" = \"Amortiguamiento\"`"),
                 );
                 continue;
             };
             let original = normalised(original);
             if let Some(first) = self.entries.get(&original) {
                 let message = format!("\"{original}\" is translated twice");
-                self.diagnostics.push(
-                    Diagnostic::error("translation", message, span)
-                        .with_label(first.span, "here first"),
-                );
+                self.diagnostics
+                    .push(Diagnostic::error("translation", message, span).with_label(first.span, "here first"));
                 continue;
             }
-            self.entries.insert(
-                original,
-                Entry {
-                    text: text.to_owned(),
-                    span,
-                },
-            );
+            self.entries.insert(original, Entry { text: text.to_owned(), span });
         }
     }
 
     /// The translation of a text of the document and where it stands. `needed` says whether one should be missed.
     pub fn translate(&mut self, original: &str, needed: bool) -> Option<(String, Span)> {
         let key = normalised(original);
-        let found = self
-            .entries
-            .get(&key)
-            .map(|entry| (entry.text.clone(), entry.span));
+        let found = self.entries.get(&key).map(|entry| (entry.text.clone(), entry.span));
         if found.is_none() && needed {
             self.missing.insert(key.clone());
         }
@@ -86,9 +71,7 @@ impl Texts {
             let message = format!("the document has no text \"{original}\"");
             let mut diagnostic = Diagnostic::warning("translation", message, entry.span);
             let near = nearest(original, self.missing.iter().map(String::as_str));
-            diagnostic
-                .hints
-                .extend(near.map(|near| format!("did you mean \"{near}\"?")));
+            diagnostic.hints.extend(near.map(|near| format!("did you mean \"{near}\"?")));
             self.diagnostics.push(diagnostic);
         }
         if !self.missing.is_empty() {
@@ -100,9 +83,7 @@ impl Texts {
             for text in self.missing.iter().take(20) {
                 diagnostic = diagnostic.with_note(format!("\"{text}\""));
             }
-            self.diagnostics.push(
-                diagnostic.with_hint("add them to a `translations` block: `\"Damping\" = \"...\"`"),
-            );
+            self.diagnostics.push(diagnostic.with_hint("add them to a `translations` block: `\"Damping\" = \"...\"`"));
         }
         self.diagnostics
     }

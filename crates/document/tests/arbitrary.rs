@@ -89,9 +89,7 @@ fn check(source: &str, translation: &str) {
                 .flat_map(|section| &section.blocks)
                 .map(|block| match block {
                     document::Block::Html(html) => html.clone(),
-                    document::Block::Question(index) => {
-                        document.question_text(language, *index).prompt.clone()
-                    }
+                    document::Block::Question(index) => document.question_text(language, *index).prompt.clone(),
                 })
                 .collect();
             assert!(!html.contains("<b>") && !html.contains("<script"), "{html}");

@@ -9,11 +9,7 @@ const MODEL: &str = "```model\nparameter h = 2 [m] in 0..9 \"Height\"\ny'' = -9.
 /// The document, and `FILE: MESSAGE` of all findings.
 fn open(source: &str, translations: &[&str]) -> (Option<Document>, Vec<String>) {
     let opened = document::open(source, translations);
-    let findings = opened
-        .diagnostics
-        .iter()
-        .map(|(file, d)| format!("{file}: {}", d.message))
-        .collect();
+    let findings = opened.diagnostics.iter().map(|(file, d)| format!("{file}: {}", d.message)).collect();
     (opened.document, findings)
 }
 
@@ -25,36 +21,21 @@ fn good(source: &str, translations: &[&str]) -> Document {
 
 #[test]
 fn several_model_blocks_are_one_model() {
-    let document = good(
-        "A\n\n```model\nm = 2*k\n```\n\nB\n\n```model\nk = 3 [kg] \"Mass\"\n```\n",
-        &[],
-    );
+    let document = good("A\n\n```model\nm = 2*k\n```\n\nB\n\n```model\nk = 3 [kg] \"Mass\"\n```\n", &[]);
     assert_eq!(document.model.quantities.len(), 2);
-    assert_eq!(
-        &document.source[document.model.quantities[1].value.span.range()],
-        "3 [kg]"
-    );
+    assert_eq!(&document.source[document.model.quantities[1].value.span.range()], "3 [kg]");
 }
 
 #[test]
 fn settings_are_in_si() {
     let front = "---\ntitle: T\nlanguage: es\nmethod: euler\nstep: 50 [ms]\nuntil: 2 [min]\ntolerance: 1e-9\n---\n";
     let document = good(&format!("{front}{MODEL}"), &[]);
-    assert_eq!(
-        (document.step, document.until, document.tolerance),
-        (Some(0.05), Some(120.0), Some(1e-9))
-    );
+    assert_eq!((document.step, document.until, document.tolerance), (Some(0.05), Some(120.0), Some(1e-9)));
     assert_eq!(document.method.as_deref(), Some("euler"));
     assert_eq!(&document.source[document.method_span.range()], "euler");
-    assert_eq!(
-        (document.title.as_str(), document.language.as_str()),
-        ("T", "es")
-    );
+    assert_eq!((document.title.as_str(), document.language.as_str()), ("T", "es"));
     // Bare numbers are in the unit of the independent variable.
-    let document = good(
-        "---\nstep: 5\n---\n```model\nindependent x in [cm]\nA' = -2 [1/m]*A\nA(0) = 1\n```\n",
-        &[],
-    );
+    let document = good("---\nstep: 5\n---\n```model\nindependent x in [cm]\nA' = -2 [1/m]*A\nA(0) = 1\n```\n", &[]);
     assert_eq!(document.step, Some(0.05));
 }
 
@@ -88,14 +69,7 @@ fn a_faulty_part_is_left_out_and_the_rest_stays() {
         "{MODEL}```plots\n\"A\": y against t\n\"B\": z against t\n```\n```presets\n\"P\": h = 1 [m], q = 2\n```\n```question\nQ\nanswer: z within 1 %\n```\n```question\nR\nanswer: h within 1 [cm]\n```\n"
     );
     let (document, findings) = open(&source, &[]);
-    assert_eq!(
-        findings,
-        [
-            "0: `z` is not known",
-            "0: `q` is not a parameter of the model",
-            "0: `z` is not known"
-        ]
-    );
+    assert_eq!(findings, ["0: `z` is not known", "0: `q` is not a parameter of the model", "0: `z` is not known"]);
     let document = document.expect("the model is good");
     assert_eq!(document.plots.len(), 1);
     assert_eq!(document.presets[0].values.len(), 1);
@@ -106,10 +80,7 @@ fn a_faulty_part_is_left_out_and_the_rest_stays() {
 
 #[test]
 fn an_unclosed_block_spoils_nothing_after_it() {
-    let source = format!(
-        "{}```plots\n\"A\": y against t\n```\nThe end.\n",
-        MODEL.trim_end().trim_end_matches('`')
-    );
+    let source = format!("{}```plots\n\"A\": y against t\n```\nThe end.\n", MODEL.trim_end().trim_end_matches('`'));
     let (document, findings) = open(&source, &[]);
     assert_eq!(findings, ["0: the `model` block is not closed"]);
     assert_eq!(document.expect("the model is good").plots.len(), 1);
@@ -121,25 +92,13 @@ fn questions_stand_where_they_were_written() {
         "{MODEL}# A\n\nText\n\n```question\nWhy?\nhint: *Think.*\nanswer: 2*h within 2 %\n```\n\nMore\n\n# B\n"
     );
     let document = good(&source, &[]);
-    let [a, b] = document.sections("en") else {
-        panic!("two sections")
-    };
-    assert_eq!(
-        (a.id.as_str(), a.level, b.title.as_str()),
-        ("doc-a", 1, "B")
-    );
+    let [a, b] = document.sections("en") else { panic!("two sections") };
+    assert_eq!((a.id.as_str(), a.level, b.title.as_str()), ("doc-a", 1, "B"));
     assert_eq!(
         a.blocks,
-        [
-            Block::Html("<p>Text</p>\n".into()),
-            Block::Question(0),
-            Block::Html("<p>More</p>\n".into())
-        ]
+        [Block::Html("<p>Text</p>\n".into()), Block::Question(0), Block::Html("<p>More</p>\n".into())]
     );
-    assert_eq!(
-        document.question_text("en", 0).hint.as_deref(),
-        Some("<p><em>Think.</em></p>\n")
-    );
+    assert_eq!(document.question_text("en", 0).hint.as_deref(), Some("<p><em>Think.</em></p>\n"));
 }
 
 const BASE: &str = "# One\n\n```scene\n<svg viewBox='0 0 9 9'><text>now {y in [cm]} high</text><text>t</text></svg>\n```\n```plots\n\"Fall\": y against t\n```\n```question\nWhy?\nanswer: h within 2 %\n```\n```question\nHow?\nanswer: 2*h within 2 %\n```\n";
@@ -156,10 +115,7 @@ fn a_translation_keeps_one_model() {
     assert_eq!(document.question_text("es", 1).prompt, "<p>¿Cómo?</p>\n");
     assert_eq!(document.question_text("de", 1).prompt, "<p>How?</p>\n");
     let scene = format!("{:?}", document.scene("es"));
-    assert!(
-        scene.contains("\"a \"") && scene.contains("\" de altura\"") && !scene.contains("high"),
-        "{scene}"
-    );
+    assert!(scene.contains("\"a \"") && scene.contains("\" de altura\"") && !scene.contains("high"), "{scene}");
 }
 
 #[test]
@@ -182,57 +138,31 @@ fn what_is_wrong_with_a_translation() {
     );
     assert_eq!(document.expect("the model is good").languages().count(), 2);
     let (_, findings) = open(MODEL, &["", "---\nlanguage: en\n---\n"]);
-    assert_eq!(
-        findings,
-        [
-            "1: the translation does not say its language",
-            "2: the document exists in `en` already"
-        ]
-    );
+    assert_eq!(findings, ["1: the translation does not say its language", "2: the document exists in `en` already"]);
     let (_, findings) = open("---\ntranslates: base.md\n---\n", &[]);
-    assert_eq!(
-        findings,
-        ["0: this is a translation, which has no model of its own"]
-    );
+    assert_eq!(findings, ["0: this is a translation, which has no model of its own"]);
 }
 
 #[test]
 fn sizes_are_bounded() {
     let (document, findings) = open(&"é".repeat(600_000), &[]);
     assert!(document.is_none());
-    assert_eq!(
-        findings,
-        ["0: a document cannot be longer than 1048576 bytes; this one has 1200000"]
-    );
+    assert_eq!(findings, ["0: a document cannot be longer than 1048576 bytes; this one has 1200000"]);
     // Of very many findings the warnings go first.
     let source = format!("{MODEL}{}", "[a](b)\n\n<b>\n\n".repeat(300));
     let opened = document::open(&source, &[]);
     assert_eq!(opened.diagnostics.len(), 100);
     assert!(opened.has_errors());
     // Names that stand for ever larger expressions.
-    let doubling: String = (1..60)
-        .map(|k| format!("a_{k} = a_{} + a_{}\n", k - 1, k - 1))
-        .collect();
-    let (_, findings) = open(
-        &format!("{MODEL}```scene\na_0 = y\n{doubling}<svg viewBox='0 0 1 1'/>\n```\n"),
-        &[],
-    );
-    assert_eq!(
-        findings[0],
-        "0: with the scene's own names written out this expression is too large"
-    );
+    let doubling: String = (1..60).map(|k| format!("a_{k} = a_{} + a_{}\n", k - 1, k - 1)).collect();
+    let (_, findings) = open(&format!("{MODEL}```scene\na_0 = y\n{doubling}<svg viewBox='0 0 1 1'/>\n```\n"), &[]);
+    assert_eq!(findings[0], "0: with the scene's own names written out this expression is too large");
 }
 
 #[test]
 fn warnings_do_not_hide_that_the_model_is_missing() {
     let (_, findings) = open("---\ntitel: x\n---\n", &[]);
-    assert_eq!(
-        findings,
-        [
-            "0: the front matter has no key `titel`",
-            "0: the document has no model"
-        ]
-    );
+    assert_eq!(findings, ["0: the front matter has no key `titel`", "0: the document has no model"]);
     let (_, findings) = open(MODEL, &["---\nlanguage: a b\n---\n"]);
     assert_eq!(findings, ["1: `a b` is not a language"]);
 }

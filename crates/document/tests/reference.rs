@@ -36,11 +36,7 @@ fn blocks(page: &str) -> Vec<Block> {
             Some((marks, kind, start)) if text == marks => {
                 let opening = start - kind.len() - marks.len() - 1;
                 let follows = !blocks.is_empty() && page[last_end..opening].trim().is_empty();
-                blocks.push(Block {
-                    kind: kind.clone(),
-                    content: *start..at,
-                    follows,
-                });
+                blocks.push(Block { kind: kind.clone(), content: *start..at, follows });
                 last_end = at + line.len();
                 open = None;
             }
@@ -72,32 +68,16 @@ fn print(source: &str, diagnostic: &Diagnostic) -> String {
     };
     let mut text = format!("{severity}: {}\n", diagnostic.message);
     for label in &diagnostic.labels {
-        let start = source[..label.span.start]
-            .rfind('\n')
-            .map_or(0, |at| at + 1);
-        let end = source[start..]
-            .find('\n')
-            .map_or(source.len(), |length| start + length);
+        let start = source[..label.span.start].rfind('\n').map_or(0, |at| at + 1);
+        let end = source[start..].find('\n').map_or(source.len(), |length| start + length);
         let before = source[start..label.span.start].chars().count();
-        let marked = source[label.span.start..label.span.end.clamp(label.span.start, end)]
-            .chars()
-            .count()
-            .max(1);
+        let marked = source[label.span.start..label.span.end.clamp(label.span.start, end)].chars().count().max(1);
         text += &format!("  {}\n", &source[start..end]);
-        text += format!(
-            "  {}{} {}",
-            " ".repeat(before),
-            "^".repeat(marked),
-            label.text
-        )
-        .trim_end();
+        text += format!("  {}{} {}", " ".repeat(before), "^".repeat(marked), label.text).trim_end();
         text += "\n";
     }
     for note in &diagnostic.notes {
-        text += &note
-            .lines()
-            .map(|line| format!("  {line}").trim_end().to_owned() + "\n")
-            .collect::<String>();
+        text += &note.lines().map(|line| format!("  {line}").trim_end().to_owned() + "\n").collect::<String>();
     }
     for hint in &diagnostic.hints {
         text += &format!("hint: {hint}\n");
@@ -110,11 +90,8 @@ fn every_example_does_what_the_reference_says() {
     let page_text = std::fs::read_to_string(page()).unwrap();
     let blocks = blocks(&page_text);
     // The first model of the page is the one that scenes, plots, presets and questions are about.
-    let model = blocks
-        .iter()
-        .find(|block| block.kind == "model")
-        .map(|block| &page_text[block.content.clone()])
-        .unwrap();
+    let model =
+        blocks.iter().find(|block| block.kind == "model").map(|block| &page_text[block.content.clone()]).unwrap();
     let mut updated = page_text.clone();
     let mut examples = 0;
     for (index, block) in blocks.iter().enumerate().rev() {
@@ -123,15 +100,10 @@ fn every_example_does_what_the_reference_says() {
         };
         examples += 1;
         let opened = document::open(&source, &[]);
-        let findings: Vec<String> = opened
-            .diagnostics
-            .iter()
-            .map(|(_, diagnostic)| print(&source, diagnostic))
-            .collect();
+        let findings: Vec<String> =
+            opened.diagnostics.iter().map(|(_, diagnostic)| print(&source, diagnostic)).collect();
         let findings = findings.join("\n");
-        let expected = blocks
-            .get(index + 1)
-            .filter(|next| next.kind == "text" && next.follows);
+        let expected = blocks.get(index + 1).filter(|next| next.kind == "text" && next.follows);
         match expected {
             Some(expected) if std::env::var_os("UPDATE_EXPECT").is_some() => {
                 updated.replace_range(expected.content.clone(), &findings);
@@ -152,16 +124,11 @@ fn every_example_does_what_the_reference_says() {
 fn the_reference_names_every_method_key_and_function() {
     let page = std::fs::read_to_string(page()).unwrap();
     for method in engine::Method::ALL {
-        assert!(
-            page.contains(&format!("`{}`", method.name())),
-            "{}",
-            method.name()
-        );
+        assert!(page.contains(&format!("`{}`", method.name())), "{}", method.name());
     }
     for function in [
-        "sqrt", "cbrt", "abs", "sign", "exp", "ln", "log10", "sin", "cos", "tan", "asin", "acos",
-        "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "floor", "ceil",
-        "round", "min", "max", "mod", "hypot",
+        "sqrt", "cbrt", "abs", "sign", "exp", "ln", "log10", "sin", "cos", "tan", "asin", "acos", "atan", "atan2",
+        "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "floor", "ceil", "round", "min", "max", "mod", "hypot",
     ] {
         assert!(page.contains(&format!("`{function}(")), "{function}");
     }

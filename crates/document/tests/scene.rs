@@ -15,14 +15,8 @@ fn print_template(template: &Template) -> String {
         .iter()
         .map(|piece| match piece {
             Piece::Literal(text) => text.clone(),
-            Piece::Value {
-                index,
-                decimals: None,
-            } => format!("{{{index}}}"),
-            Piece::Value {
-                index,
-                decimals: Some(decimals),
-            } => format!("{{{index}:.{decimals}}}"),
+            Piece::Value { index, decimals: None } => format!("{{{index}}}"),
+            Piece::Value { index, decimals: Some(decimals) } => format!("{{{index}:.{decimals}}}"),
         })
         .collect()
 }
@@ -47,17 +41,10 @@ fn print(element: &Element) -> String {
 
 fn check(scene: &str, expected: &str, messages: &[&str]) {
     let opened = open(scene);
-    let found: Vec<&str> = opened
-        .diagnostics
-        .iter()
-        .map(|(_, d)| d.message.as_str())
-        .collect();
+    let found: Vec<&str> = opened.diagnostics.iter().map(|(_, d)| d.message.as_str()).collect();
     assert_eq!(found, messages, "{scene}");
     let document = opened.document.expect("the model is good");
-    let scene = document
-        .scene("en")
-        .map(|scene| print(&scene.root))
-        .unwrap_or_default();
+    let scene = document.scene("en").map(|scene| print(&scene.root)).unwrap_or_default();
     assert_eq!(scene, expected);
 }
 
@@ -77,11 +64,7 @@ fn values_follow_the_model() {
         "<rect y={0} height={1}>;<text x={0}>(y = {2:.1}, {3});",
         &[],
     );
-    inside(
-        "<text>{{y}} &lt;</text><path d='M0 {if y < h then 1 else 2}'/>",
-        "<text>({y} <);<path d=M0 {0}>;",
-        &[],
-    );
+    inside("<text>{{y}} &lt;</text><path d='M0 {if y < h then 1 else 2}'/>", "<text>({y} <);<path d=M0 {0}>;", &[]);
 }
 
 #[test]
@@ -151,9 +134,7 @@ fn elements_that_run_load_or_move_by_themselves_are_refused() {
         inside(
             &format!("<{name}>alert(1)</{name}><g/>"),
             "<g>;",
-            &[&format!(
-                "a scene cannot contain `<{name}>`; it is left out with what it holds"
-            )],
+            &[&format!("a scene cannot contain `<{name}>`; it is left out with what it holds")],
         );
     }
     inside("<svg/>", "", &["`<svg>` cannot contain `<svg>`"]);
@@ -182,9 +163,7 @@ fn attributes_that_run_or_load_are_refused() {
         inside(
             &format!("<g {name}=\"x\"/>"),
             "<g>;",
-            &[&format!(
-                "the attribute `{name}` is not allowed in a scene; it is left out"
-            )],
+            &[&format!("the attribute `{name}` is not allowed in a scene; it is left out")],
         );
     }
 }
@@ -207,17 +186,11 @@ fn values_that_run_or_load_are_refused() {
         inside(
             &format!("<linearGradient id='a'/><g fill=\"{value}\"/>"),
             "<linearGradient id=scene-a>;<g>;",
-            &[&format!(
-                "`{word}` is not allowed in a scene; `fill` is left out"
-            )],
+            &[&format!("`{word}` is not allowed in a scene; `fill` is left out")],
         );
     }
     // Numbers between the letters do not hide a word.
-    inside(
-        "<g fill='ur{y}l(x)'/>",
-        "<g>;",
-        &["`url(` is not allowed in a scene; `fill` is left out"],
-    );
+    inside("<g fill='ur{y}l(x)'/>", "<g>;", &["`url(` is not allowed in a scene; `fill` is left out"]);
 }
 
 #[test]
@@ -225,17 +198,9 @@ fn references_stay_inside_the_scene() {
     inside(
         "<clipPath id='a'/><g clip-path='url(#a)' fill='url(#b)'/><g id='a b'/><g id='a'/>",
         "<clipPath id=scene-a>;<g clip-path=url(#scene-a) fill=url(#scene-b)>;<g>;<g id=scene-a>;",
-        &[
-            "nothing in the scene has the id `b`",
-            "`a b` cannot be an id",
-            "the id `a` is used twice",
-        ],
+        &["nothing in the scene has the id `b`", "`a b` cannot be an id", "the id `a` is used twice"],
     );
-    inside(
-        "<g d='url(#a)'/>",
-        "<g>;",
-        &["`url(` is not allowed in a scene; `d` is left out"],
-    );
+    inside("<g d='url(#a)'/>", "<g>;", &["`url(` is not allowed in a scene; `d` is left out"]);
 }
 
 #[test]
@@ -243,43 +208,20 @@ fn names_and_styles_hold_no_values() {
     inside(
         "<g id='a{y}' class='b{y}'/>",
         "<g>;",
-        &[
-            "`a{y}` cannot be an id",
-            "`id` cannot hold values of the model",
-            "`class` cannot hold values of the model",
-        ],
+        &["`a{y}` cannot be an id", "`id` cannot hold values of the model", "`class` cannot hold values of the model"],
     );
-    inside(
-        "<g class='a b\"c'/>",
-        "<g class=scene-a>;",
-        &["`a b\"c` is not a list of class names"],
-    );
+    inside("<g class='a b\"c'/>", "<g class=scene-a>;", &["`a b\"c` is not a list of class names"]);
     inside(
         "<style>.a { fill: red } @import url(x); .b { fill: {y} }</style>",
         "<style>(.authored .scene-a{fill:red;});",
-        &[
-            "this selector cannot be confined to the scene",
-            "a rule is `selector { property: value }`",
-        ],
+        &["this selector cannot be confined to the scene", "a rule is `selector { property: value }`"],
     );
 }
 
 #[test]
 fn text_in_attributes_and_text_outside_text_are_refused() {
-    inside(
-        "<rect fill='{name}'/>",
-        "<rect>;",
-        &["an attribute can hold numbers only, and this is a text"],
-    );
-    inside(
-        "<g>loose</g>",
-        "<g>;",
-        &["text is shown inside `<text>` only"],
-    );
+    inside("<rect fill='{name}'/>", "<rect>;", &["an attribute can hold numbers only, and this is a text"]);
+    inside("<g>loose</g>", "<g>;", &["text is shown inside `<text>` only"]);
     check("nothing", "", &["a scene needs a drawing"]);
-    check(
-        "<svg/>",
-        "<svg class=authored>;",
-        &["the `svg` element needs a `viewBox`"],
-    );
+    check("<svg/>", "<svg class=authored>;", &["the `svg` element needs a `viewBox`"]);
 }

@@ -28,15 +28,7 @@ fn open(name: &str) -> (Vec<String>, Opened) {
 fn faultless(name: &str) -> Document {
     let (_, opened) = open(name);
     let findings: Vec<String> = (opened.diagnostics.iter())
-        .map(|(file, d)| {
-            format!(
-                "{file}: {} at {:?} {:?} {:?}",
-                d.message,
-                d.span(),
-                d.notes,
-                d.hints
-            )
-        })
+        .map(|(file, d)| format!("{file}: {} at {:?} {:?} {:?}", d.message, d.span(), d.notes, d.hints))
         .collect();
     assert_eq!(findings, [""; 0], "{name}");
     opened.document.unwrap()
@@ -45,12 +37,7 @@ fn faultless(name: &str) -> Document {
 fn evaluate(document: &Document, roots: &[model::NodeId], parameters: &[f64]) -> Vec<f64> {
     let mut routine = Routine::compile(&document.model, roots);
     let states = document.model.states.len();
-    let initial_roots: Vec<_> = document
-        .model
-        .states
-        .iter()
-        .map(|state| state.initial)
-        .collect();
+    let initial_roots: Vec<_> = document.model.states.iter().map(|state| state.initial).collect();
     let mut initial = vec![0.0; states];
     let mut starts = Routine::compile(&document.model, &initial_roots);
     starts.prepare(parameters, &vec![0.0; states]);
@@ -62,36 +49,22 @@ fn evaluate(document: &Document, roots: &[model::NodeId], parameters: &[f64]) ->
 }
 
 fn defaults(document: &Document) -> Vec<f64> {
-    document
-        .model
-        .parameters
-        .iter()
-        .map(|parameter| parameter.value)
-        .collect()
+    document.model.parameters.iter().map(|parameter| parameter.value).collect()
 }
 
 /// Makes assignments one after the other.
 fn assigned(document: &Document, values: &[document::Assignment]) -> Vec<f64> {
     let mut parameters = defaults(document);
     for assignment in values {
-        parameters[assignment.parameter] =
-            evaluate(document, &[assignment.value.node], &parameters)[0];
+        parameters[assignment.parameter] = evaluate(document, &[assignment.value.node], &parameters)[0];
     }
     parameters
 }
 
 fn in_range(document: &Document, parameters: &[f64]) -> bool {
-    document
-        .model
-        .parameters
-        .iter()
-        .zip(parameters)
-        .all(|(parameter, value)| {
-            parameter
-                .range
-                .is_none_or(|(low, high)| (low..=high).contains(value))
-                && value.is_finite()
-        })
+    document.model.parameters.iter().zip(parameters).all(|(parameter, value)| {
+        parameter.range.is_none_or(|(low, high)| (low..=high).contains(value)) && value.is_finite()
+    })
 }
 
 #[test]
@@ -105,17 +78,10 @@ fn every_document_is_without_fault() {
     assert!(names.len() >= 5, "{names:?}");
     for name in names {
         let document = faultless(&name);
-        assert!(
-            document.edition(&document.language).scene.is_some(),
-            "{name}"
-        );
+        assert!(document.edition(&document.language).scene.is_some(), "{name}");
         assert!(!document.plots.is_empty(), "{name}");
         for preset in &document.presets {
-            assert!(
-                in_range(&document, &assigned(&document, &preset.values)),
-                "{name}: {}",
-                preset.name
-            );
+            assert!(in_range(&document, &assigned(&document, &preset.values)), "{name}: {}", preset.name);
         }
         for question in &document.questions {
             let parameters = assigned(&document, &question.setup);
@@ -132,16 +98,12 @@ fn the_answers_of_the_u_tube() {
     let answers: Vec<f64> = (document.questions.iter())
         .map(|question| {
             let parameters = assigned(&document, &question.setup);
-            question
-                .unit
-                .from_si(evaluate(&document, &[question.answer.node], &parameters)[0])
+            question.unit.from_si(evaluate(&document, &[question.answer.node], &parameters)[0])
         })
         .collect();
     // L = 7 m, m = 350 kg, omega_0 = sqrt(2.8) = 1.67332 /s, gamma = 1/14 /s, computed by hand.
-    let expected = [
-        3.75834, 0.26845, 11.71324, 41.5443, 1.4, 17.8732, 1.56525, 1.0, 13.57043, 2.45953,
-        15866.8, 0.25079,
-    ];
+    let expected =
+        [3.75834, 0.26845, 11.71324, 41.5443, 1.4, 17.8732, 1.56525, 1.0, 13.57043, 2.45953, 15866.8, 0.25079];
     assert_eq!(answers.len(), expected.len());
     for (answer, expected) in answers.iter().zip(expected) {
         assert!((answer / expected - 1.0).abs() < 1e-4, "{answers:?}");
@@ -151,14 +113,7 @@ fn the_answers_of_the_u_tube() {
 #[test]
 fn critical_damping_is_within_reach_for_every_liquid() {
     let document = faultless("utube");
-    let index = |name: &str| {
-        document
-            .model
-            .parameters
-            .iter()
-            .position(|p| p.name == name)
-            .unwrap()
-    };
+    let index = |name: &str| document.model.parameters.iter().position(|p| p.name == name).unwrap();
     let critical = document.model.lookup("b_c", 0).unwrap().node;
     let greatest = |name: &str| document.model.parameters[index(name)].range.unwrap().1;
     let mut parameters = defaults(&document);
@@ -175,10 +130,7 @@ fn run(document: &Document, parameters: Vec<f64>) -> Run {
     setup.parameters = parameters;
     setup.step = document.step.unwrap_or(setup.step);
     setup.tolerance = document.tolerance.unwrap_or(setup.tolerance);
-    setup.method = document
-        .method
-        .as_ref()
-        .map_or(setup.method, |method| method.parse().unwrap());
+    setup.method = document.method.as_ref().map_or(setup.method, |method| method.parse().unwrap());
     let mut run = Run::start(&document.model, setup).unwrap_or_else(|error| panic!("{error:?}"));
     while run.time() < 10.0 {
         run.advance().unwrap_or_else(|error| panic!("{error:?}"));
@@ -188,13 +140,7 @@ fn run(document: &Document, parameters: Vec<f64>) -> Run {
 
 #[test]
 fn every_document_runs_with_every_preset() {
-    for name in [
-        "utube",
-        "pendulum",
-        "double-pendulum",
-        "bouncing-ball",
-        "van-der-pol",
-    ] {
+    for name in ["utube", "pendulum", "double-pendulum", "bouncing-ball", "van-der-pol"] {
         let document = faultless(name);
         run(&document, defaults(&document));
         for preset in &document.presets {
@@ -209,12 +155,7 @@ fn every_document_runs_with_every_preset() {
 fn the_period_of_a_large_swing() {
     let document = faultless("pendulum");
     let mut parameters = defaults(&document);
-    let start = document
-        .model
-        .parameters
-        .iter()
-        .position(|p| p.name == "theta_0")
-        .unwrap();
+    let start = document.model.parameters.iter().position(|p| p.name == "theta_0").unwrap();
     parameters[start] = std::f64::consts::FRAC_PI_2;
     let period = document.model.lookup("T", 0).unwrap().node;
     let said = evaluate(&document, &[period], &parameters)[0];

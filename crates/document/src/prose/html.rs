@@ -25,12 +25,7 @@ pub enum Piece {
 }
 
 /// The HTML of the Markdown in `range` of `source`.
-pub fn render(
-    source: &str,
-    range: Range<usize>,
-    formulas: &Formulas,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Vec<Piece> {
+pub fn render(source: &str, range: Range<usize>, formulas: &Formulas, diagnostics: &mut Vec<Diagnostic>) -> Vec<Piece> {
     let options = Options::ENABLE_TABLES | Options::ENABLE_MATH | Options::ENABLE_STRIKETHROUGH;
     let parser = Parser::new_ext(&source[range.clone()], options).into_offset_iter();
     let mut writer = Writer::new(formulas, diagnostics);
@@ -45,11 +40,7 @@ pub fn render(
             Event::End(TagEnd::Heading(level)) if writer.open.is_empty() => {
                 let title = writer.plain.take().unwrap_or_default().trim().to_owned();
                 let html = std::mem::take(&mut writer.out);
-                pieces.push(Piece::Heading {
-                    level: level as u8,
-                    title,
-                    html,
-                });
+                pieces.push(Piece::Heading { level: level as u8, title, html });
             }
             event => writer.event(event, span),
         }
@@ -154,9 +145,7 @@ impl<'a> Writer<'a> {
         let html = self.formulas.html(latex, display, span, self.diagnostics);
         match display {
             MathDisplay::Inline => self.out.push_str(&html),
-            MathDisplay::Block => self
-                .out
-                .push_str(&format!("<span class=\"formula\">{html}</span>")),
+            MathDisplay::Block => self.out.push_str(&format!("<span class=\"formula\">{html}</span>")),
         }
     }
 
@@ -183,10 +172,7 @@ impl<'a> Writer<'a> {
     }
 
     fn start(&mut self, tag: Tag, span: Span) {
-        if matches!(
-            tag,
-            Tag::Paragraph | Tag::HtmlBlock | Tag::Item | Tag::TableCell
-        ) {
+        if matches!(tag, Tag::Paragraph | Tag::HtmlBlock | Tag::Item | Tag::TableCell) {
             self.told_of_html = false;
         }
         match tag {
@@ -241,15 +227,8 @@ impl<'a> Writer<'a> {
 
     /// The table's name for a screen reader is its head. The wrapper scrolls on a narrow screen, by keyboard too.
     fn start_table(&mut self, alignments: Vec<Alignment>) {
-        self.open(
-            "<div class=\"wide\" role=\"region\" tabindex=\"0\"><table>\n",
-            "</tbody></table></div>\n",
-        );
-        self.table = Table {
-            alignments,
-            name_at: self.out.rfind(" tabindex").unwrap_or(0),
-            ..Table::default()
-        };
+        self.open("<div class=\"wide\" role=\"region\" tabindex=\"0\"><table>\n", "</tbody></table></div>\n");
+        self.table = Table { alignments, name_at: self.out.rfind(" tabindex").unwrap_or(0), ..Table::default() };
     }
 
     fn end_table_head(&mut self) {
@@ -257,18 +236,12 @@ impl<'a> Writer<'a> {
         let name = self.plain.take().unwrap_or_default();
         let name = escape(name.trim_end_matches(", "));
         if self.open.len() < DEPTH {
-            self.out
-                .insert_str(self.table.name_at, &format!(" aria-label=\"{name}\""));
+            self.out.insert_str(self.table.name_at, &format!(" aria-label=\"{name}\""));
         }
     }
 
     fn start_cell(&mut self) {
-        let alignment = self
-            .table
-            .alignments
-            .get(self.table.column)
-            .copied()
-            .unwrap_or(Alignment::None);
+        let alignment = self.table.alignments.get(self.table.column).copied().unwrap_or(Alignment::None);
         self.table.column += 1;
         let class = match alignment {
             Alignment::None | Alignment::Left => "",
@@ -289,10 +262,7 @@ impl<'a> Writer<'a> {
             self.open(&format!("<a href=\"{}\">", escape(destination)), "</a>");
         } else if has_scheme(destination, "http://") || has_scheme(destination, "https://") {
             let href = escape(destination);
-            self.open(
-                &format!("<a href=\"{href}\" target=\"_blank\" rel=\"noopener noreferrer\">"),
-                "</a>",
-            );
+            self.open(&format!("<a href=\"{href}\" target=\"_blank\" rel=\"noopener noreferrer\">"), "</a>");
         } else {
             self.diagnostics.push(
                 Diagnostic::error("link", format!("a link cannot lead to `{}`", shortened(destination)), span)
@@ -304,29 +274,17 @@ impl<'a> Writer<'a> {
 
     fn image(&mut self, source: &str, span: Span) {
         let kinds = ["png", "jpeg", "gif", "webp"];
-        let allowed = kinds
-            .iter()
-            .any(|kind| has_scheme(source, &format!("data:image/{kind};base64,")));
+        let allowed = kinds.iter().any(|kind| has_scheme(source, &format!("data:image/{kind};base64,")));
         let around = if allowed {
             (format!("<img src=\"{}\" alt=\"", escape(source)), "\">")
         } else {
             self.diagnostics.push(
-                Diagnostic::error(
-                    "image",
-                    format!("an image cannot come from `{}`", shortened(source)),
-                    span,
-                )
-                .with_hint(
-                    "the page asks nobody for anything: embed it, `data:image/png;base64,...`",
-                ),
+                Diagnostic::error("image", format!("an image cannot come from `{}`", shortened(source)), span)
+                    .with_hint("the page asks nobody for anything: embed it, `data:image/png;base64,...`"),
             );
             ("<span class=\"problem\">".to_owned(), "</span>")
         };
-        self.image = Some(Image {
-            around,
-            alternative: String::new(),
-            nested: 0,
-        });
+        self.image = Some(Image { around, alternative: String::new(), nested: 0 });
     }
 
     /// Takes what belongs to an image's alternative text.
@@ -338,18 +296,11 @@ impl<'a> Writer<'a> {
             Event::Start(Tag::Image { .. }) => image.nested += 1,
             Event::End(TagEnd::Image) if image.nested > 0 => image.nested -= 1,
             Event::End(TagEnd::Image) => {
-                let html = format!(
-                    "{}{}{}",
-                    image.around.0,
-                    escape(&image.alternative),
-                    image.around.1
-                );
+                let html = format!("{}{}{}", image.around.0, escape(&image.alternative), image.around.1);
                 self.out.push_str(&html);
                 self.image = None;
             }
-            Event::Text(text) | Event::Code(text) | Event::InlineMath(text) => {
-                image.alternative.push_str(&text)
-            }
+            Event::Text(text) | Event::Code(text) | Event::InlineMath(text) => image.alternative.push_str(&text),
             Event::SoftBreak | Event::HardBreak => image.alternative.push(' '),
             _ => {}
         }
@@ -359,9 +310,7 @@ impl<'a> Writer<'a> {
 
 /// Whether an address begins with `scheme`, which is ASCII, in letters of either size.
 fn has_scheme(address: &str, scheme: &str) -> bool {
-    address
-        .get(..scheme.len())
-        .is_some_and(|start| start.eq_ignore_ascii_case(scheme))
+    address.get(..scheme.len()).is_some_and(|start| start.eq_ignore_ascii_case(scheme))
 }
 
 /// The beginning of a long address, for a message.
@@ -378,12 +327,7 @@ mod tests {
 
     fn check(markdown: &str, expected: &str, messages: &[&str]) {
         let mut diagnostics = Vec::new();
-        let pieces = render(
-            markdown,
-            0..markdown.len(),
-            &Formulas::new(),
-            &mut diagnostics,
-        );
+        let pieces = render(markdown, 0..markdown.len(), &Formulas::new(), &mut diagnostics);
         let html: String = pieces
             .into_iter()
             .map(|piece| match piece {
@@ -392,37 +336,15 @@ mod tests {
             })
             .collect();
         assert_eq!(html, expected);
-        assert_eq!(
-            diagnostics
-                .iter()
-                .map(|d| d.message.as_str())
-                .collect::<Vec<_>>(),
-            messages
-        );
+        assert_eq!(diagnostics.iter().map(|d| d.message.as_str()).collect::<Vec<_>>(), messages);
     }
 
     #[test]
     fn ordinary_markdown() {
-        check(
-            "# A *b* $c$\nText",
-            "[1 A b c: A <em>b</em> <math><mi>c</mi></math>]<p>Text</p>\n",
-            &[],
-        );
-        check(
-            "3. a\n4. **b**",
-            "<ol start=\"3\">\n<li>a</li>\n<li><strong>b</strong></li>\n</ol>\n",
-            &[],
-        );
-        check(
-            "> # a",
-            "<blockquote>\n<p><strong>a</strong></p>\n</blockquote>\n",
-            &[],
-        );
-        check(
-            "$$a$$",
-            "<p><span class=\"formula\"><math display=\"block\"><mi>a</mi></math></span></p>\n",
-            &[],
-        );
+        check("# A *b* $c$\nText", "[1 A b c: A <em>b</em> <math><mi>c</mi></math>]<p>Text</p>\n", &[]);
+        check("3. a\n4. **b**", "<ol start=\"3\">\n<li>a</li>\n<li><strong>b</strong></li>\n</ol>\n", &[]);
+        check("> # a", "<blockquote>\n<p><strong>a</strong></p>\n</blockquote>\n", &[]);
+        check("$$a$$", "<p><span class=\"formula\"><math display=\"block\"><mi>a</mi></math></span></p>\n", &[]);
     }
 
     #[test]
@@ -437,40 +359,19 @@ mod tests {
 
     #[test]
     fn links_lead_only_where_they_may() {
-        check(
-            "[a](#the-end)",
-            "<p><a href=\"#doc-the-end\">a</a></p>\n",
-            &[],
-        );
-        check(
-            "[a](MAILTO:a@b.c)",
-            "<p><a href=\"MAILTO:a@b.c\">a</a></p>\n",
-            &[],
-        );
+        check("[a](#the-end)", "<p><a href=\"#doc-the-end\">a</a></p>\n", &[]);
+        check("[a](MAILTO:a@b.c)", "<p><a href=\"MAILTO:a@b.c\">a</a></p>\n", &[]);
         check(
             "[a](https://b.c/?d&e \"f\")",
             "<p><a href=\"https://b.c/?d&amp;e\" target=\"_blank\" rel=\"noopener noreferrer\">a</a></p>\n",
             &[],
         );
-        for address in [
-            "javascript:alert(1)",
-            "JaVaScRiPt:x",
-            "data:text/html,x",
-            "//evil.example",
-            "file.md",
-            "vbscript:x",
-        ] {
-            check(
-                &format!("[a]({address})"),
-                "<p>a</p>\n",
-                &[&format!("a link cannot lead to `{address}`")],
-            );
+        for address in
+            ["javascript:alert(1)", "JaVaScRiPt:x", "data:text/html,x", "//evil.example", "file.md", "vbscript:x"]
+        {
+            check(&format!("[a]({address})"), "<p>a</p>\n", &[&format!("a link cannot lead to `{address}`")]);
         }
-        check(
-            "[a](java&#10;script:x)",
-            "<p>a</p>\n",
-            &["a link cannot lead to `java\nscript:x`"],
-        );
+        check("[a](java&#10;script:x)", "<p>a</p>\n", &["a link cannot lead to `java\nscript:x`"]);
     }
 
     #[test]
@@ -508,9 +409,7 @@ mod tests {
         let mut diagnostics = Vec::new();
         let source = "> ".repeat(500) + "a";
         let pieces = render(&source, 0..source.len(), &Formulas::new(), &mut diagnostics);
-        let [Piece::Html(html)] = &pieces[..] else {
-            panic!()
-        };
+        let [Piece::Html(html)] = &pieces[..] else { panic!() };
         assert_eq!(html.matches("<blockquote>").count(), DEPTH);
         assert_eq!(html.matches("</blockquote>").count(), DEPTH);
         assert!(html.contains('a'));

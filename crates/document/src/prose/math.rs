@@ -18,42 +18,22 @@ impl Formulas {
     /// A converter without macros of its own.
     pub fn new() -> Self {
         // Only a macro can be refused, and there is none.
-        Self {
-            converter: LatexToMathML::new(MathCoreConfig::default()).unwrap_or_default(),
-        }
+        Self { converter: LatexToMathML::new(MathCoreConfig::default()).unwrap_or_default() }
     }
 
     /// The MathML of `latex`, which stands at `span` of the source; in case of an error, the text itself.
-    pub fn html(
-        &self,
-        latex: &str,
-        display: MathDisplay,
-        span: Span,
-        diagnostics: &mut Vec<Diagnostic>,
-    ) -> String {
+    pub fn html(&self, latex: &str, display: MathDisplay, span: Span, diagnostics: &mut Vec<Diagnostic>) -> String {
         let problem = if latex.len() > LENGTH {
-            Diagnostic::error(
-                "math",
-                format!("a formula cannot be longer than {LENGTH} bytes"),
-                span,
-            )
+            Diagnostic::error("math", format!("a formula cannot be longer than {LENGTH} bytes"), span)
         } else if nesting(latex) > DEPTH {
-            Diagnostic::error(
-                "math",
-                format!("a formula cannot be nested deeper than {DEPTH} levels"),
-                span,
-            )
+            Diagnostic::error("math", format!("a formula cannot be nested deeper than {DEPTH} levels"), span)
         } else {
             match self.converter.convert_with_local_state(latex, display) {
                 Ok(result) => return result.mathml,
                 Err(error) => {
                     let message = error.to_string();
                     let message = message.trim_end_matches('.');
-                    Diagnostic::error(
-                        "math",
-                        format!("the formula cannot be read: {}", lower(message)),
-                        span,
-                    )
+                    Diagnostic::error("math", format!("the formula cannot be read: {}", lower(message)), span)
                 }
             }
         };
@@ -65,9 +45,7 @@ impl Formulas {
 /// With a small first letter, as after a colon.
 fn lower(text: &str) -> String {
     let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| {
-        first.to_lowercase().chain(letters).collect()
-    })
+    letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
 }
 
 /// An upper bound of how deep `latex` is nested: open groups, and commands and scripts that wait for an argument.
@@ -119,9 +97,7 @@ fn close(waiting: &mut Vec<usize>) {
 }
 
 fn takes_two(command: &str) -> bool {
-    ["frac", "binom", "set", "rel", "mod"]
-        .iter()
-        .any(|part| command.contains(part))
+    ["frac", "binom", "set", "rel", "mod"].iter().any(|part| command.contains(part))
 }
 
 #[cfg(test)]
@@ -130,12 +106,7 @@ mod tests {
 
     fn html(latex: &str) -> (String, Vec<String>) {
         let mut diagnostics = Vec::new();
-        let html = Formulas::new().html(
-            latex,
-            MathDisplay::Inline,
-            Span::new(0, 0),
-            &mut diagnostics,
-        );
+        let html = Formulas::new().html(latex, MathDisplay::Inline, Span::new(0, 0), &mut diagnostics);
         (html, diagnostics.into_iter().map(|d| d.message).collect())
     }
 
@@ -143,10 +114,7 @@ mod tests {
     fn formulas_become_mathml() {
         assert_eq!(
             html("y'' < 2"),
-            (
-                "<math><msup><mi>y</mi><mo>″</mo></msup><mo>&lt;</mo><mn>2</mn></math>".to_owned(),
-                vec![]
-            )
+            ("<math><msup><mi>y</mi><mo>″</mo></msup><mo>&lt;</mo><mn>2</mn></math>".to_owned(), vec![])
         );
     }
 
@@ -154,10 +122,7 @@ mod tests {
     fn what_cannot_be_read_is_shown_as_it_is() {
         let (html, messages) = html("\\frac{<b>");
         assert_eq!(html, "<code class=\"problem\">\\frac{&lt;b&gt;</code>");
-        assert_eq!(
-            messages,
-            ["the formula cannot be read: expected closing token \"}\", but reached end of input"]
-        );
+        assert_eq!(messages, ["the formula cannot be read: expected closing token \"}\", but reached end of input"]);
     }
 
     #[test]

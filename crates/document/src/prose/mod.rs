@@ -62,13 +62,7 @@ impl<'a> Prose<'a> {
                 Piece::Html(html) => self.block(Block::Html(html)),
                 Piece::Heading { level, title, html } => {
                     let id = self.new_id(&title);
-                    self.sections.push(Section {
-                        id,
-                        title,
-                        heading: html,
-                        level,
-                        blocks: Vec::new(),
-                    });
+                    self.sections.push(Section { id, title, heading: html, level, blocks: Vec::new() });
                 }
             }
         }
@@ -103,10 +97,7 @@ impl<'a> Prose<'a> {
     fn block(&mut self, block: Block) {
         if self.sections.is_empty() {
             let id = self.new_id("");
-            self.sections.push(Section {
-                id,
-                ..Section::default()
-            });
+            self.sections.push(Section { id, ..Section::default() });
         }
         if let Some(section) = self.sections.last_mut() {
             section.blocks.push(block);
@@ -128,10 +119,7 @@ impl<'a> Prose<'a> {
 /// The id of a section with this title, and what a link `#title` becomes.
 fn anchor(title: &str) -> String {
     let mut id = String::from("doc");
-    for word in title
-        .split(|c: char| !c.is_alphanumeric())
-        .filter(|word| !word.is_empty())
-    {
+    for word in title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()) {
         id.push('-');
         id.extend(word.chars().flat_map(char::to_lowercase));
     }

@@ -114,53 +114,28 @@ pub const ATTRIBUTES: [&str; 79] = [
 ];
 
 /// Attributes that may refer to an element of the same scene, `url(#glass)`.
-pub const REFERRING: [&str; 6] = [
-    "fill",
-    "stroke",
-    "clip-path",
-    "marker-start",
-    "marker-mid",
-    "marker-end",
-];
+pub const REFERRING: [&str; 6] = ["fill", "stroke", "clip-path", "marker-start", "marker-mid", "marker-end"];
 
 /// Attributes that drawing programs write and that say nothing here; left out in silence.
 pub fn is_idle(attribute: &str) -> bool {
-    matches!(attribute, "xmlns" | "version" | "xml:space" | "baseProfile")
-        || attribute.starts_with("xmlns:")
+    matches!(attribute, "xmlns" | "version" | "xml:space" | "baseProfile") || attribute.starts_with("xmlns:")
 }
 
 /// Properties that a `<style>` may set.
 pub fn is_property(name: &str) -> bool {
     const OTHERS: [&str; 2] = ["rx", "ry"];
     // Those attributes that are also properties: from `fill` on, without what refers or belongs to dragging.
-    let start = ATTRIBUTES
-        .iter()
-        .position(|attribute| *attribute == "fill")
-        .unwrap_or(ATTRIBUTES.len());
+    let start = ATTRIBUTES.iter().position(|attribute| *attribute == "fill").unwrap_or(ATTRIBUTES.len());
     let plain = ATTRIBUTES[start..].contains(&name);
-    (plain && !name.starts_with("drag") && !name.starts_with("marker") && name != "clip-path")
-        || OTHERS.contains(&name)
+    (plain && !name.starts_with("drag") && !name.starts_with("marker") && name != "clip-path") || OTHERS.contains(&name)
 }
 
 /// What in a value would make a browser load or run something, or hide that it does.
 pub fn danger(value: &str) -> Option<&'static str> {
     // Browsers pass over blanks and control characters inside such words.
-    let value: String = value
-        .chars()
-        .filter(|c| !c.is_whitespace() && !c.is_control())
-        .flat_map(char::to_lowercase)
-        .collect();
-    let words = [
-        "javascript:",
-        "vbscript:",
-        "data:",
-        "url(",
-        "expression(",
-        "@import",
-        "image(",
-        "image-set(",
-        "\\",
-    ];
+    let value: String =
+        value.chars().filter(|c| !c.is_whitespace() && !c.is_control()).flat_map(char::to_lowercase).collect();
+    let words = ["javascript:", "vbscript:", "data:", "url(", "expression(", "@import", "image(", "image-set(", "\\"];
     words.into_iter().find(|word| value.contains(word))
 }
 
@@ -174,9 +149,7 @@ pub fn reference(value: &str) -> Option<&str> {
 pub fn is_id(text: &str) -> bool {
     text.starts_with(|c: char| c.is_ascii_alphabetic())
         && text.len() <= 60
-        && text
-            .chars()
-            .all(|c| c.is_ascii_alphanumeric() || matches!(c, '-' | '_'))
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '-' | '_'))
 }
 
 #[cfg(test)]
@@ -199,13 +172,7 @@ mod tests {
         ] {
             assert!(danger(value).is_some(), "{value}");
         }
-        for value in [
-            "M0 0L1 1z",
-            "rotate(30)",
-            "var(--liquid)",
-            "#ff0000",
-            "rgb(1 2 3 / 50%)",
-        ] {
+        for value in ["M0 0L1 1z", "rotate(30)", "var(--liquid)", "#ff0000", "rgb(1 2 3 / 50%)"] {
             assert_eq!(danger(value), None, "{value}");
         }
     }
@@ -213,16 +180,9 @@ mod tests {
     #[test]
     fn only_local_references_are_references() {
         assert_eq!(reference("url(#glass)"), Some("glass"));
-        for value in [
-            "url(#)",
-            "url( #a)",
-            "url(\"#a\")",
-            "url(x#a)",
-            "url(#a) red",
-            "url(#a)url(#b)",
-            "url(#a))",
-            "glass",
-        ] {
+        for value in
+            ["url(#)", "url( #a)", "url(\"#a\")", "url(x#a)", "url(#a) red", "url(#a)url(#b)", "url(#a))", "glass"]
+        {
             assert_eq!(reference(value), None, "{value}");
         }
     }

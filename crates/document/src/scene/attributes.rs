@@ -16,15 +16,9 @@ impl Builder<'_, '_> {
         }
         if !ATTRIBUTES.contains(&text.as_str()) {
             let hint = match text.as_str() {
-                "style" => Some(
-                    "write the properties as attributes, `fill=\"red\"`, or in a `<style>`"
-                        .to_owned(),
-                ),
-                "href" | "xlink:href" => {
-                    Some("a scene refers to nothing outside itself".to_owned())
-                }
-                _ => crate::near::nearest(&text, ATTRIBUTES)
-                    .map(|near| format!("did you mean `{near}`?")),
+                "style" => Some("write the properties as attributes, `fill=\"red\"`, or in a `<style>`".to_owned()),
+                "href" | "xlink:href" => Some("a scene refers to nothing outside itself".to_owned()),
+                _ => crate::near::nearest(&text, ATTRIBUTES).map(|near| format!("did you mean `{near}`?")),
             };
             self.refuse(
                 format!("the attribute `{text}` is not allowed in a scene; it is left out"),
@@ -33,20 +27,13 @@ impl Builder<'_, '_> {
             );
             return None;
         }
-        let raw = template::split(
-            self.expressions.source,
-            value.clone(),
-            &mut self.expressions.diagnostics,
-        );
+        let raw = template::split(self.expressions.source, value.clone(), &mut self.expressions.diagnostics);
         if let [RawPiece::Literal(literal)] = &raw[..]
             && let Some(id) = reference(literal)
             && REFERRING.contains(&text.as_str())
         {
             self.references.push((id.to_owned(), value));
-            return Some(Attribute {
-                name: text,
-                value: vec![Piece::Literal(format!("url(#{PREFIX}{id})"))],
-            });
+            return Some(Attribute { name: text, value: vec![Piece::Literal(format!("url(#{PREFIX}{id})"))] });
         }
         let literals: String = raw
             .iter()
@@ -56,14 +43,10 @@ impl Builder<'_, '_> {
             })
             .collect();
         if let Some(word) = danger(&literals) {
-            let hint = REFERRING.contains(&text.as_str()).then_some(
-                "only `url(#id)` with the id of an element of this scene can stand here",
-            );
-            self.refuse(
-                format!("`{word}` is not allowed in a scene; `{text}` is left out"),
-                value,
-                hint,
-            );
+            let hint = REFERRING
+                .contains(&text.as_str())
+                .then_some("only `url(#id)` with the id of an element of this scene can stand here");
+            self.refuse(format!("`{word}` is not allowed in a scene; `{text}` is left out"), value, hint);
             return None;
         }
         if matches!(text.as_str(), "id" | "class") {
@@ -74,10 +57,7 @@ impl Builder<'_, '_> {
                 value,
             );
         }
-        let value = raw
-            .into_iter()
-            .map(|piece| self.piece(piece, true))
-            .collect::<Option<Template>>()?;
+        let value = raw.into_iter().map(|piece| self.piece(piece, true)).collect::<Option<Template>>()?;
         Some(Attribute { name: text, value })
     }
 
@@ -90,33 +70,19 @@ impl Builder<'_, '_> {
         place: Range<usize>,
     ) -> Option<Attribute> {
         if has_values {
-            self.refuse(
-                format!("`{name}` cannot hold values of the model"),
-                place,
-                None,
-            );
+            self.refuse(format!("`{name}` cannot hold values of the model"), place, None);
             return None;
         }
         let text = if name == "id" {
             is_id(&text).then(|| format!("{PREFIX}{text}"))?
         } else {
             let names = || text.split_whitespace();
-            let known: Vec<String> = names()
-                .filter(|name| is_id(name))
-                .map(|name| format!("{PREFIX}{name}"))
-                .collect();
+            let known: Vec<String> = names().filter(|name| is_id(name)).map(|name| format!("{PREFIX}{name}")).collect();
             if known.len() < names().count() {
-                self.refuse(
-                    format!("`{text}` is not a list of class names"),
-                    place,
-                    None,
-                );
+                self.refuse(format!("`{text}` is not a list of class names"), place, None);
             }
             known.join(" ")
         };
-        Some(Attribute {
-            name,
-            value: vec![Piece::Literal(text)],
-        })
+        Some(Attribute { name, value: vec![Piece::Literal(text)] })
     }
 }

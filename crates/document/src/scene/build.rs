@@ -12,11 +12,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Reads the scene in `range`: definitions, then one `svg` element. Its texts are looked up in `texts`.
-pub fn build(
-    expressions: &mut Expressions,
-    range: Range<usize>,
-    texts: &mut Texts,
-) -> Option<Scene> {
+pub fn build(expressions: &mut Expressions, range: Range<usize>, texts: &mut Texts) -> Option<Scene> {
     let source = expressions.source;
     let opening = Span::new(range.start, range.start);
     let Some(length) = source[range.clone()].find("<svg") else {
@@ -29,21 +25,13 @@ pub fn build(
     let start = range.start + length;
     expressions.define(range.start..start);
     let children = parse(source, start..range.end, &mut expressions.diagnostics);
-    let mut builder = Builder {
-        expressions,
-        texts,
-        values: Vec::new(),
-        ids: BTreeSet::new(),
-        references: Vec::new(),
-    };
+    let mut builder = Builder { expressions, texts, values: Vec::new(), ids: BTreeSet::new(), references: Vec::new() };
     builder.collect_ids(&children);
     let mut root = None;
     for child in children {
         match child {
             RawChild::Element(element) if root.is_none() => root = builder.root(element),
-            RawChild::Element(element) => {
-                builder.refuse("a scene is one `svg` element", element.name, None)
-            }
+            RawChild::Element(element) => builder.refuse("a scene is one `svg` element", element.name, None),
             RawChild::Text(text) => {
                 let text = crate::source::trim(source, text);
                 if !text.is_empty() {
@@ -55,10 +43,7 @@ pub fn build(
     builder.check_references();
     let values = builder.values;
     expressions.forget();
-    Some(Scene {
-        root: root?,
-        values,
-    })
+    Some(Scene { root: root?, values })
 }
 
 /// Builds one scene.
@@ -83,8 +68,7 @@ impl Builder<'_, '_> {
 
     /// Reports what is left out.
     pub fn refuse(&mut self, message: impl Into<String>, range: Range<usize>, hint: Option<&str>) {
-        let mut diagnostic =
-            Diagnostic::error("scene-refused", message, Span::new(range.start, range.end));
+        let mut diagnostic = Diagnostic::error("scene-refused", message, Span::new(range.start, range.end));
         diagnostic.hints.extend(hint.map(str::to_owned));
         self.expressions.diagnostics.push(diagnostic);
     }
@@ -98,11 +82,7 @@ impl Builder<'_, '_> {
                 if self.source(name) == "id" {
                     let (id, place) = (self.source(value).to_owned(), value.clone());
                     if !is_id(&id) {
-                        self.refuse(
-                            format!("`{id}` cannot be an id"),
-                            place,
-                            Some("use letters, digits, `-` and `_`"),
-                        );
+                        self.refuse(format!("`{id}` cannot be an id"), place, Some("use letters, digits, `-` and `_`"));
                     } else if !self.ids.insert(id.clone()) {
                         self.refuse(format!("the id `{id}` is used twice"), place, None);
                     }
@@ -115,11 +95,7 @@ impl Builder<'_, '_> {
     fn check_references(&mut self) {
         for (id, place) in std::mem::take(&mut self.references) {
             if !self.ids.contains(&id) {
-                self.refuse(
-                    format!("nothing in the scene has the id `{id}`"),
-                    place,
-                    None,
-                );
+                self.refuse(format!("nothing in the scene has the id `{id}`"), place, None);
             }
         }
     }
@@ -131,11 +107,7 @@ impl Builder<'_, '_> {
         }
         let name = raw.name.clone();
         let mut root = self.element(raw)?;
-        if !root
-            .attributes
-            .iter()
-            .any(|attribute| attribute.name == "viewBox")
-        {
+        if !root.attributes.iter().any(|attribute| attribute.name == "viewBox") {
             self.refuse(
                 "the `svg` element needs a `viewBox`",
                 name,
@@ -143,22 +115,9 @@ impl Builder<'_, '_> {
             );
         }
         let scene = || vec![Piece::Literal(SCENE_CLASS.to_owned())];
-        match root
-            .attributes
-            .iter_mut()
-            .find(|attribute| attribute.name == "class")
-        {
-            Some(class) => class
-                .value
-                .splice(0..0, [Piece::Literal(format!("{SCENE_CLASS} "))])
-                .for_each(drop),
-            None => root.attributes.insert(
-                0,
-                Attribute {
-                    name: "class".to_owned(),
-                    value: scene(),
-                },
-            ),
+        match root.attributes.iter_mut().find(|attribute| attribute.name == "class") {
+            Some(class) => class.value.splice(0..0, [Piece::Literal(format!("{SCENE_CLASS} "))]).for_each(drop),
+            None => root.attributes.insert(0, Attribute { name: "class".to_owned(), value: scene() }),
         }
         Some(root)
     }
@@ -166,8 +125,7 @@ impl Builder<'_, '_> {
     fn element(&mut self, raw: RawElement) -> Option<Element> {
         let name = self.source(&raw.name).to_owned();
         if !ELEMENTS.contains(&name.as_str()) {
-            let hint =
-                crate::near::nearest(&name, ELEMENTS).map(|near| format!("did you mean `{near}`?"));
+            let hint = crate::near::nearest(&name, ELEMENTS).map(|near| format!("did you mean `{near}`?"));
             self.refuse(
                 format!("a scene cannot contain `<{name}>`; it is left out with what it holds"),
                 raw.name,
@@ -175,12 +133,7 @@ impl Builder<'_, '_> {
             );
             return None;
         }
-        let mut element = Element {
-            name,
-            attributes: Vec::new(),
-            children: Vec::new(),
-            drag: None,
-        };
+        let mut element = Element { name, attributes: Vec::new(), children: Vec::new(), drag: None };
         let mut dragging = Dragging::default();
         for (name, value) in raw.attributes {
             match self.source(&name) {
@@ -194,34 +147,18 @@ impl Builder<'_, '_> {
         for child in raw.children {
             match child {
                 RawChild::Text(text) if element.name == "style" => {
-                    let confined = confine(
-                        self.expressions.source,
-                        text,
-                        &mut self.expressions.diagnostics,
-                    );
-                    element
-                        .children
-                        .push(Child::Text(vec![Piece::Literal(confined)]));
+                    let confined = confine(self.expressions.source, text, &mut self.expressions.diagnostics);
+                    element.children.push(Child::Text(vec![Piece::Literal(confined)]));
                 }
-                RawChild::Element(inner)
-                    if element.name == "style" || self.source(&inner.name) == "svg" =>
-                {
+                RawChild::Element(inner) if element.name == "style" || self.source(&inner.name) == "svg" => {
                     self.refuse(
-                        format!(
-                            "`<{}>` cannot contain `<{}>`",
-                            element.name,
-                            self.source(&inner.name)
-                        ),
+                        format!("`<{}>` cannot contain `<{}>`", element.name, self.source(&inner.name)),
                         inner.name,
                         None,
                     );
                 }
-                RawChild::Element(inner) => element
-                    .children
-                    .extend(self.element(inner).map(Child::Element)),
-                RawChild::Text(text)
-                    if matches!(element.name.as_str(), "text" | "tspan" | "title" | "desc") =>
-                {
+                RawChild::Element(inner) => element.children.extend(self.element(inner).map(Child::Element)),
+                RawChild::Text(text) if matches!(element.name.as_str(), "text" | "tspan" | "title" | "desc") => {
                     element.children.extend(self.text(text).map(Child::Text));
                 }
                 RawChild::Text(text) => {

@@ -31,23 +31,13 @@ impl Builder<'_, '_> {
         };
         let place = crate::source::trim(self.expressions.source, place);
         let name = self.source(&place).to_owned();
-        let states: Vec<String> = self
-            .expressions
-            .model
-            .states
-            .iter()
-            .map(model::State::name)
-            .collect();
+        let states: Vec<String> = self.expressions.model.states.iter().map(model::State::name).collect();
         let Some(state) = states.iter().position(|known| *known == name) else {
             let mut hint = format!("the states are {}", states.join(", "));
             if let Some(near) = crate::near::nearest(&name, states.iter().map(String::as_str)) {
                 hint = format!("did you mean `{near}`?");
             }
-            self.refuse(
-                format!("`{name}` is not a state, so it cannot be dragged"),
-                place,
-                Some(&hint),
-            );
+            self.refuse(format!("`{name}` is not a state, so it cannot be dragged"), place, Some(&hint));
             return None;
         };
         if dragging.up.is_none() && dragging.right.is_none() {
@@ -59,9 +49,7 @@ impl Builder<'_, '_> {
             return None;
         }
         let up = dragging.up.and_then(|range| self.drag_rate(range, state));
-        let right = dragging
-            .right
-            .and_then(|range| self.drag_rate(range, state));
+        let right = dragging.right.and_then(|range| self.drag_rate(range, state));
         (up.is_some() || right.is_some()).then_some(Drag { state, up, right })
     }
 
@@ -70,16 +58,9 @@ impl Builder<'_, '_> {
         let rate = self.expressions.number(range)?;
         let state = &self.expressions.model.states[state];
         if rate.dimension() != state.unit.dimension {
-            let message = format!(
-                "one unit of the drawing must add to `{}` something of its dimension",
-                state.name()
-            );
+            let message = format!("one unit of the drawing must add to `{}` something of its dimension", state.name());
             let expected = (state.span, state.unit.dimension);
-            self.expressions.diagnostics.push(dimension_error(
-                message,
-                (rate.span, rate.dimension()),
-                expected,
-            ));
+            self.expressions.diagnostics.push(dimension_error(message, (rate.span, rate.dimension()), expected));
             return None;
         }
         self.value(rate)

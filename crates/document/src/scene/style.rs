@@ -61,10 +61,7 @@ fn confine_rule(source: &str, rule: Range<usize>) -> Result<String, Refusal> {
         let (name, value) = declaration.split_once(':').unwrap_or((declaration, ""));
         let (name, value) = (name.trim(), value.trim());
         if !is_property(name) || !is_plain(value) {
-            return Err((
-                format!("`{}` cannot be set in a scene", &source[range.clone()]),
-                range,
-            ));
+            return Err((format!("`{}` cannot be set in a scene", &source[range.clone()]), range));
         }
         confined.push_str(&format!("{name}:{value};"));
     }
@@ -111,9 +108,7 @@ fn confine_selector(selector: &str) -> Option<String> {
 fn is_plain(value: &str) -> bool {
     !value.is_empty()
         && danger(value).is_none()
-        && value
-            .chars()
-            .all(|c| c.is_ascii_alphanumeric() || " #.,%()+-*/_".contains(c))
+        && value.chars().all(|c| c.is_ascii_alphanumeric() || " #.,%()+-*/_".contains(c))
         && !value.contains("/*")
 }
 
@@ -124,13 +119,7 @@ mod tests {
     fn check(style: &str, expected: &str, messages: &[&str]) {
         let mut diagnostics = Vec::new();
         assert_eq!(confine(style, 0..style.len(), &mut diagnostics), expected);
-        assert_eq!(
-            diagnostics
-                .iter()
-                .map(|d| d.message.as_str())
-                .collect::<Vec<_>>(),
-            messages
-        );
+        assert_eq!(diagnostics.iter().map(|d| d.message.as_str()).collect::<Vec<_>>(), messages);
     }
 
     #[test]

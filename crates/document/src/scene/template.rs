@@ -19,11 +19,7 @@ pub enum RawPiece {
 }
 
 /// Takes the text in `range` of `source` apart.
-pub fn split(
-    source: &str,
-    range: Range<usize>,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Vec<RawPiece> {
+pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> Vec<RawPiece> {
     let mut pieces = Vec::new();
     let mut literal = String::new();
     let mut at = range.start;
@@ -44,8 +40,14 @@ pub fn split(
                 }
                 None => {
                     diagnostics.push(
-                        Diagnostic::error("scene-brace", format!("this `{letter}` has no partner on its line"), Span::new(at, at + 1))
-                            .with_hint(format!("an expression stands in `{{...}}`; for the character itself write `{letter}{letter}`")),
+                        Diagnostic::error(
+                            "scene-brace",
+                            format!("this `{letter}` has no partner on its line"),
+                            Span::new(at, at + 1),
+                        )
+                        .with_hint(format!(
+                            "an expression stands in `{{...}}`; for the character itself write `{letter}{letter}`"
+                        )),
                     );
                     literal.push(letter);
                     1
@@ -69,36 +71,18 @@ pub fn split(
 fn read_placeholder(source: &str, range: Range<usize>) -> RawPiece {
     let text = &source[range.clone()];
     let format = text.rsplit_once(":.").and_then(|(expression, digits)| {
-        let decimals: u8 = digits
-            .trim()
-            .parse()
-            .ok()
-            .filter(|decimals| *decimals <= 12)?;
+        let decimals: u8 = digits.trim().parse().ok().filter(|decimals| *decimals <= 12)?;
         Some((range.start..range.start + expression.len(), decimals))
     });
     match format {
-        Some((expression, decimals)) => RawPiece::Placeholder {
-            expression,
-            decimals: Some(decimals),
-        },
-        None => RawPiece::Placeholder {
-            expression: range,
-            decimals: None,
-        },
+        Some((expression, decimals)) => RawPiece::Placeholder { expression, decimals: Some(decimals) },
+        None => RawPiece::Placeholder { expression: range, decimals: None },
     }
 }
 
 /// Decodes `&lt;`, `&#916;` and the like. The length of what was read.
-fn read_entity(
-    text: &str,
-    place: Span,
-    literal: &mut String,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> usize {
-    let name = text[1..]
-        .find(';')
-        .filter(|end| *end <= 8)
-        .map(|end| &text[1..1 + end]);
+fn read_entity(text: &str, place: Span, literal: &mut String, diagnostics: &mut Vec<Diagnostic>) -> usize {
+    let name = text[1..].find(';').filter(|end| *end <= 8).map(|end| &text[1..1 + end]);
     let decoded = name.and_then(|name| match name {
         "lt" => Some('<'),
         "gt" => Some('>'),
@@ -146,45 +130,24 @@ mod tests {
             .into_iter()
             .map(|piece| match piece {
                 RawPiece::Literal(text) => format!("{text:?}"),
-                RawPiece::Placeholder {
-                    expression,
-                    decimals,
-                } => format!("{} {decimals:?}", &text[expression]),
+                RawPiece::Placeholder { expression, decimals } => format!("{} {decimals:?}", &text[expression]),
             })
             .collect();
         assert_eq!(pieces, expected);
-        assert_eq!(
-            diagnostics
-                .iter()
-                .map(|d| d.message.as_str())
-                .collect::<Vec<_>>(),
-            messages
-        );
+        assert_eq!(diagnostics.iter().map(|d| d.message.as_str()).collect::<Vec<_>>(), messages);
     }
 
     #[test]
     fn placeholders_stand_in_braces() {
         check("t = {t:.2}", &["\"t = \"", "t Some(2)"], &[]);
         check("{y in [cm]}{a < b}", &["y in [cm] None", "a < b None"], &[]);
-        check(
-            "{{x}} &lt;&#916;&#x394;&nbsp;",
-            &[r#""{x} <ΔΔ\u{a0}""#],
-            &[],
-        );
+        check("{{x}} &lt;&#916;&#x394;&nbsp;", &[r#""{x} <ΔΔ\u{a0}""#], &[]);
     }
 
     #[test]
     fn faults_are_literal() {
         check("{y", &["\"{y\""], &["this `{` has no partner on its line"]);
-        check(
-            "y} é",
-            &["\"y} é\""],
-            &["this `}` has no partner on its line"],
-        );
-        check(
-            "a & b &#0; &x;",
-            &["\"a & b &#0; &x;\""],
-            &["this `&` begins no character"; 3],
-        );
+        check("y} é", &["\"y} é\""], &["this `}` has no partner on its line"]);
+        check("a & b &#0; &x;", &["\"a & b &#0; &x;\""], &["this `&` begins no character"; 3]);
     }
 }

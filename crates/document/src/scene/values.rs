@@ -12,50 +12,32 @@ const VALUES: usize = 1_000;
 impl Builder<'_, '_> {
     /// A text, in the language asked for.
     pub fn text(&mut self, range: Range<usize>) -> Option<Template> {
-        let raw = template::split(
-            self.expressions.source,
-            range.clone(),
-            &mut self.expressions.diagnostics,
-        );
-        let original: Option<Template> = raw
-            .iter()
-            .cloned()
-            .map(|piece| self.piece(piece, false))
-            .collect();
+        let raw = template::split(self.expressions.source, range.clone(), &mut self.expressions.diagnostics);
+        let original: Option<Template> = raw.iter().cloned().map(|piece| self.piece(piece, false)).collect();
         let mut original = original?;
         let key = normalised(self.source(&range));
         if key.is_empty() {
             return (!original.is_empty()).then_some(original);
         }
-        let has_words = raw
-            .iter()
-            .any(|piece| matches!(piece, RawPiece::Literal(text) if has_word(text)));
+        let has_words = raw.iter().any(|piece| matches!(piece, RawPiece::Literal(text) if has_word(text)));
         let Some((translated, span)) = self.texts.translate(&key, has_words) else {
             return Some(original);
         };
         // Each value of the translation must be one of the original, written the same way.
         let mut scratch = Vec::new();
-        let template = template::split(&translated, 0..translated.len(), &mut scratch)
-            .into_iter()
-            .map(|piece| match piece {
+        let template =
+            template::split(&translated, 0..translated.len(), &mut scratch).into_iter().map(|piece| match piece {
                 RawPiece::Literal(text) => Some(Piece::Literal(text)),
-                RawPiece::Placeholder {
-                    expression,
-                    decimals,
-                } => {
+                RawPiece::Placeholder { expression, decimals } => {
                     let wanted = translated[expression].trim();
-                    raw.iter()
-                        .zip(&original)
-                        .find_map(|(raw, piece)| match (raw, piece) {
-                            (
-                                RawPiece::Placeholder { expression, .. },
-                                Piece::Value { index, .. },
-                            ) if self.source(expression).trim() == wanted => Some(Piece::Value {
-                                index: *index,
-                                decimals,
-                            }),
-                            _ => None,
-                        })
+                    raw.iter().zip(&original).find_map(|(raw, piece)| match (raw, piece) {
+                        (RawPiece::Placeholder { expression, .. }, Piece::Value { index, .. })
+                            if self.source(expression).trim() == wanted =>
+                        {
+                            Some(Piece::Value { index: *index, decimals })
+                        }
+                        _ => None,
+                    })
                 }
             });
         match template.collect::<Option<Template>>() {
@@ -71,11 +53,7 @@ impl Builder<'_, '_> {
 
     /// A part of a template, compiled.
     pub fn piece(&mut self, piece: RawPiece, in_attribute: bool) -> Option<Piece> {
-        let RawPiece::Placeholder {
-            expression,
-            decimals,
-        } = piece
-        else {
+        let RawPiece::Placeholder { expression, decimals } = piece else {
             let RawPiece::Literal(text) = piece else {
                 return None;
             };
@@ -97,9 +75,7 @@ impl Builder<'_, '_> {
     /// The place of a value among those of the scene; equal ones are computed once.
     pub fn value(&mut self, compiled: Compiled) -> Option<usize> {
         let known = self.values.iter().position(|value| {
-            value.node == compiled.node
-                && value.unit == compiled.unit
-                && value.kind == compiled.kind
+            value.node == compiled.node && value.unit == compiled.unit && value.kind == compiled.kind
         });
         if known.is_some() {
             return known;
@@ -119,6 +95,5 @@ impl Builder<'_, '_> {
 
 /// Whether a text has something to translate.
 pub fn has_word(text: &str) -> bool {
-    text.split(|c: char| !c.is_alphabetic())
-        .any(|word| word.chars().count() > 2)
+    text.split(|c: char| !c.is_alphabetic()).any(|word| word.chars().count() > 2)
 }

@@ -30,24 +30,10 @@ pub enum RawChild {
 }
 
 /// Reads the elements in `range` of `source`.
-pub fn parse(
-    source: &str,
-    range: Range<usize>,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Vec<RawChild> {
-    let mut reader = Reader {
-        source,
-        at: range.start,
-        end: range.end,
-        elements: 0,
-        diagnostics,
-    };
+pub fn parse(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> Vec<RawChild> {
+    let mut reader = Reader { source, at: range.start, end: range.end, elements: 0, diagnostics };
     // The outermost entry is the document; each other one an element whose end has not come yet.
-    let mut open = vec![RawElement {
-        name: range.start..range.start,
-        attributes: Vec::new(),
-        children: Vec::new(),
-    }];
+    let mut open = vec![RawElement { name: range.start..range.start, attributes: Vec::new(), children: Vec::new() }];
     while reader.at < reader.end {
         if !reader.rest().starts_with('<') {
             let text = reader.text();
@@ -64,9 +50,7 @@ pub fn parse(
         }
         close(&mut open);
     }
-    open.pop()
-        .map(|document| document.children)
-        .unwrap_or_default()
+    open.pop().map(|document| document.children).unwrap_or_default()
 }
 
 fn push(open: &mut [RawElement], child: RawChild) {
@@ -95,11 +79,7 @@ impl Reader<'_> {
     }
 
     fn error(&mut self, message: impl Into<String>, range: Range<usize>) {
-        self.diagnostics.push(Diagnostic::error(
-            "scene-syntax",
-            message,
-            Span::new(range.start, range.end),
-        ));
+        self.diagnostics.push(Diagnostic::error("scene-syntax", message, Span::new(range.start, range.end)));
     }
 
     fn unclosed(&mut self, name: Range<usize>) {
@@ -126,10 +106,7 @@ impl Reader<'_> {
             }
         } else if rest.starts_with("<!") || rest.starts_with("<?") {
             let length = rest.find('>').map_or(rest.len(), |end| end + 1);
-            (
-                length,
-                Some("a scene holds elements and text only; this is left out"),
-            )
+            (length, Some("a scene holds elements and text only; this is left out"))
         } else if !rest[1..].starts_with(|c: char| c.is_ascii_alphabetic()) {
             (1, Some("this `<` begins no element; in text write `&lt;`"))
         } else {
@@ -144,27 +121,17 @@ impl Reader<'_> {
 
     /// The greatest length up to `length` and 40 bytes from `start` that ends between characters.
     fn char_floor(&self, start: usize, length: usize) -> usize {
-        (0..=length.min(40))
-            .rev()
-            .find(|length| self.source.is_char_boundary(start + length))
-            .unwrap_or(0)
+        (0..=length.min(40)).rev().find(|length| self.source.is_char_boundary(start + length)).unwrap_or(0)
     }
 
     fn closing_tag(&mut self, open: &mut Vec<RawElement>) {
         let start = self.at;
         self.at += 2;
         let name = self.name();
-        let length = self
-            .rest()
-            .find('>')
-            .map_or(self.rest().len(), |end| end + 1);
+        let length = self.rest().find('>').map_or(self.rest().len(), |end| end + 1);
         self.at += length;
         let text = &self.source[name.clone()];
-        let Some(depth) = open
-            .iter()
-            .skip(1)
-            .rposition(|element| &self.source[element.name.clone()] == text)
-        else {
+        let Some(depth) = open.iter().skip(1).rposition(|element| &self.source[element.name.clone()] == text) else {
             let message = format!("`</{text}>` closes nothing");
             self.error(message, start..name.end);
             return;
@@ -181,11 +148,7 @@ impl Reader<'_> {
     fn opening_tag(&mut self, open: &mut Vec<RawElement>) {
         self.at += 1;
         let name = self.name();
-        let mut element = RawElement {
-            name: name.clone(),
-            attributes: Vec::new(),
-            children: Vec::new(),
-        };
+        let mut element = RawElement { name: name.clone(), attributes: Vec::new(), children: Vec::new() };
         let closed = loop {
             self.skip_blanks();
             match self.rest().chars().next() {
@@ -198,10 +161,7 @@ impl Reader<'_> {
                     break true;
                 }
                 None | Some('<') => {
-                    let message = format!(
-                        "the tag `<{}` is not closed with `>`",
-                        &self.source[name.clone()]
-                    );
+                    let message = format!("the tag `<{}` is not closed with `>`", &self.source[name.clone()]);
                     self.error(message, name.clone());
                     break false;
                 }
@@ -210,10 +170,7 @@ impl Reader<'_> {
         };
         self.elements += 1;
         if self.elements == ELEMENTS + 1 {
-            self.error(
-                format!("a scene cannot have more than {ELEMENTS} elements"),
-                name.clone(),
-            );
+            self.error(format!("a scene cannot have more than {ELEMENTS} elements"), name.clone());
         }
         let fits = self.elements <= ELEMENTS;
         if closed {
@@ -222,10 +179,7 @@ impl Reader<'_> {
             }
         } else if open.len() > DEPTH {
             // What it holds goes to the element around it; its closing tag will be reported.
-            self.error(
-                format!("elements cannot be nested deeper than {DEPTH} levels"),
-                name,
-            );
+            self.error(format!("elements cannot be nested deeper than {DEPTH} levels"), name);
         } else {
             open.push(element);
         }
@@ -237,38 +191,22 @@ impl Reader<'_> {
         if name.is_empty() {
             let start = self.at;
             self.at += self.rest().chars().next().map_or(1, char::len_utf8);
-            self.error(
-                "an attribute was expected here: `name=\"value\"`",
-                start..self.at,
-            );
+            self.error("an attribute was expected here: `name=\"value\"`", start..self.at);
             return None;
         }
         self.skip_blanks();
         if !self.rest().starts_with('=') {
-            let message = format!(
-                "the attribute `{0}` has no value; write `{0}=\"...\"`",
-                &self.source[name.clone()]
-            );
+            let message = format!("the attribute `{0}` has no value; write `{0}=\"...\"`", &self.source[name.clone()]);
             self.error(message, name);
             return None;
         }
         self.at += 1;
         self.skip_blanks();
-        let Some(quote) = self
-            .rest()
-            .chars()
-            .next()
-            .filter(|quote| matches!(quote, '"' | '\''))
-        else {
-            let message = format!(
-                "the value of `{}` must stand in quotation marks",
-                &self.source[name.clone()]
-            );
+        let Some(quote) = self.rest().chars().next().filter(|quote| matches!(quote, '"' | '\'')) else {
+            let message = format!("the value of `{}` must stand in quotation marks", &self.source[name.clone()]);
             self.error(message, name);
-            self.at += self
-                .rest()
-                .find(|c: char| c.is_whitespace() || matches!(c, '>' | '/'))
-                .unwrap_or(self.rest().len());
+            self.at +=
+                self.rest().find(|c: char| c.is_whitespace() || matches!(c, '>' | '/')).unwrap_or(self.rest().len());
             return None;
         };
         self.at += 1;
@@ -279,14 +217,8 @@ impl Reader<'_> {
         let value = start..self.at;
         if self.at == self.end {
             // The quotation mark is missing: go on behind the line, or everything after it is lost.
-            self.at = start
-                + self.source[start..self.end]
-                    .find('\n')
-                    .unwrap_or(self.end - start);
-            let message = format!(
-                "the value of `{}` has no closing quotation mark",
-                &self.source[name.clone()]
-            );
+            self.at = start + self.source[start..self.end].find('\n').unwrap_or(self.end - start);
+            let message = format!("the value of `{}` has no closing quotation mark", &self.source[name.clone()]);
             self.error(message, name);
             return None;
         }
@@ -297,10 +229,7 @@ impl Reader<'_> {
     fn name(&mut self) -> Range<usize> {
         let start = self.at;
         let is_part = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | ':' | '.');
-        self.at += self
-            .rest()
-            .find(|c| !is_part(c))
-            .unwrap_or(self.rest().len());
+        self.at += self.rest().find(|c| !is_part(c)).unwrap_or(self.rest().len());
         start..self.at
     }
 
@@ -331,15 +260,9 @@ mod tests {
                 RawChild::Text(range) => format!("{:?}", &source[range.clone()]),
                 RawChild::Element(element) => {
                     let attributes: String = (element.attributes.iter())
-                        .map(|(name, value)| {
-                            format!(" {}={:?}", &source[name.clone()], &source[value.clone()])
-                        })
+                        .map(|(name, value)| format!(" {}={:?}", &source[name.clone()], &source[value.clone()]))
                         .collect();
-                    format!(
-                        "<{}{attributes}>[{}]",
-                        &source[element.name.clone()],
-                        print(source, &element.children)
-                    )
+                    format!("<{}{attributes}>[{}]", &source[element.name.clone()], print(source, &element.children))
                 }
             })
             .collect()
@@ -349,22 +272,12 @@ mod tests {
         let mut diagnostics = Vec::new();
         let children = parse(source, 0..source.len(), &mut diagnostics);
         assert_eq!(print(source, &children), expected);
-        assert_eq!(
-            diagnostics
-                .iter()
-                .map(|d| d.message.as_str())
-                .collect::<Vec<_>>(),
-            messages
-        );
+        assert_eq!(diagnostics.iter().map(|d| d.message.as_str()).collect::<Vec<_>>(), messages);
     }
 
     #[test]
     fn elements_attributes_and_text() {
-        check(
-            "<svg a='1' b = \"2\"><!-- <x> --><g/>t &lt; u</svg>",
-            "<svg a=\"1\" b=\"2\">[<g>[]\"t &lt; u\"]",
-            &[],
-        );
+        check("<svg a='1' b = \"2\"><!-- <x> --><g/>t &lt; u</svg>", "<svg a=\"1\" b=\"2\">[<g>[]\"t &lt; u\"]", &[]);
         check(
             "<text x=\"{if a < b then \"c\" else 'd'}\">{a<b}{{<g/></text>",
             "<text x=\"{if a < b then \\\"c\\\" else 'd'}\">[\"{a<b}{{\"<g>[]]",
@@ -374,27 +287,13 @@ mod tests {
 
     #[test]
     fn faults_do_not_stop_the_reading() {
-        check(
-            "<svg><g><rect/></svg>",
-            "<svg>[<g>[<rect>[]]]",
-            &["`<g>` is not closed"],
-        );
+        check("<svg><g><rect/></svg>", "<svg>[<g>[<rect>[]]]", &["`<g>` is not closed"]);
         check("<svg></g></svg>", "<svg>[]", &["`</g>` closes nothing"]);
-        check(
-            "<svg",
-            "<svg>[]",
-            &[
-                "the tag `<svg` is not closed with `>`",
-                "`<svg>` is not closed",
-            ],
-        );
+        check("<svg", "<svg>[]", &["the tag `<svg` is not closed with `>`", "`<svg>` is not closed"]);
         check(
             "<g a=1 b c=\"2\"/>",
             "<g c=\"2\">[]",
-            &[
-                "the value of `a` must stand in quotation marks",
-                "the attribute `b` has no value; write `b=\"...\"`",
-            ],
+            &["the value of `a` must stand in quotation marks", "the attribute `b` has no value; write `b=\"...\"`"],
         );
         check(
             "<g a=\"1/>\n<rect/>",
@@ -405,16 +304,8 @@ mod tests {
                 "`<g>` is not closed",
             ],
         );
-        check(
-            "<?xml?><!DOCTYPE svg><svg/>",
-            "<svg>[]",
-            &["a scene holds elements and text only; this is left out"; 2],
-        );
-        check(
-            "1 < 2",
-            "\"1 \"\" 2\"",
-            &["this `<` begins no element; in text write `&lt;`"],
-        );
+        check("<?xml?><!DOCTYPE svg><svg/>", "<svg>[]", &["a scene holds elements and text only; this is left out"; 2]);
+        check("1 < 2", "\"1 \"\" 2\"", &["this `<` begins no element; in text write `&lt;`"]);
     }
 
     #[test]
@@ -422,16 +313,10 @@ mod tests {
         let mut diagnostics = Vec::new();
         let deep = "<g>".repeat(10_000);
         parse(&deep, 0..deep.len(), &mut diagnostics);
-        assert_eq!(
-            diagnostics[0].message,
-            "elements cannot be nested deeper than 32 levels"
-        );
+        assert_eq!(diagnostics[0].message, "elements cannot be nested deeper than 32 levels");
         diagnostics.clear();
         let many = "<g/>".repeat(ELEMENTS + 5);
-        assert_eq!(
-            parse(&many, 0..many.len(), &mut diagnostics).len(),
-            ELEMENTS
-        );
+        assert_eq!(parse(&many, 0..many.len(), &mut diagnostics).len(), ELEMENTS);
         assert_eq!(diagnostics.len(), 1);
     }
 }

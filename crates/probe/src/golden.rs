@@ -14,12 +14,7 @@ const RUNS: [(&str, &str, Method, f64); 15] = [
     ("utube", UTUBE, Method::Rosenbrock, 20.0),
     ("pendulum", PENDULUM, Method::RungeKutta4, 20.0),
     ("pendulum", PENDULUM, Method::DormandPrince, 20.0),
-    (
-        "double-pendulum",
-        DOUBLE_PENDULUM,
-        Method::RungeKutta4,
-        20.0,
-    ),
+    ("double-pendulum", DOUBLE_PENDULUM, Method::RungeKutta4, 20.0),
     ("double-pendulum", DOUBLE_PENDULUM, Method::Rosenbrock, 5.0),
     ("bouncing-ball", BOUNCING_BALL, Method::RungeKutta4, 5.0),
     ("bouncing-ball", BOUNCING_BALL, Method::DormandPrince, 5.0),
@@ -73,10 +68,7 @@ fn run(text: &str, method: &str, until: f64) -> Result<Run, String> {
 pub(crate) fn setup(text: &str) -> Result<(document::Document, Setup), String> {
     let opened = document::open(text, &[]);
     let document = opened.document.ok_or_else(|| {
-        let messages = opened
-            .diagnostics
-            .iter()
-            .map(|(_, diagnostic)| diagnostic.message.as_str());
+        let messages = opened.diagnostics.iter().map(|(_, diagnostic)| diagnostic.message.as_str());
         messages.collect::<Vec<_>>().join("; ")
     })?;
     let mut setup = Setup::defaults(&document.model);

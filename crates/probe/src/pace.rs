@@ -41,13 +41,8 @@ impl Pace {
         setup.method = Method::RungeKutta4;
         let model = &document.model;
         let value = |name: &str| {
-            let place = model
-                .parameters
-                .iter()
-                .position(|parameter| parameter.name == name);
-            place
-                .map(|place| setup.parameters[place])
-                .ok_or_else(|| format!("no parameter {name}"))
+            let place = model.parameters.iter().position(|parameter| parameter.name == name);
+            place.map(|place| setup.parameters[place]).ok_or_else(|| format!("no parameter {name}"))
         };
         let stepper = Stepper::new(model, &setup).map_err(|error| error.message)?;
         let [position, velocity] = *stepper.initial() else {
@@ -74,9 +69,7 @@ impl Pace {
         for run in runs(steps) {
             let mut stepper = self.stepper.clone();
             for _ in 0..run {
-                stepper
-                    .advance(|_, _, _| ())
-                    .map_err(|error| error.message)?;
+                stepper.advance(|_, _, _| ()).map_err(|error| error.message)?;
             }
             last = stepper.state()[0];
         }
@@ -103,28 +96,14 @@ fn runs(steps: u32) -> impl Iterator<Item = u32> {
 /// The classical Runge-Kutta method for rho S L y'' + b y' + 2 rho S g y = 0.
 #[inline(never)]
 fn by_hand(tube: Tube, steps: u32) -> f64 {
-    let Tube {
-        rho,
-        area,
-        length,
-        damping,
-        gravity,
-        start: [mut y, mut v],
-        step: h,
-    } = tube;
+    let Tube { rho, area, length, damping, gravity, start: [mut y, mut v], step: h } = tube;
     let mass = rho * area * length;
     let stiffness = 2.0 * rho * area * gravity;
     let acceleration = |y: f64, v: f64| -(damping * v + stiffness * y) / mass;
     for _ in 0..steps {
         let (y1, v1) = (v, acceleration(y, v));
-        let (y2, v2) = (
-            v + 0.5 * h * v1,
-            acceleration(y + 0.5 * h * y1, v + 0.5 * h * v1),
-        );
-        let (y3, v3) = (
-            v + 0.5 * h * v2,
-            acceleration(y + 0.5 * h * y2, v + 0.5 * h * v2),
-        );
+        let (y2, v2) = (v + 0.5 * h * v1, acceleration(y + 0.5 * h * y1, v + 0.5 * h * v1));
+        let (y3, v3) = (v + 0.5 * h * v2, acceleration(y + 0.5 * h * y2, v + 0.5 * h * v2));
         let (y4, v4) = (v + h * v3, acceleration(y + h * y3, v + h * v3));
         y += h / 6.0 * (y1 + 2.0 * y2 + 2.0 * y3 + y4);
         v += h / 6.0 * (v1 + 2.0 * v2 + 2.0 * v3 + v4);

@@ -12,14 +12,7 @@ fn golden_runs_have_the_bits_in_the_repository() {
     );
     for line in expected.lines() {
         let fingerprint = line.rsplit(' ').next().unwrap_or_default();
-        assert_eq!(
-            (
-                fingerprint.len(),
-                u64::from_str_radix(fingerprint, 16).is_ok()
-            ),
-            (16, true),
-            "{line}"
-        );
+        assert_eq!((fingerprint.len(), u64::from_str_radix(fingerprint, 16).is_ok()), (16, true), "{line}");
     }
 }
 
@@ -29,35 +22,19 @@ fn both_loops_solve_the_same_equation() {
     for steps in [1, 100, 2000, 19_999, 20_000] {
         let (machine, hand) = (pace.machine(steps).unwrap(), pace.by_hand(steps));
         // Equal but for rounding, whose order the virtual machine chooses itself: 1e-16 of the amplitude in each step.
-        assert!(
-            (machine - hand).abs() < 1e-12,
-            "{machine} and {hand} after {steps} steps"
-        );
+        assert!((machine - hand).abs() < 1e-12, "{machine} and {hand} after {steps} steps");
     }
     // The closed form after 5 s, weakly damped.
-    let (gamma, omega) = (
-        50.0 / 700.0,
-        (19.6_f64 / 7.0 - (50.0 / 700.0) * (50.0 / 700.0)).sqrt(),
-    );
-    let expected = 0.5
-        * libm::exp(-gamma * 5.0)
-        * (libm::cos(omega * 5.0) + gamma / omega * libm::sin(omega * 5.0));
+    let (gamma, omega) = (50.0 / 700.0, (19.6_f64 / 7.0 - (50.0 / 700.0) * (50.0 / 700.0)).sqrt());
+    let expected = 0.5 * libm::exp(-gamma * 5.0) * (libm::cos(omega * 5.0) + gamma / omega * libm::sin(omega * 5.0));
     assert!((pace.by_hand(100) - expected).abs() < 4e-6);
 }
 
 #[test]
 fn what_cannot_run_says_why() {
     let cases = [
-        (
-            "y' = -y\ny(0) = 1",
-            "rk4",
-            "the term `y` has one factor of time too many",
-        ),
-        (
-            "independent s\ny' = -y\ny(0) = 1",
-            "magic",
-            "no method magic",
-        ),
+        ("y' = -y\ny(0) = 1", "rk4", "the term `y` has one factor of time too many"),
+        ("independent s\ny' = -y\ny(0) = 1", "magic", "no method magic"),
     ];
     for (model, method, expected) in cases {
         let document = format!("```model\n{model}\n```");

@@ -42,7 +42,7 @@ impl Figure {
             return None;
         }
         if plot.ordered {
-            return self.at_abscissa(plot, f64::from(at.x));
+            return self.at_abscissa(plot, f64::from(at.x), None);
         }
         let nearest = (plot.series.iter().enumerate())
             .flat_map(|(index, series)| (0..series.x.len().min(series.y.len())).map(move |row| (index, row)))
@@ -60,7 +60,7 @@ impl Figure {
     /// abscissas are ordered.
     pub fn readout(&self, plot: &Plot<'_>, series: usize, row: usize) -> Option<Readout> {
         let (x, _) = self.pixel(plot, series, row)?;
-        if plot.ordered { self.at_abscissa(plot, x) } else { self.single(plot, series, row) }
+        if plot.ordered { self.at_abscissa(plot, x, Some((series, row))) } else { self.single(plot, series, row) }
     }
 
     /// The row that a cursor reaches by moving `rows` on from `row` in a series, over rows that cannot be drawn or are
@@ -84,14 +84,16 @@ impl Figure {
             .or_else(|| (0..row).rev().find(shown))
     }
 
-    /// The samples of all series nearest to a pixel along the horizontal axis.
-    fn at_abscissa(&self, plot: &Plot<'_>, pixel: f64) -> Option<Readout> {
+    /// The samples of all series nearest to a pixel along the horizontal axis; of one series the row may be given, which
+    /// tells apart the two at a jump.
+    fn at_abscissa(&self, plot: &Plot<'_>, pixel: f64, given: Option<(usize, usize)>) -> Option<Readout> {
         let scale = self.x?;
         let wanted = scale.value(pixel);
         let mut samples = Vec::new();
         let mut nearest: Option<(f64, f64)> = None;
         for (index, series) in plot.series.iter().enumerate() {
-            let Some(row) = nearest_row(series, wanted) else {
+            let given = given.filter(|given| given.0 == index).map(|given| given.1);
+            let Some(row) = given.or_else(|| nearest_row(series, wanted)) else {
                 continue;
             };
             let Some((across, _)) = self.pixel(plot, index, row) else {

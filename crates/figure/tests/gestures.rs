@@ -145,6 +145,20 @@ fn the_cursor_steps_over_what_cannot_be_drawn() {
 }
 
 #[test]
+fn the_cursor_reads_both_rows_of_a_jump() {
+    let (time, velocity) = ([0.0, 1.0, 1.0, 2.0], [0.0, -4.0, 3.0, 0.0]);
+    let plot = Plot {
+        y: vec![Axis { label: "v", unit: "m/s", include: None }],
+        series: vec![Series { x: &time, y: &velocity, breaks: &[2], ..Series::default() }],
+        ordered: true,
+        ..Plot::default()
+    };
+    let figure = layout(&plot, &settings());
+    let text = |row| figure.readout(&plot, 0, row).unwrap().samples[0].text.clone();
+    assert_eq!((text(1), text(2)), ("v = −4.000\u{a0}m/s".to_owned(), "v = 3.000\u{a0}m/s".to_owned()));
+}
+
+#[test]
 fn zooming_keeps_the_value_under_the_pointer() {
     let run = run();
     let plot = time_plot(&run);

@@ -119,6 +119,10 @@ impl App {
     pub fn publish(self, values: bool, by_slider: bool) {
         let news = self.with(|lab| {
             let session = lab.session.as_mut()?;
+            // The clock is right as soon as something was done, not a frame later.
+            if let Some(transport) = &mut lab.stage.transport {
+                transport.draw(session);
+            }
             let mut told = Vec::new();
             while let Some(announcement) = session.take_announcement() {
                 if !(by_slider && matches!(announcement, Announcement::ParameterSet(..))) {

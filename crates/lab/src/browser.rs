@@ -19,6 +19,11 @@ pub fn focus(id: &str) {
     }
 }
 
+/// The same once what is being built anew is there.
+pub fn focus_later(id: String) {
+    leptos::prelude::request_animation_frame(move || focus(&id));
+}
+
 /// Whether a media query matches now.
 pub fn matches(query: &str) -> bool {
     window().match_media(query).ok().flatten().is_some_and(|list| list.matches())

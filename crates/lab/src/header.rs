@@ -49,7 +49,7 @@ fn languages(app: App) -> impl IntoView {
                     on:click=move |_| {
                         app.set_language(language);
                         // The page has been built anew, the button with it.
-                        browser::focus(&format!("language-{}", language.tag()));
+                        browser::focus_later(format!("language-{}", language.tag()));
                     }>{language.tag().to_uppercase()}</button>
             }
         })

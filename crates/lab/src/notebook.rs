@@ -143,7 +143,7 @@ fn equations(app: App) -> AnyView {
     view! {
         <div class="model">
             <p class="note">{words.equations_intro}</p>
-            <ol class="equations">{lines}</ol>
+            <div class="equations" role="region" tabindex="0" aria-label=words.equations><ol>{lines}</ol></div>
         </div>
     }
     .into_any()

@@ -99,7 +99,7 @@ pub fn open_files(app: App, files: &FileList) {
         }
         remember_now(app);
         open(app, sources, "");
-        browser::focus("play");
+        browser::focus_later("play".to_owned());
     });
 }
 

@@ -98,7 +98,7 @@ visit("the whole laboratory is worked by keyboard alone", async (lab) => {
   assert.equal(await lab.time(), 0);
 
   // The liquid, a plot, a parameter, the state.
-  await lab.tabTo("#scene [role=slider]");
+  await lab.tabTo("[role=slider][part~=handle]");
   await lab.keys("ArrowUp");
   assert.ok((await lab.number("Displacement")) > 0.5);
   await lab.tabTo("canvas");

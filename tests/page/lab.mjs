@@ -205,7 +205,13 @@ export class Lab {
   /** Goes on with Tab until the focus is on what `selector` names. */
   async tabTo(selector, most = 150) {
     for (let presses = 0; presses < most; presses += 1) {
-      if (await this.page.evaluate((selector) => document.activeElement?.matches(selector), selector)) return;
+      const found = await this.page.evaluate((selector) => {
+        let element = document.activeElement;
+        // The scene stands in a tree of its own.
+        while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
+        return element?.matches(selector);
+      }, selector);
+      if (found) return;
       await this.page.keyboard.press("Tab");
     }
     assert.fail(`Tab does not reach ${selector}`);

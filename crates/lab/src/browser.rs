@@ -71,7 +71,9 @@ pub fn save_text(name: &str, kind: &str, text: &str) {
 
 /// Lets the browser save what an address of this page holds.
 pub fn save_url(name: &str, url: &str) {
-    if let Some(link) = document().create_element("a").ok().and_then(|element| element.dyn_into::<HtmlAnchorElement>().ok()) {
+    if let Some(link) =
+        document().create_element("a").ok().and_then(|element| element.dyn_into::<HtmlAnchorElement>().ok())
+    {
         link.set_href(url);
         link.set_download(name);
         link.click();
@@ -97,7 +99,8 @@ pub fn copy(text: &str, done: impl FnOnce(bool) + 'static) {
 fn copy_by_selection(text: &str) -> bool {
     let document = document();
     let focused = document.active_element().and_then(|element| element.dyn_into::<HtmlElement>().ok());
-    let Some(area) = document.create_element("textarea").ok().and_then(|element| element.dyn_into::<HtmlTextAreaElement>().ok())
+    let Some(area) =
+        document.create_element("textarea").ok().and_then(|element| element.dyn_into::<HtmlTextAreaElement>().ok())
     else {
         return false;
     };

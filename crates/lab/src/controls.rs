@@ -38,7 +38,13 @@ fn presets(app: App) -> impl IntoView {
     }
     let selected = move |index: usize| {
         app.changes.parameters.track();
-        app.read(|session| session.presets().iter().flat_map(|group| &group.presets).any(|preset| preset.index == index && preset.selected))
+        app.read(|session| {
+            session
+                .presets()
+                .iter()
+                .flat_map(|group| &group.presets)
+                .any(|preset| preset.index == index && preset.selected)
+        })
     };
     let refusal = RwSignal::new(None::<String>);
     let groups = groups

@@ -82,7 +82,9 @@ pub fn view(app: App) -> AnyView {
 /// Whether the tab with the table is the open one: it is the one before the last.
 fn is_open(app: App) -> bool {
     let tab = app.tab.get();
-    document().get_element_by_id(&format!("panel-{tab}")).is_some_and(|panel| panel.query_selector(".data").ok().flatten().is_some())
+    document()
+        .get_element_by_id(&format!("panel-{tab}"))
+        .is_some_and(|panel| panel.query_selector(".data").ok().flatten().is_some())
 }
 
 fn save(app: App) {

@@ -10,7 +10,8 @@ pub fn view(app: App) -> AnyView {
     let words = app.words();
     let (sources, findings) = app.with(|lab| (lab.sources.clone(), lab.findings.clone())).unwrap_or_default();
     if sources.is_empty() {
-        return view! { <section class="broken"><h2>{words.nothing}</h2><p>{words.nothing_intro}</p></section> }.into_any();
+        return view! { <section class="broken"><h2>{words.nothing}</h2><p>{words.nothing_intro}</p></section> }
+            .into_any();
     }
     let list = list(app, &sources, &findings);
     view! { <section class="broken"><h2>{words.broken}</h2><p>{words.broken_intro}</p>{list}</section> }.into_any()
@@ -59,8 +60,16 @@ fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic) -> AnyVie
             })
             .collect_view()
     });
-    let notes = diagnostic.notes.iter().map(|note| view! { <pre tabindex="0" class="reason">{note.clone()}</pre> }).collect_view();
-    let hints = diagnostic.hints.iter().map(|hint| view! { <p class="remedy"><strong>{words.help}": "</strong>{hint.clone()}</p> }).collect_view();
+    let notes = diagnostic
+        .notes
+        .iter()
+        .map(|note| view! { <pre tabindex="0" class="reason">{note.clone()}</pre> })
+        .collect_view();
+    let hints = diagnostic
+        .hints
+        .iter()
+        .map(|hint| view! { <p class="remedy"><strong>{words.help}": "</strong>{hint.clone()}</p> })
+        .collect_view();
     view! {
         <article class=class>
             <h3><span class="badge">{kind}</span>" "{diagnostic.message.clone()}</h3>

@@ -100,5 +100,7 @@ fn share(app: App) {
     if let Ok(history) = window().history() {
         let _ = history.replace_state_with_url(&wasm_bindgen::JsValue::NULL, "", Some(&link));
     }
-    browser::copy(&link, move |allowed| app.say(if allowed { words.link_copied } else { words.link_not_copied }.to_owned()));
+    browser::copy(&link, move |allowed| {
+        app.say(if allowed { words.link_copied } else { words.link_not_copied }.to_owned())
+    });
 }

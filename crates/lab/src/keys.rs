@@ -25,9 +25,7 @@ fn pressed(app: App, event: &KeyboardEvent) {
         return;
     }
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-    let within = |selector: &str| {
-        target.as_ref().and_then(|target| target.closest(selector).ok().flatten()).is_some()
-    };
+    let within = |selector: &str| target.as_ref().and_then(|target| target.closest(selector).ok().flatten()).is_some();
     let nowhere = target.as_ref().is_none_or(|target| matches!(target.tag_name().as_str(), "BODY" | "HTML"));
     if !(nowhere || within("#apparatus")) || within("dialog") || within(TAKES_TEXT) {
         return;
@@ -53,7 +51,11 @@ fn pressed(app: App, event: &KeyboardEvent) {
 
 fn change_speed(session: &mut Session, faster: bool) {
     let now = session.speed();
-    let next = if faster { SPEEDS.iter().find(|&&speed| speed > now) } else { SPEEDS.iter().rev().find(|&&speed| speed < now) };
+    let next = if faster {
+        SPEEDS.iter().find(|&&speed| speed > now)
+    } else {
+        SPEEDS.iter().rev().find(|&&speed| speed < now)
+    };
     if let Some(&speed) = next {
         session.set_speed(speed);
     }

@@ -82,7 +82,8 @@ fn prose(app: App) -> Vec<Tab> {
         match tabs.last_mut() {
             Some((_, false, members)) if !asks => members.extend(chapter),
             _ => {
-                let title = chapter.first().map(|section| section.title.clone()).filter(|title| asks && !title.is_empty());
+                let title =
+                    chapter.first().map(|section| section.title.clone()).filter(|title| asks && !title.is_empty());
                 tabs.push((title.unwrap_or_else(|| app.words().introduction.to_owned()), asks, chapter));
             }
         }
@@ -99,7 +100,8 @@ fn prose(app: App) -> Vec<Tab> {
 
 /// The way to the sections of a long text.
 fn contents(app: App, sections: &[Section], top: u8) -> AnyView {
-    let listed: Vec<&Section> = sections.iter().filter(|section| section.level == top && !section.title.is_empty()).collect();
+    let listed: Vec<&Section> =
+        sections.iter().filter(|section| section.level == top && !section.title.is_empty()).collect();
     if listed.len() < 3 {
         return ().into_any();
     }

@@ -15,7 +15,10 @@ pub type Findings = Vec<(usize, Diagnostic)>;
 
 /// Opens what the page carries.
 pub fn open_embedded(app: App) {
-    let sources = document().get_element_by_id("documents").and_then(|element| page::read(&element.outer_html())).unwrap_or_default();
+    let sources = document()
+        .get_element_by_id("documents")
+        .and_then(|element| page::read(&element.outer_html()))
+        .unwrap_or_default();
     let fragment = window().location().hash().unwrap_or_default();
     open(app, sources, fragment.trim_start_matches('#'));
 }

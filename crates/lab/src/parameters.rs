@@ -117,8 +117,10 @@ fn control(app: App, first: ParameterView) -> impl IntoView {
         nudge: slide_by,
     };
     let slider = first.slider.map(|slider| {
-        let position = move || now.with(|view| view.as_ref().and_then(|view| view.slider).map_or(0, |slider| slider.position));
-        let label = if first.unit.is_empty() { first.label.clone() } else { format!("{} ({})", first.label, first.unit) };
+        let position =
+            move || now.with(|view| view.as_ref().and_then(|view| view.slider).map_or(0, |slider| slider.position));
+        let label =
+            if first.unit.is_empty() { first.label.clone() } else { format!("{} ({})", first.label, first.unit) };
         let page = i32::try_from(slider.page).unwrap_or(1);
         let part = move || format!("--part:{:.2}%", 100.0 * f64::from(position()) / f64::from(slider.positions.max(1)));
         view! {

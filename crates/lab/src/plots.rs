@@ -10,8 +10,8 @@ use figure::{Point, Readout, Settings};
 use leptos::html;
 use leptos::prelude::*;
 use session::Session;
-use wasm_bindgen::closure::Closure;
 use wasm_bindgen::JsCast;
+use wasm_bindgen::closure::Closure;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlElement, IntersectionObserver, ResizeObserver};
 
 /// The size of a downloaded figure, in CSS pixels.
@@ -93,7 +93,8 @@ impl PlotNodes {
         let Some(readout) = readout.filter(|readout| !readout.samples.is_empty()) else {
             return self.tip.set_hidden(true);
         };
-        let lines = std::iter::once(readout.heading.as_str()).chain(readout.samples.iter().map(|sample| sample.text.as_str()));
+        let lines =
+            std::iter::once(readout.heading.as_str()).chain(readout.samples.iter().map(|sample| sample.text.as_str()));
         self.tip.set_text_content(Some(&lines.filter(|line| !line.is_empty()).collect::<Vec<_>>().join("\n")));
         let at = readout.samples.first().map(|sample| sample.at).unwrap_or_default();
         let style = self.tip.style();
@@ -118,7 +119,9 @@ impl Drop for PlotNodes {
 
 /// Takes a canvas that has come into the page.
 fn register(app: App, index: usize, canvas: &HtmlCanvasElement, tip: &HtmlElement) {
-    let Some(context) = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok()) else { return };
+    let Some(context) = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok()) else {
+        return;
+    };
     let resized = Closure::<dyn FnMut(js_sys::Array)>::new(move |_| {
         with_plot(app, index, PlotNodes::fit);
         frame::wake(app);
@@ -214,7 +217,12 @@ pub fn view(app: App) -> impl IntoView {
     }
 }
 
-fn figure(app: App, index: usize, title: String, shown: impl Fn(usize) -> bool + Copy + Send + Sync + 'static) -> impl IntoView {
+fn figure(
+    app: App,
+    index: usize,
+    title: String,
+    shown: impl Fn(usize) -> bool + Copy + Send + Sync + 'static,
+) -> impl IntoView {
     let words = app.words();
     let canvas = NodeRef::<html::Canvas>::new();
     let tip = NodeRef::<html::Div>::new();
@@ -268,7 +276,8 @@ fn saved(app: App) -> Settings {
 /// `Phase portrait` as `phase-portrait`.
 fn file_name(app: App, index: usize, ending: &str) -> String {
     let title = app.read(|session| session.plots().into_iter().nth(index).map(|plot| plot.title)).unwrap_or_default();
-    let words: Vec<String> = title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_lowercase).collect();
+    let words: Vec<String> =
+        title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_lowercase).collect();
     format!("{}.{ending}", words.join("-"))
 }
 
@@ -281,12 +290,15 @@ fn save_svg(app: App, index: usize) {
 
 fn save_png(app: App, index: usize) {
     let settings = saved(app);
-    let Some(canvas) = document().create_element("canvas").ok().and_then(|node| node.dyn_into::<HtmlCanvasElement>().ok()) else {
+    let Some(canvas) =
+        document().create_element("canvas").ok().and_then(|node| node.dyn_into::<HtmlCanvasElement>().ok())
+    else {
         return;
     };
     canvas.set_width((settings.width * SAVED_SCALE) as u32);
     canvas.set_height((settings.height * SAVED_SCALE) as u32);
-    let context: Option<CanvasRenderingContext2d> = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok());
+    let context: Option<CanvasRenderingContext2d> =
+        canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok());
     let Some(context) = context else { return };
     if let Some(figure) = app.read(|session| session.titled_figure(index, &settings)) {
         canvas::paint(&context, &figure, &Colours::default(), SAVED_SCALE);

@@ -34,7 +34,8 @@ pub fn view(app: App) -> impl IntoView {
 }
 
 fn row(now: RwSignal<Vec<Readout>>, index: usize, readout: &Readout) -> AnyView {
-    let get = move |part: fn(&Readout) -> &String| now.with(|list| list.get(index).map(part).cloned().unwrap_or_default());
+    let get =
+        move |part: fn(&Readout) -> &String| now.with(|list| list.get(index).map(part).cloned().unwrap_or_default());
     // A name that is a word says what the label says.
     let symbol = (!readout.name.eq_ignore_ascii_case(&readout.label))
         .then(|| view! { <span class="symbol" inner_html=model::typeset_name(&readout.name)></span> });

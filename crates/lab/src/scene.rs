@@ -37,8 +37,13 @@ enum Target {
 impl SceneNodes {
     /// Builds the scene into `place`.
     pub fn build(app: App, scene: &Scene, place: &web_sys::Element, label: &str) -> Option<Self> {
-        let mut nodes =
-            Self { bindings: Vec::new(), handles: Vec::new(), drawn: Vec::new(), values: Vec::new(), text: String::new() };
+        let mut nodes = Self {
+            bindings: Vec::new(),
+            handles: Vec::new(),
+            drawn: Vec::new(),
+            values: Vec::new(),
+            text: String::new(),
+        };
         let root = nodes.element(&scene.root)?;
         let _ = root.set_attribute("role", "group");
         let _ = root.set_attribute("aria-label", label);
@@ -99,7 +104,8 @@ impl SceneNodes {
             values.get(index).map(|value| value.to_bits()) != drawn.get(index).map(|value| value.to_bits())
         };
         for binding in &mut self.bindings {
-            let moved = binding.template.iter().any(|piece| matches!(piece, Piece::Value { index, .. } if changed(*index)));
+            let moved =
+                binding.template.iter().any(|piece| matches!(piece, Piece::Value { index, .. } if changed(*index)));
             if !moved {
                 continue;
             }

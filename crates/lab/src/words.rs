@@ -16,7 +16,11 @@ impl Language {
 
     /// The language of a tag such as `es-MX`; English where the interface does not speak it.
     pub fn of(tag: &str) -> Self {
-        if tag.get(..2).is_some_and(|primary| primary.eq_ignore_ascii_case("es")) { Self::Spanish } else { Self::English }
+        if tag.get(..2).is_some_and(|primary| primary.eq_ignore_ascii_case("es")) {
+            Self::Spanish
+        } else {
+            Self::English
+        }
     }
 
     /// The tag, for `lang` attributes.

@@ -15,7 +15,7 @@ fuzz_target!(|source: &str| {
     places_lie_in(source, &diagnostics);
     assert_eq!(compiled.is_none(), model::has_errors(&diagnostics), "a model exactly where there are no errors");
     if let Some(model) = compiled {
-        model.typeset();
+        model.typeset(&|text| text.to_owned());
         for method in Method::ALL {
             run(&model, method);
         }

@@ -157,8 +157,9 @@ export class Lab {
     return (await row.locator("dd").innerText()).trim();
   }
 
-  /** The time shown, in seconds. */
+  /** The time shown, in seconds, once what was done before has been drawn. */
   async time() {
+    await this.page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
     return number(await this.page.locator("#clock").innerText());
   }
 

@@ -65,31 +65,6 @@ fn plain(error: &io::Error) -> String {
     }
 }
 
-/// The nearest of `known` to a name that is none of them, if one is near.
-pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let limit = 1 + name.chars().count() / 3;
-    (known.into_iter().map(|candidate| (distance(name, candidate), candidate)))
-        .filter(|&(distance, _)| distance <= limit)
-        .min_by_key(|&(distance, _)| distance)
-        .map(|(_, candidate)| candidate)
-}
-
-/// How many letters must be inserted, deleted or replaced, capital letters counting as small ones.
-fn distance(left: &str, right: &str) -> usize {
-    let right: Vec<char> = right.to_lowercase().chars().collect();
-    let mut row: Vec<usize> = (0..=right.len()).collect();
-    for (i, a) in left.to_lowercase().chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, &b) in right.iter().enumerate() {
-            let replaced = diagonal + usize::from(a != b);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[right.len()]
-}
-
 /// `a, b and c`
 pub fn listed<T: Display>(items: impl IntoIterator<Item = T>) -> String {
     let items: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
@@ -103,16 +78,6 @@ pub fn listed<T: Display>(items: impl IntoIterator<Item = T>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn offers_near_names_only() {
-        let known = ["rho", "h_l", "h_r", "omega_0"];
-        assert_eq!(nearest("roh", known), Some("rho"));
-        assert_eq!(nearest("H_L", known), Some("h_l"));
-        assert_eq!(nearest("omega0", known), Some("omega_0"));
-        assert_eq!(nearest("viscosity", known), None);
-        assert_eq!(nearest("b", []), None);
-    }
 
     #[test]
     fn lists_read_as_a_sentence() {

@@ -1,12 +1,12 @@
 //! From the words after `meniscus run DOC` to what the engine starts with.
 
 use crate::arguments::{Assignment, Run};
-use crate::failure::{Failure, listed, nearest};
+use crate::failure::{Failure, listed};
 use crate::load::Sources;
 use crate::report::Terminal;
 use document::Document;
 use engine::{Method, Readings, Setup};
-use model::{Compiled, Kind, Model, Parameter};
+use model::{Compiled, Kind, Model, Parameter, nearest};
 use std::str::FromStr;
 use units::Unit;
 
@@ -19,7 +19,9 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
     for name in &arguments.preset {
         apply_preset(document, name, &mut setup.parameters)?;
     }
-    let mut reader = Reader { model: &mut document.model, terminal };
+    let Document { model, method, step, tolerance, until, .. } = document;
+    let time = model.independent.unit.clone();
+    let mut reader = Reader { model, terminal };
     for assignment in &arguments.set {
         let (index, value) = reader.parameter(assignment, &setup.parameters)?;
         setup.parameters[index] = value;
@@ -27,27 +29,21 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
     if !arguments.start.is_empty() {
         setup.start = Some(reader.start(&arguments.start, &setup.parameters)?);
     }
-    let time = reader.model.independent.unit.clone();
-    let method = arguments.method.as_ref().or(document.method.as_ref());
-    if let Some(name) = method {
+    if let Some(name) = arguments.method.as_ref().or(method.as_ref()) {
         setup.method = Method::from_str(name)
             .map_err(|_| unknown("method", name, Method::ALL.iter().map(|method| method.name())))?;
     }
-    let mut reader = Reader { model: &mut document.model, terminal };
     setup.step = match &arguments.step {
         Some(text) => positive("--step", reader.value("--step", text, &time, &setup.parameters)?)?,
-        None => document.step.unwrap_or(setup.step),
+        None => step.unwrap_or(setup.step),
     };
     setup.tolerance = match arguments.tolerance {
         Some(tolerance) => positive("--tolerance", tolerance)?,
-        None => document.tolerance.unwrap_or(setup.tolerance),
+        None => tolerance.unwrap_or(setup.tolerance),
     };
     let until = match &arguments.until {
-        Some(text) => positive(
-            "--until",
-            Reader { model: &mut document.model, terminal }.value("--until", text, &time, &setup.parameters)?,
-        )?,
-        None => document.until.unwrap_or(time.to_si(UNTIL)),
+        Some(text) => positive("--until", reader.value("--until", text, &time, &setup.parameters)?)?,
+        None => until.unwrap_or(time.to_si(UNTIL)),
     };
     Ok((setup, until))
 }

@@ -30,9 +30,9 @@ pub fn matches(query: &str) -> bool {
 }
 
 /// Calls `react` with the answer whenever a media query's answer changes.
-pub fn on_match_change(query: &str, mut react: impl FnMut() + 'static) {
+pub fn on_match_change(query: &str, react: impl FnMut() + 'static) {
     if let Ok(Some(list)) = window().match_media(query) {
-        let closure = Closure::<dyn FnMut()>::new(move || react());
+        let closure = Closure::<dyn FnMut()>::new(react);
         list.set_onchange(Some(closure.as_ref().unchecked_ref()));
         // The page listens as long as it lives.
         closure.forget();

@@ -7,8 +7,8 @@ use leptos::prelude::*;
 /// Rows in the window.
 const ROWS: usize = 20;
 
-/// The table and its tools.
-pub fn view(app: App) -> AnyView {
+/// The table and its tools, in the notebook's tab of this number. While another tab is open it costs nothing.
+pub fn view(app: App, tab: usize) -> AnyView {
     let words = app.words();
     let head = app.read(|session| session.table_header());
     let head = head.into_iter().map(|cell| view! { <th scope="col">{cell}</th> }).collect_view();
@@ -19,7 +19,7 @@ pub fn view(app: App) -> AnyView {
         app.read(|session| session.table_length())
     };
     let last_start = move || length().saturating_sub(ROWS);
-    let open = Memo::new(move |_| is_open(app));
+    let open = Memo::new(move |_| app.tab.get() == tab);
     let body = move || {
         if !open.get() {
             return Vec::new();
@@ -77,14 +77,6 @@ pub fn view(app: App) -> AnyView {
         </div>
     }
     .into_any()
-}
-
-/// Whether the tab with the table is the open one: it is the one before the last.
-fn is_open(app: App) -> bool {
-    let tab = app.tab.get();
-    document()
-        .get_element_by_id(&format!("panel-{tab}"))
-        .is_some_and(|panel| panel.query_selector(".data").ok().flatten().is_some())
 }
 
 fn save(app: App) {

@@ -17,7 +17,8 @@ pub fn view(app: App) -> impl IntoView {
     let words = app.words();
     let mut tabs = prose(app);
     tabs.push(Tab { title: words.equations.to_owned(), content: equations(app) });
-    tabs.push(Tab { title: words.data.to_owned(), content: data::view(app) });
+    let number = tabs.len();
+    tabs.push(Tab { title: words.data.to_owned(), content: data::view(app, number) });
     tabs.push(Tab { title: words.source.to_owned(), content: source(app) });
     let count = tabs.len();
     if app.tab.get_untracked() >= count {

@@ -1,5 +1,7 @@
 //! `meniscus check`: findings for people and for programs.
 
+#![allow(clippy::expect_used, clippy::panic, reason = "a test that cannot go on has failed")]
+
 mod common;
 
 use common::{SPRING, directory_with, meniscus, names, root};

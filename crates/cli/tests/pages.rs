@@ -1,5 +1,7 @@
 //! `meniscus export` and `meniscus serve`, with the page inside the program and without it.
 
+#![allow(clippy::expect_used, clippy::panic, reason = "a test that cannot go on has failed")]
+
 mod common;
 
 use common::{SPRING, directory_with, meniscus, names};

@@ -1,5 +1,7 @@
 //! `meniscus run`: what it writes, what it refuses and with which words, and that no file is ever half-written.
 
+#![allow(clippy::expect_used, clippy::panic, reason = "a test that cannot go on has failed")]
+
 mod common;
 
 use common::{Done, SPRING, directory_with, done, meniscus, names, numbers, program};

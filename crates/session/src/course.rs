@@ -204,14 +204,14 @@ impl Course {
         outcome
     }
 
-    /// The grid time after the one shown.
+    /// The grid time after the one shown; one so near that a step to it would not be seen does not count.
     pub fn next_grid_time(&self) -> f64 {
-        self.grid_time((self.time / self.begun.step + NEAR).floor() + 1.0)
+        self.grid_time((self.time / self.begun.step + SEEN).floor() + 1.0)
     }
 
-    /// The grid time before the one shown; 0 at the start.
+    /// The grid time before the one shown, likewise; 0 at the start.
     pub fn previous_grid_time(&self) -> f64 {
-        self.grid_time((self.time / self.begun.step - NEAR).ceil() - 1.0).max(0.0)
+        self.grid_time((self.time / self.begun.step - SEEN).ceil() - 1.0).max(0.0)
     }
 
     /// The row at which the run goes on from an earlier moment: the end of the step that the moment lies in.
@@ -293,5 +293,7 @@ impl Course {
     }
 }
 
+/// A step to a grid time nearer than this part of a step would look as if the button did nothing.
+const SEEN: f64 = 0.25;
 /// Grid times closer than this part of a step are the same: quotients of times are rounded.
 const NEAR: f64 = 1e-6;

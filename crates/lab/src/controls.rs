@@ -32,18 +32,17 @@ pub fn view(app: App) -> impl IntoView {
 
 fn presets(app: App) -> impl IntoView {
     let words = app.words();
-    let groups = app.read(|session| session.presets());
+    let now = Memo::new(move |_| {
+        app.changes.parameters.track();
+        app.read(|session| session.presets())
+    });
+    let groups = now.get_untracked();
     if groups.is_empty() {
         return ().into_any();
     }
     let selected = move |index: usize| {
-        app.changes.parameters.track();
-        app.read(|session| {
-            session
-                .presets()
-                .iter()
-                .flat_map(|group| &group.presets)
-                .any(|preset| preset.index == index && preset.selected)
+        now.with(|groups| {
+            groups.iter().flat_map(|group| &group.presets).any(|preset| preset.index == index && preset.selected)
         })
     };
     let refusal = RwSignal::new(None::<String>);

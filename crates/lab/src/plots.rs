@@ -135,7 +135,7 @@ fn register(app: App, index: usize, canvas: &HtmlCanvasElement, tip: &HtmlElemen
     });
     let observers = ResizeObserver::new(resized.as_ref().unchecked_ref())
         .and_then(|resize| Ok((resize, IntersectionObserver::new(seen.as_ref().unchecked_ref())?)));
-    let mut nodes = PlotNodes {
+    let nodes = PlotNodes {
         canvas: canvas.clone(),
         context,
         tip: tip.clone(),
@@ -151,7 +151,7 @@ fn register(app: App, index: usize, canvas: &HtmlCanvasElement, tip: &HtmlElemen
         observers: None,
         _callbacks: [resized, seen],
     };
-    nodes.fit();
+    // The observer tells the size when the page has been laid out; asking now would lay it out twice.
     app.with(|lab| {
         let plots = &mut lab.stage.plots;
         if plots.len() <= index {

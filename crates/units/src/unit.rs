@@ -44,11 +44,15 @@ impl Unit {
 
     /// The coherent SI unit of a dimension, `kg/m^3`, by its own name where it has one: `N`, `J`, `Pa s`.
     pub fn si(dimension: Dimension) -> Self {
-        let named = table::PREFERRED.iter().find_map(|text| {
-            let unit = Self::parse(text).ok()?;
-            (unit.dimension == dimension).then_some(unit)
-        });
-        named.unwrap_or_else(|| Self::new(dimension, (1.0, 1.0), base_text(dimension)))
+        let named = || {
+            table::PREFERRED.iter().find_map(|text| {
+                let unit = Self::parse(text).ok()?;
+                (unit.dimension == dimension).then_some(unit)
+            })
+        };
+        // Every preferred unit combines base units: a length, a time or a pure number need not be looked for.
+        let combines = dimension.base().count() > 1;
+        combines.then(named).flatten().unwrap_or_else(|| Self::new(dimension, (1.0, 1.0), base_text(dimension)))
     }
 
     /// The unit of pure numbers.

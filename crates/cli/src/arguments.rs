@@ -12,7 +12,8 @@ pub struct Arguments {
     pub command: Command,
 
     /// Colours in messages [auto: on a terminal, unless NO_COLOR is set]
-    #[arg(long, global = true, value_enum, default_value_t = Color::Auto, hide_default_value = true, value_name = "WHEN")]
+    #[arg(long, global = true, value_enum, value_name = "WHEN", display_order = 100)]
+    #[arg(default_value_t = Color::Auto, hide_default_value = true)]
     pub color: Color,
 }
 
@@ -75,13 +76,17 @@ pub struct Serve {
 }
 
 const RUN_EXAMPLES: &str = "\
+Methods:
+  fixed step: euler, euler-richardson, velocity-verlet, rk4
+  adaptive:   dormand-prince, rosenbrock (for stiff equations)
+
 Examples:
-  meniscus run simulations/utube.md                              with the document's own settings, as CSV
-  meniscus run utube.md --set b=200 --set h_l='40 [dm]'          other parameters, in the declared unit or another
-  meniscus run utube.md --preset Mercury --until 20              a preset, for 20 s
+  meniscus run simulations/utube.md                          as the document says, as CSV
+  meniscus run utube.md --set b=200 --set h_l='40 [dm]'      in the declared unit or another
+  meniscus run utube.md --preset Mercury --until 20          a preset, for 20 s
   meniscus run utube.md --method dormand-prince --tolerance 1e-9
-  meniscus run utube.md --columns t,y,E --output run.csv         these columns, into a file
-  meniscus run utube.md --format jsonl | head -3                 one JSON object a line";
+  meniscus run utube.md --columns t,y,E --output run.csv     these columns, into a file
+  meniscus run utube.md --format jsonl | head -3             one JSON object a line";
 
 /// `meniscus run`
 #[derive(Debug, Args)]
@@ -216,6 +221,13 @@ mod tests {
     #[test]
     fn the_arguments_are_consistent() {
         Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn the_help_names_every_method() {
+        for method in engine::Method::ALL {
+            assert!(RUN_EXAMPLES.contains(method.name()), "{method}");
+        }
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Characters that stand for something in ASCII: Greek letters, primes, raised and lowered digits.
+//! Characters that stand for something in ASCII: Greek letters, primes, lowered digits.
 
 /// Greek letters in the order of Unicode, small ones from α; ς is not used in formulas.
 const SMALL: [&str; 25] = [
@@ -86,24 +86,6 @@ pub(crate) fn lowered(character: char) -> Option<char> {
         'ᵤ' => 'u',
         'ᵥ' => 'v',
         'ₓ' => 'x',
-        _ => return None,
-    })
-}
-
-/// The digit or sign that a raised character stands for: `2` for ².
-pub(crate) fn raised(character: char) -> Option<char> {
-    Some(match character {
-        '⁰' => '0',
-        '¹' => '1',
-        '²' => '2',
-        '³' => '3',
-        '⁴' => '4',
-        '⁵' => '5',
-        '⁶' => '6',
-        '⁷' => '7',
-        '⁸' => '8',
-        '⁹' => '9',
-        '⁻' => '-',
         _ => return None,
     })
 }

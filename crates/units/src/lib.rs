@@ -10,4 +10,5 @@ mod unit;
 
 pub use dimension::Dimension;
 pub use exponent::Exponent;
+pub use parse::raised;
 pub use unit::{Unit, UnitError};

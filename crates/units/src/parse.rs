@@ -244,11 +244,11 @@ impl<'a> Reader<'a> {
 
     fn exponent(&mut self) -> Result<Option<Exponent>, UnitError> {
         let start = self.at;
-        let raised: String = self.rest().chars().map_while(plain_digit).collect();
-        if !raised.is_empty() {
-            let length: usize = self.rest().chars().take(raised.chars().count()).map(char::len_utf8).sum();
+        let power: String = self.rest().chars().map_while(raised).collect();
+        if !power.is_empty() {
+            let length: usize = self.rest().chars().take(power.chars().count()).map(char::len_utf8).sum();
             self.at += length;
-            let value = raised.parse().ok().and_then(|value| Exponent::new(value, 1));
+            let value = power.parse().ok().and_then(|value| Exponent::new(value, 1));
             return value.map(Some).ok_or_else(|| too_high(start..self.at));
         }
         if self.rest().trim_start().starts_with('^') {
@@ -308,8 +308,9 @@ fn is_symbol(c: char) -> bool {
     c.is_alphabetic() || matches!(c, '%' | '°' | '℃' | '℉' | '_')
 }
 
-fn plain_digit(c: char) -> Option<char> {
-    Some(match c {
+/// The digit or sign that a raised character stands for: `2` for ².
+pub fn raised(character: char) -> Option<char> {
+    Some(match character {
         '⁰' => '0',
         '¹' => '1',
         '²' => '2',

@@ -5,7 +5,7 @@ mod token;
 
 pub(crate) use token::{Keyword, Symbol, Token, TokenKind};
 
-use crate::alphabet::{greek_name, lowered, primes, raised};
+use crate::alphabet::{greek_name, lowered, primes};
 use crate::{Diagnostic, Span, limits};
 use std::ops::Range;
 use token::{FOREIGN, KEYWORDS, SYMBOLS};
@@ -81,7 +81,7 @@ impl<'a> Lexer<'a> {
                 self.skip(|c| primes(c).is_some());
                 self.push(TokenKind::Primes, start);
             }
-            c if raised(c).is_some() => self.raised(),
+            c if units::raised(c).is_some() => self.raised(),
             _ => self.symbol(first),
         }
     }
@@ -216,7 +216,7 @@ impl<'a> Lexer<'a> {
 
     fn raised(&mut self) {
         let start = self.at;
-        let digits: String = self.skip(|c| raised(c).is_some()).chars().filter_map(raised).collect();
+        let digits: String = self.skip(|c| units::raised(c).is_some()).chars().filter_map(units::raised).collect();
         if let Ok(exponent) = digits.parse() {
             return self.push(TokenKind::Raised(exponent), start);
         }

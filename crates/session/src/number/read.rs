@@ -126,21 +126,11 @@ fn power_of_ten(text: &str) -> (i32, &str) {
 
 /// A digit or sign, raised or not, as ASCII.
 fn lowered(character: char) -> Option<char> {
-    Some(match character {
-        '0'..='9' => character,
-        '-' | '−' | '⁻' => '-',
-        '⁰' => '0',
-        '¹' => '1',
-        '²' => '2',
-        '³' => '3',
-        '⁴' => '4',
-        '⁵' => '5',
-        '⁶' => '6',
-        '⁷' => '7',
-        '⁸' => '8',
-        '⁹' => '9',
-        _ => return None,
-    })
+    match character {
+        '0'..='9' | '-' => Some(character),
+        '−' => Some('-'),
+        _ => units::raised(character),
+    }
 }
 
 #[cfg(test)]

@@ -3,3 +3,4 @@
 
 pub mod fit;
 pub mod table;
+pub mod virtual_record;

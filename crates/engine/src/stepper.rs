@@ -143,8 +143,32 @@ impl Stepper {
         result
     }
 
+    /// Goes to any later time, which need not be on the grid, without a record; the result is the number of events.
+    ///
+    /// # Errors
+    /// As [`Stepper::advance`].
+    pub fn advance_to(&mut self, time: f64) -> Result<usize, RunError> {
+        if let Some(error) = &self.stopped {
+            return Err(error.clone());
+        }
+        self.on_grid = false;
+        let result = self.advance_until(time, &mut |_, _, _| {});
+        if let Err(error) = &result {
+            self.stopped = Some(error.clone());
+        }
+        self.find_grid();
+        result
+    }
+
     fn advance_to_grid(&mut self, record: &mut impl FnMut(f64, &[f64], bool)) -> Result<usize, RunError> {
         let target = (self.index + 1) as f64 * self.step;
+        let fired = self.advance_until(target, record)?;
+        self.index += 1;
+        self.on_grid = self.time == target;
+        Ok(fired)
+    }
+
+    fn advance_until(&mut self, target: f64, record: &mut impl FnMut(f64, &[f64], bool)) -> Result<usize, RunError> {
         let mut fired = 0;
         let mut steps = 0;
         while self.time < target {
@@ -164,8 +188,6 @@ impl Stepper {
                 None => {}
             }
         }
-        self.index += 1;
-        self.on_grid = self.time == target;
         Ok(fired)
     }
 
@@ -175,14 +197,7 @@ impl Stepper {
         self.state.copy_from_slice(state);
         self.parameters = parameters;
         self.stopped = None;
-        self.index = (time / self.step) as u64;
-        while self.index > 0 && self.index as f64 * self.step > time {
-            self.index -= 1;
-        }
-        while (self.index + 1) as f64 * self.step <= time {
-            self.index += 1;
-        }
-        self.on_grid = self.index as f64 * self.step == time;
+        self.find_grid();
         self.prepare();
         self.restart();
         if after_jump {
@@ -190,6 +205,18 @@ impl Stepper {
         } else {
             self.events.arm(time, &self.state);
         }
+    }
+
+    /// Finds the last grid point at or before the present time.
+    fn find_grid(&mut self) {
+        self.index = (self.time / self.step) as u64;
+        while self.index > 0 && self.index as f64 * self.step > self.time {
+            self.index -= 1;
+        }
+        while (self.index + 1) as f64 * self.step <= self.time {
+            self.index += 1;
+        }
+        self.on_grid = self.index as f64 * self.step == self.time;
     }
 
     fn prepare(&mut self) {

@@ -17,6 +17,7 @@ mod matching;
 mod names;
 mod notation;
 mod parser;
+mod sensitivity;
 mod syntax;
 mod system;
 mod typeset;

@@ -131,8 +131,6 @@ pub enum Kind {
 pub struct Event {
     /// Fires when this goes from 0 to 1.
     pub condition: NodeId,
-    /// For a condition that is one comparison: left minus right, whose zero is where the event lies.
-    pub crossing: Option<NodeId>,
     /// Which states change, and to what.
     pub actions: Vec<(u32, NodeId)>,
     /// Where it stands.

@@ -8,8 +8,8 @@ use crate::matching::blocks;
 use crate::names::{EventEntry, Meaning, Program, Unknown, list};
 use crate::notation::primed;
 use crate::{
-    BinaryOperator, Compiled, Diagnostic, Event, Expression, ExpressionKind, Graph, Independent, Kind, Model, Node,
-    NodeId, Parameter, Quantity, State,
+    Compiled, Diagnostic, Event, Expression, ExpressionKind, Graph, Independent, Kind, Model, Node, NodeId, Parameter,
+    Quantity, State,
 };
 use units::{Dimension, Exponent, Unit};
 
@@ -155,19 +155,6 @@ fn power(dimension: Dimension, order: u32) -> Dimension {
 
 fn lower_event(lowering: &mut Lowering, event: &EventEntry) -> Result<Event, Vec<Diagnostic>> {
     let condition = lower(lowering, event.condition)?;
-    let mut crossing = None;
-    if let ExpressionKind::Binary(operator, left, right) = &event.condition.kind
-        && matches!(
-            operator,
-            BinaryOperator::Less
-                | BinaryOperator::LessOrEqual
-                | BinaryOperator::Greater
-                | BinaryOperator::GreaterOrEqual
-        )
-    {
-        let (left, right) = (lower(lowering, left)?, lower(lowering, right)?);
-        crossing = Some(lowering.graph.subtract(left, right));
-    }
     let mut actions = Vec::new();
     for action in event.actions {
         if let Some(Meaning::Variable(index)) = lowering.scope.meaning(&action.name.text) {
@@ -175,7 +162,7 @@ fn lower_event(lowering: &mut Lowering, event: &EventEntry) -> Result<Event, Vec
             actions.push((number, lower(lowering, &action.value)?));
         }
     }
-    Ok(Event { condition, crossing, actions, span: event.span })
+    Ok(Event { condition, actions, span: event.span })
 }
 
 /// Makes initial values depend on parameters alone, and marks the parameters they depend on.

@@ -1,0 +1,187 @@
+//! The equations of a model together with those for the sensitivities of its states to parameters, as one larger model.
+//!
+//! With the rates f(t, x, p), the sensitivity s = dx/dp obeys s' = f_x s + f_p, and s(0) is the derivative of the initial
+//! value. At an event, whose moment tau changes with p too, s jumps: where g(t, x, p) passes through zero and x becomes
+//! h(t, x, p),
+//!
+//! tau' = -(g_x s + g_p) / (g_x f + g_t),   s+ = h_x (s + f tau') + h_t tau' + h_p - f+ tau'
+//!
+//! with f+ the rates after the jump (Rozenvasser, Automation and Remote Control 28 (1967) 52; Hiskens & Pai, IEEE Trans.
+//! Circuits Syst. I 47 (2000) 204).
+
+use crate::differentiate::along;
+use crate::{Binary, Graph, Model, Node, NodeId, State, Unary, limits};
+use units::Unit;
+
+impl Model {
+    /// The model with sensitivities as further states: after its own states those of all of them to the first of
+    /// `parameters` (indices into [`Model::parameters`]), then to the second and so on. Nodes of the model keep their
+    /// numbers. `None` if there would be too many nodes.
+    pub fn with_sensitivities(&self, parameters: &[usize]) -> Option<Model> {
+        let mut extended = self.clone();
+        for &parameter in parameters {
+            self.add_sensitivity(&mut extended, parameter as u32);
+            if extended.graph.len() > limits::SLOPES {
+                return None;
+            }
+        }
+        Some(extended)
+    }
+
+    /// The change of `nodes` per unit of a change of the parameter that is number `position` among those of
+    /// [`Model::with_sensitivities`], which this model must have come from; `states` is how many states the original has.
+    /// What a node takes from the states changes with them.
+    pub fn sensitivities(&mut self, nodes: &[NodeId], parameter: usize, position: usize, states: usize) -> Vec<NodeId> {
+        let initial: Vec<NodeId> = self.states[..states].iter().map(|state| state.initial).collect();
+        total(&mut self.graph, nodes, parameter as u32, states * (position + 1), &initial)
+    }
+
+    /// The change of `nodes` per unit of the independent variable, along the solution.
+    pub fn rates_of(&mut self, nodes: &[NodeId]) -> Vec<NodeId> {
+        let rates: Vec<NodeId> = self.states.iter().map(|state| state.derivative).collect();
+        let one = self.graph.constant(1.0);
+        along(&mut self.graph, nodes, |node| match node {
+            Node::State(state) => rates.get(state as usize).copied(),
+            Node::Independent => Some(one),
+            _ => None,
+        })
+    }
+
+    fn add_sensitivity(&self, extended: &mut Model, parameter: u32) {
+        let states = self.states.len();
+        let first = extended.states.len();
+        let initial: Vec<NodeId> = self.states.iter().map(|state| state.initial).collect();
+        let rates: Vec<NodeId> = self.states.iter().map(|state| state.derivative).collect();
+        let graph = &mut extended.graph;
+        let at_start = total(graph, &initial, parameter, first, &[]);
+        let derivatives = total(graph, &rates, parameter, first, &initial);
+        let scale = self.parameters[parameter as usize].value.abs();
+        let scale = if scale > 0.0 { scale } else { self.parameters[parameter as usize].unit.factor.abs() };
+        for (number, state) in self.states.iter().enumerate() {
+            let mut unit = Unit::dimensionless();
+            // The unit is the idea of its size that the step control has.
+            unit.factor = state.unit.factor / scale;
+            extended.states.push(State {
+                variable: format!("d{}/d{}", state.name(), self.parameters[parameter as usize].name),
+                order: 0,
+                label: None,
+                unit,
+                initial: at_start[number],
+                derivative: derivatives[number],
+                span: state.span,
+            });
+        }
+        for number in 0..self.events.len() {
+            self.jump(extended, number, parameter, first, &initial);
+        }
+        debug_assert_eq!(extended.states.len(), first + states);
+    }
+
+    /// Adds the jump of the sensitivities that begin at state `first` to event `number`.
+    fn jump(&self, extended: &mut Model, number: usize, parameter: u32, first: usize, initial: &[NodeId]) {
+        let event = &self.events[number];
+        let states = self.states.len();
+        let rates: Vec<NodeId> = self.states.iter().map(|state| state.derivative).collect();
+        let graph = &mut extended.graph;
+        let delay = delay(graph, event.condition, parameter, first, &rates, initial);
+        let after: Vec<NodeId> = (0..states as u32)
+            .map(|state| match event.actions.iter().find(|(target, _)| *target == state) {
+                Some(&(_, value)) => value,
+                None => graph.insert(Node::State(state)),
+            })
+            .collect();
+        // h_x s + h_p, and the change of h along the motion before the jump.
+        let direct = total(graph, &after, parameter, first, initial);
+        let one = graph.constant(1.0);
+        let moving = along(graph, &after, |node| match node {
+            Node::State(state) => rates.get(state as usize).copied(),
+            Node::Independent => Some(one),
+            _ => None,
+        });
+        let rates_after = graph.substitute(&rates, |_, node| match node {
+            Node::State(state) => after.get(state as usize).copied(),
+            _ => None,
+        });
+        let mut actions = Vec::with_capacity(states);
+        for state in 0..states {
+            let lag = graph.subtract(moving[state], rates_after[state]);
+            let shift = graph.multiply(lag, delay);
+            let value = graph.add(direct[state], shift);
+            actions.push(((first + state) as u32, value));
+        }
+        extended.events[number].actions.extend(actions);
+    }
+}
+
+/// The total derivative by a parameter, the sensitivities of the states beginning at state `first`, and `initial` being
+/// the nodes of the initial values, which `y(0)` in an expression stands for.
+fn total(graph: &mut Graph, nodes: &[NodeId], parameter: u32, first: usize, initial: &[NodeId]) -> Vec<NodeId> {
+    let one = graph.constant(1.0);
+    let at_start = along(graph, initial, |node| (node == Node::Parameter(parameter)).then_some(one));
+    let states = initial.len();
+    // While initial values themselves are differentiated there are no states in them.
+    let sensitivities: Vec<NodeId> =
+        (0..states).map(|state| graph.insert(Node::State((first + state) as u32))).collect();
+    along(graph, nodes, |node| match node {
+        Node::Parameter(number) => (number == parameter).then_some(one),
+        Node::State(state) => sensitivities.get(state as usize).copied(),
+        Node::Initial(state) => at_start.get(state as usize).copied(),
+        _ => None,
+    })
+}
+
+/// How the moment of an event changes with a parameter.
+///
+/// Of a condition of several comparisons, the one that is passed through at this moment counts: the one that is nearest to
+/// its zero in time. A condition without any has a moment that depends on nothing.
+fn delay(
+    graph: &mut Graph,
+    condition: NodeId,
+    parameter: u32,
+    first: usize,
+    rates: &[NodeId],
+    initial: &[NodeId],
+) -> NodeId {
+    let one = graph.constant(1.0);
+    let mut best: Option<(NodeId, NodeId)> = None;
+    for crossing in comparisons(graph, condition) {
+        let change = total(graph, &[crossing], parameter, first, initial)[0];
+        let speed = along(graph, &[crossing], |node| match node {
+            Node::State(state) => rates.get(state as usize).copied(),
+            Node::Independent => Some(one),
+            _ => None,
+        })[0];
+        let quotient = graph.divide(change, speed);
+        let delay = graph.negate(quotient);
+        let ahead = graph.divide(crossing, speed);
+        let ahead = graph.unary(Unary::Absolute, ahead);
+        best = Some(match best {
+            None => (ahead, delay),
+            Some((nearest, known)) => {
+                let nearer = graph.binary(Binary::Less, ahead, nearest);
+                (graph.select(nearer, ahead, nearest), graph.select(nearer, delay, known))
+            }
+        });
+    }
+    best.map_or_else(|| graph.constant(0.0), |(_, delay)| delay)
+}
+
+/// Left minus right of every comparison of order in a condition.
+fn comparisons(graph: &mut Graph, condition: NodeId) -> Vec<NodeId> {
+    let mut open = vec![condition];
+    let mut found = Vec::new();
+    while let Some(id) = open.pop() {
+        match graph.node(id) {
+            Node::Unary(Unary::Not, inner) => open.push(inner),
+            Node::Binary(Binary::And | Binary::Or, a, b) => open.extend([b, a]),
+            Node::Binary(Binary::Less | Binary::LessOrEqual, a, b) => {
+                let difference = graph.subtract(a, b);
+                if !found.contains(&difference) {
+                    found.push(difference);
+                }
+            }
+            _ => {}
+        }
+    }
+    found
+}

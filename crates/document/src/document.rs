@@ -47,6 +47,8 @@ pub struct Document {
     pub until: Option<f64>,
     /// The relative tolerance of adaptive methods.
     pub tolerance: Option<f64>,
+    /// The parameters that a fit varies unless it is told otherwise, by their places in [`Model::parameters`].
+    pub vary: Vec<usize>,
     /// In the order of the text.
     pub plots: Vec<Plot>,
     /// In the order of the text; those of one group stand together.

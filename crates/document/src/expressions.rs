@@ -106,7 +106,7 @@ impl<'a> Expressions<'a> {
     }
 
     /// Which parameter a name is.
-    fn parameter(&mut self, name: &model::Name) -> Option<usize> {
+    pub fn parameter(&mut self, name: &model::Name) -> Option<usize> {
         let found = self.model.parameters.iter().position(|parameter| parameter.name == name.text);
         if found.is_none() {
             let message = format!("`{}` is not a parameter of the model", name.text);

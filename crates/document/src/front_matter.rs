@@ -6,7 +6,7 @@ use model::{Diagnostic, Span};
 use std::ops::Range;
 
 /// The keys there are.
-const KEYS: [&str; 7] = ["title", "language", "translates", "method", "step", "until", "tolerance"];
+const KEYS: [&str; 8] = ["title", "language", "translates", "method", "step", "until", "tolerance", "vary"];
 
 /// A value of the front matter and where it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -153,7 +153,7 @@ mod tests {
             [
                 "the front matter has no key `titel`; did you mean `title`?",
                 "the front matter has no key `wibble`; the keys are title, language, translates, method, step, until, \
-                 tolerance",
+                 tolerance, vary",
                 "`title` has no value",
                 "`step` is given twice",
             ]

@@ -17,6 +17,7 @@ mod scene;
 mod settings;
 mod source;
 mod translation;
+mod vary;
 
 pub use document::{Assignment, Curve, Document, Edition, Opened, Plot, Preset, Question, QuestionText, Tolerance};
 pub use front_matter::translates;

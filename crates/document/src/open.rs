@@ -8,7 +8,7 @@ use crate::prose::Prose;
 use crate::questions::{self, QUESTIONS, RawQuestion};
 use crate::settings;
 use crate::translation::Texts;
-use crate::{Section, plots, presets, scene};
+use crate::{Section, plots, presets, scene, vary};
 use model::{Diagnostic, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -115,6 +115,7 @@ impl<'a> File<'a> {
     fn document(&mut self, mut model: model::Model) -> (Document, Vec<Option<usize>>) {
         let settings = settings::read(&self.matter, &model, &mut self.diagnostics);
         let mut expressions = Expressions::new(self.source, &mut model);
+        let vary = self.matter.get("vary").map_or_else(Vec::new, |value| vary::read(&mut expressions, value));
         let mut plots = Vec::new();
         for fence in self.fences(FenceKind::Plots) {
             plots::read(&mut expressions, fence.content.clone(), &mut plots);
@@ -162,6 +163,7 @@ impl<'a> File<'a> {
             step: settings.step,
             until: settings.until,
             tolerance: settings.tolerance,
+            vary,
             plots,
             presets,
             questions: compiled,
@@ -279,7 +281,7 @@ impl<'a> File<'a> {
                     .push(Diagnostic::error("translation", message, fence.opening).with_hint("the original's is used"));
             }
         }
-        for key in ["method", "step", "until", "tolerance"] {
+        for key in ["method", "step", "until", "tolerance", "vary"] {
             if let Some(value) = self.matter.get(key) {
                 let message = format!("`{key}` in a translation means nothing");
                 found.push(Diagnostic::warning("translation", message, value.span).with_hint("the original's is used"));

@@ -1,0 +1,81 @@
+//! `vary: b, v_0`: the parameters that a fit of the document varies unless it is told otherwise.
+
+use crate::expressions::Expressions;
+use crate::front_matter::Value;
+use model::{ExpressionKind, Name, Span};
+
+/// Reads the names of parameters, separated by commas. What is no parameter is left out.
+pub fn read(expressions: &mut Expressions, value: &Value) -> Vec<usize> {
+    let source = expressions.source;
+    let text = &source[value.span.range()];
+    let inside = text.trim_matches(['"', '\'']);
+    let mut start = value.span.start + text.find(inside).unwrap_or(0);
+    let mut varied = Vec::new();
+    for piece in inside.split(',') {
+        let range = crate::source::trim(source, start..start + piece.len());
+        start += piece.len() + 1;
+        let span = Span::new(range.start, range.end);
+        if range.is_empty() {
+            expressions.error("vary", "`vary` names parameters, with a comma between them", value.span);
+            continue;
+        }
+        // The same reading as in the model, so that `ω₀` and `omega_0` are one name.
+        let (expression, unit, found) = model::parse_expression(source, range);
+        let ExpressionKind::Name { name, order: 0 } = expression.kind else {
+            let message = format!("`{}` is not the name of a parameter", &source[span.range()]);
+            expressions.error("vary", message, span);
+            continue;
+        };
+        if unit.is_some() || !found.is_empty() {
+            expressions.error("vary", "only names stand in `vary`; values and units are the model's", span);
+            continue;
+        }
+        let Some(parameter) = expressions.parameter(&Name { text: name, span }) else {
+            continue;
+        };
+        if varied.contains(&parameter) {
+            let message = format!("`{}` is named twice", expressions.model.parameters[parameter].name);
+            expressions.error("duplicate-name", message, span);
+        } else {
+            varied.push(parameter);
+        }
+    }
+    varied
+}
+
+#[cfg(test)]
+mod tests {
+    fn open(vary: &str) -> (Vec<usize>, Vec<String>) {
+        let source = format!(
+            "---\nvary: {vary}\n---\n```model\nparameter ω₀ = 2 [1/s]\nparameter a = 1 [m]\ny' = -omega_0*y\ny(0) = a\n```\n"
+        );
+        let opened = crate::open(&source, &[]);
+        let said =
+            opened.diagnostics.iter().map(|(_, found)| format!("{}: {}", &source[found.span().range()], found.message));
+        (opened.document.map_or_else(Vec::new, |document| document.vary), said.collect())
+    }
+
+    #[test]
+    fn names_are_those_of_the_model() {
+        assert_eq!(open("a, omega_0"), (vec![1, 0], Vec::new()));
+        assert_eq!(open("\"ω₀\""), (vec![0], Vec::new()));
+    }
+
+    #[test]
+    fn what_is_no_parameter_is_left_out() {
+        let (vary, said) = open("a, a, y, y', 3, b [m],, a b");
+        assert_eq!(vary, [1]);
+        assert_eq!(
+            said,
+            [
+                "a, a, y, y', 3, b [m],, a b: `vary` names parameters, with a comma between them",
+                "a: `a` is named twice",
+                "y: `y` is not a parameter of the model",
+                "y': `y'` is not the name of a parameter",
+                "3: `3` is not the name of a parameter",
+                "b [m]: only names stand in `vary`; values and units are the model's",
+                "a b: `a b` is not the name of a parameter",
+            ]
+        );
+    }
+}

@@ -1,0 +1,177 @@
+//! Least squares of one damped sinusoid, `c + exp(-g t) (a cos(w t) + b sin(w t))`.
+//!
+//! For given `w` and `g` the best `a`, `b` and `c` follow from linear equations (variable projection: Golub and Pereyra,
+//! SIAM J. Numer. Anal. 10, 413 (1973)), so that only `w` and `g` are searched for, by Gauss and Newton's steps.
+
+/// Values over time, both without gaps, the times ascending.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Points<'a> {
+    pub times: &'a [f64],
+    pub values: &'a [f64],
+}
+
+/// A damped sinusoid and how well it fits. Times count from `origin`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Damped {
+    pub origin: f64,
+    /// Angular frequency.
+    pub w: f64,
+    /// Damping.
+    pub g: f64,
+    /// Cosine, sine, offset.
+    pub linear: [f64; 3],
+    /// The sum of the squared residuals.
+    pub squares: f64,
+}
+
+/// The curve itself without amplitude, `exp(-g t) cos(w t)` and `exp(-g t) sin(w t)`, at every time.
+///
+/// A step as long as the one before turns and shrinks by the same factor; only another one asks for new functions.
+fn basis(points: Points, origin: f64, w: f64, g: f64, out: &mut Vec<(f64, f64)>) {
+    out.clear();
+    let turned = |step: f64| {
+        let size = libm::exp(-g * step);
+        let (sine, cosine) = libm::sincos(w * step);
+        (size * cosine, size * sine)
+    };
+    let Some(first) = points.times.first() else { return };
+    let mut before = *first;
+    let mut point = turned(first - origin);
+    let mut last_step = 0.0;
+    let mut factor = (1.0, 0.0);
+    for time in points.times {
+        let step = time - before;
+        if (step - last_step).abs() > 1e-10 * last_step {
+            factor = turned(step);
+            last_step = step;
+        }
+        if step != 0.0 {
+            point = (point.0 * factor.0 - point.1 * factor.1, point.0 * factor.1 + point.1 * factor.0);
+        }
+        out.push(point);
+        before = *time;
+    }
+}
+
+/// The best amplitude and offset for this frequency and damping.
+fn project(points: Points, basis: &[(f64, f64)]) -> Option<([f64; 3], f64)> {
+    let mut matrix = [[0.0; 3]; 3];
+    let mut right = [0.0; 3];
+    for (&(c, s), &value) in basis.iter().zip(points.values) {
+        let row = [c, s, 1.0];
+        for i in 0..3 {
+            for j in 0..=i {
+                matrix[i][j] += row[i] * row[j];
+            }
+            right[i] += row[i] * value;
+        }
+    }
+    let linear = solve(matrix, right)?;
+    let residual = |(&(c, s), &value): (&(f64, f64), &f64)| value - linear[0] * c - linear[1] * s - linear[2];
+    let squares: f64 = basis.iter().zip(points.values).map(residual).map(|residual| residual * residual).sum();
+    squares.is_finite().then_some((linear, squares))
+}
+
+impl Damped {
+    /// The best curve of this frequency and damping.
+    pub fn of(points: Points, origin: f64, w: f64, g: f64, scratch: &mut Vec<(f64, f64)>) -> Option<Self> {
+        basis(points, origin, w, g, scratch);
+        let (linear, squares) = project(points, scratch)?;
+        Some(Self { origin, w, g, linear, squares })
+    }
+
+    /// Steps downhill from here, at most so many; `scratch` holds the basis of `self`, and of the result afterwards.
+    pub fn improved(self, points: Points, steps: usize, scratch: &mut Vec<(f64, f64)>) -> Self {
+        let mut best = self;
+        for _ in 0..steps {
+            let Some((matrix, right)) = best.equations(points, scratch) else { return best };
+            let Some(step) = solve(matrix, right) else { return best };
+            let mut length = 1.0;
+            let next = loop {
+                let trial =
+                    Self::of(points, best.origin, best.w + length * step[3], best.g + length * step[4], scratch);
+                match trial {
+                    Some(trial) if trial.squares < best.squares && trial.w > 0.0 => break Some(trial),
+                    _ if length < 0.1 => break None,
+                    _ => length *= 0.25,
+                }
+            };
+            let Some(next) = next else {
+                basis(points, best.origin, best.w, best.g, scratch);
+                return best;
+            };
+            let gained = best.squares - next.squares;
+            best = next;
+            if gained <= 1e-12 * best.squares {
+                break;
+            }
+        }
+        best
+    }
+
+    /// The normal equations of all five parameters: cosine, sine, offset, frequency, damping.
+    fn equations(&self, points: Points, basis: &[(f64, f64)]) -> Option<([[f64; 5]; 5], [f64; 5])> {
+        let mut matrix = [[0.0; 5]; 5];
+        let mut right = [0.0; 5];
+        let [a, b, offset] = self.linear;
+        for ((&time, &value), &(c, s)) in points.times.iter().zip(points.values).zip(basis) {
+            let time = time - self.origin;
+            let row = [c, s, 1.0, time * (b * c - a * s), -time * (a * c + b * s)];
+            let residual = value - a * c - b * s - offset;
+            for i in 0..5 {
+                for j in 0..=i {
+                    matrix[i][j] += row[i] * row[j];
+                }
+                right[i] += row[i] * residual;
+            }
+        }
+        matrix.iter().flatten().all(|entry| entry.is_finite()).then_some((matrix, right))
+    }
+
+    /// The size of the oscillation at the origin.
+    pub fn amplitude(&self) -> f64 {
+        libm::hypot(self.linear[0], self.linear[1])
+    }
+}
+
+/// Solves symmetric positive definite equations of which the lower triangle is given, by Cholesky's factors of the matrix
+/// scaled to a unit diagonal.
+fn solve<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
+    let mut scale = [0.0; N];
+    for i in 0..N {
+        scale[i] = 1.0 / matrix[i][i].sqrt();
+        if !scale[i].is_finite() || scale[i] == 0.0 {
+            return None;
+        }
+    }
+    for i in 0..N {
+        right[i] *= scale[i];
+        for j in 0..=i {
+            let mut sum = matrix[i][j] * scale[i] * scale[j];
+            let (this, that) = (&matrix[i], &matrix[j]);
+            sum -= this.iter().zip(that).take(j).map(|(one, other)| one * other).sum::<f64>();
+            if i == j {
+                if sum < 1e-14 {
+                    return None;
+                }
+                matrix[i][i] = sum.sqrt();
+            } else {
+                matrix[i][j] = sum / matrix[j][j];
+            }
+        }
+        for k in 0..i {
+            right[i] -= matrix[i][k] * right[k];
+        }
+        right[i] /= matrix[i][i];
+    }
+    for i in (0..N).rev() {
+        for k in i + 1..N {
+            right[i] -= matrix[k][i] * right[k];
+        }
+        right[i] /= matrix[i][i];
+    }
+    for i in 0..N {
+        right[i] *= scale[i];
+    }
+    Some(right)
+}

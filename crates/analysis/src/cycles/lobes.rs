@@ -1,0 +1,97 @@
+//! Where an oscillation crosses its middle, and how far it goes in between.
+
+use super::damped::Points;
+
+/// The part of a record between two crossings.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lobe {
+    /// When it is furthest from the middle.
+    pub time: f64,
+    /// How far, with its sign.
+    pub height: f64,
+    /// Whether the record begins or ends with this extreme, which then need not be one.
+    pub cut: bool,
+}
+
+/// What a record does about its middle.
+#[derive(Debug, Default)]
+pub(super) struct Swings {
+    /// When it crosses the middle, alternately down and up.
+    pub crossings: Vec<f64>,
+    /// One more than the crossings.
+    pub lobes: Vec<Lobe>,
+}
+
+/// How much neighbouring values scatter beyond what is smooth: the median of fourth differences, which a slow oscillation
+/// does not have, or of second ones, if that is less.
+pub(super) fn scatter(values: &[f64]) -> f64 {
+    // No more differences than give a median.
+    let stride = (values.len() / 500).max(1);
+    let fourth = |v: &[f64]| (v[0] - 4.0 * v[1] + 6.0 * v[2] - 4.0 * v[3] + v[4]).abs();
+    let second = |v: &[f64]| (v[0] - 2.0 * v[1] + v[2]).abs();
+    let differences =
+        |width: usize, of: &dyn Fn(&[f64]) -> f64| values.windows(width).step_by(stride).map(of).collect();
+    // 1.4826 makes a standard deviation of a median; 70 and 6 are the sums of the squared coefficients.
+    let scatter = [(differences(5, &fourth), 70.0_f64), (differences(3, &second), 6.0)]
+        .into_iter()
+        .map(|(differences, squares)| 1.4826 * median(differences) / squares.sqrt())
+        .fold(f64::INFINITY, f64::min);
+    if scatter.is_finite() { scatter } else { 0.0 }
+}
+
+/// The middle value; NaN of nothing.
+pub(crate) fn median(mut values: Vec<f64>) -> f64 {
+    if values.is_empty() {
+        return f64::NAN;
+    }
+    let middle = values.len() / 2;
+    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+}
+
+/// The crossings of `middle`. What stays within `threshold` of it has not crossed yet: noise makes no crossings.
+pub(super) fn swings(points: Points, middle: f64, threshold: f64) -> Swings {
+    let mut swings = Swings::default();
+    let last = points.values.len().saturating_sub(1);
+    let mut side = 0.0_f64;
+    // The last point that was clearly on the present side.
+    let mut clear = 0;
+    for (index, (&time, &value)) in points.times.iter().zip(points.values).enumerate() {
+        let height = value - middle;
+        if height.abs() > threshold {
+            if side * height <= 0.0 {
+                if side != 0.0 {
+                    let crossing = clear..index + 1;
+                    let points = Points { times: &points.times[crossing.clone()], values: &points.values[crossing] };
+                    swings.crossings.push(crossing_time(points, middle));
+                }
+                side = height.signum();
+                swings.lobes.push(Lobe { time, height, cut: index == 0 });
+            }
+            clear = index;
+        }
+        if let Some(lobe) = swings.lobes.last_mut()
+            && height * side > lobe.height * side
+        {
+            *lobe = Lobe { time, height, cut: index == last };
+        }
+    }
+    swings
+}
+
+/// Where the straight line through these points crosses `middle`.
+fn crossing_time(points: Points, middle: f64) -> f64 {
+    let count = points.times.len() as f64;
+    let mean_time = points.times.iter().sum::<f64>() / count;
+    let mean_value = points.values.iter().sum::<f64>() / count;
+    let (mut product, mut square) = (0.0, 0.0);
+    for (time, value) in points.times.iter().zip(points.values) {
+        product += (time - mean_time) * (value - mean_value);
+        square += (time - mean_time) * (time - mean_time);
+    }
+    let crossing = mean_time + (middle - mean_value) * square / product;
+    match (points.times.first(), points.times.last()) {
+        (Some(first), Some(last)) if (*first..=*last).contains(&crossing) => crossing,
+        (Some(first), Some(last)) => (first + last) / 2.0,
+        _ => crossing,
+    }
+}

@@ -55,6 +55,10 @@ impl Adaptive {
     const BELOW_PEAK: f64 = 1e-3;
     /// A state is zero but for rounding below this part of its display unit, which is the author's idea of its size.
     const BELOW_UNIT: f64 = 1e-9;
+    /// The first step in rows: the controller finds the right size within a few attempts.
+    const FIRST_STEP: f64 = 0.01;
+    /// The error that the step before the first is taken to have had.
+    const FIRST_ERROR: f64 = 1e-4;
     /// Nothing moves in a shorter time, and its reciprocal is still a number.
     const AT_ONCE: f64 = 1e-300;
 
@@ -66,9 +70,8 @@ impl Adaptive {
             floors: model.states.iter().map(|state| Self::BELOW_UNIT * state.unit.factor.abs()).collect(),
             peaks: zeros.clone(),
             longest: Self::ROWS * setup.step,
-            // The controller finds the right size within a few attempts.
-            proposed: 0.01 * setup.step,
-            earlier_error: 1e-4,
+            proposed: Self::FIRST_STEP * setup.step,
+            earlier_error: Self::FIRST_ERROR,
             start: 0.0,
             size: 0.0,
             end: 0.0,
@@ -78,6 +81,13 @@ impl Adaptive {
             error: zeros.clone(),
             dense: std::array::from_fn(|_| zeros.clone()),
         }
+    }
+
+    /// Forgets all runs made before; rows are `step` apart.
+    pub fn renew(&mut self, step: f64) {
+        self.proposed = Self::FIRST_STEP * step;
+        self.earlier_error = Self::FIRST_ERROR;
+        self.peaks.fill(0.0);
     }
 
     /// Begins anew at `time` with `state`, after a jump of the state or the parameters.

@@ -191,6 +191,15 @@ impl Stepper {
         Ok(fired)
     }
 
+    /// Begins a new run at 0 with other parameters and another initial state, as if it were a new stepper.
+    pub fn begin(&mut self, parameters: Vec<f64>, initial: &[f64]) {
+        self.initial.copy_from_slice(initial);
+        if let Solver::Adaptive(adaptive) = &mut self.solver {
+            adaptive.renew(self.step);
+        }
+        self.resume(0.0, initial, parameters, false);
+    }
+
     /// Goes on from another moment; `after_jump` where the state has just jumped.
     pub(crate) fn resume(&mut self, time: f64, state: &[f64], parameters: Vec<f64>, after_jump: bool) {
         self.time = time;

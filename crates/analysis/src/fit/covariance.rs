@@ -1,0 +1,134 @@
+//! How well a fit determines what was varied: the textbook covariance, and one that is honest about residuals that cling
+//! together.
+
+use super::linear::{Decomposition, dot, norm};
+use super::problem::Plan;
+use super::search::Search;
+use super::statistics;
+
+/// A direction is undetermined if the curve changes along it by less than this part of the greatest change.
+const FLAT: f64 = 1e-10;
+
+/// What is known of the uncertainties at a solution. Matrices hold all columns of the search, row by row; rows and columns
+/// of what is held at a bound are zero.
+#[derive(Clone, Debug)]
+pub(crate) struct Covariance {
+    /// The inverse of the normal matrix times the variance of the residuals.
+    pub textbook: Vec<f64>,
+    /// The same for residuals that are correlated in time and of uneven size: Newey & West (Econometrica 55 (1987) 703).
+    pub robust: Vec<f64>,
+    /// Directions (by column) in which the curve does not change.
+    pub flat: Vec<Vec<f64>>,
+    /// Independent values minus determined numbers.
+    pub dof: f64,
+}
+
+impl Covariance {
+    /// At the end of `search`, whose residuals are those of `plans`. `values` is the number of independent values; where
+    /// `errors_given`, the weights are taken at their word, else they only tell ratios.
+    pub fn new(search: &Search, plans: &[Plan], values: f64, errors_given: bool) -> Self {
+        let size = search.x.len();
+        let scale: Vec<f64> = (0..size).map(|column| norm(search.jacobian.column(column))).collect();
+        let mut flat: Vec<Vec<f64>> = Vec::new();
+        let mut free = Vec::new();
+        for column in 0..size {
+            if scale[column] == 0.0 {
+                let mut direction = vec![0.0; size];
+                direction[column] = 1.0;
+                flat.push(direction);
+            } else if !search.at_bound(column) {
+                free.push(column);
+            }
+        }
+        let decomposition = Decomposition::new(&search.jacobian, &free, &scale, &search.residuals);
+        let least = FLAT * decomposition.greatest();
+        // The pseudo-inverse of the normal matrix, V S^-2 V^T in scaled variables.
+        let mut inverse = vec![0.0; size * size];
+        let mut rank = 0;
+        for (k, &singular) in decomposition.singular.iter().enumerate() {
+            let right = &decomposition.right[k * free.len()..(k + 1) * free.len()];
+            let mut direction = vec![0.0; size];
+            free.iter().zip(right).for_each(|(&column, value)| direction[column] = value / scale[column]);
+            if singular <= least {
+                flat.push(direction);
+                continue;
+            }
+            rank += 1;
+            for row in 0..size {
+                for column in 0..size {
+                    inverse[row * size + column] += direction[row] * direction[column] / (singular * singular);
+                }
+            }
+        }
+        let dof = values - rank as f64;
+        let variance = if errors_given { 1.0 } else { search.sum / dof.max(f64::MIN_POSITIVE) };
+        let meat = meat(search, plans);
+        let correction = if dof > 0.0 { values / dof } else { f64::NAN };
+        let robust = product(&product(&inverse, &meat, size), &inverse, size);
+        Self {
+            textbook: inverse.iter().map(|value| value * variance).collect(),
+            robust: robust.iter().map(|value| value * correction).collect(),
+            flat,
+            dof,
+        }
+    }
+
+    /// Whether a change along `gradient` (by column) changes the curve, so that its uncertainty is known.
+    pub fn determines(&self, gradient: &[f64]) -> bool {
+        self.flat.iter().all(|direction| {
+            // In the size that each column has in the direction, so that units do not matter.
+            let parts = gradient.iter().zip(direction).map(|(a, b)| (a * b).abs()).fold(0.0, f64::max);
+            dot(gradient, direction).abs() <= 1e-6 * parts
+        })
+    }
+
+    /// The variance along `gradient` in one of the matrices.
+    pub fn variance(matrix: &[f64], gradient: &[f64]) -> f64 {
+        let size = gradient.len();
+        let mut sum = 0.0;
+        for row in 0..size {
+            sum += gradient[row] * dot(&matrix[row * size..(row + 1) * size], gradient);
+        }
+        sum.max(0.0)
+    }
+}
+
+/// The sum over times of the products of scores, those of neighbouring times with Bartlett's weights. The score of a time is
+/// the gradient that its residuals contribute; columns measured at one time count together.
+fn meat(search: &Search, plans: &[Plan]) -> Vec<f64> {
+    let size = search.x.len();
+    let mut meat = vec![0.0; size * size];
+    let mut base = 0;
+    for plan in plans {
+        let mut scores = vec![vec![0.0; plan.times.len()]; size];
+        for (place, point) in plan.points.iter().enumerate() {
+            for (column, scores) in scores.iter_mut().enumerate() {
+                scores[point.row] += search.jacobian.column(column)[base + place] * search.residuals[base + place];
+            }
+        }
+        base += plan.points.len();
+        let lags = statistics::lags(&scores, plan.times.len());
+        for row in 0..size {
+            for column in 0..size {
+                let (a, b) = (&scores[row], &scores[column]);
+                let mut sum = dot(a, b);
+                for lag in 1..=lags {
+                    let weight = 1.0 - lag as f64 / (lags + 1) as f64;
+                    sum += weight * (dot(&a[lag..], b) + dot(&b[lag..], a));
+                }
+                meat[row * size + column] += sum;
+            }
+        }
+    }
+    meat
+}
+
+fn product(a: &[f64], b: &[f64], size: usize) -> Vec<f64> {
+    let mut result = vec![0.0; size * size];
+    for row in 0..size {
+        for column in 0..size {
+            result[row * size + column] = (0..size).fold(0.0, |sum, k| sum + a[row * size + k] * b[k * size + column]);
+        }
+    }
+    result
+}

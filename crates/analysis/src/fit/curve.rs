@@ -1,0 +1,218 @@
+//! The model's curve at measured times, with its derivatives by what is varied.
+
+use super::task::Target;
+use engine::{Method, Routine, Setup, Stepper};
+use model::{Kind, Model, Node, NodeId};
+
+/// Equations of motion are integrated to this, relative to the state.
+pub(crate) const TOLERANCE: f64 = 1e-9;
+/// A solution that needs more evaluations of the equations is given up.
+const MOST_EVALUATIONS: u64 = 2_000_000;
+
+/// Gives the model's values of all that is observed, with derivatives, at any ascending times.
+#[derive(Clone, Debug)]
+pub(crate) struct Curve {
+    model: Model,
+    /// How many states the model has without sensitivities.
+    states: usize,
+    /// The parameters of the model among the targets, in order.
+    varied: Vec<usize>,
+    observed: usize,
+    /// By varied parameter: whether all that is observed is linear in it.
+    linear: Vec<bool>,
+    /// For each observed expression: its value, its derivatives by each of `varied`, and by the independent variable.
+    routine: Routine,
+    initial: Routine,
+    stepper: Option<Stepper>,
+    start: Vec<f64>,
+    zeros: Vec<f64>,
+}
+
+impl Curve {
+    /// Compiles `observed` expressions of `model` with derivatives by those of `targets` that are parameters, for runs that
+    /// last about `duration`. Of the methods, the one for stiff equations is kept; all others give way to Dormand and
+    /// Prince's, which reaches [`TOLERANCE`].
+    pub fn new(
+        model: &Model,
+        observed: &[NodeId],
+        targets: &[Target],
+        parameters: &[f64],
+        (method, duration): (Method, f64),
+    ) -> Result<Self, String> {
+        let mut varied: Vec<usize> = targets
+            .iter()
+            .filter_map(|target| match target {
+                Target::Parameter(index) => Some(*index),
+                _ => None,
+            })
+            .collect();
+        varied.dedup();
+        let states = model.states.len();
+        let mut extended = model
+            .with_sensitivities(&varied)
+            .ok_or_else(|| "the model is too large to be differentiated by what is varied".to_owned())?;
+        let by_parameter: Vec<Vec<NodeId>> = varied
+            .iter()
+            .enumerate()
+            .map(|(place, &parameter)| extended.sensitivities(observed, parameter, place, states))
+            .collect();
+        let linear = varied
+            .iter()
+            .zip(&by_parameter)
+            .map(|(&parameter, nodes)| {
+                let constant = |node: &NodeId| !extended.depends(*node).parameters.contains(&(parameter as u32));
+                states == 0 && nodes.iter().all(constant)
+            })
+            .collect();
+        let rates = extended.rates_of(observed);
+        let mut roots = Vec::new();
+        for (number, &node) in observed.iter().enumerate() {
+            roots.push(node);
+            roots.extend(by_parameter.iter().map(|nodes| nodes[number]));
+            roots.push(rates[number]);
+        }
+        let initial_nodes: Vec<NodeId> = extended.states.iter().map(|state| state.initial).collect();
+        let setup = Setup {
+            parameters: parameters.to_vec(),
+            method: if method == Method::Rosenbrock { method } else { Method::DormandPrince },
+            step: if duration > 0.0 { duration / 100.0 } else { Setup::STEP },
+            tolerance: TOLERANCE,
+            start: Some(vec![0.0; extended.states.len()]),
+        };
+        let stepper =
+            if states == 0 { None } else { Some(Stepper::new(&extended, &setup).map_err(|error| error.message)?) };
+        let all = extended.states.len();
+        Ok(Self {
+            routine: Routine::compile(&extended, &roots),
+            initial: Routine::compile(&extended, &initial_nodes),
+            model: extended,
+            states,
+            varied,
+            linear,
+            observed: observed.len(),
+            stepper,
+            start: vec![0.0; all],
+            zeros: vec![0.0; all],
+        })
+    }
+
+    /// How many numbers [`Curve::follow`] gives at each time: for each observed expression its value, its derivatives
+    /// by each varied parameter in the order of the targets, and its derivative by the independent variable.
+    pub fn width(&self) -> usize {
+        self.observed * self.stride()
+    }
+
+    /// How many of them belong to one observed expression.
+    pub fn stride(&self) -> usize {
+        self.varied.len() + 2
+    }
+
+    /// Whether all that is observed is linear in this parameter of the model; never for equations of motion.
+    pub fn is_linear_in(&self, parameter: usize) -> bool {
+        self.varied.iter().zip(&self.linear).any(|(&varied, &linear)| varied == parameter && linear)
+    }
+
+    /// Whether there are equations of motion.
+    pub fn has_states(&self) -> bool {
+        self.states > 0
+    }
+
+    /// Whether the equations have states, and the independent variable does not occur in them: such a run can begin at
+    /// any reading of the clock.
+    pub fn is_autonomous(&self) -> bool {
+        let uses_time = |node| self.model.depends(node).independent;
+        self.states > 0
+            && !self.model.states.iter().any(|state| uses_time(state.derivative))
+            && !self.model.events.iter().any(|event| uses_time(event.condition))
+    }
+
+    /// Goes through the model's `times`, ascending and not before 0 where there are states, and hands the values at each
+    /// to `take`; false if the solution ends before the last.
+    pub fn follow(&mut self, parameters: &[f64], times: &[f64], mut take: impl FnMut(usize, &[f64])) -> bool {
+        let mut values = vec![0.0; self.width()];
+        let Some(stepper) = &mut self.stepper else {
+            self.routine.prepare(parameters, &self.zeros);
+            for (row, &time) in times.iter().enumerate() {
+                self.routine.evaluate(time, &self.zeros, &mut values);
+                take(row, &values);
+            }
+            return true;
+        };
+        self.initial.prepare(parameters, &self.zeros);
+        self.initial.evaluate(0.0, &self.zeros, &mut self.start);
+        if !self.start.iter().all(|value| value.is_finite()) {
+            return false;
+        }
+        self.routine.prepare(parameters, &self.start);
+        stepper.begin(parameters.to_vec(), &self.start);
+        let before = stepper.evaluations();
+        for (row, &time) in times.iter().enumerate() {
+            if time > stepper.time()
+                && (stepper.advance_to(time).is_err() || stepper.evaluations() - before > MOST_EVALUATIONS)
+            {
+                return false;
+            }
+            self.routine.evaluate(time, stepper.state(), &mut values);
+            take(row, &values);
+        }
+        true
+    }
+}
+
+/// The derived quantities of a model that hold for a whole run, with their derivatives by parameters.
+#[derive(Clone, Debug)]
+pub(crate) struct Derived {
+    /// Which of the model's quantities.
+    pub quantities: Vec<usize>,
+    routine: Routine,
+    varied: usize,
+    states: usize,
+}
+
+impl Derived {
+    /// Those that depend on any of `varied` parameters.
+    pub fn new(model: &Model, varied: &[usize]) -> Self {
+        let depends = |node: NodeId| {
+            let mut dependence = model.depends(node);
+            for &state in &dependence.initial.clone() {
+                let initial = model.states[state as usize].initial;
+                dependence.parameters.extend(model.depends(initial).parameters);
+            }
+            varied.iter().any(|&parameter| dependence.parameters.contains(&(parameter as u32)))
+        };
+        let quantities: Vec<usize> = (0..model.quantities.len())
+            .filter(|&number| {
+                let quantity = &model.quantities[number];
+                quantity.value.kind == Kind::Number && !quantity.varies && depends(quantity.value.node)
+            })
+            .collect();
+        let mut graph_model = model.clone();
+        let states = model.states.len();
+        // In what holds for a whole run, an initial value is its expression.
+        let initial: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
+        let nodes: Vec<NodeId> = quantities.iter().map(|&number| model.quantities[number].value.node).collect();
+        let nodes = graph_model.graph.substitute(&nodes, |_, node| match node {
+            Node::Initial(state) => initial.get(state as usize).copied(),
+            _ => None,
+        });
+        let mut roots = nodes.clone();
+        for &parameter in varied {
+            let variable = model::Variable::Parameter(parameter as u32);
+            roots.extend(model::differentiate_all(&mut graph_model.graph, &nodes, variable));
+        }
+        let routine = Routine::from_graph(&graph_model.graph, states, &roots);
+        Self { quantities, routine, varied: varied.len(), states }
+    }
+
+    /// The values, and for each its derivatives by the varied parameters.
+    pub fn evaluate(&mut self, parameters: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
+        let zeros = vec![0.0; self.states];
+        let count = self.quantities.len();
+        let mut all = vec![0.0; count * (1 + self.varied)];
+        self.routine.prepare(parameters, &zeros);
+        self.routine.evaluate(0.0, &zeros, &mut all);
+        let slopes =
+            (0..count).map(|number| (1..=self.varied).map(|place| all[place * count + number]).collect()).collect();
+        (all[..count].to_vec(), slopes)
+    }
+}

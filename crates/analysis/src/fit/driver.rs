@@ -1,0 +1,258 @@
+//! The course of a fit: which starts are tried, how several observations are weighed, when it ends.
+
+use super::outcome::{self, Outcome};
+use super::problem::{Plan, Problem, Window};
+use super::search::{Search, Status};
+use super::start;
+use super::task::{FitError, Target, Task};
+use crate::cycles::Estimate;
+use model::Model;
+
+/// A fit that goes on one trial at a time.
+///
+/// It searches from the given or the parameters' own values, then from the frequency and the damping that the data show,
+/// then along windows that grow from the beginning of the record, then from starts spread over the ranges. Further starts
+/// are only tried while the best one leaves much unexplained; own values that explain nothing come after the estimate.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    pub(super) model: Model,
+    pub(super) problem: Problem,
+    /// The points of the fitted part, with weights.
+    pub(super) plans: Vec<Plan>,
+    /// The best search so far.
+    pub(super) best: Option<Search>,
+    /// Whether the best search has come to its end.
+    pub(super) converged: bool,
+    bounds: Vec<(f64, f64)>,
+    own: Vec<f64>,
+    estimates: Vec<Option<Estimate>>,
+    /// What is still to be tried, the last one first.
+    stages: Vec<Stage>,
+    current: Option<Current>,
+    /// The weighted sum of squares about the mean of each observation.
+    total: f64,
+    weighings: usize,
+    trials: usize,
+    finished: bool,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Stage {
+    Own,
+    Estimated,
+    Windows,
+    Spread(usize),
+}
+
+#[derive(Clone, Debug)]
+struct Current {
+    search: Search,
+    plans: Vec<Plan>,
+    /// Windows still to come, the last one first; the search is of the whole where there are none.
+    windows: Vec<f64>,
+}
+
+impl Fit {
+    /// The part of the sum of squares that may be left to gain, for formulas.
+    const TOLERANCE: f64 = 1e-20;
+    /// The same for equations of motion, whose solutions carry the error of the integration.
+    const TOLERANCE_OF_MOTION: f64 = 1e-13;
+    /// Trials of one search.
+    const TRIALS: usize = 400;
+    /// Trials in a window that is not yet the whole.
+    const WINDOW_TRIALS: usize = 15;
+    /// Starts spread over the ranges.
+    const SPREAD: usize = 12;
+    /// A later start wins only if it lowers the sum of squares by more than this part.
+    const BETTER: f64 = 1e-6;
+    /// What explains this part of the scatter is not searched further.
+    const EXPLAINED: f64 = 0.9;
+    /// How often several observations are weighed anew by their own scatter, at most.
+    const WEIGHINGS: usize = 12;
+
+    /// Checks a task and begins.
+    ///
+    /// # Errors
+    /// Nothing varied or measured, too little or too much of it, a model that cannot be treated.
+    pub fn new(model: &Model, task: Task) -> Result<Self, FitError> {
+        let mut problem = Problem::new(model, task)?;
+        problem.weigh(&problem.spread());
+        let plans = problem.plans.clone();
+        let mut stages: Vec<Stage> = (0..Self::SPREAD).rev().map(Stage::Spread).collect();
+        stages.extend([Stage::Windows, Stage::Estimated, Stage::Own]);
+        let mut fit = Self {
+            model: model.clone(),
+            bounds: bounds(model, &problem),
+            own: problem.own_start(),
+            estimates: start::estimates(&problem),
+            total: problem.spread_sum(),
+            problem,
+            plans,
+            best: None,
+            converged: false,
+            stages,
+            current: None,
+            weighings: 0,
+            trials: 0,
+            finished: false,
+        };
+        let own = fit.search(&fit.own.clone(), &fit.plans.clone(), Self::TRIALS);
+        if own.sum < fit.total || fit.estimates.iter().all(Option::is_none) {
+            fit.stages.pop();
+            fit.current = Some(Current { search: own, plans: fit.plans.clone(), windows: Vec::new() });
+        } else {
+            let last = fit.stages.len() - 1;
+            fit.stages.swap(last - 1, last);
+        }
+        Ok(fit)
+    }
+
+    /// Makes one trial; whether the fit is finished.
+    pub fn advance(&mut self) -> bool {
+        if self.finished {
+            return true;
+        }
+        let Some(mut current) = self.current.take() else {
+            self.begin();
+            return self.finished;
+        };
+        self.trials += 1;
+        let status = current.search.advance(&mut Window { problem: &mut self.problem, plans: &current.plans });
+        if status == Status::Searching {
+            self.current = Some(current);
+            return false;
+        }
+        match current.windows.pop() {
+            Some(window) => self.current = Some(self.window(&current.search.x, window, current.windows)),
+            None => self.settle(current.search),
+        }
+        self.finished
+    }
+
+    /// Goes on to the end.
+    pub fn complete(&mut self) {
+        while !self.advance() {}
+    }
+
+    /// How many trials were made: each computes the model's curve once for all records.
+    pub fn trials(&self) -> usize {
+        self.trials
+    }
+
+    /// The coefficient of determination of the best found so far, 1 where nothing is left unexplained.
+    pub fn explained(&self) -> f64 {
+        self.best.as_ref().map_or(0.0, |best| 1.0 - best.sum / self.total)
+    }
+
+    /// What is known when the fit is finished; before that, of the best found so far. `None` if nothing was found: the
+    /// model has no finite curve at any start.
+    pub fn outcome(&mut self) -> Option<Outcome> {
+        outcome::outcome(self)
+    }
+
+    /// A search over `plans`, from `start`.
+    pub(super) fn search(&mut self, start: &[f64], plans: &[Plan], limit: usize) -> Search {
+        let rows = plans.iter().map(|plan| plan.points.len()).sum();
+        let motion = self.problem.curve.has_states();
+        let tolerance = if motion { Self::TOLERANCE_OF_MOTION } else { Self::TOLERANCE };
+        let mut window = Window { problem: &mut self.problem, plans };
+        Search::new(&mut window, start, self.bounds.clone(), rows, tolerance, limit)
+    }
+
+    /// A search over `plans` in which one number is held where it is; `None` if it lies outside its bounds.
+    pub(super) fn search_holding(&mut self, start: &[f64], plans: &[Plan], held: usize) -> Option<Search> {
+        let (low, high) = self.bounds[held];
+        if !(start[held] >= low && start[held] <= high) {
+            return None;
+        }
+        self.bounds[held] = (start[held], start[held]);
+        let search = self.search(start, plans, Self::TRIALS);
+        self.bounds[held] = (low, high);
+        Some(search)
+    }
+
+    fn window(&mut self, start: &[f64], window: f64, windows: Vec<f64>) -> Current {
+        let plans = start::cut(&self.plans, window);
+        let limit = if windows.is_empty() { Self::TRIALS } else { Self::WINDOW_TRIALS };
+        Current { search: self.search(start, &plans, limit), plans, windows }
+    }
+
+    /// Begins the next stage, or ends.
+    fn begin(&mut self) {
+        let explained = self.best.is_some() && self.explained() >= Self::EXPLAINED;
+        let Some(stage) = self.stages.pop().filter(|_| !explained) else {
+            self.conclude();
+            return;
+        };
+        let start = match stage {
+            Stage::Own => self.own.clone(),
+            Stage::Spread(index) => start::spread(&self.own, &self.bounds, index),
+            Stage::Estimated => {
+                match start::from_estimates(&mut self.problem, &self.model, &self.estimates, &self.own) {
+                    Some(start) => start,
+                    None => return,
+                }
+            }
+            Stage::Windows => {
+                let mut windows = start::windows(&self.problem, &self.estimates);
+                windows.reverse();
+                if let Some(first) = windows.pop().filter(|first| first.is_finite()) {
+                    self.current = Some(self.window(&self.own.clone(), first, windows));
+                }
+                return;
+            }
+        };
+        let search = self.search(&start, &self.plans.clone(), Self::TRIALS);
+        self.current = Some(Current { search, plans: self.plans.clone(), windows: Vec::new() });
+    }
+
+    /// Takes in a search over the whole that has ended.
+    fn settle(&mut self, search: Search) {
+        let better = match &self.best {
+            // Weighed anew, sums of squares cannot be compared; what is searched then goes on from the best.
+            Some(best) => self.weighings > 0 || search.sum < best.sum * (1.0 - Self::BETTER),
+            None => search.sum.is_finite(),
+        };
+        if better {
+            self.converged = search.status == Status::Converged;
+            self.best = Some(search);
+        }
+        if self.weighings > 0 {
+            self.conclude();
+        }
+    }
+
+    /// Weighs several observations by their own scatter until that no longer changes, and ends.
+    fn conclude(&mut self) {
+        let Some(best) = &self.best else {
+            self.finished = true;
+            return;
+        };
+        let changed = self.problem.reweigh(&best.residuals);
+        if !changed || self.weighings >= Self::WEIGHINGS {
+            self.finished = true;
+            return;
+        }
+        self.weighings += 1;
+        self.plans = self.problem.plans.clone();
+        self.total = self.problem.spread_sum();
+        let search = self.search(&best.x.clone(), &self.plans.clone(), Self::TRIALS);
+        self.current = Some(Current { search, plans: self.plans.clone(), windows: Vec::new() });
+    }
+}
+
+/// The bounds of each number of the search: given, else the parameter's own range, else none.
+fn bounds(model: &Model, problem: &Problem) -> Vec<(f64, f64)> {
+    let free = (f64::NEG_INFINITY, f64::INFINITY);
+    problem
+        .columns
+        .iter()
+        .map(|column| {
+            let own = match column.target {
+                Target::Parameter(index) => model.parameters.get(index).and_then(|parameter| parameter.range),
+                Target::Origin | Target::Offset(_) => None,
+            };
+            problem.task.varied[column.varied].bounds.or(own).unwrap_or(free)
+        })
+        .collect()
+}

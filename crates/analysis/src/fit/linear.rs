@@ -1,0 +1,231 @@
+//! The linear algebra of least squares: a tall matrix becomes a triangle, the triangle its singular values.
+
+/// Column by column, as many rows as there are residuals.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Jacobian {
+    /// How many rows there are.
+    pub rows: usize,
+    /// How many columns there are.
+    pub columns: usize,
+    /// Entry (row, column) stands at `column * rows + row`.
+    pub values: Vec<f64>,
+}
+
+impl Jacobian {
+    /// All zeros.
+    pub fn new(rows: usize, columns: usize) -> Self {
+        Self { rows, columns, values: vec![0.0; rows * columns] }
+    }
+
+    /// A column.
+    pub fn column(&self, column: usize) -> &[f64] {
+        &self.values[column * self.rows..(column + 1) * self.rows]
+    }
+
+    /// A column, to be changed.
+    pub fn column_mut(&mut self, column: usize) -> &mut [f64] {
+        &mut self.values[column * self.rows..(column + 1) * self.rows]
+    }
+}
+
+/// The root of the sum of squares.
+pub(crate) fn norm(vector: &[f64]) -> f64 {
+    dot(vector, vector).sqrt()
+}
+
+/// The sum of products.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b)
+}
+
+/// What a least-squares step needs of A and r: with A = Q R and the singular value decomposition R = U S V^T,
+/// the singular values, V, and w = U^T Q^T r.
+#[derive(Clone, Debug)]
+pub(crate) struct Decomposition {
+    /// The number of columns of A.
+    pub size: usize,
+    /// The singular values, in no order.
+    pub singular: Vec<f64>,
+    /// V column by column: column k belongs to singular value k.
+    pub right: Vec<f64>,
+    /// The components of r along the left singular vectors.
+    pub along: Vec<f64>,
+}
+
+impl Decomposition {
+    /// Decomposes the columns `columns` of `jacobian`, each divided by its `scale`, with the residuals.
+    pub fn new(jacobian: &Jacobian, columns: &[usize], scale: &[f64], residuals: &[f64]) -> Self {
+        let size = columns.len();
+        let rows = jacobian.rows.max(size);
+        let mut tall = vec![0.0; rows * size];
+        for (place, &column) in columns.iter().enumerate() {
+            let to = &mut tall[place * rows..place * rows + jacobian.rows];
+            for (to, from) in to.iter_mut().zip(jacobian.column(column)) {
+                *to = from / scale[column];
+            }
+        }
+        let mut right_side = residuals.to_vec();
+        right_side.resize(rows, 0.0);
+        triangulate(&mut tall, rows, size, &mut right_side);
+        let mut triangle = vec![0.0; size * size];
+        for column in 0..size {
+            for row in 0..=column {
+                triangle[column * size + row] = tall[column * rows + row];
+            }
+        }
+        let (left, singular, right) = singular_values(triangle, size);
+        let along = (0..size).map(|k| dot(&left[k * size..(k + 1) * size], &right_side)).collect();
+        Self { size, singular, right, along }
+    }
+
+    /// The vector V (d_k w_k): `weight` gives d_k from the singular value.
+    pub fn combine(&self, weight: impl Fn(f64) -> f64) -> Vec<f64> {
+        let mut result = vec![0.0; self.size];
+        for k in 0..self.size {
+            let factor = weight(self.singular[k]) * self.along[k];
+            for (value, entry) in result.iter_mut().zip(&self.right[k * self.size..(k + 1) * self.size]) {
+                *value += factor * entry;
+            }
+        }
+        result
+    }
+
+    /// The greatest singular value.
+    pub fn greatest(&self) -> f64 {
+        self.singular.iter().fold(0.0, |greatest: f64, &value| greatest.max(value))
+    }
+}
+
+/// Householder's reflections turn `tall` into a triangle and are applied to `right_side` as well (Golub & Van Loan, Matrix
+/// Computations, section 5.2).
+fn triangulate(tall: &mut [f64], rows: usize, size: usize, right_side: &mut [f64]) {
+    for step in 0..size {
+        let (done, rest) = tall.split_at_mut((step + 1) * rows);
+        let mirror = &mut done[step * rows + step..];
+        let length = norm(mirror);
+        if length == 0.0 {
+            continue;
+        }
+        let diagonal = if mirror[0] > 0.0 { -length } else { length };
+        mirror[0] -= diagonal;
+        let half_square = -diagonal * mirror[0];
+        let reflect = |column: &mut [f64]| {
+            let factor = dot(mirror, column) / half_square;
+            for (value, mirror) in column.iter_mut().zip(mirror.iter()) {
+                *value -= factor * mirror;
+            }
+        };
+        for column in rest.chunks_mut(rows) {
+            reflect(&mut column[step..]);
+        }
+        reflect(&mut right_side[step..]);
+        mirror.fill(0.0);
+        mirror[0] = diagonal;
+    }
+}
+
+/// Left vectors, singular values and right vectors of a small square matrix by one-sided Jacobi rotations, which finds small
+/// singular values as exactly as large ones (Demmel & Veselic, SIAM J. Matrix Anal. Appl. 13 (1992) 1204).
+fn singular_values(mut work: Vec<f64>, size: usize) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+    let mut right = vec![0.0; size * size];
+    for k in 0..size {
+        right[k * size + k] = 1.0;
+    }
+    // Converges quadratically; so many sweeps are never needed.
+    for _ in 0..60 {
+        let mut rotated = false;
+        for low in 0..size {
+            for high in low + 1..size {
+                rotated |= rotate(&mut work, &mut right, size, low, high);
+            }
+        }
+        if !rotated {
+            break;
+        }
+    }
+    let mut singular = vec![0.0; size];
+    for k in 0..size {
+        let column = &mut work[k * size..(k + 1) * size];
+        singular[k] = norm(column);
+        if singular[k] > 0.0 {
+            column.iter_mut().for_each(|value| *value /= singular[k]);
+        }
+    }
+    (work, singular, right)
+}
+
+/// Makes two columns orthogonal; whether they were not.
+fn rotate(work: &mut [f64], right: &mut [f64], size: usize, low: usize, high: usize) -> bool {
+    let (a, b) = (&work[low * size..(low + 1) * size], &work[high * size..(high + 1) * size]);
+    let (aa, bb, ab) = (dot(a, a), dot(b, b), dot(a, b));
+    if ab == 0.0 || ab.abs() <= f64::EPSILON * aa.sqrt() * bb.sqrt() {
+        return false;
+    }
+    let ratio = (bb - aa) / (2.0 * ab);
+    let root = (1.0 + ratio * ratio).sqrt();
+    let tangent = if ratio >= 0.0 { 1.0 / (ratio + root) } else { 1.0 / (ratio - root) };
+    if !tangent.is_finite() || tangent == 0.0 {
+        return false;
+    }
+    let cosine = 1.0 / (1.0 + tangent * tangent).sqrt();
+    let sine = cosine * tangent;
+    for matrix in [work, right] {
+        for row in 0..size {
+            let (a, b) = (matrix[low * size + row], matrix[high * size + row]);
+            matrix[low * size + row] = cosine * a - sine * b;
+            matrix[high * size + row] = sine * a + cosine * b;
+        }
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Hilbert's matrix is famous for its small singular values; those of size 5 are known.
+    #[test]
+    fn singular_values_of_a_hilbert_matrix() {
+        let size = 5;
+        let mut jacobian = Jacobian::new(size, size);
+        for column in 0..size {
+            for row in 0..size {
+                jacobian.values[column * size + row] = 1.0 / (row + column + 1) as f64;
+            }
+        }
+        let columns: Vec<usize> = (0..size).collect();
+        let found = Decomposition::new(&jacobian, &columns, &[1.0; 5], &[1.0; 5]);
+        let mut singular = found.singular.clone();
+        singular.sort_by(f64::total_cmp);
+        // Eigenvalues of the Hilbert matrix of order 5, from its characteristic polynomial.
+        let known = [
+            3.287_928_772_171_85e-6,
+            3.058_980_401_511_46e-4,
+            1.140_749_162_341_98e-2,
+            0.208_534_218_611_013,
+            1.567_050_691_098_23,
+        ];
+        for (found, known) in singular.iter().zip(known) {
+            assert!((found - known).abs() < 1e-12 * known.max(1e-2), "{found} {known}");
+        }
+        // Its inverse applied to ones is known exactly: 5, -120, 630, -1120, 630.
+        let solution = found.combine(|value| 1.0 / value);
+        for (found, known) in solution.iter().zip([5.0, -120.0, 630.0, -1120.0, 630.0]) {
+            assert!((found - known).abs() < 1e-7 * known.abs(), "{found} {known}");
+        }
+    }
+
+    #[test]
+    fn a_dependent_column_has_a_vanishing_singular_value() {
+        let mut jacobian = Jacobian::new(4, 3);
+        jacobian.column_mut(0).copy_from_slice(&[1.0, 2.0, 3.0, 4.0]);
+        jacobian.column_mut(1).copy_from_slice(&[1.0, -1.0, 0.5, 2.0]);
+        for row in 0..4 {
+            let value = 2.0 * jacobian.column(0)[row] - jacobian.column(1)[row];
+            jacobian.column_mut(2)[row] = value;
+        }
+        let found = Decomposition::new(&jacobian, &[0, 1, 2], &[1.0; 3], &[0.0; 4]);
+        let least = found.singular.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(least < 1e-15 * found.greatest());
+    }
+}

@@ -1,0 +1,352 @@
+//! The residuals of a task: measured values beside the model's, weighted, with derivatives by every varied number.
+
+use super::curve::Curve;
+use super::linear::Jacobian;
+use super::search::Residuals;
+use super::task::{FitError, Record, Target, Task};
+use super::{MOST_VALUES, MOST_VARIED};
+use model::{Model, NodeId};
+
+/// One number of the search: a target, in one record or in all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Column {
+    /// Which of [`Task::varied`].
+    pub varied: usize,
+    /// What it is.
+    pub target: Target,
+    /// The record it belongs to; `None` if it is shared.
+    pub record: Option<usize>,
+}
+
+/// A measured value.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Point {
+    /// Its row among the times of the record.
+    pub row: usize,
+    /// Which observation of the record.
+    pub observation: usize,
+    /// The value.
+    pub value: f64,
+    /// What its residual is multiplied by.
+    pub weight: f64,
+    /// How much of an independent value it is: 1/m if m columns tell the same.
+    pub share: f64,
+}
+
+/// The points of one record, ordered by time.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Plan {
+    /// The clock's readings, ascending, each once.
+    pub times: Vec<f64>,
+    /// Ordered by row, then by observation.
+    pub points: Vec<Point>,
+    /// For each observation of the record: where among the curve's expressions it is.
+    pub expressions: Vec<usize>,
+    /// The clock's reading at the model's 0, where it is not varied.
+    pub origin: f64,
+}
+
+/// A task made ready.
+#[derive(Clone, Debug)]
+pub(crate) struct Problem {
+    /// The model's curve.
+    pub curve: Curve,
+    /// The task.
+    pub task: Task,
+    /// The numbers of the search.
+    pub columns: Vec<Column>,
+    /// What is fitted, by record.
+    pub plans: Vec<Plan>,
+    /// Model times are computed here.
+    clock: Vec<f64>,
+}
+
+impl Problem {
+    /// Checks a task and makes it ready.
+    pub fn new(model: &Model, task: Task) -> Result<Self, FitError> {
+        if task.varied.is_empty() {
+            return Err(FitError::NothingVaried);
+        }
+        for (place, varied) in task.varied.iter().enumerate() {
+            let fixed =
+                |record: &Record| record.fixed.iter().any(|(index, _)| varied.target == Target::Parameter(*index));
+            if task.varied[..place].iter().any(|other| other.target == varied.target) || task.records.iter().any(fixed)
+            {
+                return Err(FitError::VariedTwice(place));
+            }
+            if varied.bounds.is_some_and(|(low, high)| low.is_nan() || high.is_nan() || low >= high) {
+                return Err(FitError::BadBounds(place));
+            }
+        }
+        let mut expressions: Vec<NodeId> = Vec::new();
+        let mut values = 0;
+        for observation in task.records.iter().flat_map(|record| &record.observations) {
+            if !expressions.contains(&observation.observed.node) {
+                expressions.push(observation.observed.node);
+            }
+            values += observation.values.len();
+        }
+        if values > MOST_VALUES || task.varied.len() > MOST_VARIED {
+            return Err(FitError::TooLarge);
+        }
+        let targets: Vec<Target> = task.varied.iter().map(|varied| varied.target).collect();
+        let duration = task.records.iter().map(duration).fold(0.0, f64::max);
+        let curve = Curve::new(model, &expressions, &targets, &task.parameters, (task.method, duration))
+            .map_err(FitError::Model)?;
+        let mut problem = Self { curve, columns: columns(&task), plans: Vec::new(), clock: Vec::new(), task };
+        problem.plans = problem.plan(&expressions, problem.task.from, problem.task.until, &[]);
+        problem.check(values)?;
+        Ok(problem)
+    }
+
+    fn check(&self, values: usize) -> Result<(), FitError> {
+        let points: usize = self.plans.iter().map(|plan| plan.points.len()).sum();
+        if points == 0 {
+            return Err(FitError::NothingObserved);
+        }
+        let independent = self.independent_values();
+        if values > MOST_VALUES || self.columns.len() > MOST_VARIED {
+            return Err(FitError::TooLarge);
+        }
+        if (self.columns.len() as f64) > independent {
+            return Err(FitError::TooFew { values: independent as usize, varied: self.columns.len() });
+        }
+        Ok(())
+    }
+
+    /// How many values are fitted that no other one repeats.
+    pub fn independent_values(&self) -> f64 {
+        let shares = self.plans.iter().flat_map(|plan| &plan.points).map(|point| point.share);
+        shares.sum::<f64>().round()
+    }
+
+    /// The points between two times, all of them where these are not given; `weights` by record and observation, 1 where
+    /// they are not given.
+    pub fn plan(
+        &self,
+        expressions: &[NodeId],
+        from: Option<f64>,
+        until: Option<f64>,
+        weights: &[Vec<f64>],
+    ) -> Vec<Plan> {
+        let varies_origin = self.columns.iter().any(|column| column.target == Target::Origin);
+        let autonomous = self.curve.is_autonomous();
+        let inside = |time: f64| from.is_none_or(|from| time >= from) && until.is_none_or(|until| time <= until);
+        let mut plans = Vec::with_capacity(self.task.records.len());
+        for (number, record) in self.task.records.iter().enumerate() {
+            let mut plan = Plan::default();
+            let first = record
+                .observations
+                .iter()
+                .flat_map(|observation| &observation.times)
+                .copied()
+                .filter(|time| time.is_finite())
+                .fold(f64::INFINITY, f64::min);
+            plan.origin = match self.task.origin {
+                Some(origin) => origin,
+                None if autonomous && first.is_finite() => first,
+                None => 0.0,
+            };
+            let earliest = if self.curve.has_states() && !varies_origin { plan.origin } else { f64::NEG_INFINITY };
+            let usable = |time: f64| time.is_finite() && time >= earliest && inside(time);
+            plan.times = record
+                .observations
+                .iter()
+                .flat_map(|observation| observation.times.iter().zip(&observation.values))
+                .filter(|(time, value)| value.is_finite() && usable(**time))
+                .map(|(time, _)| *time)
+                .collect();
+            plan.times.sort_unstable_by(f64::total_cmp);
+            plan.times.dedup();
+            for (index, observation) in record.observations.iter().enumerate() {
+                let node = observation.observed.node;
+                plan.expressions.push(expressions.iter().position(|known| *known == node).unwrap_or(0));
+                let root = witness(record, index);
+                let alike = (0..record.observations.len()).filter(|&other| witness(record, other) == root).count();
+                let share = 1.0 / alike as f64;
+                let weight = weights.get(number).and_then(|weights| weights.get(index)).copied().unwrap_or(1.0);
+                for (place, (&time, &value)) in observation.times.iter().zip(&observation.values).enumerate() {
+                    if !(value.is_finite() && usable(time)) {
+                        continue;
+                    }
+                    let weight = match observation.errors.as_ref().and_then(|errors| errors.get(place)) {
+                        Some(&error) if error > 0.0 => 1.0 / error,
+                        Some(_) => continue,
+                        None => weight,
+                    };
+                    let row = plan.times.partition_point(|known| *known < time);
+                    let weight = weight * share.sqrt();
+                    plan.points.push(Point { row, observation: index, value, weight, share });
+                }
+            }
+            plan.points.sort_by_key(|point| (point.row, point.observation));
+            plans.push(plan);
+        }
+        plans
+    }
+
+    /// The expressions that the curve gives, by their nodes.
+    pub fn expressions(&self) -> Vec<NodeId> {
+        let mut expressions: Vec<NodeId> = Vec::new();
+        for observation in self.task.records.iter().flat_map(|record| &record.observations) {
+            if !expressions.contains(&observation.observed.node) {
+                expressions.push(observation.observed.node);
+            }
+        }
+        expressions
+    }
+
+    /// All parameters of the model in a record, with the varied ones from `x`.
+    pub fn parameters(&self, record: usize, x: &[f64]) -> Vec<f64> {
+        let mut parameters = self.task.parameters.clone();
+        for &(index, value) in &self.task.records[record].fixed {
+            if let Some(parameter) = parameters.get_mut(index) {
+                *parameter = value;
+            }
+        }
+        for (column, &value) in self.columns.iter().zip(x) {
+            if let Target::Parameter(index) = column.target
+                && column.record.is_none_or(|own| own == record)
+                && let Some(parameter) = parameters.get_mut(index)
+            {
+                *parameter = value;
+            }
+        }
+        parameters
+    }
+
+    /// Where the search begins: the given starts, else the parameters' own values, 0 for offsets.
+    pub fn own_start(&self) -> Vec<f64> {
+        self.columns
+            .iter()
+            .map(|column| match (self.task.varied[column.varied].start, column.target) {
+                (Some(start), _) => start,
+                (None, Target::Parameter(index)) => self.task.parameters.get(index).copied().unwrap_or(0.0),
+                (None, Target::Origin) => self.plans.get(column.record.unwrap_or(0)).map_or(0.0, |plan| plan.origin),
+                (None, Target::Offset(_)) => 0.0,
+            })
+            .collect()
+    }
+
+    /// The residuals of all points of `plans`, model minus measured, times weight, with their derivatives.
+    pub fn residuals(&mut self, plans: &[Plan], x: &[f64], residuals: &mut [f64], jacobian: &mut Jacobian) -> bool {
+        jacobian.values.fill(0.0);
+        let mut base = 0;
+        for (record, plan) in plans.iter().enumerate() {
+            if !self.record_residuals(record, plan, x, base, residuals, jacobian) {
+                return false;
+            }
+            base += plan.points.len();
+        }
+        residuals.iter().all(|value| value.is_finite())
+    }
+
+    /// Those of one record, from row `base` on.
+    pub fn record_residuals(
+        &mut self,
+        record: usize,
+        plan: &Plan,
+        x: &[f64],
+        base: usize,
+        residuals: &mut [f64],
+        jacobian: &mut Jacobian,
+    ) -> bool {
+        let stride = self.curve.stride();
+        let parameters = self.parameters(record, x);
+        let origin = self.origin(record, plan, x);
+        // Where the origin is varied, nothing has moved before it.
+        let earliest = if self.curve.has_states() { 0.0 } else { f64::NEG_INFINITY };
+        self.clock.clear();
+        self.clock.extend(plan.times.iter().map(|time| (time - origin).max(earliest)));
+        let columns = &self.columns;
+        let rows = jacobian.rows;
+        let mut next = 0;
+        self.curve.follow(&parameters, &self.clock, |row, values| {
+            while let Some(point) = plan.points.get(next).filter(|point| point.row == row) {
+                let at = base + next;
+                let values = &values[plan.expressions[point.observation] * stride..][..stride];
+                let mut predicted = values[0];
+                let mut parameter = 0;
+                for (number, column) in columns.iter().enumerate() {
+                    let own = column.record.is_none_or(|own| own == record);
+                    let slope = match column.target {
+                        Target::Parameter(_) => {
+                            // Columns of one target in several records stand together.
+                            let slope = values[1 + parameter];
+                            let last = columns.get(number + 1).is_none_or(|next| next.varied != column.varied);
+                            parameter += usize::from(last);
+                            slope
+                        }
+                        Target::Origin => -values[stride - 1],
+                        Target::Offset(observation) if observation == point.observation => {
+                            predicted += if own { x[number] } else { 0.0 };
+                            1.0
+                        }
+                        Target::Offset(_) => 0.0,
+                    };
+                    if own {
+                        jacobian.values[number * rows + at] = point.weight * slope;
+                    }
+                }
+                residuals[at] = point.weight * (predicted - point.value);
+                next += 1;
+            }
+        })
+    }
+
+    /// The clock's reading at the model's 0.
+    pub fn origin(&self, record: usize, plan: &Plan, x: &[f64]) -> f64 {
+        let varied = self
+            .columns
+            .iter()
+            .zip(x)
+            .find(|(column, _)| column.target == Target::Origin && column.record.is_none_or(|own| own == record));
+        varied.map_or(plan.origin, |(_, value)| *value)
+    }
+}
+
+/// The observation in the end of the chain of those from which each is computed.
+pub(crate) fn witness(record: &Record, mut index: usize) -> usize {
+    // A chain that leads in a circle ends somewhere.
+    for _ in 0..record.observations.len() {
+        match record.observations[index].derived_from {
+            Some(source) if source < record.observations.len() && source != index => index = source,
+            _ => break,
+        }
+    }
+    index
+}
+
+fn columns(task: &Task) -> Vec<Column> {
+    let mut columns = Vec::new();
+    for (varied, wanted) in task.varied.iter().enumerate() {
+        let target = wanted.target;
+        if wanted.shared || task.records.len() <= 1 {
+            columns.push(Column { varied, target, record: None });
+        } else {
+            columns.extend((0..task.records.len()).map(|record| Column { varied, target, record: Some(record) }));
+        }
+    }
+    columns
+}
+
+fn duration(record: &Record) -> f64 {
+    let times = record.observations.iter().flat_map(|observation| &observation.times).filter(|time| time.is_finite());
+    let (low, high) =
+        times.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &time| (low.min(time), high.max(time)));
+    if low < high { high - low } else { 0.0 }
+}
+
+/// The part of a problem that a search works on.
+pub(crate) struct Window<'a> {
+    /// The problem.
+    pub problem: &'a mut Problem,
+    /// What is fitted.
+    pub plans: &'a [Plan],
+}
+
+impl Residuals for Window<'_> {
+    fn evaluate(&mut self, x: &[f64], residuals: &mut [f64], jacobian: &mut Jacobian) -> bool {
+        self.problem.residuals(self.plans, x, residuals, jacobian)
+    }
+}

@@ -1,0 +1,107 @@
+//! What residuals say by themselves: autocorrelation, runs of equal sign.
+
+/// The statistic of Durbin & Watson (Biometrika 37 (1950) 409): about 2 for residuals that know nothing of each other, near
+/// 0 where each is like the one before. `series` are stretches without gaps.
+pub fn durbin_watson(series: &[&[f64]]) -> f64 {
+    let (mut differences, mut squares) = (0.0, 0.0);
+    for residuals in series {
+        squares += residuals.iter().fold(0.0, |sum, value| sum + value * value);
+        differences += residuals.windows(2).fold(0.0, |sum, pair| sum + (pair[1] - pair[0]) * (pair[1] - pair[0]));
+    }
+    if squares > 0.0 { differences / squares } else { 2.0 }
+}
+
+/// The correlation of each residual with the one before.
+pub fn autocorrelation(series: &[&[f64]]) -> f64 {
+    let (mut products, mut squares) = (0.0, 0.0);
+    for residuals in series {
+        squares += residuals.iter().fold(0.0, |sum, value| sum + value * value);
+        products += residuals.windows(2).fold(0.0, |sum, pair| sum + pair[1] * pair[0]);
+    }
+    if squares > 0.0 { products / squares } else { 0.0 }
+}
+
+/// The runs test of Wald & Wolfowitz (Ann. Math. Statist. 11 (1940) 147) on the signs of residuals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunsTest {
+    /// How many runs of equal sign there are.
+    pub runs: usize,
+    /// How many there would be by chance.
+    pub expected: f64,
+    /// The difference in standard deviations; negative where there are too few.
+    pub z: f64,
+    /// The probability of a difference at least as large by chance.
+    pub p: f64,
+}
+
+/// Counts the runs in one series after the other; `None` with fewer than ten residuals or all of one sign.
+pub fn runs_test(series: &[&[f64]]) -> Option<RunsTest> {
+    let (mut runs, mut positive, mut negative) = (0_usize, 0.0, 0.0);
+    for residuals in series {
+        let mut last = None;
+        for &value in residuals.iter().filter(|value| **value != 0.0) {
+            let sign = value > 0.0;
+            if last != Some(sign) {
+                runs += 1;
+                last = Some(sign);
+            }
+            if sign {
+                positive += 1.0;
+            } else {
+                negative += 1.0;
+            }
+        }
+    }
+    let count: f64 = positive + negative;
+    if count < 10.0 || positive == 0.0 || negative == 0.0 {
+        return None;
+    }
+    let twice = 2.0 * positive * negative;
+    let expected = twice / count + 1.0;
+    let variance = twice * (twice - count) / (count * count * (count - 1.0));
+    if variance <= 0.0 {
+        return None;
+    }
+    let z = (runs as f64 - expected) / variance.sqrt();
+    Some(RunsTest { runs, expected, z, p: libm::erfc(z.abs() / std::f64::consts::SQRT_2) })
+}
+
+/// How many lags of the products of scores are counted, for a series of `count` scores by each parameter: Andrews'
+/// choice for the kernel of Bartlett, from the autocorrelation of order one (Econometrica 59 (1991) 817, eq. 6.2 and 6.4).
+pub(crate) fn lags(scores: &[Vec<f64>], count: usize) -> usize {
+    let (mut numerator, mut denominator) = (0.0, 0.0);
+    for series in scores {
+        // Beyond this the formula has no meaning any more.
+        let rho = autocorrelation(&[series]).clamp(-0.97, 0.97);
+        let (minus, plus) = (1.0 - rho, 1.0 + rho);
+        let minus_4 = minus * minus * minus * minus;
+        numerator += 4.0 * rho * rho / (minus_4 * minus * minus * plus * plus);
+        denominator += 1.0 / minus_4;
+    }
+    if denominator == 0.0 || count < 4 {
+        return 0;
+    }
+    let lags = 1.1447 * libm::cbrt(numerator / denominator * count as f64);
+    (lags as usize).min(count / 3)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn residuals_that_alternate_and_that_cling() {
+        let alternate = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
+        let cling = [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0];
+        assert_eq!(durbin_watson(&[&alternate]), 44.0 / 12.0);
+        assert_eq!(durbin_watson(&[&cling]), 4.0 / 12.0);
+        assert_eq!(autocorrelation(&[&cling]), 9.0 / 12.0);
+        let test = runs_test(&[&cling]).unwrap();
+        // 6 of each sign: 7 runs expected, variance 30/11.
+        assert_eq!((test.runs, test.expected), (2, 7.0));
+        assert!((test.z + 5.0 / libm::sqrt(30.0 / 11.0)).abs() < 1e-12);
+        assert!((test.p - 0.002_463).abs() < 1e-5);
+        assert!(runs_test(&[&alternate]).unwrap().z > 2.9);
+        assert_eq!(runs_test(&[&cling[..6]]), None);
+    }
+}

@@ -1,0 +1,129 @@
+//! What is to be fitted. All numbers are SI.
+
+use engine::Method;
+use model::Compiled;
+
+/// One measured column, bound to what it is a measurement of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observation {
+    /// What it is called, `y'`.
+    pub name: String,
+    /// What is observed: an expression of the model.
+    pub observed: Compiled,
+    /// The independent variable.
+    pub times: Vec<f64>,
+    /// The measured values; NaN for a gap.
+    pub values: Vec<f64>,
+    /// The standard error of each value, where it is known.
+    pub errors: Option<Vec<f64>>,
+    /// Which observation of the same record this one was computed from (a velocity by finite differences): it is no second
+    /// witness.
+    pub derived_from: Option<usize>,
+}
+
+/// One run of the experiment.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Record {
+    /// What it is called: its file's name.
+    pub name: String,
+    /// What was measured.
+    pub observations: Vec<Observation>,
+    /// Parameters that have a value of their own in this run: which of the model's, and the value.
+    pub fixed: Vec<(usize, f64)>,
+}
+
+/// What a varied number is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// A parameter of the model.
+    Parameter(usize),
+    /// The reading of the clock at which the model's independent variable is 0.
+    Origin,
+    /// The zero of a scale: what is added to the model's value of the observation of this number (in each record) before
+    /// it is compared.
+    Offset(usize),
+}
+
+/// A number to be varied.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Varied {
+    /// What it is.
+    pub target: Target,
+    /// One value for all records, instead of one for each.
+    pub shared: bool,
+    /// Where to begin; without it the parameter's own value, and 0 for an offset.
+    pub start: Option<f64>,
+    /// Least and greatest value; without them the parameter's own range, if it has one.
+    pub bounds: Option<(f64, f64)>,
+}
+
+impl Varied {
+    /// A parameter of the model, from its own value within its own range; in several records each with its own value.
+    pub fn parameter(index: usize) -> Self {
+        Self { target: Target::Parameter(index), shared: false, start: None, bounds: None }
+    }
+}
+
+/// What is to be fitted.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Task {
+    /// The values of all the model's parameters where they are not varied.
+    pub parameters: Vec<f64>,
+    /// The document's method; equations of motion are integrated to 1e-9 with a method for stiff equations if it is one, and
+    /// with Dormand and Prince's otherwise.
+    pub method: Method,
+    /// The measurements.
+    pub records: Vec<Record>,
+    /// What is varied.
+    pub varied: Vec<Varied>,
+    /// The reading of the clock at which the model's independent variable is 0, where it is not varied. Without it: the
+    /// first row of a record for equations of motion in which the independent variable does not occur, so that initial
+    /// values hold there; otherwise 0.
+    pub origin: Option<f64>,
+    /// The fitted part begins here.
+    pub from: Option<f64>,
+    /// The fitted part ends here.
+    pub until: Option<f64>,
+}
+
+/// Why a fit cannot be made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FitError {
+    /// Nothing is to be varied.
+    NothingVaried,
+    /// Nothing was observed, or no value of it lies in the fitted part.
+    NothingObserved,
+    /// Fewer independent values than varied numbers: how many there are of each.
+    TooFew {
+        /// Values.
+        values: usize,
+        /// Varied numbers.
+        varied: usize,
+    },
+    /// The same number is varied twice, or one is both varied and fixed: its place in [`Task::varied`].
+    VariedTwice(usize),
+    /// Bounds without room between them: the place in [`Task::varied`].
+    BadBounds(usize),
+    /// More than [`super::MOST_VARIED`] numbers or [`super::MOST_VALUES`] values.
+    TooLarge,
+    /// The model with its sensitivities is too large, or its method cannot treat it.
+    Model(String),
+}
+
+impl std::fmt::Display for FitError {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            Self::NothingVaried => f.write_str("nothing is varied"),
+            Self::NothingObserved => f.write_str("there is no measured value in the fitted part"),
+            Self::TooFew { values, varied } => {
+                write!(f, "{values} values cannot determine {varied} numbers")
+            }
+            Self::VariedTwice(_) => f.write_str("a number is varied twice, or varied and fixed"),
+            Self::BadBounds(_) => f.write_str("the lower bound is not below the upper one"),
+            Self::TooLarge => f.write_str("there are too many values or too many varied numbers"),
+            Self::Model(message) => f.write_str(message),
+        }
+    }
+}
+
+impl std::error::Error for FitError {}

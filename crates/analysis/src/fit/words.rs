@@ -1,0 +1,71 @@
+//! What a fit says, in words.
+
+use super::identify::Undetermined;
+use super::outcome::{Outcome, Verdict};
+
+impl Outcome {
+    /// What the residuals say of the model, in one or two sentences.
+    pub fn verdict_text(&self, spanish: bool) -> String {
+        let text = match (self.verdict(), spanish) {
+            (Verdict::Compatible, false) => "The residuals look like chance: the model is compatible with the data.",
+            (Verdict::Compatible, true) => "Los residuos parecen azar: el modelo es compatible con los datos.",
+            (Verdict::TooLarge, false) => {
+                "The residuals look like chance, but they are larger than the given errors: these are too small, or the \
+                 model misses something."
+            }
+            (Verdict::TooLarge, true) => {
+                "Los residuos parecen azar, pero son mayores que los errores dados: estos son demasiado pequeños o al modelo \
+                 le falta algo."
+            }
+            (Verdict::TooSmall, false) => {
+                "The residuals look like chance, but they are smaller than the given errors: these are too large."
+            }
+            (Verdict::TooSmall, true) => {
+                "Los residuos parecen azar, pero son menores que los errores dados: estos son demasiado grandes."
+            }
+            (Verdict::Structured, false) => {
+                "The residuals are not chance: neighbouring ones resemble each other. The model, or the measurement, misses \
+                 something, and only the robust errors mean anything."
+            }
+            (Verdict::Structured, true) => {
+                "Los residuos no son azar: los vecinos se parecen. Al modelo, o a la medición, le falta algo, y solo los \
+                 errores robustos significan algo."
+            }
+            (Verdict::Unknown, false) => "There are too few values to judge the residuals.",
+            (Verdict::Unknown, true) => "Hay muy pocos valores para juzgar los residuos.",
+        };
+        text.to_owned()
+    }
+}
+
+impl Undetermined {
+    /// What cannot be determined, in a sentence.
+    pub fn text(&self, spanish: bool) -> String {
+        let names = join(&self.names, if spanish { " y " } else { " and " });
+        match (&self.combination, self.names.len(), spanish) {
+            (_, 1, false) => format!("The data do not determine {names}: the curve does not change with it."),
+            (_, 1, true) => format!("Los datos no determinan {names}: la curva no cambia con ese parámetro."),
+            (Some(combination), _, false) => {
+                format!("The data determine only {combination}, not {names} each by itself; fix one of them.")
+            }
+            (Some(combination), _, true) => {
+                format!("Los datos solo determinan {combination}, no {names} por separado; fije uno de ellos.")
+            }
+            (None, _, false) => {
+                format!("The data determine only combinations of {names}, not each by itself; fix some of them.")
+            }
+            (None, _, true) => {
+                format!("Los datos solo determinan combinaciones de {names}, no cada uno por separado; fije alguno.")
+            }
+        }
+    }
+}
+
+/// `a, b and c`
+fn join(names: &[String], last: &str) -> String {
+    match names.split_last() {
+        Some((end, [])) => end.clone(),
+        Some((end, rest)) => format!("{}{last}{end}", rest.join(", ")),
+        None => String::new(),
+    }
+}

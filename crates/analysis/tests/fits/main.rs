@@ -1,0 +1,7 @@
+//! Fits of models to data with known results.
+#![allow(clippy::unwrap_used, reason = "a test fails by it")]
+
+#[path = "../support/mod.rs"]
+mod noise;
+mod support;
+mod utube;

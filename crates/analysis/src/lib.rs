@@ -2,6 +2,10 @@
 //! with honest uncertainties, and the ranking of models.
 
 pub mod cycles;
+pub mod finding;
 pub mod fit;
+pub mod import;
+pub mod sampling;
+pub mod stencil;
 pub mod table;
 pub mod virtual_record;

@@ -5,3 +5,4 @@ mod estimate;
 mod lobes;
 
 pub use estimate::{Estimate, estimate};
+pub(crate) use lobes::median;

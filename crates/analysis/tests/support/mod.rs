@@ -1,6 +1,7 @@
 //! Noise from a seed, and the measured records outside the project.
 
 #![allow(dead_code, reason = "each test file uses its part")]
+#![allow(clippy::expect_used, reason = "a test that cannot go on has failed")]
 
 use std::path::Path;
 

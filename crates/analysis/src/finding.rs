@@ -1,0 +1,221 @@
+//! What was noticed about a file, and what its measurement hides, in words.
+
+use crate::sampling::Gap;
+use crate::stencil::Stencil;
+
+/// Something a person should know about their data. Lines and rows count from 1; times are in seconds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Finding {
+    /// A word stands where a number should; the cell became a gap.
+    Word {
+        /// The line of the file.
+        line: usize,
+        /// The column, by its label.
+        column: String,
+        /// What stands there.
+        text: String,
+    },
+    /// So many more words, which are not listed.
+    MoreWords(usize),
+    /// Lines of words between the rows; they were passed over.
+    WordLines {
+        /// The first of them.
+        line: usize,
+        /// How many.
+        count: usize,
+    },
+    /// A column of words was left out.
+    WordColumn(String),
+    /// A column has a name but no number.
+    EmptyColumn(String),
+    /// Rows with more cells than a table of this size can have columns; what was beyond was left out.
+    ExtraCells {
+        /// The first of them.
+        line: usize,
+        /// How many rows.
+        count: usize,
+    },
+    /// What stands in the brackets of a header is no unit.
+    UnknownUnit {
+        /// The column.
+        column: String,
+        /// What stands there.
+        unit: String,
+    },
+    /// Frames are missing.
+    Missing(Vec<Gap>),
+    /// Rows with the time of the row before.
+    Doubled {
+        /// The first such time.
+        time: f64,
+        /// How many.
+        count: usize,
+    },
+    /// Rows that are earlier than the row before.
+    Backwards {
+        /// The first such time.
+        time: f64,
+        /// How many.
+        count: usize,
+    },
+    /// The distances of the rows vary by this part of their mean (standard deviation).
+    Uneven(f64),
+    /// Every time is rounded to this.
+    RoundedTimes(f64),
+    /// The time step itself was rounded, and the error adds up.
+    RoundedStep {
+        /// The step of the file.
+        interval: f64,
+        /// Frames a second.
+        rate: f64,
+    },
+    /// A column was computed from another one by finite differences.
+    Derived {
+        /// The column.
+        column: String,
+        /// What it was computed from.
+        of: String,
+        /// How.
+        stencil: Stencil,
+        /// The factor by which it is too small at the frequency of this record, if that is known.
+        attenuation: Option<f64>,
+    },
+}
+
+impl Finding {
+    /// It in a sentence or two, in English or Spanish.
+    pub fn text(&self, spanish: bool) -> String {
+        let number = |value: f64| decimal(value, 6, spanish);
+        let say = |english: String, other: String| if spanish { other } else { english };
+        match self {
+            Self::Word { line, column, text } => say(
+                format!("line {line}, column {column}: `{text}` is not a number and became a gap"),
+                format!("línea {line}, columna {column}: «{text}» no es un número y quedó como hueco"),
+            ),
+            Self::MoreWords(count) => say(
+                format!("{count} more cells are not numbers and became gaps"),
+                format!("otras {count} celdas no son números y quedaron como huecos"),
+            ),
+            Self::WordLines { line, count: 1 } => say(
+                format!("line {line} has no number and was passed over"),
+                format!("la línea {line} no tiene números y se pasó por alto"),
+            ),
+            Self::WordLines { line, count } => say(
+                format!("{count} lines have no number and were passed over; the first is line {line}"),
+                format!("{count} líneas no tienen números y se pasaron por alto; la primera es la {line}"),
+            ),
+            Self::WordColumn(column) => say(
+                format!("column {column} holds words and was left out"),
+                format!("la columna {column} contiene palabras y se dejó fuera"),
+            ),
+            Self::EmptyColumn(column) => {
+                say(format!("column {column} is empty"), format!("la columna {column} está vacía"))
+            }
+            Self::ExtraCells { line, count } => say(
+                format!(
+                    "{count} rows are longer than the others, the first in line {line}; the cells beyond were left out"
+                ),
+                format!(
+                    "{count} filas son más largas que las otras, la primera en la línea {line}; lo que sobra se dejó fuera"
+                ),
+            ),
+            Self::UnknownUnit { column, unit } => say(
+                format!("`{unit}`, the unit of {column}, is not known; its numbers are taken as they are"),
+                format!("«{unit}», la unidad de {column}, no se conoce; sus números se toman tal cual"),
+            ),
+            Self::Missing(gaps) => missing(gaps, spanish),
+            Self::Doubled { time, count: 1 } => say(
+                format!("the time {} s stands twice", number(*time)),
+                format!("el tiempo {} s está repetido", number(*time)),
+            ),
+            Self::Doubled { time, count } => say(
+                format!("{count} rows repeat the time of the row before, the first at {} s", number(*time)),
+                format!("{count} filas repiten el tiempo de la anterior, la primera en {} s", number(*time)),
+            ),
+            Self::Backwards { time, count } => say(
+                format!("the time runs backwards {count}×, first to {} s", number(*time)),
+                format!("el tiempo retrocede {count}×, primero a {} s", number(*time)),
+            ),
+            Self::Uneven(jitter) => say(
+                format!(
+                    "the rows are unevenly spaced: their distances vary by {} %",
+                    decimal(100.0 * jitter, 2, spanish)
+                ),
+                format!(
+                    "las filas no están equiespaciadas: sus distancias varían un {} %",
+                    decimal(100.0 * jitter, 2, spanish)
+                ),
+            ),
+            Self::RoundedTimes(unit) => say(
+                format!("the times are rounded to {} s", number(*unit)),
+                format!("los tiempos están redondeados a {} s", number(*unit)),
+            ),
+            Self::RoundedStep { interval, rate } => rounded_step(*interval, *rate, spanish),
+            Self::Derived { column, of, stencil, attenuation } => {
+                let formula = stencil.formula(of);
+                let made = say(
+                    format!("{column} was computed from {of}, {formula}, and is no second witness"),
+                    format!("{column} se calculó a partir de {of}, {formula}, y no aporta un testimonio independiente"),
+                );
+                let Some(factor) = attenuation else { return made };
+                let percent = decimal(100.0 * (1.0 - factor), 2, spanish);
+                made + &say(
+                    format!("; at the frequency of this record that makes it too small by {percent} %"),
+                    format!("; a la frecuencia de este registro resulta un {percent} % demasiado pequeña"),
+                )
+            }
+        }
+    }
+}
+
+fn missing(gaps: &[Gap], spanish: bool) -> String {
+    let count: u64 = gaps.iter().map(|gap| gap.last - gap.first + 1).sum();
+    let mut text = match (count, spanish) {
+        (1, false) => "1 frame is missing: ".to_owned(),
+        (1, true) => "falta 1 fotograma: ".to_owned(),
+        (_, false) => format!("{count} frames are missing: "),
+        (_, true) => format!("faltan {count} fotogramas: "),
+    };
+    const SHOWN: usize = 5;
+    for (index, gap) in gaps.iter().take(SHOWN).enumerate() {
+        let (after, before) = (decimal(gap.after, 6, spanish), decimal(gap.before, 6, spanish));
+        text.push_str(if index > 0 { "; " } else { "" });
+        text.push_str(&match (gap.first == gap.last, spanish) {
+            (true, false) => format!("number {} (between {after} s and {before} s)", gap.first),
+            (true, true) => format!("el {} (entre {after} s y {before} s)", gap.first),
+            (false, false) => format!("{} to {} (between {after} s and {before} s)", gap.first, gap.last),
+            (false, true) => format!("del {} al {} (entre {after} s y {before} s)", gap.first, gap.last),
+        });
+    }
+    if gaps.len() > SHOWN {
+        text.push_str(if spanish { "; y otros" } else { "; and others" });
+    }
+    text
+}
+
+fn rounded_step(interval: f64, rate: f64, spanish: bool) -> String {
+    let error = interval * rate - 1.0;
+    let percent = decimal(100.0 * error.abs(), 2, spanish);
+    let (step, rate) = (decimal(interval, 9, spanish), decimal(rate, 5, spanish));
+    match (error < 0.0, spanish) {
+        (true, false) => format!(
+            "the time step {step} s looks like 1/{rate} s rounded: times are too short by {percent} %, frequencies too high"
+        ),
+        (false, false) => format!(
+            "the time step {step} s looks like 1/{rate} s rounded: times are too long by {percent} %, frequencies too low"
+        ),
+        (true, true) => format!(
+            "el paso de tiempo {step} s parece 1/{rate} s redondeado: los tiempos son un {percent} % demasiado cortos y las frecuencias demasiado altas"
+        ),
+        (false, true) => format!(
+            "el paso de tiempo {step} s parece 1/{rate} s redondeado: los tiempos son un {percent} % demasiado largos y las frecuencias demasiado bajas"
+        ),
+    }
+}
+
+/// A number with so many significant digits, without superfluous zeros.
+fn decimal(value: f64, digits: usize, comma: bool) -> String {
+    let rounded: f64 = format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value);
+    let text = rounded.to_string();
+    if comma { text.replace('.', ",") } else { text }
+}

@@ -1,0 +1,120 @@
+//! The cells of a line.
+
+/// What stands between two cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Delimiter {
+    /// One tab.
+    Tab,
+    /// One semicolon.
+    Semicolon,
+    /// One comma.
+    Comma,
+    /// A comma with a blank behind it, where a comma without one is the decimal sign.
+    CommaAndBlank,
+    /// Any number of blanks and tabs.
+    Blanks,
+    /// Exactly one blank: two of them enclose an empty cell.
+    Blank,
+    /// One of this ASCII character.
+    Other(u8),
+}
+
+impl Delimiter {
+    /// The one byte that it is, if it is one.
+    pub(super) fn byte(self) -> Option<u8> {
+        match self {
+            Self::Tab => Some(b'\t'),
+            Self::Semicolon => Some(b';'),
+            Self::Comma => Some(b','),
+            Self::Blank => Some(b' '),
+            Self::Other(byte) => Some(byte),
+            Self::CommaAndBlank | Self::Blanks => None,
+        }
+    }
+}
+
+/// The cells of a line from left to right, without the blanks and quotation marks around them.
+#[derive(Clone, Debug)]
+pub(super) struct Cells<'a> {
+    rest: Option<&'a str>,
+    delimiter: Delimiter,
+}
+
+impl<'a> Cells<'a> {
+    pub fn of(line: &'a str, delimiter: Delimiter) -> Self {
+        let line = if delimiter == Delimiter::Blanks { line.trim() } else { line };
+        let nothing = delimiter == Delimiter::Blanks && line.is_empty();
+        Self { rest: (!nothing).then_some(line), delimiter }
+    }
+
+    /// Where the delimiter that ends the first cell of `text` begins and ends.
+    fn delimiter_in(&self, text: &str) -> Option<(usize, usize)> {
+        match self.delimiter {
+            Delimiter::Blanks => {
+                let start = text.find([' ', '\t'])?;
+                let blanks = text[start..].bytes().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
+                Some((start, start + blanks))
+            }
+            Delimiter::CommaAndBlank => {
+                let start = text.find(", ").or_else(|| text.ends_with(',').then(|| text.len() - 1))?;
+                Some((start, (start + 2).min(text.len())))
+            }
+            _ => {
+                let start = text.find(char::from(self.delimiter.byte()?))?;
+                Some((start, start + 1))
+            }
+        }
+    }
+}
+
+impl<'a> Iterator for Cells<'a> {
+    type Item = &'a str;
+
+    fn next(&mut self) -> Option<&'a str> {
+        let text = self.rest?;
+        // A delimiter between quotation marks is none.
+        let blanks = if self.delimiter == Delimiter::Tab {
+            text.len() - text.trim_start_matches(' ').len()
+        } else {
+            text.len() - text.trim_start().len()
+        };
+        let quoted = text[blanks..].strip_prefix('"').and_then(|inside| inside.find('"'));
+        let from = quoted.map_or(0, |length| blanks + length + 2);
+        let (end, next) = match self.delimiter_in(&text[from..]) {
+            Some((end, next)) => (from + end, Some(from + next)),
+            None => (text.len(), None),
+        };
+        self.rest = next.map(|next| &text[next..]);
+        Some(match quoted {
+            // Something after the closing mark belongs to the cell, and makes it a word.
+            Some(length) if text[from..end].trim().is_empty() => text[blanks + 1..blanks + 1 + length].trim(),
+            _ => text[..end].trim(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_fall_into_cells() {
+        let cases: &[(&str, Delimiter, &[&str])] = &[
+            ("1\t\t 2\t", Delimiter::Tab, &["1", "", "2", ""]),
+            (" 1  2\t3 ", Delimiter::Blanks, &["1", "2", "3"]),
+            ("", Delimiter::Blanks, &[]),
+            ("", Delimiter::Comma, &[""]),
+            ("1  2 ", Delimiter::Blank, &["1", "", "2", ""]),
+            ("1,5, 2,5", Delimiter::CommaAndBlank, &["1,5", "2,5"]),
+            ("1,5, 2,", Delimiter::CommaAndBlank, &["1,5", "2", ""]),
+            ("\"1,5\", \"a \" ,3", Delimiter::Comma, &["1,5", "a", "3"]),
+            ("\"a,b\"c,d", Delimiter::Comma, &["\"a,b\"c", "d"]),
+            ("\"open,d", Delimiter::Comma, &["\"open", "d"]),
+            ("\"a b\" c", Delimiter::Blanks, &["a b", "c"]),
+            ("1|2", Delimiter::Other(b'|'), &["1", "2"]),
+        ];
+        for (line, delimiter, expected) in cases {
+            assert_eq!(Cells::of(line, *delimiter).collect::<Vec<_>>(), *expected, "{line:?}");
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! From bytes to text, and a clear word about bytes that are none.
+
+use super::refusal::{ImportError, Refusal};
+use std::borrow::Cow;
+
+/// How many bytes are looked at to tell whether they are text.
+const LOOK: usize = 8192;
+
+/// Files that are known by their first bytes.
+const KINDS: [(&[u8], &str, &str); 10] = [
+    (b"PK\x03\x04", "a ZIP archive, as XLSX, ODS and TRZ are", "un archivo ZIP, como lo son XLSX, ODS y TRZ"),
+    (b"%PDF", "a PDF", "un PDF"),
+    (b"\x89PNG", "a picture", "una imagen"),
+    (b"\xff\xd8\xff", "a picture", "una imagen"),
+    (b"GIF8", "a picture", "una imagen"),
+    (b"\x1f\x8b", "a compressed file", "un archivo comprimido"),
+    (b"\xd0\xcf\x11\xe0", "an old Excel or Word file", "un archivo antiguo de Excel o Word"),
+    (b"\0\0\0\x18ftyp", "a film", "un vídeo"),
+    (b"\0\0\0\x20ftyp", "a film", "un vídeo"),
+    (b"RIFF", "a film or a sound", "un vídeo o un sonido"),
+];
+
+/// The text, with `\n` at the ends of lines or `\r\n`: UTF-8, UTF-16 with a byte-order mark, else Latin-1.
+pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
+    let refuse = |reason| Err(ImportError::new(None, reason));
+    if let Some((_, english, spanish)) = KINDS.iter().find(|(start, _, _)| bytes.starts_with(start)) {
+        return refuse(Refusal::Kind { english, spanish });
+    }
+    let text = match bytes {
+        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
+        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),
+        [0xef, 0xbb, 0xbf, rest @ ..] => plain(rest),
+        _ => plain(bytes),
+    };
+    let start = text.trim_start();
+    if start.is_empty() {
+        return refuse(Refusal::Empty);
+    }
+    let no_text = |byte: u8| byte < 0x20 && !matches!(byte, b'\t' | b'\n' | b'\r' | 0x0b | 0x0c | 0x1a);
+    if text.bytes().take(LOOK).any(no_text) {
+        return refuse(Refusal::Binary);
+    }
+    if ["<?xml", "<!doctype", "<html"]
+        .iter()
+        .any(|tag| start.get(..tag.len()).is_some_and(|first| first.eq_ignore_ascii_case(tag)))
+    {
+        return refuse(Refusal::Markup);
+    }
+    // Lines that end with a carriage return alone.
+    if text.contains('\r') && !text.contains('\n') {
+        return Ok(Cow::Owned(text.replace('\r', "\n")));
+    }
+    Ok(text)
+}
+
+fn utf16(bytes: &[u8], word: fn([u8; 2]) -> u16) -> Cow<'_, str> {
+    let words = bytes.chunks_exact(2).map(|pair| word([pair[0], pair[1]]));
+    Cow::Owned(char::decode_utf16(words).map(|character| character.unwrap_or(char::REPLACEMENT_CHARACTER)).collect())
+}
+
+/// UTF-8, or else Latin-1, in which every byte is a character.
+fn plain(bytes: &[u8]) -> Cow<'_, str> {
+    match core::str::from_utf8(bytes) {
+        Ok(text) => Cow::Borrowed(text),
+        Err(_) => Cow::Owned(bytes.iter().map(|byte| char::from(*byte)).collect()),
+    }
+}

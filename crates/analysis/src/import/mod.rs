@@ -1,0 +1,137 @@
+//! Delimited text as a table, without questions: delimiter, decimal sign, header, units, bodies and independent
+//! variables are recognised.
+
+mod cells;
+mod decode;
+mod format;
+mod header;
+mod number;
+mod refusal;
+mod roles;
+mod rows;
+
+pub use cells::Delimiter;
+pub use format::Format;
+pub use refusal::{ImportError, Refusal};
+
+use crate::finding::Finding;
+use crate::table::{Column, Table};
+use header::Head;
+use rows::Rows;
+
+/// A table and how it was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Import {
+    /// The table. Cells without a number are NaN.
+    pub table: Table,
+    /// What a person should know about the file.
+    pub findings: Vec<Finding>,
+    /// How the file is written.
+    pub format: Format,
+}
+
+/// Reads delimited text.
+///
+/// # Errors
+/// When the bytes are no text, or the text is no table of at least two columns and rows of numbers.
+pub fn text(bytes: &[u8]) -> Result<Import, ImportError> {
+    let text = decode::decode(bytes)?;
+    let (delimiter, decimal, words) = format::recognise(&text);
+    let first = first_row(&text, delimiter, decimal, words)?;
+    let format = Format { delimiter, decimal, header_lines: first.line };
+    let mut findings = Vec::new();
+    let head_lines: Vec<&str> = text[..first.offset].lines().collect();
+    let mut rows = Rows::read(&text[first.offset..], &format);
+    let mut heads = header::read(&head_lines, delimiter, rows.columns.len(), &mut findings);
+    refuse_double_commas(&heads, &rows, &format)?;
+    let length = rows.length;
+    rows.columns.resize_with(heads.len(), || vec![f64::NAN; length]);
+    heads.resize(rows.columns.len(), Head::default());
+    rows.refuse_words(first.line)?;
+    let mut columns = Vec::with_capacity(heads.len());
+    let mut kept = Vec::new();
+    for (index, (head, values)) in heads.into_iter().zip(std::mem::take(&mut rows.columns)).enumerate() {
+        let words = rows.words_in(index);
+        let filled = values.iter().filter(|value| value.is_finite()).count();
+        if filled == 0 && (words > 0 || head.name.is_empty()) {
+            // A delimiter at the end of each line makes an empty column; words are no measurement.
+            if words > 0 {
+                findings.push(Finding::WordColumn(called(&head.name, index)));
+            }
+            continue;
+        }
+        if filled == 0 {
+            findings.push(Finding::EmptyColumn(called(&head.name, index)));
+        }
+        kept.push(index);
+        columns.push(Column { name: head.name, unit: head.unit, body: head.body, independent: 0, values });
+    }
+    if columns.iter().filter(|column| column.filled() > 0).count() < 2 {
+        return Err(ImportError::new(Some(first.line + 1), Refusal::OneColumn));
+    }
+    roles::assign(&mut columns);
+    // A time that all bodies share belongs to none of them.
+    let table = Table { columns };
+    findings.extend(rows.findings(|index| kept.iter().position(|kept| *kept == index).map(|place| table.label(place))));
+    Ok(Import { table, findings, format })
+}
+
+fn called(name: &str, index: usize) -> String {
+    if name.is_empty() { (index + 1).to_string() } else { name.to_owned() }
+}
+
+/// Where the rows begin.
+struct First {
+    /// How many lines come before.
+    line: usize,
+    /// How many bytes come before.
+    offset: usize,
+}
+
+/// The first line with at least two numbers and no more words than the rows have.
+fn first_row(text: &str, delimiter: Delimiter, decimal: u8, words: usize) -> Result<First, ImportError> {
+    let mut offset = 0;
+    let mut lonely = None;
+    // Rows with gaps just before it belong to the table too.
+    let mut gaps = None;
+    for (line, content) in text.split_inclusive('\n').enumerate() {
+        let count = format::count(content.trim_end_matches(['\n', '\r']), delimiter, decimal);
+        if count.numbers >= 2 && count.words <= words {
+            return Ok(gaps.unwrap_or(First { line, offset }));
+        }
+        if count.numbers == 1 && count.words == 0 && count.all >= 2 {
+            gaps.get_or_insert(First { line, offset });
+        } else {
+            gaps = None;
+        }
+        if count.numbers == 1 && count.words == 0 && count.cells == 1 {
+            lonely.get_or_insert(line + 1);
+        }
+        offset += content.len();
+    }
+    Err(match lonely {
+        Some(line) => ImportError::new(Some(line), Refusal::OneColumn),
+        None => {
+            let (line, text) = text.lines().enumerate().find(|(_, text)| !text.trim().is_empty()).unwrap_or((0, ""));
+            ImportError::new(Some(line + 1), Refusal::NoNumbers { text: rows::excerpt(text.trim()) })
+        }
+    })
+}
+
+/// Two names over four numbers, all commas: nobody can tell which commas are decimal signs.
+fn refuse_double_commas(heads: &[Head], rows: &Rows, format: &Format) -> Result<(), ImportError> {
+    let names = heads.iter().take_while(|head| !head.name.is_empty()).count();
+    let whole = |values: &Vec<f64>| values.iter().all(|value| value.is_nan() || value.fract() == 0.0);
+    if format.delimiter == Delimiter::Comma
+        && names >= 2
+        && rows.columns.len() == 2 * names
+        && heads.iter().skip(names).all(|head| head.name.is_empty())
+        && rows.columns.iter().all(whole)
+    {
+        return Err(ImportError::new(
+            Some(format.header_lines + 1),
+            Refusal::Commas { names, cells: rows.columns.len() },
+        ));
+    }
+    Ok(())
+}

@@ -1,0 +1,128 @@
+//! Why a file cannot be read as a table.
+
+use std::fmt;
+
+/// Why a file was not read. Nothing of it is lost: it was not touched.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ImportError {
+    /// The line, from 1, where there is one to show.
+    pub line: Option<usize>,
+    /// The reason.
+    pub reason: Refusal,
+}
+
+/// The reasons.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// There is nothing in it.
+    Empty,
+    /// It is of a kind that is known, and not text: `a ZIP archive (XLSX, ODS, TRZ)`.
+    Kind {
+        /// In English.
+        english: &'static str,
+        /// In Spanish.
+        spanish: &'static str,
+    },
+    /// It contains bytes that no text has.
+    Binary,
+    /// It is XML or HTML, as a project of Tracker is.
+    Markup,
+    /// No line has a number.
+    NoNumbers {
+        /// The first line.
+        text: String,
+    },
+    /// Each line has one number only.
+    OneColumn,
+    /// There are fewer than two rows.
+    FewRows,
+    /// Commas stand between the cells and are decimal signs too.
+    Commas {
+        /// How many names the header has.
+        names: usize,
+        /// How many numbers the row has.
+        cells: usize,
+    },
+    /// More words than numbers among the data.
+    Words {
+        /// The column of the first word, from 1.
+        column: usize,
+        /// The word.
+        text: String,
+    },
+}
+
+impl ImportError {
+    pub(super) fn new(line: Option<usize>, reason: Refusal) -> Self {
+        Self { line, reason }
+    }
+
+    /// What is wrong, where and why.
+    pub fn message(&self, spanish: bool) -> String {
+        let at = |text: String| match (self.line, spanish) {
+            (Some(line), false) => format!("line {line}: {text}"),
+            (Some(line), true) => format!("línea {line}: {text}"),
+            (None, _) => text,
+        };
+        let say = |english: &str, other: &str| at((if spanish { other } else { english }).to_owned());
+        match &self.reason {
+            Refusal::Empty => say("the file is empty", "el archivo está vacío"),
+            Refusal::Kind { english, spanish: other } if spanish => format!("no es texto, sino {other}"),
+            Refusal::Kind { english, .. } => format!("this is not text but {english}"),
+            Refusal::Binary => say(
+                "this is not text: it has bytes that no text has",
+                "no es texto: tiene bytes que ningún texto tiene",
+            ),
+            Refusal::Markup => say("this is XML or HTML, not a table", "esto es XML o HTML, no una tabla"),
+            Refusal::NoNumbers { text } if spanish => {
+                at(format!("no hay tabla: ninguna línea tiene números; la primera es «{text}»"))
+            }
+            Refusal::NoNumbers { text } => at(format!("there is no table: no line has numbers; the first is `{text}`")),
+            Refusal::OneColumn => say(
+                "there is only one column of numbers; a measurement needs the time and a quantity",
+                "solo hay una columna de números; una medición necesita el tiempo y una magnitud",
+            ),
+            Refusal::FewRows => say("there are fewer than two rows of numbers", "hay menos de dos filas de números"),
+            Refusal::Commas { names, cells } if spanish => at(format!(
+                "{cells} números para {names} nombres: la coma parece ser a la vez separador y signo decimal"
+            )),
+            Refusal::Commas { names, cells } => {
+                at(format!("{cells} numbers for {names} names: the comma seems to be both delimiter and decimal sign"))
+            }
+            Refusal::Words { column, text } if spanish => {
+                at(format!("«{text}» en la columna {column} no es un número, y hay más palabras que números"))
+            }
+            Refusal::Words { column, text } => {
+                at(format!("`{text}` in column {column} is not a number, and there are more words than numbers"))
+            }
+        }
+    }
+
+    /// What to do.
+    pub fn hint(&self, spanish: bool) -> &'static str {
+        match (&self.reason, spanish) {
+            (Refusal::Commas { .. }, false) => "export it again with tabs or semicolons between the columns",
+            (Refusal::Commas { .. }, true) => "expórtelo de nuevo con tabuladores o puntos y comas entre las columnas",
+            (Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup, false) => {
+                "export the table as text: in Tracker, File > Export > Data File; in a spreadsheet, save as CSV"
+            }
+            (Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup, true) => {
+                "exporte la tabla como texto: en Tracker, Archivo > Exportar > Archivo de datos; en una hoja de cálculo, guarde como CSV"
+            }
+            (_, false) => {
+                "a table has one row a line: the time, then one or more quantities, with tabs, commas, semicolons or blanks between"
+            }
+            (_, true) => {
+                "una tabla tiene una fila por línea: el tiempo y luego una o más magnitudes, con tabuladores, comas, puntos y comas o espacios entre ellas"
+            }
+        }
+    }
+}
+
+impl fmt::Display for ImportError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.message(false))
+    }
+}
+
+impl std::error::Error for ImportError {}

@@ -1,0 +1,191 @@
+//! How the rows of a measurement follow each other in time.
+
+use crate::cycles::median;
+use crate::finding::Finding;
+
+/// Frames a second of cameras whose step is no short decimal.
+const RATES: [f64; 17] = [
+    30.0,
+    60.0,
+    30000.0 / 1001.0,
+    60000.0 / 1001.0,
+    24.0,
+    24000.0 / 1001.0,
+    15.0,
+    120.0,
+    120000.0 / 1001.0,
+    240.0,
+    240000.0 / 1001.0,
+    480.0,
+    960.0,
+    90.0,
+    48.0,
+    300.0,
+    600.0,
+];
+
+/// The steps in which a record was taken.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sampling {
+    /// The usual distance of two rows: the slope of the times over the frames, or the mean distance of uneven rows. 0 for
+    /// fewer than three rows.
+    pub interval: f64,
+    /// The frame of each row, counted from time 0 if the frames agree with that, else from the first row; `None` without
+    /// a time. Empty where the rows keep no step.
+    pub frames: Vec<Option<i64>>,
+    /// Frames that are missing.
+    pub missing: Vec<Gap>,
+    /// Rows, from 0, with the time of the row before.
+    pub doubled: Vec<usize>,
+    /// Rows, from 0, that are earlier than the row before.
+    pub backwards: Vec<usize>,
+    /// The standard deviation of the distances from the step, in steps.
+    pub jitter: f64,
+    /// What every time is rounded to, if that explains the jitter.
+    pub rounded_to: Option<f64>,
+    /// The frames a second that the step comes from, if it was rounded itself.
+    pub rate: Option<f64>,
+}
+
+/// Frames that are missing between two rows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gap {
+    /// The first missing frame, counted as [`Sampling::frames`].
+    pub first: u64,
+    /// The last one.
+    pub last: u64,
+    /// The time of the row before the gap.
+    pub after: f64,
+    /// The time of the row behind it.
+    pub before: f64,
+}
+
+/// Beyond this part of a step the distances are uneven, and no frame can be told to be missing.
+const UNEVEN: f64 = 0.2;
+
+/// Finds the step of `times` (in seconds, NaN where there is none) and where it is not kept.
+pub fn examine(times: &[f64]) -> Sampling {
+    let rows: Vec<(usize, f64)> = times.iter().copied().enumerate().filter(|(_, time)| time.is_finite()).collect();
+    let steps: Vec<f64> = rows.windows(2).map(|pair| pair[1].1 - pair[0].1).collect();
+    let typical = median(steps.iter().copied().filter(|step| *step > 0.0).collect());
+    let mut sampling = Sampling::default();
+    if rows.len() < 3 || !typical.is_finite() {
+        return sampling;
+    }
+    // The steps in whole frames, and by how much each is off.
+    let whole: Vec<f64> = steps.iter().map(|step| (step / typical).round()).collect();
+    let mut frames = vec![0.0];
+    let mut at = 0.0;
+    for count in &whole {
+        at += count;
+        frames.push(at);
+    }
+    let (start, interval) = line(&frames, &rows);
+    let interval = if interval > 0.5 * typical && interval < 2.0 * typical { interval } else { typical };
+    let deviations = |interval: f64| {
+        steps.iter().zip(&whole).map(move |(step, count)| step / interval - count).map(|off| off * off).sum::<f64>()
+    };
+    sampling.jitter = (deviations(interval) / steps.len() as f64).sqrt();
+    for (pair, step) in rows.windows(2).zip(&steps) {
+        if step.abs() < 1e-6 * typical {
+            sampling.doubled.push(pair[1].0);
+        } else if *step < 0.0 {
+            sampling.backwards.push(pair[1].0);
+        }
+    }
+    if sampling.jitter > UNEVEN {
+        let forward: Vec<f64> = steps.iter().copied().filter(|step| *step > 0.0).collect();
+        let mean = forward.iter().sum::<f64>() / forward.len() as f64;
+        let variance = forward.iter().map(|step| (step - mean) * (step - mean)).sum::<f64>() / forward.len() as f64;
+        return Sampling { interval: mean, jitter: variance.sqrt() / mean, ..sampling };
+    }
+    sampling.interval = interval;
+    // Frames count from time 0 if the first row lies on one.
+    let first = start / interval;
+    let base = if (first - first.round()).abs() < 0.05 && first.abs() < 1e9 { first.round() } else { 0.0 };
+    sampling.frames = vec![None; times.len()];
+    for ((row, _), frame) in rows.iter().zip(&frames) {
+        sampling.frames[*row] = Some((frame + base) as i64);
+    }
+    for ((pair, count), frame) in rows.windows(2).zip(&whole).zip(&frames) {
+        if *count > 1.0 {
+            let (first, last) = (frame + base + 1.0, frame + base + count - 1.0);
+            sampling.missing.push(Gap {
+                first: first.max(0.0) as u64,
+                last: last.max(0.0) as u64,
+                after: pair[0].1,
+                before: pair[1].1,
+            });
+        }
+    }
+    let furthest =
+        rows.iter().zip(&frames).map(|((_, time), frame)| (time - start - frame * interval).abs()).fold(0.0, f64::max);
+    sampling.rounded_to = last_decimal(&rows).filter(|unit| furthest > 0.05 * unit && furthest < 0.75 * unit);
+    sampling.rate = if sampling.jitter < 1e-6 { rounded_rate(interval) } else { None };
+    sampling
+}
+
+/// The straight line through times over frames.
+fn line(frames: &[f64], rows: &[(usize, f64)]) -> (f64, f64) {
+    let count = rows.len() as f64;
+    let mean_frame = frames.iter().sum::<f64>() / count;
+    let mean_time = rows.iter().map(|(_, time)| time).sum::<f64>() / count;
+    let (mut product, mut square) = (0.0, 0.0);
+    for (frame, (_, time)) in frames.iter().zip(rows) {
+        product += (frame - mean_frame) * (time - mean_time);
+        square += (frame - mean_frame) * (frame - mean_frame);
+    }
+    let slope = product / square;
+    (mean_time - slope * mean_frame, slope)
+}
+
+/// The coarsest decimal unit, down to a nanosecond, of which all times are multiples.
+fn last_decimal(rows: &[(usize, f64)]) -> Option<f64> {
+    const UNITS: [f64; 10] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
+    let stride = rows.len().div_ceil(500);
+    let is_multiple = |time: f64, inverse: f64| {
+        let units = time * inverse;
+        (units - units.round()).abs() <= 1e-12 * units.abs().max(1.0)
+    };
+    let fits = |inverse: &&f64| rows.iter().step_by(stride).all(|(_, time)| is_multiple(*time, **inverse));
+    UNITS.iter().find(fits).map(|inverse| 1.0 / inverse)
+}
+
+/// The camera's rate, if the step is its inverse rounded (or cut off) to at least three decimals.
+fn rounded_rate(interval: f64) -> Option<f64> {
+    RATES.into_iter().find(|rate| {
+        let exact = 1.0 / rate;
+        let off = (interval / exact - 1.0).abs();
+        let decimals = [1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
+        off > 1e-9
+            && off < 0.011
+            && decimals.iter().any(|unit| {
+                let cases = [(exact * unit).round(), (exact * unit).floor()];
+                cases.iter().any(|case| (interval * unit - case).abs() < 1e-6 * case)
+            })
+    })
+}
+
+impl Sampling {
+    /// What a person should know about it.
+    pub fn findings(&self, times: &[f64]) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        let time = |rows: &[usize]| rows.first().and_then(|row| times.get(*row)).copied().unwrap_or(f64::NAN);
+        if !self.missing.is_empty() {
+            findings.push(Finding::Missing(self.missing.clone()));
+        }
+        if !self.doubled.is_empty() {
+            findings.push(Finding::Doubled { time: time(&self.doubled), count: self.doubled.len() });
+        }
+        if !self.backwards.is_empty() {
+            findings.push(Finding::Backwards { time: time(&self.backwards), count: self.backwards.len() });
+        }
+        match (self.rounded_to, self.rate) {
+            (Some(unit), _) => findings.push(Finding::RoundedTimes(unit)),
+            (None, Some(rate)) => findings.push(Finding::RoundedStep { interval: self.interval, rate }),
+            (None, None) if self.jitter > 1e-3 => findings.push(Finding::Uneven(self.jitter)),
+            (None, None) => {}
+        }
+        findings
+    }
+}

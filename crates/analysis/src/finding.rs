@@ -3,7 +3,7 @@
 use crate::sampling::Gap;
 use crate::stencil::Stencil;
 
-/// Something a person should know about their data. Lines and rows count from 1; times are in seconds.
+/// Something a person should know about their data. Lines and rows count from 1; times are in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Finding {
     /// A word stands where a number should; the cell became a gap.
@@ -43,11 +43,18 @@ pub enum Finding {
         unit: String,
     },
     /// Frames are missing.
-    Missing(Vec<Gap>),
+    Missing {
+        /// Where.
+        gaps: Vec<Gap>,
+        /// The unit of the times, `s`.
+        unit: &'static str,
+    },
     /// Rows with the time of the row before.
     Doubled {
         /// The first such time.
         time: f64,
+        /// Its unit.
+        unit: &'static str,
         /// How many.
         count: usize,
     },
@@ -55,13 +62,20 @@ pub enum Finding {
     Backwards {
         /// The first such time.
         time: f64,
+        /// Its unit.
+        unit: &'static str,
         /// How many.
         count: usize,
     },
     /// The distances of the rows vary by this part of their mean (standard deviation).
     Uneven(f64),
-    /// Every time is rounded to this.
-    RoundedTimes(f64),
+    /// Every time is rounded.
+    RoundedTimes {
+        /// To this.
+        to: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
     /// The time step itself was rounded, and the error adds up.
     RoundedStep {
         /// The step of the file.
@@ -85,7 +99,6 @@ pub enum Finding {
 impl Finding {
     /// It in a sentence or two, in English or Spanish.
     pub fn text(&self, spanish: bool) -> String {
-        let number = |value: f64| decimal(value, 6, spanish);
         let say = |english: String, other: String| if spanish { other } else { english };
         match self {
             Self::Word { line, column, text } => say(
@@ -123,18 +136,24 @@ impl Finding {
                 format!("`{unit}`, the unit of {column}, is not known; its numbers are taken as they are"),
                 format!("«{unit}», la unidad de {column}, no se conoce; sus números se toman tal cual"),
             ),
-            Self::Missing(gaps) => missing(gaps, spanish),
-            Self::Doubled { time, count: 1 } => say(
-                format!("the time {} s stands twice", number(*time)),
-                format!("el tiempo {} s está repetido", number(*time)),
+            Self::Missing { gaps, unit } => missing(gaps, unit, spanish),
+            Self::Doubled { time, unit, count: 1 } => say(
+                format!("the time {} stands twice", reading(*time, unit, spanish)),
+                format!("el tiempo {} está repetido", reading(*time, unit, spanish)),
             ),
-            Self::Doubled { time, count } => say(
-                format!("{count} rows repeat the time of the row before, the first at {} s", number(*time)),
-                format!("{count} filas repiten el tiempo de la anterior, la primera en {} s", number(*time)),
+            Self::Doubled { time, unit, count } => say(
+                format!(
+                    "{count} rows repeat the time of the row before, the first at {}",
+                    reading(*time, unit, spanish)
+                ),
+                format!(
+                    "{count} filas repiten el tiempo de la anterior, la primera en {}",
+                    reading(*time, unit, spanish)
+                ),
             ),
-            Self::Backwards { time, count } => say(
-                format!("the time runs backwards {count}×, first to {} s", number(*time)),
-                format!("el tiempo retrocede {count}×, primero a {} s", number(*time)),
+            Self::Backwards { time, unit, count } => say(
+                format!("the time runs backwards {count}×, first to {}", reading(*time, unit, spanish)),
+                format!("el tiempo retrocede {count}×, primero a {}", reading(*time, unit, spanish)),
             ),
             Self::Uneven(jitter) => say(
                 format!(
@@ -146,13 +165,15 @@ impl Finding {
                     decimal(100.0 * jitter, 2, spanish)
                 ),
             ),
-            Self::RoundedTimes(unit) => say(
-                format!("the times are rounded to {} s", number(*unit)),
-                format!("los tiempos están redondeados a {} s", number(*unit)),
+            Self::RoundedTimes { to, unit } => say(
+                format!("the times are rounded to {}", reading(*to, unit, spanish)),
+                format!("los tiempos están redondeados a {}", reading(*to, unit, spanish)),
             ),
             Self::RoundedStep { interval, rate } => rounded_step(*interval, *rate, spanish),
             Self::Derived { column, of, stencil, attenuation } => {
-                let formula = stencil.formula(of);
+                let numbered = of.bytes().all(|byte| byte.is_ascii_digit());
+                let formula = stencil.formula(if numbered { "x" } else { of });
+                let (column, of) = (called(column, spanish), called(of, spanish));
                 let made = say(
                     format!("{column} was computed from {of}, {formula}, and is no second witness"),
                     format!("{column} se calculó a partir de {of}, {formula}, y no aporta un testimonio independiente"),
@@ -168,7 +189,7 @@ impl Finding {
     }
 }
 
-fn missing(gaps: &[Gap], spanish: bool) -> String {
+fn missing(gaps: &[Gap], unit: &str, spanish: bool) -> String {
     let count: u64 = gaps.iter().map(|gap| gap.last - gap.first + 1).sum();
     let mut text = match (count, spanish) {
         (1, false) => "1 frame is missing: ".to_owned(),
@@ -178,13 +199,13 @@ fn missing(gaps: &[Gap], spanish: bool) -> String {
     };
     const SHOWN: usize = 5;
     for (index, gap) in gaps.iter().take(SHOWN).enumerate() {
-        let (after, before) = (decimal(gap.after, 6, spanish), decimal(gap.before, 6, spanish));
+        let (after, before) = (reading(gap.after, unit, spanish), reading(gap.before, unit, spanish));
         text.push_str(if index > 0 { "; " } else { "" });
         text.push_str(&match (gap.first == gap.last, spanish) {
-            (true, false) => format!("number {} (between {after} s and {before} s)", gap.first),
-            (true, true) => format!("el {} (entre {after} s y {before} s)", gap.first),
-            (false, false) => format!("{} to {} (between {after} s and {before} s)", gap.first, gap.last),
-            (false, true) => format!("del {} al {} (entre {after} s y {before} s)", gap.first, gap.last),
+            (true, false) => format!("number {} (between {after} and {before})", gap.first),
+            (true, true) => format!("el {} (entre {after} y {before})", gap.first),
+            (false, false) => format!("{} to {} (between {after} and {before})", gap.first, gap.last),
+            (false, true) => format!("del {} al {} (entre {after} y {before})", gap.first, gap.last),
         });
     }
     if gaps.len() > SHOWN {
@@ -211,6 +232,21 @@ fn rounded_step(interval: f64, rate: f64, spanish: bool) -> String {
             "el paso de tiempo {step} s parece 1/{rate} s redondeado: los tiempos son un {percent} % demasiado largos y las frecuencias demasiado bajas"
         ),
     }
+}
+
+/// A column by its label, which is a number where the file gives no name.
+fn called(label: &str, spanish: bool) -> String {
+    match (label.bytes().all(|byte| byte.is_ascii_digit()), spanish) {
+        (true, false) => format!("column {label}"),
+        (true, true) => format!("la columna {label}"),
+        (false, _) => label.to_owned(),
+    }
+}
+
+/// A number with its unit.
+fn reading(value: f64, unit: &str, spanish: bool) -> String {
+    let number = decimal(value, 6, spanish);
+    if unit.is_empty() { number } else { format!("{number} {unit}") }
 }
 
 /// A number with so many significant digits, without superfluous zeros.

@@ -167,24 +167,24 @@ fn rounded_rate(interval: f64) -> Option<f64> {
 }
 
 impl Sampling {
-    /// What a person should know about it.
-    pub fn findings(&self, times: &[f64]) -> Vec<Finding> {
+    /// What a person should know about it; `unit` stands behind a time, `s`.
+    pub fn findings(&self, times: &[f64], unit: &'static str) -> Vec<Finding> {
         let mut findings = Vec::new();
         let time = |rows: &[usize]| rows.first().and_then(|row| times.get(*row)).copied().unwrap_or(f64::NAN);
         if !self.missing.is_empty() {
-            findings.push(Finding::Missing(self.missing.clone()));
+            findings.push(Finding::Missing { gaps: self.missing.clone(), unit });
         }
         if !self.doubled.is_empty() {
-            findings.push(Finding::Doubled { time: time(&self.doubled), count: self.doubled.len() });
+            findings.push(Finding::Doubled { time: time(&self.doubled), unit, count: self.doubled.len() });
         }
         if !self.backwards.is_empty() {
-            findings.push(Finding::Backwards { time: time(&self.backwards), count: self.backwards.len() });
+            findings.push(Finding::Backwards { time: time(&self.backwards), unit, count: self.backwards.len() });
         }
         match (self.rounded_to, self.rate) {
-            (Some(unit), _) => findings.push(Finding::RoundedTimes(unit)),
-            (None, Some(rate)) => findings.push(Finding::RoundedStep { interval: self.interval, rate }),
-            (None, None) if self.jitter > 1e-3 => findings.push(Finding::Uneven(self.jitter)),
-            (None, None) => {}
+            (Some(to), _) => findings.push(Finding::RoundedTimes { to, unit }),
+            (None, Some(rate)) if unit == "s" => findings.push(Finding::RoundedStep { interval: self.interval, rate }),
+            (None, _) if self.jitter > 1e-3 => findings.push(Finding::Uneven(self.jitter)),
+            (None, _) => {}
         }
         findings
     }

@@ -27,7 +27,7 @@ pub(super) struct Damped {
 /// The curve itself without amplitude, `exp(-g t) cos(w t)` and `exp(-g t) sin(w t)`, at every time.
 ///
 /// A step as long as the one before turns and shrinks by the same factor; only another one asks for new functions.
-fn basis(points: Points, origin: f64, w: f64, g: f64, out: &mut Vec<(f64, f64)>) {
+pub(super) fn basis(points: Points, origin: f64, w: f64, g: f64, out: &mut Vec<(f64, f64)>) {
     out.clear();
     let turned = |step: f64| {
         let size = libm::exp(-g * step);
@@ -126,6 +126,21 @@ impl Damped {
             }
         }
         matrix.iter().flatten().all(|entry| entry.is_finite()).then_some((matrix, right))
+    }
+
+    /// The covariance of cosine, sine, offset, frequency and damping, from the scatter of the residuals; `basis` is its
+    /// own. `None` with no more points than parameters, or where they cannot be told apart.
+    pub fn covariance(&self, points: Points, basis: &[(f64, f64)]) -> Option<[[f64; 5]; 5]> {
+        let freedom = points.values.len().checked_sub(5).filter(|freedom| *freedom > 0)?;
+        let variance = self.squares / freedom as f64;
+        let (matrix, _) = self.equations(points, basis)?;
+        let mut covariance = [[0.0; 5]; 5];
+        for (index, column) in covariance.iter_mut().enumerate() {
+            let mut unit = [0.0; 5];
+            unit[index] = variance;
+            *column = solve(matrix, unit)?;
+        }
+        Some(covariance)
     }
 
     /// The size of the oscillation at the origin.

@@ -1,0 +1,183 @@
+//! What each cycle of an oscillation is like by itself.
+
+use super::damped::{Damped, Points};
+use super::estimate::{Estimate, estimate};
+use core::f64::consts::{PI, TAU};
+
+/// A value and its standard error.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Measured {
+    /// The value.
+    pub value: f64,
+    /// Its standard error.
+    pub error: f64,
+}
+
+/// The cycle around one turning point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cycle {
+    /// When the turning point is.
+    pub time: Measured,
+    /// Whether it is a maximum.
+    pub maximum: bool,
+    /// The envelope there, from the offset.
+    pub amplitude: Measured,
+    /// From one maximum to the next.
+    pub period: Measured,
+    /// The natural logarithm of the ratio of two amplitudes one period apart; negative where they grow.
+    pub decrement: Measured,
+    /// Local angular frequency, 2 pi over the period.
+    pub angular_frequency: Measured,
+    /// Local damping, the decrement over the period.
+    pub damping: Measured,
+    /// What it swings about.
+    pub offset: Measured,
+}
+
+/// A record, cycle by cycle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cycles {
+    /// The damped sinusoid closest to the whole record, roughly.
+    pub estimate: Estimate,
+    /// One entry for each turning point that has both of its neighbours.
+    pub cycles: Vec<Cycle>,
+    /// From here on the noise hides the oscillation.
+    pub lost: Option<f64>,
+}
+
+/// Half the width of a window in periods: a turning point with its two neighbours, each with its quarter of a period.
+const REACH: f64 = 0.75;
+/// An amplitude below so many standard errors is noise.
+const CLEAR: f64 = 4.0;
+
+/// Measures each cycle. A damped sinusoid with an offset of its own is fitted to the three half-cycles around each turning
+/// point; errors are those of least squares, from the scatter of the residuals. Rows one turning point apart share two
+/// thirds of their data; those three apart share none. `None` where there is no oscillation of at least three turning
+/// points.
+pub fn cycles(times: &[f64], values: &[f64]) -> Option<Cycles> {
+    let mut rows: Vec<(f64, f64)> = times
+        .iter()
+        .zip(values)
+        .filter(|(time, value)| time.is_finite() && value.is_finite())
+        .map(|(time, value)| (*time, *value))
+        .collect();
+    rows.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let (times, values): (Vec<f64>, Vec<f64>) = rows.into_iter().unzip();
+    let estimate = estimate(&times, &values)?;
+    let (first, last) = (*times.first()?, *times.last()?);
+    let mut result = Cycles { estimate, cycles: Vec::new(), lost: None };
+    let mut local = (estimate.angular_frequency, estimate.damping);
+    let mut time = turning_point(&estimate, first + PI / local.0);
+    let mut scratch = Vec::new();
+    // The time before which nothing was seen any more, and for how many turning points.
+    let mut failures = 0;
+    while time + 0.98 * PI / local.0 <= last && failures < 3 {
+        let found = at(&times, &values, time, local, &mut scratch);
+        match found {
+            Some(cycle) => {
+                failures = 0;
+                result.lost = None;
+                local = (cycle.angular_frequency.value, cycle.damping.value);
+                time = cycle.time.value;
+                result.cycles.push(cycle);
+            }
+            None => {
+                failures += 1;
+                result.lost = result.lost.or(Some(time));
+            }
+        }
+        time += PI / local.0;
+    }
+    // A gap, or an end, is not noise.
+    result.lost = result.lost.filter(|_| failures >= 3);
+    (!result.cycles.is_empty()).then_some(result)
+}
+
+/// The first turning point of an estimate from `time` on.
+fn turning_point(estimate: &Estimate, time: f64) -> f64 {
+    let phase = estimate.angular_frequency * (time - estimate.origin)
+        + estimate.phase
+        + lead(estimate.damping, estimate.angular_frequency);
+    time + ((phase / PI).ceil() - phase / PI) * PI / estimate.angular_frequency
+}
+
+/// By how much a damped oscillation turns before its cosine does, in radians.
+fn lead(damping: f64, angular_frequency: f64) -> f64 {
+    libm::atan2(damping, angular_frequency)
+}
+
+/// The cycle whose turning point is near `time`.
+fn at(times: &[f64], values: &[f64], time: f64, (w, g): (f64, f64), scratch: &mut Vec<(f64, f64)>) -> Option<Cycle> {
+    let mut centre = time;
+    let mut found = None;
+    // Once from where the turning point is expected, once more from where it is.
+    for _ in 0..2 {
+        let (fit, points) = fit(times, values, centre, (w, g), scratch)?;
+        // Turned about so that the turning point is the next one to the centre.
+        let phase = libm::atan2(-fit.linear[1], fit.linear[0]) + lead(fit.g, fit.w);
+        let shift = -(phase - PI * (phase / PI).round()) / fit.w;
+        if shift.abs() > 0.5 * PI / w {
+            return None;
+        }
+        found = Some((fit, points));
+        if shift.abs() < 1e-3 / w {
+            break;
+        }
+        centre += shift;
+    }
+    let (fit, points) = found?;
+    super::damped::basis(points, fit.origin, fit.w, fit.g, scratch);
+    cycle(&fit, &fit.covariance(points, scratch)?, w)
+}
+
+/// The damped sinusoid in the window about `centre`.
+fn fit<'a>(
+    times: &'a [f64],
+    values: &'a [f64],
+    centre: f64,
+    (w, g): (f64, f64),
+    scratch: &mut Vec<(f64, f64)>,
+) -> Option<(Damped, Points<'a>)> {
+    let reach = REACH * TAU / w;
+    let from = times.partition_point(|time| *time < centre - reach);
+    let until = times.partition_point(|time| *time <= centre + reach);
+    let points = Points { times: times.get(from..until)?, values: values.get(from..until)? };
+    // Fewer points than these say nothing about their own scatter.
+    if points.times.len() < 8 {
+        return None;
+    }
+    Some((Damped::of(points, centre, w, g, scratch)?.improved(points, 30, scratch), points))
+}
+
+/// What a fit says about the cycle, unless it is too unsure of it; `expected` is the frequency of its neighbours.
+fn cycle(fit: &Damped, covariance: &[[f64; 5]; 5], expected: f64) -> Option<Cycle> {
+    let variance = |gradient: [f64; 5]| -> f64 {
+        let products = (0..5).flat_map(|i| (0..5).map(move |j| (i, j)));
+        products.map(|(i, j)| gradient[i] * covariance[i][j] * gradient[j]).sum::<f64>()
+    };
+    let measured = |value: f64, gradient: [f64; 5]| Measured { value, error: variance(gradient).max(0.0).sqrt() };
+    let (w, g) = (fit.w, fit.g);
+    let [a, b, offset] = fit.linear;
+    let size = fit.amplitude();
+    let phase = libm::atan2(-b, a) + lead(g, w);
+    let shift = -(phase - PI * (phase / PI).round()) / w;
+    // The turning point is at the origin of the fit, but for the little that the last step left.
+    let decay = libm::exp(-g * shift);
+    let amplitude = measured(size * decay, [a / size * decay, b / size * decay, 0.0, 0.0, 0.0]);
+    let square = size * size;
+    let turn = w * w + g * g;
+    let time =
+        measured(fit.origin + shift, [-b / square / w, a / square / w, 0.0, g / turn / w - shift / w, -1.0 / turn]);
+    let clear = amplitude.value > CLEAR * amplitude.error;
+    let near = (0.7..1.4).contains(&(w / expected));
+    (clear && near).then(|| Cycle {
+        time,
+        maximum: a > 0.0,
+        amplitude,
+        period: measured(TAU / w, [0.0, 0.0, 0.0, -TAU / (w * w), 0.0]),
+        decrement: measured(TAU * g / w, [0.0, 0.0, 0.0, -TAU * g / (w * w), TAU / w]),
+        angular_frequency: measured(w, [0.0, 0.0, 0.0, 1.0, 0.0]),
+        damping: measured(g, [0.0, 0.0, 0.0, 0.0, 1.0]),
+        offset: measured(offset, [0.0, 0.0, 1.0, 0.0, 0.0]),
+    })
+}

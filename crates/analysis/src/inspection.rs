@@ -1,0 +1,81 @@
+//! Everything that a table hides, looked for at once.
+
+use crate::cycles;
+use crate::finding::Finding;
+use crate::sampling;
+use crate::stencil::{self, Recognised};
+use crate::table::Table;
+use units::{Dimension, Unit};
+
+/// What was found out about a table.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Inspection {
+    /// What a person should know.
+    pub findings: Vec<Finding>,
+    /// Columns that were computed from others.
+    pub derived: Vec<Derived>,
+}
+
+/// A column that was computed from another one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Derived {
+    /// The column.
+    pub column: usize,
+    /// What it was computed from.
+    pub of: usize,
+    /// How that was recognised.
+    pub recognised: Recognised,
+    /// The factor by which it is too small at the frequency of the record, if there is an oscillation.
+    pub attenuation: Option<f64>,
+}
+
+/// Looks at the sampling of every independent variable, and for columns that are finite differences of others.
+pub fn inspect(table: &Table) -> Inspection {
+    // A table of more columns is no film of a body.
+    const COLUMNS: usize = 12;
+    let mut inspection = Inspection::default();
+    for independent in table.independent() {
+        let of_it = |column: &usize| table.columns[*column].independent == independent;
+        let columns: Vec<usize> = table.observed_columns().filter(of_it).take(COLUMNS).collect();
+        if columns.is_empty() {
+            continue;
+        }
+        let column = &table.columns[independent];
+        let times = column.si(None);
+        let sampling = sampling::examine(&times);
+        inspection.findings.extend(sampling.findings(&times, unit_of(column.unit.as_ref(), &times)));
+        for &candidate in &columns {
+            let best = columns
+                .iter()
+                .filter(|of| **of != candidate)
+                .filter_map(|&of| {
+                    let values = &table.columns[of].values;
+                    Some((of, stencil::recognise_on(&sampling, values, &table.columns[candidate].values)?))
+                })
+                // The first of equals: the position comes before the velocity.
+                .rev()
+                .max_by(|one, other| one.1.share.total_cmp(&other.1.share));
+            let Some((of, recognised)) = best else { continue };
+            let estimate = cycles::estimate(&times, &table.columns[of].values);
+            let attenuation = estimate.map(|e| recognised.stencil.attenuation(e.angular_frequency * sampling.interval));
+            inspection.derived.push(Derived { column: candidate, of, recognised, attenuation });
+            inspection.findings.push(Finding::Derived {
+                column: table.label(candidate),
+                of: table.label(of),
+                stencil: recognised.stencil,
+                attenuation,
+            });
+        }
+    }
+    inspection
+}
+
+/// What stands behind a reading of the independent variable in SI. Without a unit it is in seconds, unless it counts.
+fn unit_of(unit: Option<&Unit>, times: &[f64]) -> &'static str {
+    let counts = || times.iter().all(|time| time.is_nan() || time.fract() == 0.0);
+    match unit {
+        Some(unit) if unit.dimension == Dimension::TIME => "s",
+        None if !counts() => "s",
+        _ => "",
+    }
+}

@@ -1,7 +1,9 @@
 //! Expressions outside the model: read, completed with the scene's own names, and compiled against the model.
 
 use crate::Assignment;
-use model::{Compiled, Diagnostic, Expression, ExpressionKind, Kind, Model, Node, Span, StatedUnit, StatementKind};
+use model::{
+    Compiled, Compiler, Diagnostic, Expression, ExpressionKind, Kind, Model, Node, Span, StatedUnit, StatementKind,
+};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -14,8 +16,8 @@ const DEPTH: usize = 64;
 pub struct Expressions<'a> {
     /// The document.
     pub source: &'a str,
-    /// The model, to whose graph they are added.
-    pub model: &'a mut Model,
+    /// Adds them to the model's graph.
+    compiler: Compiler<'a>,
     /// What was found.
     pub diagnostics: Vec<Diagnostic>,
     /// Names that mean an expression.
@@ -25,7 +27,12 @@ pub struct Expressions<'a> {
 impl<'a> Expressions<'a> {
     /// For the expressions of `source`.
     pub fn new(source: &'a str, model: &'a mut Model) -> Self {
-        Self { source, model, diagnostics: Vec::new(), local: BTreeMap::new() }
+        Self { source, compiler: Compiler::new(model), diagnostics: Vec::new(), local: BTreeMap::new() }
+    }
+
+    /// The model.
+    pub fn model(&self) -> &Model {
+        self.compiler.model()
     }
 
     /// The expression that fills `range`. None if it has an error.
@@ -80,7 +87,7 @@ impl<'a> Expressions<'a> {
 
     /// Whether a parameter can have a value: of its dimension and, as far as that is known before the run, in its range.
     fn fits(&mut self, parameter: usize, value: &Compiled) -> bool {
-        let parameter = &self.model.parameters[parameter];
+        let parameter = &self.model().parameters[parameter];
         if value.dimension() != parameter.unit.dimension {
             let message = format!("`{}` cannot have this value", parameter.name);
             let found = (value.span, value.dimension());
@@ -88,7 +95,7 @@ impl<'a> Expressions<'a> {
             self.diagnostics.push(dimension_error(message, found, expected));
             return false;
         }
-        let (Node::Constant(bits), Some((low, high))) = (self.model.graph.node(value.node), parameter.range) else {
+        let (Node::Constant(bits), Some((low, high))) = (self.model().graph.node(value.node), parameter.range) else {
             return true;
         };
         if (low..=high).contains(&f64::from_bits(bits)) {
@@ -107,13 +114,13 @@ impl<'a> Expressions<'a> {
 
     /// Which parameter a name is.
     pub fn parameter(&mut self, name: &model::Name) -> Option<usize> {
-        let found = self.model.parameters.iter().position(|parameter| parameter.name == name.text);
+        let found = self.model().parameters.iter().position(|parameter| parameter.name == name.text);
         if found.is_none() {
             let message = format!("`{}` is not a parameter of the model", name.text);
-            let names = self.model.parameters.iter().map(|parameter| parameter.name.as_str());
+            let names = self.model().parameters.iter().map(|parameter| parameter.name.as_str());
             let hint = match crate::near::nearest(&name.text, names) {
                 Some(near) => Some(format!("did you mean `{near}`?")),
-                None if self.model.lookup(&name.text, 0).is_some() => {
+                None if self.model().lookup(&name.text, 0).is_some() => {
                     Some("only parameters can be set; what is computed follows from them".to_owned())
                 }
                 None => None,
@@ -138,7 +145,7 @@ impl<'a> Expressions<'a> {
                 );
                 continue;
             };
-            if self.model.lookup(&name.text, 0).is_some() {
+            if self.model().lookup(&name.text, 0).is_some() {
                 self.error("duplicate-name", format!("`{}` is already a name of the model", name.text), name.span);
             } else if self.local.contains_key(&name.text) {
                 self.error("duplicate-name", format!("`{}` is defined twice", name.text), name.span);
@@ -174,7 +181,7 @@ impl<'a> Expressions<'a> {
         if has_gap(&expression) {
             return None;
         }
-        match self.model.compile_expression(&expression, unit) {
+        match self.compiler.compile(&expression, unit) {
             Ok(compiled) => Some(compiled),
             Err(diagnostics) => {
                 self.diagnostics.extend(diagnostics);
@@ -213,10 +220,10 @@ impl<'a> Expressions<'a> {
     }
 
     fn expect_constant(&mut self, compiled: Compiled, what: &str) -> Option<Compiled> {
-        let dependence = self.model.depends(compiled.node);
+        let dependence = self.model().depends(compiled.node);
         let culprit = match dependence.states.first() {
-            Some(state) => format!("`{}`", self.model.states[*state as usize].name()),
-            None if dependence.independent => format!("`{}`", self.model.independent.name),
+            Some(state) => format!("`{}`", self.model().states[*state as usize].name()),
+            None if dependence.independent => format!("`{}`", self.model().independent.name),
             None => return Some(compiled),
         };
         self.diagnostics.push(

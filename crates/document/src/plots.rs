@@ -73,7 +73,7 @@ fn curve(expressions: &mut Expressions, range: Range<usize>) -> Option<Curve> {
     }
     let value = expressions.number(range.clone())?;
     let expression = source[range.clone()].split_whitespace().collect::<Vec<_>>().join(" ");
-    let label = label.or_else(|| label_of_name(expressions.model, source, range));
+    let label = label.or_else(|| label_of_name(expressions.model(), source, range));
     Some(Curve { expression, label, value })
 }
 

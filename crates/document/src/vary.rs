@@ -34,7 +34,7 @@ pub fn read(expressions: &mut Expressions, value: &Value) -> Vec<usize> {
             continue;
         };
         if varied.contains(&parameter) {
-            let message = format!("`{}` is named twice", expressions.model.parameters[parameter].name);
+            let message = format!("`{}` is named twice", expressions.model().parameters[parameter].name);
             expressions.error("duplicate-name", message, span);
         } else {
             varied.push(parameter);

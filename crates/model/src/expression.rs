@@ -1,7 +1,7 @@
 //! Expressions of the document (scene, plots, presets, answers) against a checked model.
 
 use crate::dimensions::{Form, Inference, Solver, Type, Types};
-use crate::lowering::{Chain, Lowering, TooManyNodes, too_many_nodes};
+use crate::lowering::{Chain, Lowered, Lowering, TooManyNodes, too_many_nodes};
 use crate::names::{Meaning, NameCheck, Scope, for_each};
 use crate::{
     Compiled, Diagnostic, Expression, ExpressionKind, Kind, Model, Node, NodeId, Span, StatedUnit, has_errors,
@@ -28,30 +28,49 @@ impl Dependence {
     }
 }
 
-impl Model {
+/// Compiles expressions of a document against its model. What the names of the model mean, and what was derived from
+/// them for one expression, is there for the next.
+#[derive(Debug)]
+pub struct Compiler<'a> {
+    model: &'a mut Model,
+    scope: Scope,
+    types: Types,
+    chains: Vec<Chain>,
+    lowered: Lowered,
+}
+
+impl<'a> Compiler<'a> {
+    /// For expressions that are added to the graph of `model`.
+    pub fn new(model: &'a mut Model) -> Self {
+        let variables = model.variables();
+        let (scope, types) = (model.scope(&variables), model.types(&variables));
+        let chains = variables.into_iter().map(|(_, chain)| chain).collect();
+        let definitions = model.quantities.iter().map(|quantity| Some(quantity.value.node)).collect();
+        Self { scope, types, chains, lowered: Lowered::of(definitions), model }
+    }
+
+    /// The model, with what has been compiled in its graph.
+    pub fn model(&self) -> &Model {
+        self.model
+    }
+
     /// Adds an expression of the document to the model's graph. `unit`, where stated, is checked and becomes the
     /// display unit. What could not be parsed is refused without a further word.
     ///
     /// # Errors
     /// Unknown names, mismatching dimensions, and whatever else would be wrong with it inside the model.
-    pub fn compile_expression(
-        &mut self,
-        expression: &Expression,
-        unit: Option<&StatedUnit>,
-    ) -> Result<Compiled, Vec<Diagnostic>> {
+    pub fn compile(&mut self, expression: &Expression, unit: Option<&StatedUnit>) -> Result<Compiled, Vec<Diagnostic>> {
         let mut unreadable = false;
         for_each(expression, |part| unreadable |= part.kind == ExpressionKind::Error);
         if unreadable {
             return Err(Vec::new());
         }
-        let variables = self.variables();
-        let scope = self.scope(&variables);
-        let mut check = NameCheck::new(&scope, Vec::new());
+        let mut check = NameCheck::new(&self.scope, Vec::new());
         check.expression(expression);
         let mut diagnostics = check.finish();
         let mut inference = Inference {
-            scope: &scope,
-            types: self.types(&variables),
+            scope: &self.scope,
+            types: &mut self.types,
             solver: Solver::default(),
             diagnostics: Vec::new(),
         };
@@ -68,32 +87,46 @@ impl Model {
         if has_errors(&diagnostics) {
             return Err(diagnostics);
         }
-        let chains: Vec<Chain> = variables.iter().map(|(_, chain)| *chain).collect();
-        let mut lowering = Lowering::new(&mut self.graph, &mut self.texts, &scope, &chains);
-        lowering.definitions = self.quantities.iter().map(|quantity| Some(quantity.value.node)).collect();
+        let Model { graph, texts, .. } = &mut *self.model;
+        let mut lowering =
+            Lowering { graph, texts, scope: &self.scope, chains: &self.chains, known: &mut self.lowered };
         let node = lowering.expression(expression).map_err(|TooManyNodes| vec![too_many_nodes(expression.span)])?;
         let unit = unit
             .map(|stated| stated.unit.clone())
             .or_else(|| match &expression.kind {
                 ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } => {
-                    self.lookup(name, *order).map(|named| named.unit)
+                    self.model.lookup(name, *order).map(|named| named.unit)
                 }
                 _ => None,
             })
             .unwrap_or_else(|| Unit::si(found.dimension()));
         Ok(Compiled { node, kind: found.kind(), unit, span: expression.span })
     }
+}
+
+impl Model {
+    /// Adds a single expression to the graph; for several there is [`Compiler`], which this uses.
+    ///
+    /// # Errors
+    /// Those of [`Compiler::compile`].
+    pub fn compile_expression(
+        &mut self,
+        expression: &Expression,
+        unit: Option<&StatedUnit>,
+    ) -> Result<Compiled, Vec<Diagnostic>> {
+        Compiler::new(self).compile(expression, unit)
+    }
 
     /// The value of a name with `order` primes: a parameter, a state, a highest derivative, a defined quantity, the
     /// independent variable. `None` for an unknown name, and for derivatives that the model does not already have
-    /// (primes of defined quantities): these are for [`Model::compile_expression`].
+    /// (primes of defined quantities): these are for [`Compiler::compile`].
     pub fn lookup(&self, name: &str, order: u32) -> Option<Compiled> {
         let number = |node, unit: &Unit, span| Compiled { node, kind: Kind::Number, unit: unit.clone(), span };
         if let Some(index) = self.states.iter().position(|state| state.variable == name && state.order == order) {
             let state = &self.states[index];
             return Some(number(self.graph.find(Node::State(index as u32))?, &state.unit, state.span));
         }
-        let (_, chain) = self.variables().into_iter().find(|(variable, _)| variable == name).unzip();
+        let (_, chain) = self.variables().into_iter().find(|(variable, _)| *variable == name).unzip();
         if let Some(chain) = chain
             && chain.highest == order
         {
@@ -133,12 +166,12 @@ impl Model {
     }
 
     /// The unknown functions by name, in the order of their states.
-    fn variables(&self) -> Vec<(String, Chain)> {
-        let mut variables: Vec<(String, Chain)> = Vec::new();
+    fn variables(&self) -> Vec<(&str, Chain)> {
+        let mut variables: Vec<(&str, Chain)> = Vec::new();
         for (index, state) in self.states.iter().enumerate() {
             if state.order == 0 {
                 let chain = Chain { first_state: index, highest: 0, rate: state.derivative };
-                variables.push((state.variable.clone(), chain));
+                variables.push((&state.variable, chain));
             }
             if let Some((_, chain)) = variables.last_mut() {
                 chain.highest = state.order + 1;
@@ -148,7 +181,7 @@ impl Model {
         variables
     }
 
-    fn scope(&self, variables: &[(String, Chain)]) -> Scope {
+    fn scope(&self, variables: &[(&str, Chain)]) -> Scope {
         let mut scope = Scope::new(&self.independent.name);
         for (index, parameter) in self.parameters.iter().enumerate() {
             scope.declare(&parameter.name, Meaning::Parameter(index));
@@ -162,7 +195,7 @@ impl Model {
         scope
     }
 
-    fn types(&self, variables: &[(String, Chain)]) -> Types {
+    fn types(&self, variables: &[(&str, Chain)]) -> Types {
         let of_quantity = |value: &Compiled| match value.kind {
             Kind::Number => Type::Number(value.unit.dimension.into()),
             Kind::Truth => Type::Truth,
@@ -174,7 +207,7 @@ impl Model {
             definitions: self.quantities.iter().map(|quantity| of_quantity(&quantity.value)).collect(),
             numbers: self.quantities.iter().map(|quantity| self.graph.as_constant(quantity.value.node)).collect(),
             unknowns: variables.iter().map(|(_, chain)| self.states[chain.first_state].unit.dimension.into()).collect(),
-            unknown_names: variables.iter().map(|(name, _)| name.clone()).collect(),
+            unknown_names: variables.iter().map(|(name, _)| (*name).to_owned()).collect(),
         }
     }
 }

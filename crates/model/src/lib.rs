@@ -26,7 +26,7 @@ mod walk;
 pub use compile::compile;
 pub use diagnostic::{Diagnostic, Label, Severity, Span, has_errors};
 pub use differentiate::{Variable, differentiate, differentiate_all};
-pub use expression::Dependence;
+pub use expression::{Compiler, Dependence};
 pub use graph::{Binary, Graph, LinearSystem, Node, NodeId, Unary};
 pub use names::nearest;
 pub use parser::{Assignment, parse, parse_assignments, parse_expression};

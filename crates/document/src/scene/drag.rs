@@ -31,7 +31,7 @@ impl Builder<'_, '_> {
         };
         let place = crate::source::trim(self.expressions.source, place);
         let name = self.source(&place).to_owned();
-        let states: Vec<String> = self.expressions.model.states.iter().map(model::State::name).collect();
+        let states: Vec<String> = self.expressions.model().states.iter().map(model::State::name).collect();
         let Some(state) = states.iter().position(|known| *known == name) else {
             let mut hint = format!("the states are {}", states.join(", "));
             if let Some(near) = crate::near::nearest(&name, states.iter().map(String::as_str)) {
@@ -56,7 +56,7 @@ impl Builder<'_, '_> {
     /// What one unit of the drawing adds to a state.
     fn drag_rate(&mut self, range: Range<usize>, state: usize) -> Option<usize> {
         let rate = self.expressions.number(range)?;
-        let state = &self.expressions.model.states[state];
+        let state = &self.expressions.model().states[state];
         if rate.dimension() != state.unit.dimension {
             let message = format!("one unit of the drawing must add to `{}` something of its dimension", state.name());
             let expected = (state.span, state.unit.dimension);

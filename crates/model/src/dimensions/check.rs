@@ -24,7 +24,7 @@ pub(crate) fn check_dimensions(
 ) -> Types {
     let mut solver = Solver::default();
     let unit = |stated: Option<&StatedUnit>| stated.map_or(Dimension::NONE, |stated| stated.unit.dimension);
-    let types = Types {
+    let mut types = Types {
         independent: program.independent.1.dimension.into(),
         parameters: program.parameters.iter().map(|entry| unit(entry.statement.unit.as_ref()).into()).collect(),
         definitions: vec![Type::Unknown; program.definitions.len()],
@@ -32,7 +32,7 @@ pub(crate) fn check_dimensions(
         unknowns: unknowns.iter().map(|_| solver.fresh()).collect(),
         unknown_names: unknowns.iter().map(|unknown| unknown.name.to_owned()).collect(),
     };
-    let mut inference = Inference { scope: &program.scope, types, solver, diagnostics: Vec::new() };
+    let mut inference = Inference { scope: &program.scope, types: &mut types, solver, diagnostics: Vec::new() };
     inference.stated_initial_values(unknowns);
     inference.definitions(program, order);
     inference.initial_values(unknowns, |entry| !is_bare(entry.value));
@@ -50,7 +50,7 @@ pub(crate) fn check_dimensions(
     }
     inference.settle(unknowns, !has_errors(diagnostics));
     diagnostics.append(&mut inference.diagnostics);
-    inference.types
+    types
 }
 
 impl Inference<'_> {

@@ -39,7 +39,7 @@ pub(crate) struct Types {
 #[derive(Debug)]
 pub(crate) struct Inference<'a> {
     pub scope: &'a Scope,
-    pub types: Types,
+    pub types: &'a mut Types,
     pub solver: Solver,
     pub diagnostics: Vec<Diagnostic>,
 }

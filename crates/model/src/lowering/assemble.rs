@@ -1,7 +1,7 @@
 //! Putting the model together from what was checked and lowered.
 
 use super::collect::Variation;
-use super::expression::{Chain, Lowering, TooManyNodes};
+use super::expression::{Chain, Lowered, Lowering, TooManyNodes};
 use super::solve::{solve, too_many_nodes};
 use crate::dimensions::{Type, Types};
 use crate::matching::blocks;
@@ -37,15 +37,16 @@ pub(crate) fn assemble(
         rate,
     };
     let chains: Vec<Chain> = unknowns.iter().zip(rates).map(chain).collect();
-    let mut lowering = Lowering::new(&mut graph, &mut texts, &program.scope, &chains);
-    lowering.definitions = vec![None; program.definitions.len()];
+    let mut known = Lowered::of(vec![None; program.definitions.len()]);
+    let mut lowering =
+        Lowering { graph: &mut graph, texts: &mut texts, scope: &program.scope, chains: &chains, known: &mut known };
     for &index in order {
         let value = lower(&mut lowering, program.definitions[index].value)?;
-        lowering.definitions[index] = Some(value);
+        lowering.known.definitions[index] = Some(value);
     }
     let states = states(&mut lowering, unknowns, types)?;
     let events = program.events.iter().map(|event| lower_event(&mut lowering, event)).collect::<Result<_, _>>()?;
-    let values = lowering.definitions;
+    let values = known.definitions;
     let mut model = Model {
         statements: Vec::new(),
         independent: Independent { name: program.independent.0.clone(), unit: program.independent.1.clone() },

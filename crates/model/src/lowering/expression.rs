@@ -40,6 +40,12 @@ pub(crate) struct Lowering<'a> {
     pub texts: &'a mut Vec<String>,
     pub scope: &'a Scope,
     pub chains: &'a [Chain],
+    pub known: &'a mut Lowered,
+}
+
+/// What has a node already.
+#[derive(Debug, Default)]
+pub(crate) struct Lowered {
     /// The values of definitions; each is there before it is used.
     pub definitions: Vec<Option<NodeId>>,
     /// Derivatives that were already asked for.
@@ -48,20 +54,14 @@ pub(crate) struct Lowering<'a> {
     starts: HashMap<NodeId, NodeId>,
 }
 
-impl<'a> Lowering<'a> {
-    /// Knows no definitions yet.
-    pub fn new(graph: &'a mut Graph, texts: &'a mut Vec<String>, scope: &'a Scope, chains: &'a [Chain]) -> Self {
-        Self {
-            graph,
-            texts,
-            scope,
-            chains,
-            definitions: Vec::new(),
-            derivatives: HashMap::new(),
-            starts: HashMap::new(),
-        }
+impl Lowered {
+    /// These definitions and nothing else.
+    pub fn of(definitions: Vec<Option<NodeId>>) -> Self {
+        Self { definitions, ..Self::default() }
     }
+}
 
+impl Lowering<'_> {
     /// The node of an expression.
     pub fn expression(&mut self, expression: &Expression) -> Result<NodeId, TooManyNodes> {
         if self.graph.len() > limits::NODES {
@@ -76,7 +76,7 @@ impl<'a> Lowering<'a> {
             ExpressionKind::Name { name, order } => self.name(name, *order)?,
             ExpressionKind::InitialValue { name, order } => {
                 let node = self.name(name, *order)?;
-                *self.starts.entry(node).or_insert_with(|| at_start(self.graph, node))
+                *self.known.starts.entry(node).or_insert_with(|| at_start(self.graph, node))
             }
             ExpressionKind::Unary(operator, operand) => {
                 let operand = self.expression(operand)?;
@@ -169,7 +169,7 @@ impl<'a> Lowering<'a> {
                 return self.derivative(meaning, node, available, order);
             }
             Meaning::Definition(index) => {
-                let value = self.definitions.get(index).copied().flatten();
+                let value = self.known.definitions.get(index).copied().flatten();
                 value.unwrap_or_else(|| self.undefined())
             }
         };
@@ -185,11 +185,11 @@ impl<'a> Lowering<'a> {
         wanted: u32,
     ) -> Result<NodeId, TooManyNodes> {
         for order in order..wanted {
-            node = match self.derivatives.get(&(meaning, order)) {
+            node = match self.known.derivatives.get(&(meaning, order)) {
                 Some(&known) => known,
                 None => {
                     let derivative = total_derivative(self.graph, self.chains, node);
-                    self.derivatives.insert((meaning, order), derivative);
+                    self.known.derivatives.insert((meaning, order), derivative);
                     derivative
                 }
             };

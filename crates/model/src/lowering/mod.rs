@@ -9,5 +9,5 @@ mod rank;
 mod solve;
 
 pub(crate) use assemble::assemble;
-pub(crate) use expression::{Chain, Lowering, TooManyNodes};
+pub(crate) use expression::{Chain, Lowered, Lowering, TooManyNodes};
 pub(crate) use solve::too_many_nodes;

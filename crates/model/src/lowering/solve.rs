@@ -3,7 +3,7 @@
 use super::affine::{Affine, Shape, Shapes};
 use super::collect::Collector;
 use super::explain::{dependent, nonlinear, not_solvable};
-use super::expression::{Chain, Lowering, TooManyNodes};
+use super::expression::{Chain, Lowered, Lowering, TooManyNodes};
 use super::rank::is_singular;
 use crate::matching::{blocks, match_equations};
 use crate::names::{Equation, Meaning, Program, Unknown, for_each_name, list};
@@ -78,13 +78,13 @@ fn linear_equations(
     scratch: &mut Graph,
 ) -> Result<Vec<Affine>, Vec<Diagnostic>> {
     let mut texts = Vec::new();
-    let mut lowering = Lowering::new(scratch, &mut texts, &program.scope, chains);
-    lowering.definitions = vec![None; program.definitions.len()];
+    let mut known = Lowered::of(vec![None; program.definitions.len()]);
+    let mut lowering = Lowering { graph: scratch, texts: &mut texts, scope: &program.scope, chains, known: &mut known };
     let too_many = |span: Span| vec![too_many_nodes(span)];
     for index in used_definitions(program, order) {
         let definition = &program.definitions[index];
         let value = lowering.expression(definition.value).map_err(|TooManyNodes| too_many(definition.name.span))?;
-        lowering.definitions[index] = Some(value);
+        lowering.known.definitions[index] = Some(value);
     }
     let mut shapes = Shapes::default();
     let unknown = |node: Node| match node {

@@ -1,6 +1,7 @@
 //! Measured data meet a model: tables and their import, what a measurement hides, derivatives, cycles, least squares
 //! with honest uncertainties, and the ranking of models.
 
+pub mod csv;
 pub mod cycles;
 pub mod finding;
 pub mod fit;
@@ -8,6 +9,7 @@ pub mod import;
 pub mod inspection;
 pub mod sampling;
 pub mod smoothing;
+pub mod spreadsheet;
 pub mod stencil;
 pub mod table;
 pub mod virtual_record;

@@ -20,37 +20,50 @@ const KINDS: [(&[u8], &str, &str); 10] = [
     (b"RIFF", "a film or a sound", "un vídeo o un sonido"),
 ];
 
-/// The text, with `\n` at the ends of lines or `\r\n`: UTF-8, UTF-16 with a byte-order mark, else Latin-1.
-pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
+/// Looks at the beginning of a file, some thousand bytes of it, before the rest is read.
+///
+/// # Errors
+/// When these bytes cannot begin a text that is a table.
+pub fn look(start: &[u8]) -> Result<(), ImportError> {
+    let start = start.get(..LOOK).unwrap_or(start);
     let refuse = |reason| Err(ImportError::new(None, reason));
-    if let Some((_, english, spanish)) = KINDS.iter().find(|(start, _, _)| bytes.starts_with(start)) {
+    if let Some((_, english, spanish)) = KINDS.iter().find(|(magic, _, _)| start.starts_with(magic)) {
         return refuse(Refusal::Kind { english, spanish });
     }
-    let text = match bytes {
-        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
-        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),
-        [0xef, 0xbb, 0xbf, rest @ ..] => plain(rest),
-        _ => plain(bytes),
-    };
-    let start = text.trim_start();
-    if start.is_empty() {
-        return refuse(Refusal::Empty);
-    }
+    let text = characters(start);
     let no_text = |byte: u8| byte < 0x20 && !matches!(byte, b'\t' | b'\n' | b'\r' | 0x0b | 0x0c | 0x1a);
-    if text.bytes().take(LOOK).any(no_text) {
+    if text.bytes().any(no_text) {
         return refuse(Refusal::Binary);
     }
-    if ["<?xml", "<!doctype", "<html"]
-        .iter()
-        .any(|tag| start.get(..tag.len()).is_some_and(|first| first.eq_ignore_ascii_case(tag)))
-    {
+    let text = text.trim_start();
+    let begins = |tag: &&str| text.get(..tag.len()).is_some_and(|first| first.eq_ignore_ascii_case(tag));
+    if ["<?xml", "<!doctype", "<html"].iter().any(begins) {
         return refuse(Refusal::Markup);
+    }
+    Ok(())
+}
+
+/// The text, with `\n` at the ends of lines or `\r\n`: UTF-8, UTF-16 with a byte-order mark, else Latin-1.
+pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
+    look(bytes)?;
+    let text = characters(bytes);
+    if text.trim_start().is_empty() {
+        return Err(ImportError::new(None, Refusal::Empty));
     }
     // Lines that end with a carriage return alone.
     if text.contains('\r') && !text.contains('\n') {
         return Ok(Cow::Owned(text.replace('\r', "\n")));
     }
     Ok(text)
+}
+
+fn characters(bytes: &[u8]) -> Cow<'_, str> {
+    match bytes {
+        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
+        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),
+        [0xef, 0xbb, 0xbf, rest @ ..] => plain(rest),
+        _ => plain(bytes),
+    }
 }
 
 fn utf16(bytes: &[u8], word: fn([u8; 2]) -> u16) -> Cow<'_, str> {

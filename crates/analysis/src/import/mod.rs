@@ -11,6 +11,7 @@ mod roles;
 mod rows;
 
 pub use cells::Delimiter;
+pub use decode::look;
 pub use format::Format;
 pub use refusal::{ImportError, Refusal};
 

@@ -90,6 +90,11 @@ impl Adaptive {
         self.peaks.fill(0.0);
     }
 
+    /// Sets the error allowed in each step.
+    pub fn set_tolerance(&mut self, tolerance: f64) {
+        self.tolerance = tolerance;
+    }
+
     /// Begins anew at `time` with `state`, after a jump of the state or the parameters.
     pub fn restart(&mut self, time: f64, state: &[f64]) {
         self.start = time;

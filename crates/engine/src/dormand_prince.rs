@@ -77,9 +77,8 @@ impl DormandPrince {
             equations.rates(time + NODES[stage] * size, &self.stage, rates);
         }
         to.copy_from_slice(&self.stage);
-        for (k, error) in error.iter_mut().enumerate() {
-            *error = size * weighted(&ERROR_WEIGHTS, &self.rates, k);
-        }
+        weighted(error, &ERROR_WEIGHTS, &self.rates);
+        error.iter_mut().for_each(|error| *error *= size);
     }
 
     /// The coefficients of the dense output of the last step, which led from `from` to `to`.
@@ -92,8 +91,9 @@ impl DormandPrince {
             c_1[k] = change;
             c_2[k] = bend;
             c_3[k] = change - size * self.rates[STAGES - 1][k] - bend;
-            c_4[k] = size * weighted(&DENSE_WEIGHTS, &self.rates, k);
         }
+        weighted(c_4, &DENSE_WEIGHTS, &self.rates);
+        c_4.iter_mut().for_each(|value| *value *= size);
     }
 
     /// Makes the last stage of an accepted step the first of the next.
@@ -113,13 +113,20 @@ pub(crate) fn dense_value(coefficients: &[Vec<f64>; 5], part: f64, out: &mut [f6
 
 /// to = from + size * (weights . rates), summed from the left.
 fn combine(to: &mut [f64], from: &[f64], size: f64, weights: &[f64], rates: &[Vec<f64>]) {
-    for (k, (to, from)) in to.iter_mut().zip(from).enumerate() {
-        *to = from + size * weighted(weights, rates, k);
+    weighted(to, weights, rates);
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = from + size * *to;
     }
 }
 
-fn weighted(weights: &[f64], rates: &[Vec<f64>], k: usize) -> f64 {
-    weights.iter().zip(rates).fold(0.0, |sum, (weight, rates)| sum + weight * rates[k])
+/// sum = weights . rates, one stage after the other for all states, which a processor does for several at a time.
+fn weighted(sum: &mut [f64], weights: &[f64], rates: &[Vec<f64>]) {
+    sum.fill(0.0);
+    for (weight, rates) in weights.iter().zip(rates) {
+        for (sum, rate) in sum.iter_mut().zip(rates) {
+            *sum += weight * rate;
+        }
+    }
 }
 
 #[cfg(test)]

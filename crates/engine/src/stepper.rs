@@ -191,6 +191,13 @@ impl Stepper {
         Ok(fired)
     }
 
+    /// Sets the error that an adaptive method may make in each step from here on, relative to the state.
+    pub fn set_tolerance(&mut self, tolerance: f64) {
+        if let Solver::Adaptive(adaptive) = &mut self.solver {
+            adaptive.set_tolerance(tolerance.max(Setup::LEAST_TOLERANCE));
+        }
+    }
+
     /// Begins a new run at 0 with other parameters and another initial state, as if it were a new stepper.
     pub fn begin(&mut self, parameters: Vec<f64>, initial: &[f64]) {
         self.initial.copy_from_slice(initial);

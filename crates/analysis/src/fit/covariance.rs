@@ -107,20 +107,27 @@ fn meat(search: &Search, plans: &[Plan]) -> Vec<f64> {
             }
         }
         base += plan.points.len();
-        let lags = statistics::lags(&scores, plan.times.len());
+        let window = statistics::lags(&scores, plan.times.len()) + 1;
+        let sums: Vec<Vec<f64>> = scores.iter().map(|scores| sliding_sums(scores, window)).collect();
         for row in 0..size {
-            for column in 0..size {
-                let (a, b) = (&scores[row], &scores[column]);
-                let mut sum = dot(a, b);
-                for lag in 1..=lags {
-                    let weight = 1.0 - lag as f64 / (lags + 1) as f64;
-                    sum += weight * (dot(&a[lag..], b) + dot(&b[lag..], a));
-                }
+            for column in 0..=row {
+                let sum = dot(&sums[row], &sums[column]) / window as f64;
                 meat[row * size + column] += sum;
+                if column < row {
+                    meat[column * size + row] += sum;
+                }
             }
         }
     }
     meat
+}
+
+/// The sums over all windows of this length that touch the series. Their products, added up and divided by the length, are the
+/// products of the series at all lags with Bartlett's weights.
+fn sliding_sums(series: &[f64], window: usize) -> Vec<f64> {
+    (0..series.len() + window - 1)
+        .map(|end| series[(end + 1).saturating_sub(window)..series.len().min(end + 1)].iter().sum())
+        .collect()
 }
 
 fn product(a: &[f64], b: &[f64], size: usize) -> Vec<f64> {

@@ -4,10 +4,26 @@ use super::task::Target;
 use engine::{Method, Routine, Setup, Stepper};
 use model::{Kind, Model, Node, NodeId};
 
-/// Equations of motion are integrated to this, relative to the state.
+/// Equations of motion are integrated to this in the end, relative to the state.
 pub(crate) const TOLERANCE: f64 = 1e-9;
+/// And to this while the answer is still far away.
+pub(crate) const LOOSE: f64 = 1e-6;
 /// A solution that needs more evaluations of the equations is given up.
 const MOST_EVALUATIONS: u64 = 2_000_000;
+
+/// A copy of a model without what only its author reads.
+pub(crate) fn bare(model: &Model) -> Model {
+    Model {
+        statements: Vec::new(),
+        independent: model.independent.clone(),
+        parameters: model.parameters.clone(),
+        states: model.states.clone(),
+        quantities: model.quantities.clone(),
+        events: model.events.clone(),
+        graph: model.graph.clone(),
+        texts: Vec::new(),
+    }
+}
 
 /// Gives the model's values of all that is observed, with derivatives, at any ascending times.
 #[derive(Clone, Debug)]
@@ -48,7 +64,7 @@ impl Curve {
             .collect();
         varied.dedup();
         let states = model.states.len();
-        let mut extended = model
+        let mut extended = bare(model)
             .with_sensitivities(&varied)
             .ok_or_else(|| "the model is too large to be differentiated by what is varied".to_owned())?;
         let by_parameter: Vec<Vec<NodeId>> = varied
@@ -64,7 +80,11 @@ impl Curve {
                 states == 0 && nodes.iter().all(constant)
             })
             .collect();
-        let rates = extended.rates_of(observed);
+        let rates = match targets.contains(&Target::Origin) {
+            true => extended.rates_of(observed),
+            // Nobody asks for them.
+            false => vec![extended.graph.constant(0.0); observed.len()],
+        };
         let mut roots = Vec::new();
         for (number, &node) in observed.iter().enumerate() {
             roots.push(node);
@@ -76,7 +96,7 @@ impl Curve {
             parameters: parameters.to_vec(),
             method: if method == Method::Rosenbrock { method } else { Method::DormandPrince },
             step: if duration > 0.0 { duration / 100.0 } else { Setup::STEP },
-            tolerance: TOLERANCE,
+            tolerance: LOOSE,
             start: Some(vec![0.0; extended.states.len()]),
         };
         let stepper =
@@ -94,6 +114,13 @@ impl Curve {
             start: vec![0.0; all],
             zeros: vec![0.0; all],
         })
+    }
+
+    /// Integrates to `tolerance` from here on.
+    pub fn set_tolerance(&mut self, tolerance: f64) {
+        if let Some(stepper) = &mut self.stepper {
+            stepper.set_tolerance(tolerance);
+        }
     }
 
     /// How many numbers [`Curve::follow`] gives at each time: for each observed expression its value, its derivatives

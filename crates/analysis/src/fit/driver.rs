@@ -1,5 +1,6 @@
 //! The course of a fit: which starts are tried, how several observations are weighed, when it ends.
 
+use super::curve;
 use super::outcome::{self, Outcome};
 use super::problem::{Plan, Problem, Window};
 use super::search::{Search, Status};
@@ -31,6 +32,8 @@ pub struct Fit {
     current: Option<Current>,
     /// The weighted sum of squares about the mean of each observation.
     total: f64,
+    /// Whether equations of motion are integrated as they should be in the end.
+    refined: bool,
     weighings: usize,
     trials: usize,
     finished: bool,
@@ -54,9 +57,10 @@ struct Current {
 
 impl Fit {
     /// The part of the sum of squares that may be left to gain, for formulas.
-    const TOLERANCE: f64 = 1e-20;
-    /// The same for equations of motion, whose solutions carry the error of the integration.
-    const TOLERANCE_OF_MOTION: f64 = 1e-13;
+    const TOLERANCE: f64 = 1e-16;
+    /// The same for equations of motion, whose solutions carry the error of the integration: integrated loosely at first,
+    /// and as they should be in the end.
+    const TOLERANCE_OF_MOTION: [f64; 2] = [1e-8, 1e-13];
     /// Trials of one search.
     const TRIALS: usize = 400;
     /// Trials in a window that is not yet the whole.
@@ -81,7 +85,7 @@ impl Fit {
         let mut stages: Vec<Stage> = (0..Self::SPREAD).rev().map(Stage::Spread).collect();
         stages.extend([Stage::Windows, Stage::Estimated, Stage::Own]);
         let mut fit = Self {
-            model: model.clone(),
+            model: curve::bare(model),
             bounds: bounds(model, &problem),
             own: problem.own_start(),
             estimates: start::estimates(&problem),
@@ -92,6 +96,7 @@ impl Fit {
             converged: false,
             stages,
             current: None,
+            refined: false,
             weighings: 0,
             trials: 0,
             finished: false,
@@ -153,8 +158,10 @@ impl Fit {
     /// A search over `plans`, from `start`.
     pub(super) fn search(&mut self, start: &[f64], plans: &[Plan], limit: usize) -> Search {
         let rows = plans.iter().map(|plan| plan.points.len()).sum();
-        let motion = self.problem.curve.has_states();
-        let tolerance = if motion { Self::TOLERANCE_OF_MOTION } else { Self::TOLERANCE };
+        let tolerance = match self.problem.curve.has_states() {
+            true => Self::TOLERANCE_OF_MOTION[usize::from(self.refined)],
+            false => Self::TOLERANCE,
+        };
         let mut window = Window { problem: &mut self.problem, plans };
         Search::new(&mut window, start, self.bounds.clone(), rows, tolerance, limit)
     }
@@ -209,33 +216,38 @@ impl Fit {
     /// Takes in a search over the whole that has ended.
     fn settle(&mut self, search: Search) {
         let better = match &self.best {
-            // Weighed anew, sums of squares cannot be compared; what is searched then goes on from the best.
-            Some(best) => self.weighings > 0 || search.sum < best.sum * (1.0 - Self::BETTER),
+            // Refined or weighed anew, sums of squares cannot be compared; what is searched then goes on from the best.
+            Some(_) if self.refined => search.sum.is_finite(),
+            Some(best) => search.sum < best.sum * (1.0 - Self::BETTER),
             None => search.sum.is_finite(),
         };
         if better {
             self.converged = search.status == Status::Converged;
             self.best = Some(search);
         }
-        if self.weighings > 0 {
+        if self.refined {
             self.conclude();
         }
     }
 
-    /// Weighs several observations by their own scatter until that no longer changes, and ends.
+    /// Integrates as it should be, weighs several observations by their own scatter until that no longer changes, and ends.
     fn conclude(&mut self) {
         let Some(best) = &self.best else {
             self.finished = true;
             return;
         };
-        let changed = self.problem.reweigh(&best.residuals);
-        if !changed || self.weighings >= Self::WEIGHINGS {
+        let refine = !self.refined && self.problem.curve.has_states();
+        self.refined = true;
+        if refine {
+            self.problem.curve.set_tolerance(curve::TOLERANCE);
+        } else if self.weighings < Self::WEIGHINGS && self.problem.reweigh(&best.residuals) {
+            self.weighings += 1;
+            self.plans = self.problem.plans.clone();
+            self.total = self.problem.spread_sum();
+        } else {
             self.finished = true;
             return;
         }
-        self.weighings += 1;
-        self.plans = self.problem.plans.clone();
-        self.total = self.problem.spread_sum();
         let search = self.search(&best.x.clone(), &self.plans.clone(), Self::TRIALS);
         self.current = Some(Current { search, plans: self.plans.clone(), windows: Vec::new() });
     }

@@ -33,9 +33,18 @@ pub(crate) fn norm(vector: &[f64]) -> f64 {
     dot(vector, vector).sqrt()
 }
 
-/// The sum of products.
+/// The sum of products, in four sums at a time: one would wait for itself at every addition.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b)
+    let length = a.len().min(b.len());
+    let (a_fours, b_fours) = (a[..length].chunks_exact(4), b[..length].chunks_exact(4));
+    let rest = a_fours.remainder().iter().zip(b_fours.remainder()).fold(0.0, |sum, (a, b)| sum + a * b);
+    let mut sums = [0.0; 4];
+    for (a, b) in a_fours.zip(b_fours) {
+        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum += a * b;
+        }
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
 }
 
 /// What a least-squares step needs of A and r: with A = Q R and the singular value decomposition R = U S V^T,

@@ -1,0 +1,79 @@
+//! How fast a measured record is fitted: by a formula, and by the equation of motion.
+
+use analysis::fit::{Fit, Observation, Outcome, Record, Task, Varied};
+use document::Document;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+const FORMULA: &str = include_str!("../../../simulations/theories/cosine.md");
+const MOTION: &str = include_str!("../../../simulations/theories/linear.md");
+
+/// A record of a level, ready to be fitted by the damped cosine and by the linear equation of motion, from the documents' own
+/// values.
+#[wasm_bindgen]
+pub struct Fits {
+    documents: [Document; 2],
+    tasks: [Task; 2],
+}
+
+#[wasm_bindgen]
+impl Fits {
+    /// Opens the documents; the record is in seconds and metres.
+    ///
+    /// # Errors
+    /// A document has errors, or has no level `y`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(times: &[f64], level: &[f64]) -> Result<Fits, String> {
+        let open = |source: &str| {
+            let document = document::open(source, &[]).document.ok_or("the document has errors")?;
+            let observed = document.model.lookup("y", 0).ok_or("the document has no y")?;
+            let observation = Observation {
+                name: "y".to_owned(),
+                observed,
+                times: times.to_vec(),
+                values: level.to_vec(),
+                errors: None,
+                derived_from: None,
+            };
+            let record = Record { name: "record".to_owned(), observations: vec![observation], fixed: Vec::new() };
+            let task = Task {
+                parameters: document.model.parameters.iter().map(|parameter| parameter.value).collect(),
+                records: vec![record],
+                varied: document.vary.iter().map(|&index| Varied::parameter(index)).collect(),
+                ..Task::default()
+            };
+            Ok::<_, String>((document, task))
+        };
+        let (formula, motion) = (open(FORMULA)?, open(MOTION)?);
+        Ok(Self { documents: [formula.0, motion.0], tasks: [formula.1, motion.1] })
+    }
+
+    /// So many fits of the formula; the root of the mean square of the residuals.
+    ///
+    /// # Errors
+    /// The fit does not come to its end.
+    pub fn formula(&self, count: u32) -> Result<f64, String> {
+        self.fit(0, count)
+    }
+
+    /// So many fits of the equation of motion; the root of the mean square of the residuals.
+    ///
+    /// # Errors
+    /// The fit does not come to its end.
+    pub fn motion(&self, count: u32) -> Result<f64, String> {
+        self.fit(1, count)
+    }
+}
+
+impl Fits {
+    fn fit(&self, which: usize, count: u32) -> Result<f64, String> {
+        let mut rmse = 0.0;
+        for _ in 0..count {
+            let task = self.tasks[which].clone();
+            let mut fit = Fit::new(&self.documents[which].model, task).map_err(|error| error.to_string())?;
+            fit.complete();
+            let outcome: Outcome = fit.outcome().filter(|outcome| outcome.converged).ok_or("no end")?;
+            rmse = outcome.rmse;
+        }
+        Ok(rmse)
+    }
+}

@@ -1,5 +1,6 @@
 //! Numbers as a CSV file, for programs and for spreadsheets of both kinds.
 
+use crate::spreadsheet::Cell;
 use std::fmt::Write;
 
 /// How a CSV file is written.
@@ -16,27 +17,16 @@ pub enum Dialect {
 /// A table with one header line. Numbers have all their digits; what is not finite is an empty cell. Columns may be of
 /// different lengths.
 pub fn write(headers: &[&str], columns: &[&[f64]], dialect: Dialect) -> String {
-    let mut out = String::new();
-    let delimiter = match dialect {
-        Dialect::Commas => ',',
-        Dialect::Semicolons => {
-            out.push('\u{feff}');
-            ';'
-        }
-    };
+    let mut out = start(dialect);
     for (index, header) in headers.iter().enumerate() {
-        if index > 0 {
-            out.push(delimiter);
-        }
+        separate(&mut out, index, dialect);
         write_text(&mut out, header);
     }
     out.push_str("\r\n");
     let rows = columns.iter().map(|column| column.len()).max().unwrap_or(0);
     for row in 0..rows {
         for (index, column) in columns.iter().enumerate() {
-            if index > 0 {
-                out.push(delimiter);
-            }
+            separate(&mut out, index, dialect);
             if let Some(value) = column.get(row).filter(|value| value.is_finite()) {
                 write_number(&mut out, *value, dialect);
             }
@@ -44,6 +34,41 @@ pub fn write(headers: &[&str], columns: &[&[f64]], dialect: Dialect) -> String {
         out.push_str("\r\n");
     }
     out
+}
+
+/// Rows of cells, those of the header among them.
+pub fn write_rows(rows: &[Vec<Cell>], dialect: Dialect) -> String {
+    let mut out = start(dialect);
+    for row in rows {
+        for (index, cell) in row.iter().enumerate() {
+            separate(&mut out, index, dialect);
+            match cell {
+                Cell::Number(value) if value.is_finite() => write_number(&mut out, *value, dialect),
+                Cell::Text(text) => write_text(&mut out, text),
+                Cell::Number(_) | Cell::Empty => {}
+            }
+        }
+        out.push_str("\r\n");
+    }
+    out
+}
+
+/// What a file begins with.
+fn start(dialect: Dialect) -> String {
+    match dialect {
+        Dialect::Commas => String::new(),
+        Dialect::Semicolons => "\u{feff}".to_owned(),
+    }
+}
+
+/// The sign before every cell of a row but the first.
+fn separate(out: &mut String, index: usize, dialect: Dialect) {
+    if index > 0 {
+        out.push(match dialect {
+            Dialect::Commas => ',',
+            Dialect::Semicolons => ';',
+        });
+    }
 }
 
 /// The shortest text that reads back as the same number.

@@ -14,6 +14,7 @@ mod search;
 mod start;
 mod statistics;
 mod task;
+mod trace;
 mod weights;
 mod words;
 
@@ -24,6 +25,7 @@ pub use profile::{Interval, profile};
 pub use rank::{Ranked, rank};
 pub use statistics::RunsTest;
 pub use task::{FitError, Observation, Record, Target, Task, Varied};
+pub use trace::Trace;
 
 /// The greatest number of varied numbers, over all records.
 pub const MOST_VARIED: usize = 64;

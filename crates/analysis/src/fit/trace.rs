@@ -1,0 +1,57 @@
+//! The fitted curve between the measured values, finely enough to be drawn, and how far it may be off.
+
+use super::covariance::Covariance;
+use super::driver::Fit;
+use super::linear::Jacobian;
+use super::problem::{Plan, Point};
+
+/// The fitted curve of one observation. All numbers are SI.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Trace {
+    /// Which record.
+    pub record: usize,
+    /// Which of its observations.
+    pub observation: usize,
+    /// The clock's readings, evenly from the first to the last measured value.
+    pub times: Vec<f64>,
+    /// The model's values, with the zero of the scale; NaN where it has none.
+    pub values: Vec<f64>,
+    /// Their standard errors, from the parameters' by the covariance that is honest about correlated residuals.
+    pub stderr: Vec<f64>,
+}
+
+impl Fit {
+    /// The curves of a finished fit, each of `count` points (at least 2): those of all observations, by record. Empty if
+    /// nothing was found.
+    pub fn traces(&mut self, count: usize) -> Vec<Trace> {
+        let Some(best) = self.best.clone() else { return Vec::new() };
+        let records = self.problem.task.records.clone();
+        let errors_given = records.iter().flat_map(|record| &record.observations).all(|one| one.errors.is_some());
+        let covariance = Covariance::new(&best, &self.plans, self.problem.independent_values(), errors_given);
+        let whole = self.problem.plan(&self.problem.expressions(), None, None, &[]);
+        let mut traces = Vec::new();
+        for (record, plan) in whole.iter().enumerate() {
+            let (Some(&first), Some(&last)) = (plan.times.first(), plan.times.last()) else { continue };
+            let steps = count.max(2) - 1;
+            let times: Vec<f64> =
+                (0..=steps).map(|step| first + (last - first) * (step as f64 / steps as f64)).collect();
+            for observation in 0..records[record].observations.len() {
+                // Beside a measured 0, the residual is the model's value.
+                let point = |row| Point { row, observation, value: 0.0, weight: 1.0, share: 1.0 };
+                let points = (0..times.len()).map(point).collect();
+                let plan =
+                    Plan { times: times.clone(), points, expressions: plan.expressions.clone(), origin: plan.origin };
+                let mut values = vec![f64::NAN; times.len()];
+                let mut slopes = Jacobian::new(times.len(), best.x.len());
+                self.problem.record_residuals(record, &plan, &best.x, 0, &mut values, &mut slopes);
+                let error = |row| {
+                    let gradient: Vec<f64> = (0..best.x.len()).map(|column| slopes.column(column)[row]).collect();
+                    Covariance::variance(&covariance.robust, &gradient).sqrt()
+                };
+                let stderr = (0..times.len()).map(error).collect();
+                traces.push(Trace { record, observation, times: times.clone(), values, stderr });
+            }
+        }
+        traces
+    }
+}

@@ -13,6 +13,9 @@ use std::path::{Path, PathBuf};
 /// The document that the laboratory opens with, and its translations.
 const DOCUMENTS: [&str; 2] = ["utube.md", "utube.es.md"];
 
+/// The directories, below `simulations`, whose documents the laboratory can open without a file.
+const LIBRARY: [&str; 2] = ["theories", ""];
+
 /// Builds the page and returns where it is.
 pub fn build() -> Result<PathBuf> {
     let directory = steps::target().join("page").join("parts");
@@ -44,6 +47,7 @@ fn assemble(glue: &str, module: &[u8]) -> Result<String> {
         ("<!--style-->", format!("<style>\n{style}</style>")),
         ("<!--glue-->", format!("<script>\n{}\n</script>", glue.replace("</script", "<\\/script"))),
         ("<!--module-->", format!("<script type=\"application/octet-stream\" id=\"module\">{module}</script>")),
+        ("<!--library-->", format!("<script type=\"application/json\" id=\"library\">{}</script>", library()?)),
         ("<!--boot-->", format!("<script>\n{boot}</script>")),
     ] {
         if page.matches(marker).count() != 1 {
@@ -58,6 +62,26 @@ fn assemble(glue: &str, module: &[u8]) -> Result<String> {
     let documents = documents.collect::<Result<Vec<Source>>>()?;
     document::page::embed(&page, &documents, &Options::default())
         .with_context(|| format!("crates/lab/page/index.html must contain {}", document::page::MARKER))
+}
+
+/// All documents that ship, each named by its path below `simulations`.
+fn library() -> Result<String> {
+    let mut sources = Vec::new();
+    for directory in LIBRARY {
+        let path = steps::root().join("simulations").join(directory);
+        let entries = std::fs::read_dir(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        let mut names = Vec::new();
+        for entry in entries {
+            names.push(entry?.file_name().to_string_lossy().into_owned());
+        }
+        names.retain(|name| name.ends_with(".md"));
+        names.sort();
+        for name in names {
+            let text = read(&path.join(&name))?;
+            sources.push(Source { name: format!("{directory}/{name}").trim_start_matches('/').to_owned(), text });
+        }
+    }
+    Ok(document::page::write_list(&sources))
 }
 
 fn read(path: &Path) -> Result<String> {

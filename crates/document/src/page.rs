@@ -41,17 +41,27 @@ pub fn embed(template: &str, documents: &[Source], options: &Options) -> Option<
     if let Some(language) = options.language.as_ref().filter(|language| crate::settings::is_language(language)) {
         replace_between(&mut head, "<html lang=\"", "\"", language);
     }
+    Some(format!("{head}{OPENING}{}{CLOSING}{after}", write_list(documents)))
+}
+
+/// Documents as a list in JSON that can stand in a `script` element.
+pub fn write_list(documents: &[Source]) -> String {
     let list: Vec<String> = documents
         .iter()
         .map(|source| format!("{{\"name\":{},\"text\":{}}}", encode(&source.name), encode(&source.text)))
         .collect();
-    Some(format!("{head}{OPENING}[{}]{CLOSING}{after}", list.join(",\n")))
+    format!("[{}]", list.join(",\n"))
 }
 
 /// The documents in a page that [`embed`] made. None where it holds none.
 pub fn read(page: &str) -> Option<Vec<Source>> {
     let (start, end) = embedded(page)?;
-    let mut reader = Reader { rest: &page[start..end] };
+    read_list(&page[start..end])
+}
+
+/// The documents of a list that [`write_list`] made. None where it is none, or empty.
+pub fn read_list(list: &str) -> Option<Vec<Source>> {
+    let mut reader = Reader { rest: list };
     let mut documents = Vec::new();
     reader.expect('[')?;
     while reader.expect('{').is_some() {

@@ -38,6 +38,10 @@ pub struct Changes {
     pub runs: RwSignal<u64>,
     /// Which plots are shown, and whether they show everything.
     pub plots: RwSignal<u64>,
+    /// Records, and what their columns are taken for.
+    pub records: RwSignal<u64>,
+    /// Fits, what they vary and what has come of them.
+    pub fits: RwSignal<u64>,
     /// The time shown and the rows recorded; raised at most ten times a second while the run is playing.
     pub values: RwSignal<u64>,
 }
@@ -54,6 +58,12 @@ pub struct App {
     pub spoken: RwSignal<String>,
     /// Whether single keys act.
     pub single_keys: RwSignal<bool>,
+    /// Which record a fit follows.
+    pub fit_record: RwSignal<Option<u32>>,
+    /// Why the last record could not be read.
+    pub record_refusal: RwSignal<Option<String>>,
+    /// Which tab of the notebook is that of the measurements.
+    pub measurements_tab: RwSignal<usize>,
     /// The open tab of the notebook.
     pub tab: RwSignal<usize>,
 }
@@ -70,11 +80,16 @@ impl App {
                 transport: counter(),
                 runs: counter(),
                 plots: counter(),
+                records: counter(),
+                fits: counter(),
                 values: counter(),
             },
             language: RwSignal::new(language),
             spoken: RwSignal::new(String::new()),
             single_keys: RwSignal::new(single_keys),
+            fit_record: RwSignal::new(None),
+            record_refusal: RwSignal::new(None),
+            measurements_tab: RwSignal::new(0),
             tab: RwSignal::new(0),
         }
     }
@@ -143,6 +158,8 @@ impl App {
             (before.transport != now.transport, changes.transport),
             (before.runs != now.runs, changes.runs),
             (before.plots != now.plots, changes.plots),
+            (before.records != now.records, changes.records),
+            (before.fits != now.fits, changes.fits),
             ((before.frame, before.rows) != (now.frame, now.rows), changes.values),
         ] {
             if changed {

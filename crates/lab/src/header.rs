@@ -3,7 +3,7 @@
 use crate::app::App;
 use crate::theme::Theme;
 use crate::words::Language;
-use crate::{browser, icons, keys, opening};
+use crate::{browser, icons, keys, library, opening};
 use leptos::html;
 use leptos::prelude::*;
 
@@ -16,6 +16,9 @@ pub fn view(app: App) -> impl IntoView {
             <p class="brand">{icons::mark()}<span>"Meniscus"</span></p>
             <h1>{title}</h1>
             <div class="head-tools">
+                <button type="button" class="quiet with-icon" id="browse" title=words.library_title aria-haspopup="dialog" on:click=move |_| library::choose()>
+                    {icons::books()}<span>{words.library}</span>
+                </button>
                 {open_button(app)}
                 <button type="button" class="quiet with-icon" id="share" title=words.share_title on:click=move |_| share(app)>
                     {icons::link()}<span>{words.share}</span>

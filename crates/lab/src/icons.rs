@@ -43,6 +43,8 @@ icons! {
     link: "M10 14a3.6 3.6 0 0 0 5.1 0l3-3A3.6 3.6 0 0 0 13 5.9l-1 1M14 10a3.6 3.6 0 0 0-5.1 0l-3 3a3.6 3.6 0 0 0 5.1 5.1l1-1";
     /// A folder.
     folder: "M4 18V6h5.5l2 2.5H20V18z";
+    /// Three books on a shelf, one of them leaning.
+    books: "M5 19V5h3.5v14zM8.5 19V7.5H12V19zM13.2 8l3.3-.9 3 11-3.3.9z";
     /// A keyboard.
     keyboard: "M3.5 7h17v10h-17zM7 10.2h.01M10.3 10.2h.01M13.6 10.2h.01M17 10.2h.01M8.5 13.8h7";
     /// A disc, half of it filled.

@@ -1,7 +1,7 @@
 //! The notebook below the apparatus: the document's prose in tabs, its equations, the recorded data, its source.
 
 use crate::app::App;
-use crate::{browser, data, diagnostics, question};
+use crate::{browser, data, diagnostics, measurements, question};
 use document::{Block, Section};
 use leptos::prelude::*;
 use web_sys::KeyboardEvent;
@@ -19,6 +19,8 @@ pub fn view(app: App) -> impl IntoView {
     tabs.push(Tab { title: words.equations.to_owned(), content: equations(app) });
     let number = tabs.len();
     tabs.push(Tab { title: words.data.to_owned(), content: data::view(app, number) });
+    app.measurements_tab.set(tabs.len());
+    tabs.push(Tab { title: words.measurements.to_owned(), content: measurements::view(app) });
     tabs.push(Tab { title: words.source.to_owned(), content: source(app) });
     let count = tabs.len();
     if app.tab.get_untracked() >= count {

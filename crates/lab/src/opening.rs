@@ -2,7 +2,7 @@
 //! comes back with them.
 
 use crate::app::App;
-use crate::{browser, frame};
+use crate::{browser, frame, measurements};
 use document::page::{self, Source};
 use leptos::ev;
 use leptos::prelude::*;
@@ -34,6 +34,12 @@ fn open(app: App, sources: Vec<Source>, state: &str) {
         None => (None, Vec::new()),
     };
     app.with(|lab| {
+        let mut session = session;
+        match (&mut lab.session, &mut session) {
+            (Some(before), Some(session)) => session.adopt_records(before),
+            (None, Some(session)) => session.restore_records(&browser::remembered("records").unwrap_or_default()),
+            (_, None) => {}
+        }
         lab.session = session;
         lab.sources = sources;
         lab.findings = findings;
@@ -52,6 +58,12 @@ fn open(app: App, sources: Vec<Source>, state: &str) {
         }
     });
     app.rebuild();
+}
+
+/// Opens a document of the library.
+pub fn open_sources(app: App, sources: Vec<Source>) {
+    remember_now(app);
+    open(app, sources, "");
 }
 
 /// Under which name the state of this document is remembered: by its file and title, so that documents keep apart.
@@ -77,14 +89,24 @@ fn remember_now(app: App) {
     if let Some(state) = app.read(|session| Some(session.share())) {
         browser::remember(&key(app), &state);
     }
+    let (records, _) = app.read(|session| session.saved_records());
+    browser::remember("records", &records);
 }
 
-/// Opens files that the user picked: a document with its translations, or one exported page.
+/// Opens files that the user picked: a document with its translations, one exported page, or records.
 pub fn open_files(app: App, files: &FileList) {
     let files: Vec<File> = (0..files.length()).filter_map(|index| files.get(index)).collect();
     leptos::task::spawn_local(async move {
         let mut sources = Vec::new();
-        for file in files {
+        let is_document = |file: &File| {
+            let name = file.name().to_lowercase();
+            [".md", ".markdown", ".html", ".htm"].iter().any(|ending| name.ends_with(ending))
+        };
+        let (documents, records): (Vec<File>, Vec<File>) = files.into_iter().partition(is_document);
+        if documents.is_empty() {
+            return measurements::read_all(app, records).await;
+        }
+        for file in documents {
             let Ok(text) = browser::wait(file.text()).await else { continue };
             let (name, text) = (file.name(), text.as_string().unwrap_or_default());
             if let Some(embedded) = page::read(&text) {
@@ -102,6 +124,7 @@ pub fn open_files(app: App, files: &FileList) {
         }
         remember_now(app);
         open(app, sources, "");
+        measurements::read_all(app, records).await;
         browser::focus_later("play".to_owned());
     });
 }

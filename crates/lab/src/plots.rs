@@ -183,7 +183,11 @@ pub fn view(app: App) -> impl IntoView {
     let plots = app.read(|session| session.plots());
     let shown = move |index: usize| {
         app.changes.plots.track();
-        app.read(|session| session.plots().get(index).is_some_and(|plot| plot.shown))
+        app.read(|session| session.plots().get(index).is_some_and(|plot| plot.shown && plot.offered))
+    };
+    let offered = move |index: usize| {
+        app.changes.plots.track();
+        app.read(|session| session.plots().get(index).is_some_and(|plot| plot.offered))
     };
     let count = plots.len();
     let switches = plots
@@ -191,7 +195,7 @@ pub fn view(app: App) -> impl IntoView {
         .map(|plot| {
             let index = plot.index;
             view! {
-                <button type="button" class="chip" aria-pressed=move || shown(index).to_string()
+                <button type="button" class="chip" aria-pressed=move || shown(index).to_string() hidden=move || !offered(index)
                     on:click=move |_| app.act(|session| {
                         let shown = session.plots().get(index).is_some_and(|plot| plot.shown);
                         session.show_plot(index, !shown);

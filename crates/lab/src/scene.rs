@@ -5,7 +5,7 @@ use crate::app::App;
 use crate::drag::{self, Handle};
 use document::{Child, Element, Piece, Scene, Template};
 use leptos::prelude::document as page;
-use session::Session;
+use session::{Follows, Session};
 use wasm_bindgen::JsCast;
 use web_sys::{ShadowRootInit, ShadowRootMode, SvgElement, SvgGraphicsElement, Text};
 
@@ -15,6 +15,7 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 pub struct SceneNodes {
     bindings: Vec<Binding>,
     handles: Vec<Handle>,
+    ghost: Ghost,
     /// The values drawn last.
     drawn: Vec<f64>,
     values: Vec<f64>,
@@ -40,6 +41,7 @@ impl SceneNodes {
         let mut nodes = Self {
             bindings: Vec::new(),
             handles: Vec::new(),
+            ghost: Ghost::default(),
             drawn: Vec::new(),
             values: Vec::new(),
             text: String::new(),
@@ -49,8 +51,14 @@ impl SceneNodes {
         let _ = root.set_attribute("aria-label", label);
         let _ = root.set_attribute("part", "drawing");
         // A tree of its own: the document's styles stay in it, and the page's class names mean nothing there.
-        let shadow = place.attach_shadow(&ShadowRootInit::new(ShadowRootMode::Open)).ok()?;
+        // The place may be that of the document or language before.
+        let shadow = match place.shadow_root() {
+            Some(shadow) => shadow,
+            None => place.attach_shadow(&ShadowRootInit::new(ShadowRootMode::Open)).ok()?,
+        };
+        shadow.set_inner_html("");
         let _ = shadow.append_child(&root);
+        nodes.ghost.place = Some((scene.clone(), root.clone()));
         let root: SvgGraphicsElement = root.dyn_into().ok()?;
         for handle in &mut nodes.handles {
             drag::attach(app, handle, &root);
@@ -136,6 +144,109 @@ impl SceneNodes {
             handle.describe(session);
         }
         std::mem::swap(&mut self.values, &mut self.drawn);
+        self.ghost.draw(session);
+    }
+}
+
+/// What is measured of the scene, in outline over it: those parts that follow nothing but measured positions.
+#[derive(Default)]
+struct Ghost {
+    /// The scene and its node.
+    place: Option<(Scene, SvgElement)>,
+    /// The records for which it was built.
+    records: Option<u64>,
+    node: Option<SvgElement>,
+    bindings: Vec<Binding>,
+}
+
+impl Ghost {
+    fn draw(&mut self, session: &mut Session) {
+        let records = session.revision().records;
+        if self.records != Some(records) {
+            self.records = Some(records);
+            self.build(session);
+        }
+        let Some(node) = &self.node else { return };
+        let values = session.ghost_values();
+        let _ = if values.is_some() { node.remove_attribute("display") } else { node.set_attribute("display", "none") };
+        for binding in &mut self.bindings {
+            let (Some(values), Target::Attribute(node, name)) = (values, &binding.target) else { continue };
+            let mut text = String::new();
+            for piece in &binding.template {
+                match piece {
+                    Piece::Literal(literal) => text.push_str(literal),
+                    Piece::Value { index, .. } => {
+                        let value = values.get(*index).copied().unwrap_or(0.0) as f32;
+                        text.push_str(&(if value.is_finite() { value } else { 0.0 }).to_string());
+                    }
+                }
+            }
+            if text != binding.shown {
+                let _ = node.set_attribute(name, &text);
+                binding.shown = text;
+            }
+        }
+    }
+
+    /// Builds its nodes for what is measured now.
+    fn build(&mut self, session: &Session) {
+        self.bindings.clear();
+        if let Some(node) = self.node.take() {
+            node.remove();
+        }
+        let follows = session.ghost_follows();
+        let Some((scene, root)) = self.place.clone().filter(|_| !follows.is_empty()) else { return };
+        if let Some(node) = self.copy(&scene.root, follows, "g") {
+            let _ = node.set_attribute("aria-hidden", "true");
+            let _ = node.set_attribute("pointer-events", "none");
+            // The handles stay on top, or nobody could take hold of them.
+            let _ = root.append_child(&node);
+            self.node = Some(node);
+        }
+    }
+
+    /// A copy, called `name`, of those parts of an element that move with the measurement; none if there are none.
+    fn copy(&mut self, element: &Element, follows: &[Follows], name: &str) -> Option<SvgElement> {
+        if matches!(element.name.as_str(), "defs" | "clipPath" | "style" | "title" | "text") {
+            return None;
+        }
+        let any = |what: Follows| {
+            let uses =
+                |piece: &Piece| matches!(piece, Piece::Value { index, .. } if follows.get(*index) == Some(&what));
+            element.attributes.iter().any(|attribute| attribute.value.iter().any(uses))
+        };
+        let moves = any(Follows::Measured) && !any(Follows::Computed);
+        let is_group = matches!(element.name.as_str(), "g" | "svg");
+        let children: Vec<SvgElement> = element
+            .children
+            .iter()
+            .filter_map(|child| match child {
+                Child::Element(child) if is_group => self.copy(child, follows, &child.name),
+                _ => None,
+            })
+            .collect();
+        if children.is_empty() && (!moves || is_group) {
+            return None;
+        }
+        let node: SvgElement = page().create_element_ns(Some(SVG), name).ok()?.dyn_into().ok()?;
+        for attribute in element.attributes.iter().filter(|_| name == element.name) {
+            match fixed(&attribute.value) {
+                Some(text) if attribute.name != "id" => drop(node.set_attribute(&attribute.name, &text)),
+                Some(_) => {}
+                None => self.bindings.push(Binding {
+                    target: Target::Attribute(node.clone(), attribute.name.clone()),
+                    template: attribute.value.clone(),
+                    shown: String::new(),
+                }),
+            }
+        }
+        if children.is_empty() {
+            let _ = node.set_attribute("part", "measured");
+        }
+        for child in children {
+            let _ = node.append_child(&child);
+        }
+        Some(node)
     }
 }
 

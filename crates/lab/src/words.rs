@@ -178,6 +178,75 @@ words! {
     save_csv: "Download CSV", "Descargar CSV";
     copy_csv: "Copy CSV", "Copiar CSV";
 
+    // Measurements.
+    measurements: "Measurements", "Mediciones";
+    measurements_intro: "Bring a record of a film or a sensor: a table of times and values, as the tracking program wrote it. Drop the file anywhere on this page, choose it, or paste it. It stays in your browser.", "Trae un registro de un vídeo o de un sensor: una tabla de tiempos y valores, tal como la escribió el programa de seguimiento. Suelta el archivo en cualquier parte de esta página, elígelo o pégalo. No sale de tu navegador.";
+    records: "Records", "Registros";
+    choose_record: "Choose a file", "Elegir un archivo";
+    paste_record: "Paste a table", "Pegar una tabla";
+    paste_label: "Table as text", "Tabla como texto";
+    paste_name: "pasted table", "tabla pegada";
+    read_record: "Read", "Leer";
+    sample_records: "Sample records", "Registros de muestra";
+    sample_title: "Nobody measured these: they are computed, with the errors of a camera", "Nadie los midió: están calculados, con los errores de una cámara";
+    synthetic: "synthetic", "sintético";
+    show_record: "Show it in the plots", "Mostrarlo en las gráficas";
+    remove_record: "Remove the record", "Quitar el registro";
+    preview: "Columns and first rows", "Columnas y primeras filas";
+    column: "Column", "Columna";
+    column_measures: "Measures", "Mide";
+    column_unit: "Unit", "Unidad";
+    column_fitted: "Fit it", "Ajustarla";
+    column_off: "not used", "no se usa";
+    findings: "What this record hides", "Lo que este registro oculta";
+    virtual_measurement: "Virtual measurement", "Medición virtual";
+    virtual_intro: "A camera films the simulation as it is set now. What it reads has errors: random ones, and one that no repetition shows.", "Una cámara filma la simulación tal como está ajustada ahora. Lo que lee tiene errores: unos al azar, y uno que ninguna repetición delata.";
+    virtual_quantity: "Filmed", "Se filma";
+    virtual_rate: "Frames per second", "Imágenes por segundo";
+    virtual_duration: "Duration", "Duración";
+    virtual_pixel: "Size of a pixel", "Tamaño de un píxel";
+    virtual_noise: "Noise of a reading", "Ruido de una lectura";
+    virtual_jitter: "Jitter of the frames", "Irregularidad de las imágenes";
+    virtual_scale: "Error of the scale", "Error de la escala";
+    virtual_seed: "Seed", "Semilla";
+    virtual_seed_hint: "The same seed gives the same errors again.", "La misma semilla da otra vez los mismos errores.";
+    virtual_measure: "Measure", "Medir";
+    virtual_name: "virtual measurement", "medición virtual";
+
+    // The library.
+    library: "Documents", "Documentos";
+    library_title: "Simulations and theories that this page carries", "Simulaciones y teorías que lleva esta página";
+    library_intro: "Records and fits stay when another document is opened.", "Los registros y los ajustes se conservan al abrir otro documento.";
+    library_simulations: "Simulations", "Simulaciones";
+    library_theories: "Theories of a liquid column that comes to rest", "Teorías de una columna de líquido que se detiene";
+
+    // Fits.
+    fit_title: "Fit", "Ajuste";
+    fit_record: "Record to be fitted", "Registro que se ajusta";
+    fit_theory: "Choose a theory", "Elegir una teoría";
+    fit_intro: "The document that is open is the theory. What is ticked is varied until the curve passes the points as closely as it can.", "El documento abierto es la teoría. Lo que está marcado varía hasta que la curva pasa lo más cerca posible de los puntos.";
+    fit_vary: "Vary", "Varían";
+    fit_part: "Part of the record", "Parte del registro";
+    fit_from: "From", "Desde";
+    fit_until: "until", "hasta";
+    fit_begin: "Fit", "Ajustar";
+    fit_rank: "Rank all theories", "Comparar todas las teorías";
+    fit_rank_title: "Fit every theory that this page carries to the record", "Ajustar al registro todas las teorías que lleva esta página";
+    fit_trials: "curves tried", "curvas probadas";
+    fit_cancel: "Cancel", "Cancelar";
+    fit_results: "Fits, the best first", "Ajustes, el mejor primero";
+    fit_theory_head: "Theory", "Teoría";
+    fit_counts: "Values / varied", "Valores / varían";
+    fit_rmse: "Residuals (RMS)", "Residuos (RMS)";
+    fit_predicted: "Outside the part", "Fuera de la parte";
+    fit_weight: "Weight", "Peso";
+    fit_actions: "Actions", "Acciones";
+    fit_apply: "Show", "Mostrar";
+    fit_open: "Open", "Abrir";
+    fit_remove: "Remove the fit", "Quitar el ajuste";
+    fit_varied: "Found", "Hallado";
+    fit_errors: "The uncertainties allow for residuals that resemble their neighbours.", "Las incertidumbres tienen en cuenta que los residuos vecinos se parecen.";
+
     // Questions.
     question: "Question", "Pregunta";
     answer: "Your answer", "Tu respuesta";

@@ -4,7 +4,9 @@ use crate::app::App;
 use crate::scene::SceneNodes;
 use crate::theme::Theme;
 use crate::words::Language;
-use crate::{browser, controls, diagnostics, frame, header, keys, notebook, opening, plots, readouts, transport};
+use crate::{
+    browser, controls, diagnostics, frame, header, keys, library, notebook, opening, plots, readouts, transport,
+};
 use leptos::html;
 use leptos::prelude::*;
 
@@ -71,6 +73,7 @@ fn build(app: App) -> impl IntoView {
         {body}
         <footer><p>{words.footer}</p></footer>
         {keys::dialog(app)}
+        {library::dialog(app)}
     }
 }
 

@@ -59,7 +59,13 @@ impl Graph {
         roots: &[NodeId],
         replace: impl FnMut(&mut Graph, Node) -> Option<NodeId>,
     ) -> Vec<NodeId> {
-        rebuild(Some(self), target, roots, replace)
+        rebuild(Some(self), target, roots, &[], replace)
+    }
+
+    /// Rebuilds `roots` inside `target` with an input in the place of some nodes: what is computed from those is then
+    /// computed from the inputs.
+    pub fn rebuild_from_inputs(&self, target: &mut Graph, roots: &[NodeId], inputs: &[(NodeId, Node)]) -> Vec<NodeId> {
+        rebuild(Some(self), target, roots, inputs, |_, _| None)
     }
 
     /// [`Graph::rebuild_into`] inside the graph itself.
@@ -68,7 +74,7 @@ impl Graph {
         roots: &[NodeId],
         replace: impl FnMut(&mut Graph, Node) -> Option<NodeId>,
     ) -> Vec<NodeId> {
-        rebuild(None, self, roots, replace)
+        rebuild(None, self, roots, &[], replace)
     }
 }
 
@@ -77,12 +83,17 @@ fn rebuild(
     source: Option<&Graph>,
     target: &mut Graph,
     roots: &[NodeId],
+    inputs: &[(NodeId, Node)],
     mut replace: impl FnMut(&mut Graph, Node) -> Option<NodeId>,
 ) -> Vec<NodeId> {
     let mut rebuilt: HashMap<NodeId, NodeId> = HashMap::new();
     let mut systems: HashMap<u32, u32> = HashMap::new();
     for id in source.unwrap_or(target).reachable(roots) {
         let node = source.unwrap_or(target).node(id);
+        if let Some((_, input)) = inputs.iter().find(|(replaced, _)| *replaced == id) {
+            rebuilt.insert(id, target.insert(*input));
+            continue;
+        }
         let new = match node {
             Node::Constant(_) => target.insert(node),
             Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) => {

@@ -32,6 +32,18 @@ pub enum Announcement {
     Kept(String),
     /// The kept run of this name was removed.
     Removed(String),
+    /// A record of this name was read.
+    RecordAdded(String),
+    /// The record of this name was removed.
+    RecordRemoved(String),
+    /// The fit, or the last of several, is finished.
+    FitFinished,
+    /// A fit has found nothing.
+    FitFailed,
+    /// The fit was given up.
+    FitCancelled,
+    /// What a fit has found stands in the sliders.
+    FitApplied,
     /// The history is full.
     Full,
     /// The run cannot go on: see [`Session::problem`].

@@ -169,6 +169,14 @@ impl Course {
         }
     }
 
+    /// The state at a time behind the front, and the parameters that were in force there.
+    pub fn state_at(&mut self, time: f64, out: &mut [f64]) -> Option<Vec<f64>> {
+        let run = self.run.as_mut()?;
+        run.interpolate(time, out);
+        let history = run.history();
+        Some(history.parameters((history.row_at(time) + 1).min(history.len() - 1)).to_vec())
+    }
+
     /// Shows a moment between the start and the front.
     pub fn show(&mut self, time: f64) {
         self.time = if time.is_finite() { time.clamp(0.0, self.front) } else { self.front };

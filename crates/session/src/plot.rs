@@ -16,6 +16,8 @@ pub struct PlotView {
     pub shown: bool,
     /// Whether it shows all of the data.
     pub automatic: bool,
+    /// Whether there is anything for it to show: residuals only where something is measured.
+    pub offered: bool,
 }
 
 /// What is chosen for a plot, and what is kept of it from frame to frame.
@@ -57,6 +59,7 @@ impl Session {
             title: plot.labels.title.clone(),
             shown: plot.shown,
             automatic: plot.view.is_automatic(),
+            offered: index < self.document.plots.len() || self.has_points(),
         };
         self.plots.iter().enumerate().map(view).collect()
     }
@@ -74,7 +77,7 @@ impl Session {
     pub fn layout_plot(&mut self, index: usize, settings: &Settings) -> Option<&Figure> {
         self.follow();
         let mut figure = std::mem::take(&mut self.plots.get_mut(index)?.figure);
-        if let Some(mut plot) = self.figure_plot(index) {
+        if let Some(mut plot) = self.figure_of(index) {
             // On the page the title is a heading above the figure.
             plot.title = "";
             figure::layout_into(&mut figure, &plot, settings);
@@ -92,7 +95,7 @@ impl Session {
     /// The plot as a figure that stands alone, with its title: what is saved.
     pub fn titled_figure(&mut self, index: usize, settings: &Settings) -> Option<Figure> {
         self.follow();
-        Some(figure::layout(&self.figure_plot(index)?, settings))
+        Some(figure::layout(&self.figure_of(index)?, settings))
     }
 
     /// The plot as a standalone SVG file.
@@ -161,6 +164,15 @@ impl Session {
 
     /// How many series are drawn behind those of the present run.
     fn series_behind(&self, index: usize) -> usize {
+        self.points_behind(index) + self.runs_behind(index)
+    }
+
+    /// How many series of points are drawn behind all lines.
+    fn points_behind(&self, index: usize) -> usize {
+        self.data.points.get(index).map_or(0, Vec::len)
+    }
+
+    fn runs_behind(&self, index: usize) -> usize {
         let curves = self.columns.plot(index).map_or(0, |plot| plot.curves.len());
         let behind = usize::from(self.ghost.is_some()) + self.kept.iter().filter(|kept| kept.shown).count();
         curves * behind
@@ -168,9 +180,10 @@ impl Session {
 
     /// The plot as it is read: the ghost is only looked at.
     fn readable_plot(&self, index: usize) -> Option<Plot<'_>> {
-        let mut plot = self.figure_plot(index)?;
+        let mut plot = self.figure_of(index)?;
+        let residuals = index >= self.document.plots.len();
         for series in &mut plot.series {
-            if series.style == Style::Ghost {
+            if series.style == Style::Ghost || (series.style == Style::Points && !residuals) {
                 (series.x, series.y) = (&[], &[]);
             }
         }
@@ -179,12 +192,12 @@ impl Session {
 
     /// Says of samples of kept runs which run they are of.
     fn named(&self, index: usize, mut readout: Readout) -> Readout {
-        let first = self.series_behind(index);
+        let (points, first) = (self.points_behind(index), self.series_behind(index));
         let curves = self.plots.get(index).map_or(&[][..], |plot| &plot.labels.curves);
         let ghosts = if self.ghost.is_some() { curves.len() } else { 0 };
         let kept: Vec<String> = self.kept().into_iter().filter(|kept| kept.shown).map(|kept| kept.name).collect();
         for sample in readout.samples.iter_mut().filter(|sample| sample.series < first) {
-            let Some(place) = sample.series.checked_sub(ghosts) else {
+            let Some(place) = sample.series.checked_sub(points + ghosts) else {
                 continue;
             };
             let (Some(run), Some(curve)) = (kept.get(place / curves.len()), curves.get(place % curves.len())) else {
@@ -196,7 +209,44 @@ impl Session {
         readout
     }
 
-    /// What is drawn: the ghost, then the kept runs, then the present run on top, in the same colours.
+    /// What is drawn in a plot of the document or in that of the residuals.
+    fn figure_of(&self, index: usize) -> Option<Plot<'_>> {
+        if index == self.document.plots.len() { self.residual_plot() } else { self.figure_plot(index) }
+    }
+
+    /// What measurements leave over beside the present run.
+    fn residual_plot(&self) -> Option<Plot<'_>> {
+        let state = self.plots.last()?;
+        let labels = &state.labels;
+        let unit = &self.model().independent.unit;
+        let mut axes: Vec<units::Dimension> = Vec::new();
+        let mut series = Vec::new();
+        let columns = self.data.measured.iter().zip(&self.data.residuals).zip(&labels.curves);
+        for (number, ((measured, residuals), label)) in columns.enumerate() {
+            let dimension = measured.observed.dimension();
+            let axis = axes.iter().position(|axis| *axis == dimension).unwrap_or_else(|| {
+                axes.push(dimension);
+                axes.len() - 1
+            });
+            let (colour, style) = (number as u8, Style::Points);
+            let (x, y) = (&residuals.x[..], &residuals.y[..]);
+            series.push(Series { label, axis, colour, style, x, y, ..Series::default() });
+        }
+        let ends = self.data.measured.iter().filter_map(|measured| measured.times.last());
+        let whole = Interval::new(0.0, unit.from_si(ends.fold(0.0, |end, time| time.max(end))));
+        Some(Plot {
+            title: &labels.title,
+            description: &labels.description,
+            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: Some(whole) },
+            y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, include: None }).collect(),
+            series,
+            marker: Some(unit.from_si(self.course.time())),
+            view: state.view.clone(),
+            ordered: true,
+        })
+    }
+
+    /// What is drawn: points, the ghost, then the kept runs, then the present run on top, in the same colours.
     fn figure_plot(&self, index: usize) -> Option<Plot<'_>> {
         let state = self.plots.get(index)?;
         let columns = self.columns.plot(index)?;
@@ -204,21 +254,22 @@ impl Session {
         let ghosts = self.ghost.iter().map(|ghost| (&ghost.traces, Style::Ghost));
         let kept = self.kept.iter().filter(|kept| kept.shown);
         let kept = kept.map(|kept| (&kept.traces, Style::Kept(kept.pattern)));
-        let mut series: Vec<Series<'_>> = Vec::new();
+        let points = self.data.points.get(index).into_iter().flatten().filter_map(|points| {
+            let (_, axis) = *columns.curves.get(points.curve)?;
+            let (colour, style) = (points.curve as u8, Style::Points);
+            Some(Series { label: "", axis, colour, style, x: &points.x, y: &points.y, ..Series::default() })
+        });
+        let mut series: Vec<Series<'_>> = points.collect();
         for (traces, style) in ghosts.chain(kept).chain([(&self.traces, Style::Line)]) {
             let present_run = style == Style::Line;
             for (number, &(column, axis)) in columns.curves.iter().enumerate() {
                 let present = self.present.get(columns.x).copied().zip(self.present.get(column).copied());
-                series.push(Series {
-                    label: labels.curves.get(number).filter(|_| present_run).map_or("", String::as_str),
-                    axis,
-                    colour: number as u8,
-                    style,
-                    x: traces.column(columns.x),
-                    y: traces.column(column),
-                    breaks: traces.breaks(),
-                    present: present.filter(|_| present_run),
-                });
+                let label = labels.curves.get(number).filter(|_| present_run).map_or("", String::as_str);
+                let (x, y) = (traces.column(columns.x), traces.column(column));
+                let mut curve = Series { label, axis, colour: number as u8, style, x, y, ..Series::default() };
+                curve.breaks = traces.breaks();
+                curve.present = present.filter(|_| present_run);
+                series.push(curve);
             }
         }
         let independent = self.is_against_independent(index);
@@ -251,7 +302,35 @@ impl Session {
                 state.labels = labels;
             }
         }
+        self.label_residuals();
         self.revision.plots += 1;
+    }
+
+    /// Writes the texts of the plot of the residuals.
+    pub(crate) fn label_residuals(&mut self) {
+        let (title, left_over) = self.tongue.residuals();
+        let independent = &self.model().independent;
+        let names: Vec<String> =
+            self.data.measured.iter().map(|measured| format!("Δ{}", symbol(&measured.name))).collect();
+        let mut axes: Vec<(String, &units::Unit)> = Vec::new();
+        for (measured, name) in self.data.measured.iter().zip(&names) {
+            let unit = &measured.observed.unit;
+            match axes.iter_mut().find(|(_, axis)| axis.dimension == unit.dimension) {
+                Some((label, _)) if label.split(", ").any(|one| one == name) => {}
+                Some((label, _)) => label.extend([", ", name]),
+                None => axes.push((name.clone(), unit)),
+            }
+        }
+        let labels = Labels {
+            title: title.to_owned(),
+            description: format!("{title}: {left_over}"),
+            x: (symbol(&independent.name), number::unit_text(&independent.unit.text)),
+            axes: axes.into_iter().map(|(label, unit)| (label, number::unit_text(&unit.text))).collect(),
+            curves: names,
+        };
+        if let Some(state) = self.plots.last_mut() {
+            state.labels = labels;
+        }
     }
 
     fn labels_of(&self, index: usize) -> Option<Labels> {

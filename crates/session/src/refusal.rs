@@ -53,6 +53,28 @@ pub enum Refusal {
         /// How many there may be.
         most: usize,
     },
+    /// No more records can be held.
+    TooManyRecords {
+        /// How many there may be.
+        most: usize,
+    },
+    /// The text of a record is too long for the page.
+    RecordTooLong {
+        /// How many mebibytes there may be.
+        most: usize,
+    },
+    /// The text of a record is no table.
+    UnreadableRecord {
+        /// What it is called.
+        name: String,
+        /// Where and why, in the session's language.
+        why: String,
+    },
+    /// A fit cannot be made.
+    Fit {
+        /// Why, in the session's language.
+        why: String,
+    },
     /// Nothing of that number or name exists.
     Unknown {
         /// What was asked for.

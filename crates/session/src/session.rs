@@ -3,8 +3,10 @@
 use crate::announcement::{Announcement, Announcements};
 use crate::course::Course;
 use crate::drag::Hold;
+use crate::fitting::Fits;
 use crate::kept::{Ghost, Kept};
 use crate::number::Style;
+use crate::observed::Data;
 use crate::plot::PlotState;
 use crate::traces::{Columns, Traces};
 use crate::words::Tongue;
@@ -27,6 +29,10 @@ pub struct Revision {
     pub runs: u64,
     /// Plots shown and zoomed.
     pub plots: u64,
+    /// Records and what their columns are taken for.
+    pub records: u64,
+    /// What fits vary, what is being fitted, and what has come of it.
+    pub fits: u64,
     /// The language.
     pub language: u64,
 }
@@ -58,6 +64,8 @@ pub struct Session {
     pub(crate) kept: Vec<Kept>,
     pub(crate) plots: Vec<PlotState>,
     pub(crate) evaluators: Evaluators,
+    pub(crate) data: Data,
+    pub(crate) fits: Fits,
     /// The greatest size that each state and then each quantity has shown in this run.
     pub(crate) scales: Vec<f64>,
 }
@@ -96,7 +104,8 @@ impl Session {
             announcements: Announcements::default(),
             scales: vec![0.0; model.states.len() + model.quantities.len()],
             evaluators: Evaluators::new(&document, &language),
-            plots: document.plots.iter().map(|_| PlotState::default()).collect(),
+            // One more for what measurements leave over.
+            plots: (0..=document.plots.len()).map(|_| PlotState::default()).collect(),
             document,
             language,
             defaults,
@@ -112,7 +121,11 @@ impl Session {
             present: Vec::new(),
             ghost: None,
             kept: Vec::new(),
+            data: Data::default(),
+            fits: Fits::default(),
         };
+        let vary = |index| session.document.vary.contains(&index);
+        session.fits.varied = (0..session.document.model.parameters.len()).map(vary).collect();
         session.label_plots();
         session.frame_changed();
         session
@@ -142,6 +155,7 @@ impl Session {
         self.evaluators.scene = Evaluators::scene(&self.document, language);
         self.evaluators.scene_frame = None;
         self.label_plots();
+        self.data.ghost = self.make_ghost();
         self.revision.language += 1;
     }
 
@@ -188,6 +202,7 @@ impl Session {
     /// Brings the columns up to the front of the run.
     pub(crate) fn follow(&mut self) {
         self.traces.follow(&self.course, &mut self.columns, &self.present);
+        self.follow_residuals();
     }
 
     /// Starts another run; the present one stays behind as a ghost if there is something to see of it.
@@ -202,6 +217,7 @@ impl Session {
     pub(crate) fn replace_course(&mut self, course: Course) {
         self.course = course;
         self.traces = Traces::default();
+        self.truncate_residuals(f64::NEG_INFINITY);
         self.scales.iter_mut().for_each(|scale| *scale = 0.0);
         self.full = false;
         self.slippage = 0.0;

@@ -208,10 +208,17 @@ impl Session {
         self.keep_ghost(self.course.rows_until_shown());
         self.course.resume();
         self.traces.truncate(self.course.rows());
+        self.truncate_residuals(self.course.front());
         self.full = false;
         self.revision.parameters += 1;
         self.revision.transport += 1;
         self.frame_changed();
+    }
+
+    /// Computes the run up to a time and shows its beginning.
+    pub(crate) fn run_through(&mut self, to: f64) {
+        self.proceed(to);
+        self.show(0.0);
     }
 
     fn proceed(&mut self, to: f64) {

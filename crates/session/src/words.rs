@@ -60,6 +60,45 @@ impl Tongue {
         self.pick(format!("{curves} against {x}."), format!("{curves} frente a {x}."))
     }
 
+    /// What the plot of the residuals is called and what it shows.
+    pub(crate) fn residuals(self) -> (&'static str, &'static str) {
+        self.pick(
+            ("Residuals", "measured minus computed, against time."),
+            ("Residuos", "lo medido menos lo calculado, frente al tiempo."),
+        )
+    }
+
+    /// What the zeros of clock and scale are called.
+    pub(crate) fn zeros(self) -> [&'static str; 2] {
+        self.pick(["Zero of the clock", "Zero of the scale"], ["Cero del reloj", "Cero de la escala"])
+    }
+
+    pub(crate) fn record(self) -> &'static str {
+        self.pick("record", "registro")
+    }
+
+    /// Of a fit that did not come to its end.
+    pub(crate) fn not_converged(self) -> &'static str {
+        self.pick("The search did not come to its end.", "La búsqueda no llegó a su fin.")
+    }
+
+    /// Of a number that the data do not determine.
+    pub(crate) fn undetermined(self) -> &'static str {
+        self.pick("not determined by the data", "los datos no lo determinan")
+    }
+
+    /// Of a number that the end of its range has stopped.
+    pub(crate) fn at_bound(self) -> &'static str {
+        self.pick("at the end of its range", "en el extremo de su intervalo")
+    }
+
+    /// The truth behind a virtual measurement, and how many standard errors the answer is off.
+    pub(crate) fn truth_is(self, truth: &str, off: Option<&str>) -> String {
+        let off = off.map(|off| self.pick(format!("; off by {off} σ"), format!("; desviación de {off} σ")));
+        let off = off.unwrap_or_default();
+        self.pick(format!("truth: {truth}{off}"), format!("verdad: {truth}{off}"))
+    }
+
     /// What an answer is worth.
     pub fn grade(self, grade: Grade) -> &'static str {
         match grade {
@@ -129,6 +168,18 @@ impl Tongue {
                 format!("{most} runs are kept already; remove one first."),
                 format!("Ya hay {most} series guardadas; quita una primero."),
             ),
+            Refusal::TooManyRecords { most } => self.pick(
+                format!("{most} records are open already; remove one first."),
+                format!("Ya hay {most} registros abiertos; quita uno primero."),
+            ),
+            Refusal::RecordTooLong { most } => self.pick(
+                format!("The page reads records of up to {most} MiB; the program reads longer ones."),
+                format!("La página lee registros de hasta {most} MiB; el programa lee otros más largos."),
+            ),
+            Refusal::UnreadableRecord { name, why } => {
+                self.pick(format!("{name} could not be read. {why}"), format!("No se pudo leer {name}. {why}"))
+            }
+            Refusal::Fit { why } => why.clone(),
             Refusal::Unknown { name } => {
                 self.pick(format!("There is no “{name}” here."), format!("Aquí no hay «{name}»."))
             }
@@ -191,6 +242,17 @@ impl Session {
             Announcement::Speed(speed) => with("Speed {}", "Velocidad {}", &speed_text(*speed)),
             Announcement::Kept(name) => with("Run kept: {}", "Serie guardada: {}", name),
             Announcement::Removed(name) => with("Run removed: {}", "Serie quitada: {}", name),
+            Announcement::RecordAdded(name) => with("Record read: {}", "Registro leído: {}", name),
+            Announcement::RecordRemoved(name) => with("Record removed: {}", "Registro quitado: {}", name),
+            Announcement::FitFinished => say("The fit is finished", "El ajuste ha terminado"),
+            Announcement::FitFailed => say(
+                "The model has no finite curve at any start: nothing was found",
+                "El modelo no tiene una curva finita desde ningún comienzo: no se encontró nada",
+            ),
+            Announcement::FitCancelled => say("Fit cancelled", "Ajuste cancelado"),
+            Announcement::FitApplied => {
+                say("The parameters have the fitted values", "Los parámetros tienen los valores ajustados")
+            }
             Announcement::Full => say("Paused: the recording is full", "En pausa: el registro está lleno"),
             Announcement::Failed => self.problem().map_or_else(String::new, |problem| problem.message),
             Announcement::Method(method) => with("Method: {}", "Método: {}", self.tongue.method(*method)),

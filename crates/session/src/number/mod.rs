@@ -36,6 +36,29 @@ pub fn steady(value: f64, digits: usize, style: Style) -> String {
     write(value, digits, style, false)
 }
 
+/// A value with its uncertainty, both to the decimals that the uncertainty calls for: two digits of it, as the guide of
+/// the Particle Data Group has it where the first three are below 355, else one. `0.3867 ± 0.0012`, `(1.20 ± 0.05)×10⁶`.
+pub fn uncertain(value: f64, spread: Option<f64>, style: Style) -> String {
+    let Some(spread) = spread.filter(|spread| spread.is_finite() && *spread > 0.0 && value.is_finite()) else {
+        return plain(value, 6, style);
+    };
+    let scientific = format!("{spread:.2e}");
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let digits = if mantissa.parse::<f64>().unwrap_or(9.0) < 3.55 { 1 } else { 0 };
+    let power = power_shown(decimal_exponent(value.abs().max(spread), 3), 6);
+    let unit: f64 = format!("1e{power}").parse().unwrap_or(1.0);
+    let decimals = digits - exponent + power;
+    // Places before the decimal sign are rounded too.
+    let whole: f64 = format!("1e{}", (-decimals).max(0)).parse().unwrap_or(1.0);
+    let shown = |value: f64| fixed((value / unit / whole).round_ties_even() * whole, 0, style);
+    let text = match usize::try_from(decimals) {
+        Ok(decimals) => format!("{} ± {}", fixed(value / unit, decimals, style), fixed(spread / unit, decimals, style)),
+        Err(_) => format!("{} ± {}", shown(value), shown(spread)),
+    };
+    if power == 0 { text } else { format!("({text})×10{}", superscript(power)) }
+}
+
 /// As many decimals as `digits` significant digits of `scale`, the greatest size the value has had, need: a swinging
 /// value then keeps its width and its resolution.
 pub fn scaled(value: f64, scale: f64, digits: usize, style: Style) -> String {
@@ -235,6 +258,23 @@ mod tests {
         assert_eq!(steady(0.0, 3, POINT), "0.00");
         assert_eq!(fixed(-0.001, 2, POINT), "0.00");
         assert_eq!(fixed(12.345, 1, COMMA), "12,3");
+    }
+
+    #[test]
+    fn values_are_rounded_as_their_uncertainty_asks() {
+        for (value, spread, expected) in [
+            (0.386_718, 0.003_12, "0.3867 ± 0.0031"),
+            (0.386_718, 0.003_6, "0.387 ± 0.004"),
+            (9.609_27, 0.099_6, "9.61 ± 0.10"),
+            (-0.000_2, 0.000_04, "(−200 ± 40)×10⁻⁶"),
+            (13534.0, 250.0, "13530 ± 250"),
+            (1.5e7, 2e5, "(15.00 ± 0.20)×10⁶"),
+            (0.25, 0.0, "0.25"),
+        ] {
+            assert_eq!(uncertain(value, Some(spread), POINT), expected);
+        }
+        assert_eq!(uncertain(0.25, None, COMMA), "0,25");
+        assert_eq!(uncertain(0.25, Some(f64::NAN), COMMA), "0,25");
     }
 
     #[test]

@@ -1,0 +1,130 @@
+//! The documents that the page carries besides the one it opens with: the other simulations, and the theories of a
+//! damped liquid column.
+
+use crate::app::App;
+use crate::{browser, icons, opening};
+use document::Document;
+use document::page::{self, Source};
+use leptos::prelude::*;
+use web_sys::HtmlDialogElement;
+
+/// Where the theories stand.
+const THEORIES: &str = "theories/";
+
+/// A document and its translations.
+pub struct Entry {
+    /// Its files, the document first.
+    pub files: Vec<Source>,
+}
+
+impl Entry {
+    /// The name of its file.
+    pub fn file(&self) -> &str {
+        self.files.first().map_or("", |file| &file.name)
+    }
+
+    /// Its title in a language, as its front matter has it.
+    fn title(&self, language: &str) -> String {
+        let own = self.files.iter().find(|file| value(&file.text, "language") == Some(language));
+        let title = own.or(self.files.first()).and_then(|file| value(&file.text, "title"));
+        title.unwrap_or_default().to_owned()
+    }
+
+    /// The document, if it has no errors.
+    pub fn open(&self) -> Option<Document> {
+        let texts: Vec<&str> = self.files.iter().map(|file| file.text.as_str()).collect();
+        let (source, translations) = texts.split_first()?;
+        document::open(source, translations).document
+    }
+}
+
+/// A value of the front matter.
+fn value<'a>(text: &'a str, key: &str) -> Option<&'a str> {
+    let mut lines = text.lines().skip(1).take_while(|line| *line != "---");
+    lines.find_map(|line| line.strip_prefix(key)?.strip_prefix(':')).map(str::trim)
+}
+
+/// All entries: the theories, then the simulations.
+pub fn entries() -> Vec<Entry> {
+    let text = document_text("library");
+    let mut entries: Vec<Entry> = Vec::new();
+    let (bases, translations): (Vec<Source>, Vec<Source>) = page::read_list(&text)
+        .unwrap_or_default()
+        .into_iter()
+        .partition(|source| value(&source.text, "translates").is_none());
+    for base in bases {
+        let (directory, file) = base.name.rsplit_once('/').unwrap_or(("", &base.name));
+        let own = |other: &&Source| {
+            other.name.rsplit_once('/').map_or("", |(directory, _)| directory) == directory
+                && value(&other.text, "translates") == Some(file)
+        };
+        let translations: Vec<Source> = translations.iter().filter(own).cloned().collect();
+        entries.push(Entry { files: std::iter::once(base).chain(translations).collect() });
+    }
+    entries
+}
+
+/// The theories among them.
+pub fn theories() -> Vec<Entry> {
+    entries().into_iter().filter(|entry| entry.file().starts_with(THEORIES)).collect()
+}
+
+fn document_text(id: &str) -> String {
+    leptos::prelude::document().get_element_by_id(id).and_then(|element| element.text_content()).unwrap_or_default()
+}
+
+/// Opens the entry of this file. Whether there is one.
+pub fn open(app: App, file: &str) -> bool {
+    let Some(entry) = entries().into_iter().find(|entry| entry.file() == file) else { return false };
+    opening::open_sources(app, entry.files);
+    true
+}
+
+/// Opens the list.
+pub fn choose() {
+    if let Some(dialog) = browser::by_id::<HtmlDialogElement>("library-list") {
+        let _ = dialog.show_modal();
+    }
+}
+
+/// The list of documents.
+pub fn dialog(app: App) -> AnyView {
+    let words = app.words();
+    let close = || {
+        if let Some(dialog) = browser::by_id::<HtmlDialogElement>("library-list") {
+            dialog.close();
+        }
+    };
+    let language = app.language.get_untracked().tag();
+    let (theories, simulations): (Vec<Entry>, Vec<Entry>) =
+        entries().into_iter().partition(|entry| entry.file().starts_with(THEORIES));
+    let group = |title: &'static str, entries: Vec<Entry>| {
+        let items: Vec<AnyView> = entries
+            .into_iter()
+            .map(|entry| {
+                let (file, title) = (entry.file().to_owned(), entry.title(language));
+                view! {
+                    <li><button type="button" class="entry" on:click=move |_| {
+                        close();
+                        open(app, &file);
+                        browser::focus_later("browse".to_owned());
+                    }>{title}</button></li>
+                }
+                .into_any()
+            })
+            .collect();
+        view! { <h3>{title}</h3><ul class="entries">{items}</ul> }.into_any()
+    };
+    view! {
+        <dialog id="library-list" aria-labelledby="library-title">
+            <div class="dialog-head">
+                <h2 id="library-title">{words.library}</h2>
+                <button type="button" class="icon" aria-label=words.close on:click=move |_| close()>{icons::cross()}</button>
+            </div>
+            <p>{words.library_intro}</p>
+            {group(words.library_simulations, simulations)}
+            {group(words.library_theories, theories)}
+        </dialog>
+    }
+    .into_any()
+}

@@ -1,0 +1,233 @@
+//! Measured values beside the model's: points over curves, what is left over between them, and the ghost in the scene.
+
+use crate::Session;
+use crate::ghost::Ghost;
+use crate::recognise::observed;
+use crate::record::Record;
+use document::Curve;
+use engine::Readings;
+use model::{Compiled, Node};
+
+/// The records, and what they are for the document that is open.
+#[derive(Debug, Default)]
+pub(crate) struct Data {
+    /// Oldest first.
+    pub records: Vec<Record>,
+    /// The columns in use of those that are drawn.
+    pub measured: Vec<Measured>,
+    /// The columns as points, for each plot.
+    pub points: Vec<Vec<Points>>,
+    /// What the columns leave over beside the present run.
+    pub residuals: Vec<Residuals>,
+    /// The scene as the measurement has it.
+    pub ghost: Option<Ghost>,
+}
+
+/// A column in use, SI.
+#[derive(Clone, Debug)]
+pub(crate) struct Measured {
+    /// The record's id.
+    pub record: u32,
+    /// What it measures.
+    pub name: String,
+    pub observed: Compiled,
+    /// The model's time, ascending; gaps are left out.
+    pub times: Vec<f64>,
+    pub values: Vec<f64>,
+    /// Longer pauses than this are gaps.
+    pause: f64,
+}
+
+/// Points of one curve of a plot, in the units of its axes.
+#[derive(Clone, Debug)]
+pub(crate) struct Points {
+    /// Which curve.
+    pub curve: usize,
+    pub x: Vec<f64>,
+    pub y: Vec<f64>,
+}
+
+/// What a column leaves over beside the run, in the units of the plot's axes.
+#[derive(Debug)]
+pub(crate) struct Residuals {
+    pub x: Vec<f64>,
+    pub y: Vec<f64>,
+    readings: Readings,
+    /// How many of the column's values have been passed.
+    passed: usize,
+}
+
+impl Session {
+    /// Whether a measured quantity is drawn.
+    pub fn has_points(&self) -> bool {
+        !self.data.measured.is_empty()
+    }
+
+    /// To be called whenever records, or what they are taken for, have changed.
+    pub(crate) fn records_changed(&mut self) {
+        let model = &self.document.model;
+        let independent = &model.independent.name;
+        let autonomous = is_autonomous(model);
+        let mut measured = Vec::new();
+        for record in self.data.records.iter().filter(|record| record.shown) {
+            let origin = record.origin(independent, autonomous);
+            for (index, used) in record.uses.iter().enumerate() {
+                let name = &used.meaning.quantity;
+                if name.is_empty() || name == independent {
+                    continue;
+                }
+                let Some(observed) = observed(model, name) else { continue };
+                if observed.dimension() == used.meaning.unit.dimension
+                    && let Some((mut times, mut values)) = record.series(index, independent)
+                {
+                    times.iter_mut().for_each(|time| *time -= origin);
+                    values.iter_mut().for_each(|value| *value -= used.offset);
+                    let pause = usual_pause(&times);
+                    let (record, name) = (record.id, name.clone());
+                    measured.push(Measured { record, name, observed, times, values, pause });
+                }
+            }
+        }
+        self.data.points = self.document.plots.iter().map(|plot| points(model, plot, &measured)).collect();
+        self.data.residuals = measured
+            .iter()
+            .map(|measured| Residuals {
+                x: Vec::new(),
+                y: Vec::new(),
+                readings: Readings::new(model, &[measured.observed.node]),
+                passed: 0,
+            })
+            .collect();
+        self.data.measured = measured;
+        self.data.ghost = self.make_ghost();
+        self.label_residuals();
+        self.revision.records += 1;
+        self.revision.plots += 1;
+    }
+
+    /// Brings the residuals up to the front of the run.
+    pub(crate) fn follow_residuals(&mut self) {
+        let front = self.course.front();
+        let unit = &self.document.model.independent.unit;
+        let mut state = vec![0.0; self.document.model.states.len()];
+        for (residuals, measured) in self.data.residuals.iter_mut().zip(&self.data.measured) {
+            let rest = measured.times.iter().zip(&measured.values).skip(residuals.passed);
+            for (&time, &value) in rest.take_while(|(time, _)| **time <= front) {
+                residuals.passed += 1;
+                let Some(parameters) = self.course.state_at(time, &mut state).filter(|_| time >= 0.0) else { continue };
+                let computed = residuals.readings.at(&parameters, self.course.initial(), time, &state);
+                let left = value - computed.first().copied().unwrap_or(f64::NAN);
+                residuals.x.push(unit.from_si(time));
+                residuals.y.push(measured.observed.unit.from_si(left));
+            }
+        }
+    }
+
+    /// Forgets the residuals of what the run has given up: those after `time` (SI).
+    pub(crate) fn truncate_residuals(&mut self, time: f64) {
+        let last = self.document.model.independent.unit.from_si(time);
+        for (residuals, measured) in self.data.residuals.iter_mut().zip(&self.data.measured) {
+            residuals.passed = residuals.passed.min(measured.times.partition_point(|&at| at <= time));
+            let kept = residuals.x.partition_point(|&at| at <= last);
+            residuals.x.truncate(kept);
+            residuals.y.truncate(kept);
+        }
+    }
+}
+
+impl Measured {
+    /// The value at a time, between the two neighbours; none in a gap.
+    pub fn at(&self, time: f64) -> Option<f64> {
+        let next = self.times.partition_point(|&at| at < time);
+        let (after, value) = (*self.times.get(next)?, *self.values.get(next)?);
+        if after == time {
+            return Some(value);
+        }
+        let (before, from) = (*self.times.get(next.checked_sub(1)?)?, *self.values.get(next - 1)?);
+        let part = (time - before) / (after - before);
+        (after - before <= self.pause).then_some(from + part * (value - from))
+    }
+}
+
+/// Whether the equations of motion are the same at all times: then the clock of a record may begin anywhere, and the model
+/// begins with its first row.
+pub(crate) fn is_autonomous(model: &model::Model) -> bool {
+    !model.states.is_empty() && model.states.iter().all(|state| !model.depends(state.derivative).independent)
+}
+
+impl Record {
+    /// The reading of the clock, SI, at which the model begins.
+    pub fn origin(&self, independent: &str, autonomous: bool) -> f64 {
+        if let Some(origin) = self.origin {
+            return origin;
+        }
+        let columns = (0..self.uses.len()).filter(|&column| {
+            self.uses.get(column).is_some_and(|used| {
+                let quantity = &used.meaning.quantity;
+                !quantity.is_empty() && quantity != independent
+            })
+        });
+        let first = |column| self.series(column, independent)?.0.first().copied();
+        let first = columns.filter_map(first).fold(f64::INFINITY, f64::min);
+        if autonomous && first.is_finite() { first } else { 0.0 }
+    }
+
+    /// Times and values of a column, SI, without gaps, in the order of time.
+    pub fn series(&self, column: usize, independent: &str) -> Option<(Vec<f64>, Vec<f64>)> {
+        let own = self.table.columns.get(column)?;
+        let value_unit = &self.uses.get(column)?.meaning.unit;
+        // A column that was taken for the time by hand counts before the one that the file suggests.
+        let is_time = |index: &usize| self.uses.get(*index).is_some_and(|used| used.meaning.quantity == independent);
+        let clock = Some(own.independent).filter(is_time).or_else(|| (0..self.uses.len()).find(is_time))?;
+        let (times, time_unit) = (&self.table.columns.get(clock)?.values, &self.uses.get(clock)?.meaning.unit);
+        let rows = times.iter().zip(&own.values).filter(|(time, value)| time.is_finite() && value.is_finite());
+        let mut rows: Vec<(f64, f64)> =
+            rows.map(|(time, value)| (time_unit.to_si(*time), value_unit.to_si(*value))).collect();
+        rows.sort_by(|one, other| one.0.total_cmp(&other.0));
+        (!rows.is_empty()).then(|| rows.into_iter().unzip())
+    }
+}
+
+/// The points of a plot.
+fn points(model: &model::Model, plot: &document::Plot, measured: &[Measured]) -> Vec<Points> {
+    let mut found = Vec::new();
+    let against_time = model.graph.node(plot.x.value.node) == Node::Independent;
+    let of = |curve: &Curve, measured: &&Measured| measured.observed.node == curve.value.node;
+    // Curves of one dimension share the axis, and with it the unit, of the first of them.
+    let unit = |curve: &Curve| {
+        let same = |other: &&Curve| other.value.dimension() == curve.value.dimension();
+        plot.curves.iter().find(same).map_or_else(|| curve.value.unit.clone(), |first| first.value.unit.clone())
+    };
+    for (number, curve) in plot.curves.iter().enumerate() {
+        let unit = unit(curve);
+        for column in measured.iter().filter(|measured| of(curve, measured)) {
+            let (x, y): (Vec<f64>, Vec<f64>) = if against_time {
+                (column.times.clone(), column.values.clone())
+            } else {
+                let Some(other) = measured.iter().find(|other| other.record == column.record && of(&plot.x, other))
+                else {
+                    continue;
+                };
+                let at = |(time, value): (&f64, &f64)| {
+                    let row = other.times.partition_point(|at| at < time);
+                    (other.times.get(row) == Some(time)).then(|| Some((*other.values.get(row)?, *value))).flatten()
+                };
+                column.times.iter().zip(&column.values).filter_map(at).unzip()
+            };
+            let (x_unit, y_unit) = (&plot.x.value.unit, &unit);
+            found.push(Points {
+                curve: number,
+                x: x.into_iter().map(|value| x_unit.from_si(value)).collect(),
+                y: y.into_iter().map(|value| y_unit.from_si(value)).collect(),
+            });
+        }
+    }
+    found
+}
+
+/// Three times the middle one of the pauses between the times.
+fn usual_pause(times: &[f64]) -> f64 {
+    let mut pauses: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|pause| *pause > 0.0).collect();
+    pauses.sort_by(f64::total_cmp);
+    3.0 * pauses.get(pauses.len() / 2).copied().unwrap_or(f64::INFINITY)
+}

@@ -1,0 +1,139 @@
+//! Which quantity of the document a column of data measures.
+
+use analysis::table::{Column, Table};
+use model::{Kind, Model};
+use units::Unit;
+
+/// What a column is taken for.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Meaning {
+    /// The quantity's name in the document; empty where the column is not used.
+    pub quantity: String,
+    /// The unit of the column's numbers.
+    pub unit: Unit,
+}
+
+/// What can be measured: the independent variable, the unknowns and their derivatives, and whatever else is a number that
+/// changes; each with its unit.
+pub(crate) fn measurable(model: &Model) -> Vec<(String, Unit)> {
+    let mut found = vec![(model.independent.name.clone(), model.independent.unit.clone())];
+    for (index, state) in model.states.iter().enumerate() {
+        found.push((state.name(), state.unit.clone()));
+        // The highest derivative follows the last state of its variable.
+        if model.states.get(index + 1).is_none_or(|next| next.order == 0) {
+            let name = format!("{}'", state.name());
+            found.extend(model.lookup(&state.variable, state.order + 1).map(|value| (name, value.unit)));
+        }
+    }
+    let varying = model.quantities.iter().filter(|quantity| quantity.varies && quantity.value.kind == Kind::Number);
+    found.extend(varying.map(|quantity| (quantity.name.clone(), quantity.value.unit.clone())));
+    found
+}
+
+/// The document's expression of a name such as `y'`.
+pub(crate) fn observed(model: &Model, name: &str) -> Option<model::Compiled> {
+    let stem = name.trim_end_matches('\'');
+    model.lookup(stem, (name.len() - stem.len()) as u32)
+}
+
+/// What each column is taken for. `labels` gives a label in all languages of the document, in small letters.
+pub(crate) fn recognise(table: &Table, model: &Model, labels: &dyn Fn(&str) -> Vec<String>) -> Vec<Meaning> {
+    let known = measurable(model);
+    let mut taken: Vec<bool> = vec![false; known.len()];
+    let nothing = |column: &Column| Meaning {
+        quantity: String::new(),
+        unit: column.unit.clone().unwrap_or_else(Unit::dimensionless),
+    };
+    let mut meanings: Vec<Meaning> = table.columns.iter().map(nothing).collect();
+    // The body whose columns count, where there are several: the first.
+    let body = table.columns.iter().find_map(|column| column.body.as_ref());
+    let of_body = |column: &Column| column.body.is_none() || column.body.as_ref() == body;
+    let fits = |column: &Column, unit: &Unit| column.unit.as_ref().is_none_or(|own| own.dimension == unit.dimension);
+    // First what is called as it is in the document, then as people call it, then by unit or place.
+    let unknowns = 1 + known.iter().skip(1).take_while(|(name, _)| is_unknown(model, name)).count();
+    let unknowns = if model.states.is_empty() { known.len() } else { unknowns };
+    for (names, how) in [by_name, by_custom, by_place].into_iter().enumerate() {
+        for (index, column) in table.columns.iter().enumerate() {
+            let independent = column.independent == index;
+            if !of_body(column) || meanings.get(index).is_none_or(|meaning| !meaning.quantity.is_empty()) {
+                continue;
+            }
+            let free = |place: &usize| (*place == 0) == independent && !taken.get(*place).copied().unwrap_or(true);
+            // Only what the document is about is recognised by habit or place; the rest must be called by its name.
+            let within = if names == 0 { known.len() } else { unknowns };
+            let candidates: Vec<usize> = (0..within)
+                .filter(free)
+                .filter(|&place| known.get(place).is_some_and(|(_, unit)| fits(column, unit)))
+                .collect();
+            let spelled = spelling(&column.name);
+            let found = if independent {
+                candidates.first().copied()
+            } else {
+                let offered =
+                    candidates.iter().filter_map(|&place| known.get(place).map(|(name, _)| (place, name.as_str())));
+                how(&spelled, &offered.collect::<Vec<_>>(), column, &|name| {
+                    label(model, name).map(labels).unwrap_or_default()
+                })
+            };
+            if let Some((place, (name, unit))) = found.and_then(|place| Some((place, known.get(place)?)))
+                && let (Some(meaning), Some(taken)) = (meanings.get_mut(index), taken.get_mut(place))
+            {
+                *meaning =
+                    Meaning { quantity: name.clone(), unit: column.unit.clone().unwrap_or_else(|| unit.clone()) };
+                // Bodies share no columns, but each has its own clock.
+                *taken = !independent;
+            }
+        }
+    }
+    meanings
+}
+
+fn by_name(spelled: &str, names: &[(usize, &str)], _: &Column, labels: &dyn Fn(&str) -> Vec<String>) -> Option<usize> {
+    let found =
+        names.iter().find(|(_, name)| spelling(name) == spelled || labels(name).iter().any(|label| label == spelled));
+    found.map(|(place, _)| *place)
+}
+
+/// Whether a name is an unknown of the model or a derivative of one.
+fn is_unknown(model: &Model, name: &str) -> bool {
+    let stem = name.trim_end_matches('\'');
+    model.states.iter().any(|state| state.variable == stem)
+}
+
+/// Velocities and accelerations as tracking programs and people write them.
+fn by_custom(spelled: &str, names: &[(usize, &str)], _: &Column, _: &dyn Fn(&str) -> Vec<String>) -> Option<usize> {
+    let stem = spelled.trim_end_matches(|letter: char| letter.is_ascii_digit());
+    let order = match stem {
+        "x" | "y" | "z" | "r" | "s" | "h" | "position" | "posición" | "displacement" | "desplazamiento" | "theta"
+        | "phi" | "angle" | "ángulo" => 0,
+        "v" | "vx" | "vy" | "vz" | "vr" | "dy" | "dx" | "velocity" | "velocidad" | "speed" | "omega" => 1,
+        "a" | "ax" | "ay" | "az" | "acceleration" | "aceleración" | "alpha" => 2,
+        _ => return None,
+    };
+    let of_order = |name: &&(usize, &str)| {
+        let primes = name.1.bytes().filter(|&byte| byte == b'\'').count();
+        primes == order
+    };
+    names.iter().find(of_order).map(|(place, _)| *place)
+}
+
+/// What has no name follows the order of the document; what has a unit, the first quantity that it can measure.
+fn by_place(spelled: &str, names: &[(usize, &str)], column: &Column, _: &dyn Fn(&str) -> Vec<String>) -> Option<usize> {
+    (spelled.is_empty() || column.unit.is_some()).then(|| names.first().map(|(place, _)| *place)).flatten()
+}
+
+/// A name without what people write differently: `v_{y}` as `vy`, `Y` as `y`.
+fn spelling(name: &str) -> String {
+    name.chars()
+        .filter(|letter| !matches!(letter, '_' | '{' | '}' | ' ' | '$' | '\\'))
+        .flat_map(char::to_lowercase)
+        .collect()
+}
+
+/// The label of a state or quantity.
+fn label<'a>(model: &'a Model, name: &str) -> Option<&'a str> {
+    let of_state = model.states.iter().find(|state| state.name() == name).map(|state| &state.label);
+    let label = of_state
+        .or_else(|| model.quantities.iter().find(|quantity| quantity.name == name).map(|quantity| &quantity.label))?;
+    label.as_deref()
+}

@@ -1,0 +1,332 @@
+//! Records: measured data beside the model. A record belongs to no document; which of the document's quantities its
+//! columns measure is recognised anew for each.
+
+use crate::recognise::{Meaning, recognise};
+use crate::{Announcement, Refusal, Session, Tongue, number};
+use analysis::finding::Finding;
+use analysis::table::Table;
+use model::Model;
+use units::Unit;
+
+/// How many records there can be.
+pub const MOST_RECORDS: usize = 8;
+
+/// The longest text, in bytes, that the laboratory reads as a record; the program takes longer ones.
+pub const LONGEST_RECORD: usize = 16 << 20;
+
+/// Measured data.
+#[derive(Clone, Debug)]
+pub(crate) struct Record {
+    /// Names it as long as it exists.
+    pub id: u32,
+    /// What it is called: its file's name.
+    pub name: String,
+    /// The text it was read from.
+    pub text: String,
+    /// What was read.
+    pub table: Table,
+    /// What the text hides.
+    pub findings: Vec<Finding>,
+    /// Columns that were computed from others: which, and from which.
+    pub computed: Vec<(usize, usize)>,
+    /// What each column is taken for.
+    pub uses: Vec<Use>,
+    /// Whether it is drawn.
+    pub shown: bool,
+    /// The reading of its clock at which the model begins, SI, as a fit has found it.
+    pub origin: Option<f64>,
+    /// The true values of parameters, by name and SI, if nobody measured it.
+    pub truth: Option<Vec<(String, f64)>>,
+}
+
+/// What a column is taken for.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Use {
+    pub meaning: Meaning,
+    /// Whether a fit is to follow it.
+    pub fitted: bool,
+    /// The zero of its scale, SI, as a fit has found it.
+    pub offset: f64,
+    /// Whether a person has said so: then it is not recognised anew.
+    pub chosen: bool,
+}
+
+/// A record in the list.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordView {
+    /// Names it as long as it exists.
+    pub id: u32,
+    /// What it is called.
+    pub name: String,
+    /// How many rows it has.
+    pub rows: usize,
+    /// Whether it is drawn.
+    pub shown: bool,
+    /// Whether nobody measured it.
+    pub synthetic: bool,
+    /// Its columns.
+    pub columns: Vec<ColumnView>,
+    /// What the text hides, in the session's language.
+    pub findings: Vec<String>,
+}
+
+/// A column of a record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ColumnView {
+    /// Which of the record's columns.
+    pub index: usize,
+    /// What the file calls it, with its unit; its number where the file calls it nothing.
+    pub head: String,
+    /// The quantity of the document that it measures; empty when it is not used.
+    pub quantity: String,
+    /// Its unit, as it can be typed.
+    pub unit: String,
+    /// Whether a fit is to follow it.
+    pub fitted: bool,
+    /// Whether a fit can follow it: it is used and no time.
+    pub fittable: bool,
+}
+
+impl Session {
+    /// The records, oldest first.
+    pub fn records(&self) -> Vec<RecordView> {
+        self.data.records.iter().map(|record| self.record_view(record)).collect()
+    }
+
+    fn record_view(&self, record: &Record) -> RecordView {
+        let independent = &self.model().independent.name;
+        let column = |(index, (column, used)): (usize, (&analysis::table::Column, &Use))| {
+            let unit = column.unit.as_ref().map(|unit| number::unit_text(&unit.text)).unwrap_or_default();
+            let name = if column.name.is_empty() { (index + 1).to_string() } else { column.name.clone() };
+            let body = column.body.as_ref().map(|body| format!("{body}: ")).unwrap_or_default();
+            ColumnView {
+                index,
+                head: if unit.is_empty() { format!("{body}{name}") } else { format!("{body}{name} [{unit}]") },
+                quantity: used.meaning.quantity.clone(),
+                unit: number::unit_text(&used.meaning.unit.text),
+                fitted: used.fitted,
+                fittable: !used.meaning.quantity.is_empty() && used.meaning.quantity != *independent,
+            }
+        };
+        let spanish = self.tongue == Tongue::Spanish;
+        RecordView {
+            id: record.id,
+            name: record.name.clone(),
+            rows: record.table.rows(),
+            shown: record.shown,
+            synthetic: record.truth.is_some(),
+            columns: record.table.columns.iter().zip(&record.uses).enumerate().map(column).collect(),
+            findings: record.findings.iter().map(|finding| sentence(&finding.text(spanish))).collect(),
+        }
+    }
+
+    /// Some cells of a record's column, as people write them; empty for gaps.
+    pub fn record_cells(&self, id: u32, column: usize, rows: std::ops::Range<usize>) -> Vec<String> {
+        let values = self.record(id).and_then(|record| record.table.columns.get(column)).map(|column| &column.values);
+        let rows = values.and_then(|values| values.get(rows.start..rows.end.min(values.len()))).unwrap_or_default();
+        let cell = |value: &f64| if value.is_nan() { String::new() } else { number::plain(*value, 6, self.style) };
+        rows.iter().map(cell).collect()
+    }
+
+    /// What a column can be taken for: name and how it is shown.
+    pub fn measurable(&self) -> Vec<(String, String)> {
+        crate::recognise::measurable(self.model())
+            .into_iter()
+            .map(|(name, _)| (name.clone(), crate::symbol(&name)))
+            .collect()
+    }
+
+    /// Reads a text as a record. Nothing is lost when it cannot be read.
+    ///
+    /// # Errors
+    /// A text that is too long or no table, and a record too many.
+    pub fn add_record(&mut self, name: &str, text: &[u8]) -> Result<u32, Refusal> {
+        self.insert_record(name, text, None)
+    }
+
+    pub(crate) fn insert_record(
+        &mut self,
+        name: &str,
+        text: &[u8],
+        truth: Option<Vec<(String, f64)>>,
+    ) -> Result<u32, Refusal> {
+        if self.data.records.len() >= MOST_RECORDS {
+            return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
+        }
+        if text.len() > LONGEST_RECORD {
+            return Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
+        }
+        let spanish = self.tongue == Tongue::Spanish;
+        let import = analysis::import::text(text).map_err(|error| Refusal::UnreadableRecord {
+            name: name.to_owned(),
+            why: format!("{} {}", sentence(&error.message(spanish)), sentence(error.hint(spanish))),
+        })?;
+        let id = self.data.records.iter().map(|record| record.id + 1).max().unwrap_or(0);
+        let mut record = Record {
+            id,
+            name: name.chars().take(80).collect(),
+            text: String::from_utf8_lossy(text).into_owned(),
+            uses: Vec::new(),
+            table: import.table,
+            findings: import.findings,
+            computed: Vec::new(),
+            shown: true,
+            origin: None,
+            truth,
+        };
+        record.examine();
+        record.take_for(&self.document.model, &|label| self.labels(label));
+        let name = record.name.clone();
+        self.data.records.push(record);
+        self.records_changed();
+        self.announce(Announcement::RecordAdded(name));
+        Ok(id)
+    }
+
+    /// A label in every language of the document.
+    fn labels(&self, label: &str) -> Vec<String> {
+        self.document.languages().map(|language| self.document.text(language, label).to_lowercase()).collect()
+    }
+
+    /// Draws a record or not.
+    pub fn show_record(&mut self, id: u32, shown: bool) {
+        if let Some(record) = self.record_mut(id) {
+            record.shown = shown;
+            self.records_changed();
+        }
+    }
+
+    /// Forgets a record.
+    pub fn remove_record(&mut self, id: u32) {
+        if let Some(index) = self.data.records.iter().position(|record| record.id == id) {
+            let record = self.data.records.remove(index);
+            self.records_changed();
+            self.announce(Announcement::RecordRemoved(record.name));
+        }
+    }
+
+    /// Takes a column for another quantity; for none where the name is empty. Its unit stays if it can.
+    pub fn set_column_quantity(&mut self, id: u32, column: usize, quantity: &str) {
+        let units = crate::recognise::measurable(self.model());
+        let unit = units.into_iter().find(|(name, _)| name == quantity).map(|(_, unit)| unit);
+        let independent = self.model().independent.name.clone();
+        let Some(record) = self.record_mut(id) else { return };
+        if let Some(used) = record.uses.get_mut(column) {
+            let unit = match unit {
+                Some(unit) if unit.dimension != used.meaning.unit.dimension => unit,
+                _ => used.meaning.unit.clone(),
+            };
+            used.meaning = Meaning { quantity: quantity.to_owned(), unit };
+            used.fitted &= !quantity.is_empty() && quantity != independent;
+            used.chosen = true;
+        }
+        self.records_changed();
+    }
+
+    /// Gives a column another unit.
+    ///
+    /// # Errors
+    /// What is no unit, or that of something else than the column's quantity.
+    pub fn set_column_unit(&mut self, id: u32, column: usize, typed: &str) -> Result<(), Refusal> {
+        let unit = Unit::parse(&number::unit_source(typed))
+            .map_err(|_| Refusal::UnknownUnit { typed: typed.trim().chars().take(40).collect() })?;
+        let known = crate::recognise::measurable(self.model());
+        let Some(used) = self.record_mut(id).and_then(|record| record.uses.get_mut(column)) else { return Ok(()) };
+        let own = known.iter().find(|(name, _)| *name == used.meaning.quantity).map(|(_, own)| own);
+        if let Some(own) = own.filter(|own| own.dimension != unit.dimension) {
+            return Err(Refusal::WrongUnit {
+                typed: typed.trim().chars().take(40).collect(),
+                expected: number::unit_text(&own.text),
+            });
+        }
+        used.meaning.unit = unit;
+        used.chosen = true;
+        self.records_changed();
+        Ok(())
+    }
+
+    /// Lets a fit follow a column or not.
+    pub fn set_column_fitted(&mut self, id: u32, column: usize, fitted: bool) {
+        if let Some(used) = self.record_mut(id).and_then(|record| record.uses.get_mut(column)) {
+            used.fitted = fitted;
+            self.records_changed();
+        }
+    }
+
+    /// Takes the records of another session, which had another document open.
+    pub fn adopt_records(&mut self, other: &mut Session) {
+        self.data.records = std::mem::take(&mut other.data.records);
+        for record in &mut self.data.records {
+            record.origin = None;
+            record.uses.iter_mut().for_each(|used| used.offset = 0.0);
+        }
+        self.fits.finished = std::mem::take(&mut other.fits.finished);
+        self.fits.window = other.fits.window;
+        self.recognise_records();
+    }
+
+    /// Recognises all columns anew that nobody has chosen.
+    pub(crate) fn recognise_records(&mut self) {
+        let mut records = std::mem::take(&mut self.data.records);
+        for record in &mut records {
+            record.take_for(&self.document.model, &|label| self.labels(label));
+        }
+        self.data.records = records;
+        self.records_changed();
+    }
+
+    pub(crate) fn record(&self, id: u32) -> Option<&Record> {
+        self.data.records.iter().find(|record| record.id == id)
+    }
+
+    fn record_mut(&mut self, id: u32) -> Option<&mut Record> {
+        self.data.records.iter_mut().find(|record| record.id == id)
+    }
+}
+
+impl Use {
+    /// Whether the document has the quantity.
+    fn fits(&self, model: &Model) -> bool {
+        self.meaning.quantity.is_empty() || crate::recognise::observed(model, &self.meaning.quantity).is_some()
+    }
+}
+
+impl Record {
+    /// Looks for what the measurement hides: its clock, and columns that were computed from others.
+    fn examine(&mut self) {
+        let inspection = analysis::inspection::inspect(&self.table);
+        self.findings.extend(inspection.findings);
+        self.computed = inspection.derived.iter().map(|derived| (derived.column, derived.of)).collect();
+    }
+
+    /// Which column a column was computed from, if it was.
+    pub fn computed_from(&self, column: usize) -> Option<usize> {
+        self.computed.iter().find(|(computed, _)| *computed == column).map(|(_, source)| *source)
+    }
+
+    /// Takes the columns for what they seem to measure, except where a person has said what they do.
+    pub fn take_for(&mut self, model: &Model, labels: &dyn Fn(&str) -> Vec<String>) {
+        let meanings = recognise(&self.table, model, labels);
+        // The first column that is a witness of its own is what a fit follows.
+        let witness = |(column, meaning): (usize, &Meaning)| {
+            !meaning.quantity.is_empty()
+                && meaning.quantity != model.independent.name
+                && self.computed_from(column).is_none()
+        };
+        let witness = meanings.iter().enumerate().position(witness);
+        let fresh = meanings.into_iter().enumerate().map(|(column, meaning)| match self.uses.get(column) {
+            Some(used) if used.chosen && used.fits(model) => used.clone(),
+            _ => Use { meaning, fitted: Some(column) == witness, offset: 0.0, chosen: false },
+        });
+        self.uses = fresh.collect();
+    }
+}
+
+/// With a capital at its beginning and a stop at its end.
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
+    // What begins with the name of a column keeps it.
+    let begins_with_word = letters.as_str().starts_with(char::is_alphabetic);
+    if begins_with_word { format!("{first}{}.", letters.as_str()) } else { format!("{text}.") }
+}

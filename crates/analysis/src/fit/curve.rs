@@ -34,7 +34,7 @@ pub(crate) struct Curve {
     /// The parameters of the model among the targets, in order.
     varied: Vec<usize>,
     observed: usize,
-    /// By varied parameter: whether all that is observed is linear in it.
+    /// By varied parameter: whether all that is observed is linear in it and the others that are marked, all together.
     linear: Vec<bool>,
     /// For each observed expression: its value, its derivatives by each of `varied`, and by the independent variable.
     routine: Routine,
@@ -72,14 +72,16 @@ impl Curve {
             .enumerate()
             .map(|(place, &parameter)| extended.sensitivities(observed, parameter, place, states))
             .collect();
-        let linear = varied
-            .iter()
-            .zip(&by_parameter)
-            .map(|(&parameter, nodes)| {
-                let constant = |node: &NodeId| !extended.depends(*node).parameters.contains(&(parameter as u32));
-                states == 0 && nodes.iter().all(constant)
-            })
-            .collect();
+        // One after the other joins those before it, if no derivative by one of them depends on any other.
+        let mut linear = vec![false; varied.len()];
+        for place in 0..varied.len() {
+            linear[place] = states == 0;
+            let joined: Vec<usize> = (0..=place).filter(|&one| linear[one]).collect();
+            linear[place] &= joined.iter().flat_map(|&one| &by_parameter[one]).all(|node| {
+                let depends = extended.depends(*node).parameters;
+                joined.iter().all(|&one| !depends.contains(&(varied[one] as u32)))
+            });
+        }
         let rates = match targets.contains(&Target::Origin) {
             true => extended.rates_of(observed),
             // Nobody asks for them.
@@ -134,7 +136,8 @@ impl Curve {
         self.varied.len() + 2
     }
 
-    /// Whether all that is observed is linear in this parameter of the model; never for equations of motion.
+    /// Whether all that is observed is linear in this parameter of the model, together with all others of which this says so;
+    /// never for equations of motion.
     pub fn is_linear_in(&self, parameter: usize) -> bool {
         self.varied.iter().zip(&self.linear).any(|(&varied, &linear)| varied == parameter && linear)
     }

@@ -1,11 +1,12 @@
 //! The course of a fit: which starts are tried, how several observations are weighed, when it ends.
 
 use super::curve;
+use super::linear::{Decomposition, norm};
 use super::outcome::{self, Outcome};
 use super::problem::{Plan, Problem, Window};
 use super::search::{Search, Status};
-use super::start;
 use super::task::{FitError, Target, Task};
+use super::{start, symmetry};
 use crate::cycles::Estimate;
 use model::Model;
 
@@ -31,7 +32,9 @@ pub struct Fit {
     stages: Vec<Stage>,
     current: Option<Current>,
     /// The weighted sum of squares about the mean of each observation.
-    total: f64,
+    pub(super) total: f64,
+    /// In how many directions the curve does not change at the own values.
+    flat: usize,
     /// Whether equations of motion are integrated as they should be in the end.
     refined: bool,
     weighings: usize,
@@ -39,12 +42,13 @@ pub struct Fit {
     finished: bool,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 enum Stage {
     Own,
     Estimated,
     Windows,
-    Spread(usize),
+    Spread,
+    From(Vec<f64>),
 }
 
 #[derive(Clone, Debug)]
@@ -57,7 +61,7 @@ struct Current {
 
 impl Fit {
     /// The part of the sum of squares that may be left to gain, for formulas.
-    const TOLERANCE: f64 = 1e-16;
+    const TOLERANCE: f64 = 1e-18;
     /// The same for equations of motion, whose solutions carry the error of the integration: integrated loosely at first,
     /// and as they should be in the end.
     const TOLERANCE_OF_MOTION: [f64; 2] = [1e-8, 1e-13];
@@ -67,6 +71,14 @@ impl Fit {
     const WINDOW_TRIALS: usize = 15;
     /// Starts spread over the ranges.
     const SPREAD: usize = 12;
+    /// Starts that are looked at, for formulas.
+    const SCREENED: usize = 240;
+    /// How many of these are searched from.
+    const CHOSEN: usize = 10;
+    /// Own values that leave less of the scatter than this come first.
+    const PROMISING: f64 = 0.5;
+    /// A direction in which the curve changes by less than this part of the greatest change is no direction to search in.
+    const FLAT: f64 = 1e-8;
     /// A later start wins only if it lowers the sum of squares by more than this part.
     const BETTER: f64 = 1e-6;
     /// What explains this part of the scatter is not searched further.
@@ -82,8 +94,6 @@ impl Fit {
         let mut problem = Problem::new(model, task)?;
         problem.weigh(&problem.spread());
         let plans = problem.plans.clone();
-        let mut stages: Vec<Stage> = (0..Self::SPREAD).rev().map(Stage::Spread).collect();
-        stages.extend([Stage::Windows, Stage::Estimated, Stage::Own]);
         let mut fit = Self {
             model: curve::bare(model),
             bounds: bounds(model, &problem),
@@ -94,15 +104,17 @@ impl Fit {
             plans,
             best: None,
             converged: false,
-            stages,
+            stages: vec![Stage::Spread, Stage::Windows, Stage::Estimated, Stage::Own],
             current: None,
+            flat: 0,
             refined: false,
             weighings: 0,
             trials: 0,
             finished: false,
         };
         let own = fit.search(&fit.own.clone(), &fit.plans.clone(), Self::TRIALS);
-        if own.sum < fit.total || fit.estimates.iter().all(Option::is_none) {
+        fit.flat = flat(&own);
+        if own.sum < Self::PROMISING * fit.total || fit.estimates.iter().all(Option::is_none) {
             fit.stages.pop();
             fit.current = Some(Current { search: own, plans: fit.plans.clone(), windows: Vec::new() });
         } else {
@@ -184,16 +196,41 @@ impl Fit {
         Current { search: self.search(start, &plans, limit), plans, windows }
     }
 
+    /// Whether no other start is needed: much is explained by a search that came to its end in a place as definite as where it
+    /// began. Where terms of a formula have become one, or a number has run away, it is in none.
+    fn is_enough(&self) -> bool {
+        self.converged
+            && self.explained() >= Self::EXPLAINED
+            && self.best.as_ref().is_some_and(|best| flat(best) <= self.flat)
+    }
+
+    /// Starts spread over the ranges. Those of a formula are cheap enough to look at many, and to begin with the best.
+    fn spread(&mut self) -> Vec<Vec<f64>> {
+        let start = |index| start::spread(&self.own, &self.bounds, index);
+        if self.problem.curve.has_states() {
+            return (0..Self::SPREAD).map(start).collect();
+        }
+        let candidates: Vec<Vec<f64>> = (0..Self::SCREENED).map(start).collect();
+        let plans: Vec<Plan> = self.plans.iter().map(start::thinned).collect();
+        let mut looked: Vec<Search> = candidates.iter().map(|start| self.search(start, &plans, 1)).collect();
+        looked.sort_by(|one, other| one.sum.total_cmp(&other.sum));
+        looked.into_iter().filter(|one| one.sum.is_finite()).take(Self::CHOSEN).map(|one| one.x).collect()
+    }
+
     /// Begins the next stage, or ends.
     fn begin(&mut self) {
-        let explained = self.best.is_some() && self.explained() >= Self::EXPLAINED;
-        let Some(stage) = self.stages.pop().filter(|_| !explained) else {
+        let Some(stage) = self.stages.pop().filter(|_| !self.is_enough()) else {
             self.conclude();
             return;
         };
         let start = match stage {
             Stage::Own => self.own.clone(),
-            Stage::Spread(index) => start::spread(&self.own, &self.bounds, index),
+            Stage::From(start) => start,
+            Stage::Spread => {
+                let starts = self.spread();
+                self.stages.extend(starts.into_iter().rev().map(Stage::From));
+                return;
+            }
             Stage::Estimated => {
                 match start::from_estimates(&mut self.problem, &self.model, &self.estimates, &self.own) {
                     Some(start) => start,
@@ -232,14 +269,21 @@ impl Fit {
 
     /// Integrates as it should be, weighs several observations by their own scatter until that no longer changes, and ends.
     fn conclude(&mut self) {
-        let Some(best) = &self.best else {
+        let Some(best) = self.best.clone() else {
             self.finished = true;
             return;
         };
         let refine = !self.refined && self.problem.curve.has_states();
+        let symmetric = match self.refined || refine {
+            true => None,
+            false => symmetry::like_start(self, &best, &self.own.clone()),
+        };
         self.refined = true;
+        let mut start = best.x.clone();
         if refine {
             self.problem.curve.set_tolerance(curve::TOLERANCE);
+        } else if let Some(like) = symmetric {
+            start = like;
         } else if self.weighings < Self::WEIGHINGS && self.problem.reweigh(&best.residuals) {
             self.weighings += 1;
             self.plans = self.problem.plans.clone();
@@ -248,9 +292,18 @@ impl Fit {
             self.finished = true;
             return;
         }
-        let search = self.search(&best.x.clone(), &self.plans.clone(), Self::TRIALS);
+        let search = self.search(&start, &self.plans.clone(), Self::TRIALS);
         self.current = Some(Current { search, plans: self.plans.clone(), windows: Vec::new() });
     }
+}
+
+/// In how many directions the curve does not change where a search is.
+fn flat(search: &Search) -> usize {
+    let scale: Vec<f64> = (0..search.x.len()).map(|column| norm(search.jacobian.column(column))).collect();
+    let moving: Vec<usize> = (0..scale.len()).filter(|&column| scale[column] > 0.0).collect();
+    let decomposition = Decomposition::new(&search.jacobian, &moving, &scale, &search.residuals);
+    let least = Fit::FLAT * decomposition.greatest();
+    scale.len() - decomposition.singular.iter().filter(|value| **value > least).count()
 }
 
 /// The bounds of each number of the search: given, else the parameter's own range, else none.

@@ -59,6 +59,8 @@ pub(crate) struct Decomposition {
     pub right: Vec<f64>,
     /// The components of r along the left singular vectors.
     pub along: Vec<f64>,
+    /// U column by column.
+    left: Vec<f64>,
 }
 
 impl Decomposition {
@@ -82,9 +84,14 @@ impl Decomposition {
                 triangle[column * size + row] = tall[column * rows + row];
             }
         }
-        let (left, singular, right) = singular_values(triangle, size);
-        let along = (0..size).map(|k| dot(&left[k * size..(k + 1) * size], &right_side)).collect();
-        Self { size, singular, right, along }
+        Self::of_square(triangle, size, &right_side)
+    }
+
+    /// Decomposes a small square matrix, column by column, with a right side.
+    fn of_square(matrix: Vec<f64>, size: usize, right_side: &[f64]) -> Self {
+        let (left, singular, right) = singular_values(matrix, size);
+        let along = (0..size).map(|k| dot(&left[k * size..(k + 1) * size], right_side)).collect();
+        Self { size, singular, right, along, left }
     }
 
     /// The vector V (d_k w_k): `weight` gives d_k from the singular value.
@@ -99,9 +106,80 @@ impl Decomposition {
         result
     }
 
+    /// How much of the sum of squares the best step promises to take away; directions flatter than this part of the steepest do
+    /// not count.
+    pub fn promised(&self, flat: f64) -> f64 {
+        let flat = flat * self.greatest();
+        let parts = self.singular.iter().zip(&self.along).filter(|(singular, _)| **singular > flat);
+        parts.fold(0.0, |sum, (_, along)| sum + along * along)
+    }
+
     /// The greatest singular value.
     pub fn greatest(&self) -> f64 {
         self.singular.iter().fold(0.0, |greatest: f64, &value| greatest.max(value))
+    }
+}
+
+/// A least-squares problem in two parts: the first columns follow the others as well as they can. What is left for the others
+/// is a problem of their own, in what is orthogonal to the first columns.
+#[derive(Clone, Debug)]
+pub(crate) struct Split {
+    /// The first columns by themselves.
+    first: Decomposition,
+    /// The others in the space orthogonal to the first.
+    pub rest: Decomposition,
+    /// The components of the others along the first: column by column.
+    mixed: Vec<f64>,
+}
+
+impl Split {
+    /// Below this part of the greatest singular value, a direction of the first columns changes nothing.
+    const FLAT: f64 = 1e-13;
+
+    /// Decomposes the columns `first` and `rest` of `jacobian`, each divided by its `scale`, with the residuals.
+    pub fn new(jacobian: &Jacobian, first: &[usize], rest: &[usize], scale: &[f64], residuals: &[f64]) -> Self {
+        let (ahead, behind) = (first.len(), rest.len());
+        let size = ahead + behind;
+        let rows = jacobian.rows.max(size);
+        let mut tall = vec![0.0; rows * size];
+        for (place, &column) in first.iter().chain(rest).enumerate() {
+            let to = &mut tall[place * rows..place * rows + jacobian.rows];
+            for (to, from) in to.iter_mut().zip(jacobian.column(column)) {
+                *to = from / scale[column];
+            }
+        }
+        let mut right_side = residuals.to_vec();
+        right_side.resize(rows, 0.0);
+        triangulate(&mut tall, rows, size, &mut right_side);
+        let block = |rows_of: std::ops::Range<usize>, columns_of: std::ops::Range<usize>| -> Vec<f64> {
+            columns_of.flat_map(|column| &tall[column * rows..][rows_of.clone()]).copied().collect()
+        };
+        Self {
+            first: Decomposition::of_square(block(0..ahead, 0..ahead), ahead, &right_side[..ahead]),
+            rest: Decomposition::of_square(block(ahead..size, ahead..size), behind, &right_side[ahead..size]),
+            mixed: block(0..ahead, ahead..size),
+        }
+    }
+
+    /// The step of the first columns that is best after this step of the others.
+    pub fn following(&self, step: &[f64]) -> Vec<f64> {
+        let size = self.first.size;
+        let mut follow = self.first.clone();
+        if size > 0 {
+            for (column, step) in self.mixed.chunks(size).zip(step) {
+                for k in 0..size {
+                    follow.along[k] -= step * dot(&self.first.left[k * size..(k + 1) * size], column);
+                }
+            }
+        }
+        let flat = Self::FLAT * follow.greatest();
+        follow.combine(|value| if value > flat { 1.0 / value } else { 0.0 })
+    }
+
+    /// How much of the sum of squares the best step of all promises to take away; directions of the others that are flatter
+    /// than `flat` do not count.
+    pub fn promised(&self, flat: f64) -> f64 {
+        self.first.promised(Self::FLAT) + self.rest.promised(flat)
     }
 }
 

@@ -13,6 +13,7 @@ mod rank;
 mod search;
 mod start;
 mod statistics;
+mod symmetry;
 mod task;
 mod trace;
 mod weights;

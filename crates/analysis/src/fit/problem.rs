@@ -294,6 +294,16 @@ impl Problem {
         })
     }
 
+    /// The columns in which the residuals are linear, all of them together.
+    pub fn linear_columns(&self) -> Vec<usize> {
+        let linear = |target| match target {
+            Target::Parameter(index) => self.curve.is_linear_in(index),
+            Target::Offset(_) => true,
+            Target::Origin => false,
+        };
+        (0..self.columns.len()).filter(|&number| linear(self.columns[number].target)).collect()
+    }
+
     /// The clock's reading at the model's 0.
     pub fn origin(&self, record: usize, plan: &Plan, x: &[f64]) -> f64 {
         let varied = self
@@ -348,5 +358,9 @@ pub(crate) struct Window<'a> {
 impl Residuals for Window<'_> {
     fn evaluate(&mut self, x: &[f64], residuals: &mut [f64], jacobian: &mut Jacobian) -> bool {
         self.problem.residuals(self.plans, x, residuals, jacobian)
+    }
+
+    fn linear(&self) -> Vec<usize> {
+        self.problem.linear_columns()
     }
 }

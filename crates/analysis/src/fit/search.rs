@@ -4,13 +4,21 @@
 //! (More, Lecture Notes in Mathematics 630 (1978) 105). The step inside it comes from singular values, which also show
 //! what the residuals do not depend on. Bounds are kept by projection: a variable that stands at its bound and wants to
 //! leave is held for this step.
+//!
+//! Variables in which the residuals are linear follow the others: after every step they are set where linear least squares
+//! wants them, if that is worth it. So the step of the others is that of Kaufman's variable projection, which needs no starting
+//! values for what is linear and leaves long curved valleys in few steps (Golub & Pereyra, SIAM J. Numer. Anal. 10 (1973) 413;
+//! Ruhe & Wedin, SIAM Review 22 (1980) 318, algorithm 2).
 
-use super::linear::{Decomposition, Jacobian, norm};
+use super::linear::{Decomposition, Jacobian, Split, norm};
 
 /// What is minimised.
 pub(crate) trait Residuals {
     /// Computes residuals and their derivatives at `x`; false if there are none.
     fn evaluate(&mut self, x: &[f64], residuals: &mut [f64], jacobian: &mut Jacobian) -> bool;
+
+    /// The variables in which the residuals are linear, all of them together.
+    fn linear(&self) -> Vec<usize>;
 }
 
 /// How a search stands.
@@ -41,6 +49,8 @@ pub(crate) struct Search {
     pub status: Status,
     /// How many trials were made.
     pub trials: usize,
+    /// The variables in which the residuals are linear.
+    linear: Vec<usize>,
     scale: Vec<f64>,
     radius: f64,
     /// The part of the sum of squares that may be left to gain when the search ends.
@@ -48,7 +58,15 @@ pub(crate) struct Search {
     limit: usize,
     trial_residuals: Vec<f64>,
     trial_jacobian: Jacobian,
-    decomposition: Option<(Vec<usize>, Decomposition)>,
+    step: Option<Step>,
+}
+
+/// The columns that are free to move, and what a step of them needs.
+#[derive(Clone, Debug)]
+struct Step {
+    linear: Vec<usize>,
+    others: Vec<usize>,
+    split: Split,
 }
 
 impl Search {
@@ -56,6 +74,12 @@ impl Search {
     const FIRST_RADIUS: f64 = 10.0;
     /// Below this part of the greatest singular value, a direction changes nothing but by rounding.
     const FLAT: f64 = 1e-14;
+    /// The same where what is linear is set to its best values.
+    const FLAT_LINEAR: f64 = 1e-12;
+    /// Sums of squares are not compared where less than this part of them is left to be gained.
+    const ROUNDING: f64 = 1e-12;
+    /// Setting what is linear to its best values must take away this part of the sum of squares.
+    const WORTH: f64 = 1e-2;
 
     /// Begins at `start`, moved into the bounds. `rows` is the number of residuals.
     pub fn new(
@@ -75,23 +99,24 @@ impl Search {
             jacobian: Jacobian::new(rows, columns),
             status: Status::Searching,
             trials: 1,
+            linear: problem.linear(),
             scale: vec![0.0; columns],
             radius: 0.0,
             tolerance,
             limit,
             trial_residuals: vec![0.0; rows],
             trial_jacobian: Jacobian::new(rows, columns),
-            decomposition: None,
+            step: None,
         };
-        if problem.evaluate(&search.x, &mut search.residuals, &mut search.jacobian) {
-            search.sum = sum_of_squares(&search.residuals);
-        }
-        if !search.sum.is_finite() || !search.jacobian.values.iter().all(|value| value.is_finite()) {
-            search.sum = f64::INFINITY;
+        let mut first = std::mem::take(&mut search.x);
+        search.sum = search.evaluate(problem, &mut first);
+        search.x = first;
+        if search.sum == f64::INFINITY {
             search.status = Status::Failed;
         } else {
+            search.swap();
             search.rescale();
-            let length = norm(&search.scaled(&search.x));
+            let length = search.length(&search.x);
             search.radius = Self::FIRST_RADIUS * if length > 0.0 { length } else { 1.0 };
         }
         search
@@ -102,31 +127,31 @@ impl Search {
         if self.status != Status::Searching {
             return self.status;
         }
-        let (free, decomposition) = match self.decomposition.take() {
+        let step = match self.step.take() {
             Some(known) => known,
             None => self.decompose(),
         };
-        if self.nothing_left(&decomposition) {
-            self.decomposition = Some((free, decomposition));
+        let promised = step.split.promised(Self::FLAT);
+        if promised <= self.tolerance * self.sum {
             self.status = Status::Converged;
             return self.status;
         }
-        let (step, damped) = restricted(&decomposition, self.radius);
+        let (change, damped) = restricted(&step.split.rest, self.radius);
+        let follow = step.split.following(&change);
         let mut trial = self.x.clone();
-        for (&column, step) in free.iter().zip(&step) {
+        for (&column, change) in step.linear.iter().zip(&follow).chain(step.others.iter().zip(&change)) {
             let (low, high) = self.bounds[column];
-            trial[column] = (trial[column] - step / self.scale[column]).max(low).min(high);
+            trial[column] = (trial[column] - change / self.scale[column]).max(low).min(high);
         }
         let change: Vec<f64> = trial.iter().zip(&self.x).map(|(to, from)| to - from).collect();
-        let length = norm(&self.scaled(&change));
+        let moves = change.iter().any(|change| *change != 0.0);
+        let length = self.length(&change);
         let predicted = self.sum - self.linear_sum(&change);
         self.trials += 1;
-        let mut sum = f64::INFINITY;
-        if length > 0.0 && problem.evaluate(&trial, &mut self.trial_residuals, &mut self.trial_jacobian) {
-            sum = sum_of_squares(&self.trial_residuals);
-            if !self.trial_jacobian.values.iter().all(|value| value.is_finite()) {
-                sum = f64::INFINITY;
-            }
+        let sum = if moves { self.evaluate(problem, &mut trial) } else { f64::INFINITY };
+        if promised < Self::ROUNDING * self.sum {
+            self.polish(trial, sum, promised);
+            return self.status;
         }
         let gain = if sum.is_finite() { self.sum - sum } else { f64::NEG_INFINITY };
         let ratio = if predicted > 0.0 { gain / predicted } else { -1.0 };
@@ -138,21 +163,100 @@ impl Search {
             self.radius = self.radius.max(2.0 * length);
         }
         if ratio > 1e-4 {
-            self.x = trial;
-            self.sum = sum;
-            std::mem::swap(&mut self.residuals, &mut self.trial_residuals);
-            std::mem::swap(&mut self.jacobian, &mut self.trial_jacobian);
-            self.rescale();
+            self.accept(trial, sum);
         } else {
-            self.decomposition = Some((free, decomposition));
+            self.step = Some(step);
         }
-        let smallest = 4.0 * f64::EPSILON * norm(&self.scaled(&self.x));
-        if self.sum == 0.0 || self.radius <= smallest || length == 0.0 {
+        if self.sum == 0.0 || self.radius <= 4.0 * f64::EPSILON * self.length(&self.x) || !moves {
             self.status = Status::Converged;
         } else if self.trials >= self.limit {
             self.status = Status::Failed;
         }
         self.status
+    }
+
+    /// So near to the end that sums of squares differ by little more than rounding, a trial is judged by what it leaves to be
+    /// gained.
+    fn polish(&mut self, trial: Vec<f64>, sum: f64, promised: f64) {
+        self.status = Status::Converged;
+        if sum <= self.sum * (1.0 + Self::ROUNDING) {
+            let before = (std::mem::replace(&mut self.x, trial), std::mem::replace(&mut self.sum, sum));
+            self.swap();
+            let step = self.decompose();
+            if step.split.promised(Self::FLAT) < 0.98 * promised && self.trials < self.limit {
+                self.step = Some(step);
+                self.status = Status::Searching;
+            } else {
+                (self.x, self.sum) = before;
+                self.swap();
+            }
+        }
+    }
+
+    /// Goes on from a trial.
+    fn accept(&mut self, trial: Vec<f64>, sum: f64) {
+        self.x = trial;
+        self.sum = sum;
+        self.swap();
+        self.rescale();
+    }
+
+    /// Exchanges residuals and derivatives with those of the trial.
+    fn swap(&mut self) {
+        std::mem::swap(&mut self.residuals, &mut self.trial_residuals);
+        std::mem::swap(&mut self.jacobian, &mut self.trial_jacobian);
+    }
+
+    /// The sum of squares at `x`, infinite if there is none, after what is linear was set to its best values where that takes
+    /// away much. Residuals and derivatives are left in those of the trial.
+    fn evaluate(&mut self, problem: &mut impl Residuals, x: &mut Vec<f64>) -> f64 {
+        let sum = self.evaluate_at(problem, x);
+        if sum < f64::INFINITY
+            && let Some(better) = self.projected(x, sum)
+        {
+            let better_sum = self.evaluate_at(problem, &better);
+            if better_sum < sum {
+                *x = better;
+                return better_sum;
+            }
+            return self.evaluate_at(problem, x);
+        }
+        sum
+    }
+
+    fn evaluate_at(&mut self, problem: &mut impl Residuals, x: &[f64]) -> f64 {
+        if !problem.evaluate(x, &mut self.trial_residuals, &mut self.trial_jacobian)
+            || !self.trial_jacobian.values.iter().all(|value| value.is_finite())
+        {
+            return f64::INFINITY;
+        }
+        let sum = sum_of_squares(&self.trial_residuals);
+        if sum.is_finite() { sum } else { f64::INFINITY }
+    }
+
+    /// `x` with the best values of what is linear, if that takes away a good part of `sum` and stays within the bounds.
+    fn projected(&self, x: &[f64], sum: f64) -> Option<Vec<f64>> {
+        let scale: Vec<f64> = (0..x.len()).map(|column| norm(self.trial_jacobian.column(column))).collect();
+        let free = |column: usize| scale[column] > 0.0 && self.bounds[column].0 < self.bounds[column].1;
+        let columns: Vec<usize> = self.linear.iter().copied().filter(|&column| free(column)).collect();
+        if columns.is_empty() {
+            return None;
+        }
+        let decomposition = Decomposition::new(&self.trial_jacobian, &columns, &scale, &self.trial_residuals);
+        if decomposition.promised(Self::FLAT_LINEAR) < Self::WORTH * sum {
+            return None;
+        }
+        let flat = Self::FLAT_LINEAR * decomposition.greatest();
+        let step = decomposition.combine(|value| if value > flat { 1.0 / value } else { 0.0 });
+        let mut better = x.to_vec();
+        for (&column, step) in columns.iter().zip(&step) {
+            better[column] -= step / scale[column];
+            let (low, high) = self.bounds[column];
+            if !(better[column] >= low && better[column] <= high) {
+                return None;
+            }
+        }
+        Some(better)
     }
 
     /// Whether a variable stands at one of its bounds.
@@ -172,36 +276,26 @@ impl Search {
         }
     }
 
-    fn scaled(&self, x: &[f64]) -> Vec<f64> {
-        x.iter().zip(&self.scale).map(|(value, scale)| value * scale).collect()
+    /// The length of a way in scaled variables; what is linear does not count.
+    fn length(&self, way: &[f64]) -> f64 {
+        let counts = |column: &usize| !self.linear.contains(column);
+        let scaled: Vec<f64> = (0..way.len()).filter(counts).map(|column| way[column] * self.scale[column]).collect();
+        norm(&scaled)
     }
 
     /// The columns that are free to move, decomposed.
-    fn decompose(&self) -> (Vec<usize>, Decomposition) {
+    fn decompose(&self) -> Step {
         let gradient = |column| super::linear::dot(self.jacobian.column(column), &self.residuals);
-        let free: Vec<usize> = (0..self.x.len())
-            .filter(|&column| {
-                let (low, high) = self.bounds[column];
-                let held = (self.x[column] <= low && gradient(column) > 0.0)
-                    || (self.x[column] >= high && gradient(column) < 0.0);
-                !held && low < high
-            })
-            .collect();
-        let decomposition = Decomposition::new(&self.jacobian, &free, &self.scale, &self.residuals);
-        (free, decomposition)
-    }
-
-    /// The orthogonality criterion of Bates & Watts (Technometrics 23 (1981) 179): what part of the sum of squares the
-    /// linear prediction still promises to take away.
-    fn nothing_left(&self, decomposition: &Decomposition) -> bool {
-        let flat = Self::FLAT * decomposition.greatest();
-        let promised: f64 = decomposition
-            .singular
-            .iter()
-            .zip(&decomposition.along)
-            .filter(|(singular, _)| **singular > flat)
-            .fold(0.0, |sum, (_, along)| sum + along * along);
-        promised <= self.tolerance * self.sum
+        let free = |column: &usize| {
+            let (low, high) = self.bounds[*column];
+            let held = (self.x[*column] <= low && gradient(*column) > 0.0)
+                || (self.x[*column] >= high && gradient(*column) < 0.0);
+            !held && low < high
+        };
+        let (linear, others): (Vec<usize>, Vec<usize>) =
+            (0..self.x.len()).filter(free).partition(|column| self.linear.contains(column));
+        let split = Split::new(&self.jacobian, &linear, &others, &self.scale, &self.residuals);
+        Step { linear, others, split }
     }
 
     /// The sum of squares that the linear prediction gives after `change`.

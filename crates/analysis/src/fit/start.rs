@@ -147,7 +147,7 @@ fn roles(problem: &Problem, model: &Model) -> Vec<Role> {
 }
 
 /// A part of the rows of a plan, evenly taken.
-fn thinned(plan: &Plan) -> Plan {
+pub(crate) fn thinned(plan: &Plan) -> Plan {
     let every = plan.times.len().div_ceil(ROWS).max(1);
     let kept: Vec<Point> = plan
         .points
@@ -281,7 +281,8 @@ pub(crate) fn cut(plans: &[Plan], duration: f64) -> Vec<Plan> {
 }
 
 /// Starts spread over the ranges, evenly however many there are (Halton, Numer. Math. 2 (1960) 84): the one of number
-/// `index`. Without a range, from a fifth of the start to five times it.
+/// `index`. Without a range, from a fifth of the start to five times it, and every other time from a three-hundredth to three
+/// hundred times.
 pub(crate) fn spread(own: &[f64], bounds: &[(f64, f64)], index: usize) -> Vec<f64> {
     const PRIMES: [usize; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
     own.iter()
@@ -298,7 +299,8 @@ pub(crate) fn spread(own: &[f64], bounds: &[(f64, f64)], index: usize) -> Vec<f6
                 }
             } else {
                 let scale = if value == 0.0 { 1.0 } else { value };
-                scale * libm::exp((2.0 * part - 1.0) * libm::log(5.0))
+                let reach: f64 = if index.is_multiple_of(2) { 5.0 } else { 300.0 };
+                scale * libm::exp((2.0 * part - 1.0) * libm::log(reach))
             }
         })
         .collect()

@@ -1,6 +1,8 @@
 //! Fits of models to data with known results.
 #![allow(clippy::unwrap_used, reason = "a test fails by it")]
 
+mod classic;
+mod nist;
 #[path = "../support/mod.rs"]
 mod noise;
 mod support;

@@ -1,0 +1,61 @@
+//! Answers that fit equally well, because the formula is symmetric: two terms of a sum may change places, a width may be
+//! negative. Of these the one is given that is like the start: its signs, its order.
+
+use super::driver::Fit;
+use super::search::Search;
+use super::task::Target;
+
+/// Sums of squares that differ by less than this part are equal.
+const EQUAL: f64 = 1e-6;
+/// And so are those below this part of the scatter of the data.
+const NOTHING: f64 = 1e-20;
+
+/// The numbers of a search that is at its end, with signs and order more like those of `own` than they are, if that fits as
+/// well.
+pub(crate) fn like_start(fit: &mut Fit, best: &Search, own: &[f64]) -> Option<Vec<f64>> {
+    let linear = fit.problem.linear_columns();
+    let others: Vec<usize> = (0..own.len()).filter(|column| !linear.contains(column)).collect();
+    let mut x = best.x.clone();
+    for &column in &others {
+        if x[column] * own[column] < 0.0 {
+            let mut turned = x.clone();
+            turned[column] = -x[column];
+            x = equal(fit, best, turned).unwrap_or(x);
+        }
+    }
+    // Terms may have more than one number each, which stand together.
+    for length in 1..=others.len() / 2 {
+        for first in 0..others.len() {
+            for second in first + length..=others.len() - length {
+                let (a, b) = (others[first], others[second]);
+                if (x[a] - x[b]) * (own[a] - own[b]) >= 0.0 {
+                    continue;
+                }
+                let mut exchanged = x.clone();
+                let alike = (0..length).all(|place| {
+                    let (a, b) = (others[first + place], others[second + place]);
+                    exchanged.swap(a, b);
+                    unit(fit, a) == unit(fit, b)
+                });
+                if alike {
+                    x = equal(fit, best, exchanged).unwrap_or(x);
+                }
+            }
+        }
+    }
+    (x != best.x).then_some(x)
+}
+
+/// These numbers, with what is linear at its best values, if they fit as well as the best.
+fn equal(fit: &mut Fit, best: &Search, x: Vec<f64>) -> Option<Vec<f64>> {
+    let search = fit.search(&x, &fit.plans.clone(), 1);
+    let as_good = search.sum <= best.sum * (1.0 + EQUAL) || search.sum <= NOTHING * fit.total;
+    as_good.then_some(search.x)
+}
+
+fn unit(fit: &Fit, column: usize) -> Option<units::Dimension> {
+    match fit.problem.columns[column].target {
+        Target::Parameter(index) => fit.model.parameters.get(index).map(|parameter| parameter.unit.dimension),
+        Target::Origin | Target::Offset(_) => None,
+    }
+}

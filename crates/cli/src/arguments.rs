@@ -46,6 +46,9 @@ pub enum Command {
     /// Check documents and say what is wrong with them
     #[command(after_help = CHECK_EXAMPLES)]
     Check(Check),
+    /// Measure an oscillation cycle by cycle: period, amplitude, damping
+    #[command(after_help = CYCLES_EXAMPLES)]
+    Cycles(Cycles),
     /// Make one offline page of a document, with its source inside
     #[command(after_help = EXPORT_EXAMPLES)]
     Export(Export),
@@ -192,6 +195,58 @@ pub enum Findings {
     Text,
     /// One array
     Json,
+}
+
+const CYCLES_EXAMPLES: &str = "\
+Examples:
+  meniscus cycles run3.txt                        the column that moves most
+  meniscus cycles run3.txt --observe y=3          the third column, called y
+  meniscus cycles film.xlsx --observe mass_A.y --from 1 --until '6000 [ms]'
+  meniscus cycles run3.txt --output cycles.svg    each quantity against time and amplitude
+  meniscus cycles run3.txt --output cycles.csv    the table for a spreadsheet
+
+DATA is text as Tracker, loggers and spreadsheets write it, or XLSX, XLS or ODS: time, then one or more quantities.
+docs/data.md has the rules. In the linear theory frequency and damping are the same in every cycle.";
+
+/// `meniscus cycles`
+#[derive(Debug, Args)]
+pub struct Cycles {
+    /// The measured data; `-` reads text from the standard input
+    #[arg(value_name = "DATA")]
+    pub data: PathBuf,
+
+    /// What is observed, and its column by name, body.name or number [default: the column that moves most]
+    #[arg(long, value_name = "y[=COLUMN]", value_parser = crate::data::observe)]
+    pub observe: Option<crate::data::Observe>,
+
+    /// Leave out what is before this time, in the unit of the file or as '500 [ms]'
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub from: Option<String>,
+
+    /// Leave out what is after this time
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub until: Option<String>,
+
+    /// The form of the result [default: by the ending of FILE, or text]
+    #[arg(long, value_enum)]
+    pub format: Option<CyclesFormat>,
+
+    /// Write into this file, which appears whole or not at all [default: the standard output]
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// The forms of a table of cycles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CyclesFormat {
+    /// A table with words about it
+    Text,
+    /// One object
+    Json,
+    /// One row for each turning point
+    Csv,
+    /// A figure
+    Svg,
 }
 
 const EXPORT_EXAMPLES: &str = "\

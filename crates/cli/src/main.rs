@@ -2,12 +2,15 @@
 
 mod arguments;
 mod check;
+mod cycles;
+mod data;
 mod export;
 mod failure;
 mod load;
 mod output;
 mod page;
 mod report;
+mod rounded;
 mod run;
 mod serve;
 mod settings;
@@ -32,6 +35,7 @@ fn main() -> ExitCode {
         Command::Serve(serve) => serve::serve(serve, terminal),
         Command::Run(run) => run::run(run, terminal),
         Command::Check(check) => check::check(check, terminal),
+        Command::Cycles(cycles) => cycles::run(cycles, terminal),
         Command::Export(export) => export::export(export, terminal),
     };
     match result {

@@ -74,7 +74,7 @@ fn colours_are_there_when_asked_for() {
 
 #[test]
 fn every_command_explains_itself_with_examples() {
-    for command in ["serve", "run", "check", "export"] {
+    for command in ["serve", "run", "check", "cycles", "export"] {
         let done = meniscus(&[command, "--help"]);
         assert_eq!((done.code, done.stderr.as_str()), (0, ""));
         assert!(done.stdout.contains("Examples:\n  meniscus "), "{}", done.stdout);

@@ -1,0 +1,258 @@
+//! Files of measured data: text in any form, and spreadsheets.
+
+use crate::failure::Failure;
+use analysis::finding::Finding;
+use analysis::import::{self, ImportError};
+use analysis::inspection::{Derived, inspect};
+use analysis::table::Table;
+use calamine::{Data, DataRef, Reader, Sheets, open_workbook_auto_from_rs};
+use std::fs::File;
+use std::io::{Cursor, Read};
+use std::path::Path;
+use units::Unit;
+
+/// No measurement is larger.
+const MOST_BYTES: u64 = 256 << 20;
+/// What ZIP archives (XLSX, ODS) and old workbooks (XLS) begin with.
+const WORKBOOKS: [&[u8]; 2] = [b"PK\x03\x04", b"\xd0\xcf\x11\xe0"];
+
+/// A file of measured data.
+#[derive(Debug)]
+pub struct Measured {
+    /// As it is called in messages.
+    pub name: String,
+    /// What it holds.
+    pub table: Table,
+    /// What a person should know about the file and about the measurement.
+    pub findings: Vec<Finding>,
+    /// Columns that were computed from others.
+    pub derived: Vec<Derived>,
+}
+
+/// Reads a file of measured data; `-` is the standard input.
+pub fn read(path: &Path) -> Result<Measured, Failure> {
+    let (name, bytes) = if path == Path::new("-") {
+        let name = "the standard input";
+        (name.to_owned(), bounded(&mut std::io::stdin().lock(), Path::new(name))?)
+    } else {
+        let failure = |error: std::io::Error| Failure::file("read", path, &error);
+        let metadata = std::fs::metadata(path).map_err(failure)?;
+        if metadata.is_dir() {
+            return Err(Failure::request(format!("cannot read {}: it is a directory", path.display())));
+        }
+        if metadata.len() > MOST_BYTES {
+            return Err(too_large(path));
+        }
+        (path.display().to_string(), bounded(&mut File::open(path).map_err(failure)?, path)?)
+    };
+    let import = if WORKBOOKS.iter().any(|start| bytes.starts_with(start)) {
+        workbook(&name, bytes)?
+    } else {
+        import::text(&bytes).map_err(|error| refused(&name, &error))?
+    };
+    let inspection = inspect(&import.table);
+    let mut findings = import.findings;
+    findings.extend(inspection.findings);
+    Ok(Measured { name, table: import.table, findings, derived: inspection.derived })
+}
+
+fn refused(name: &str, error: &ImportError) -> Failure {
+    Failure::with_hint(format!("cannot read {name}: {}", error.message(false)), error.hint(false))
+}
+
+fn too_large(path: &Path) -> Failure {
+    Failure::with_hint(
+        format!("cannot read {}: it is larger than {} MB", path.display(), MOST_BYTES >> 20),
+        "a measurement is a table of time and a few quantities; export only those",
+    )
+}
+
+/// All bytes, unless they cannot be a table or there are too many: then no more than needed to know that.
+fn bounded(source: &mut dyn Read, path: &Path) -> Result<Vec<u8>, Failure> {
+    let failure = |error: std::io::Error| Failure::file("read", path, &error);
+    let mut bytes = Vec::new();
+    source.take(8192).read_to_end(&mut bytes).map_err(failure)?;
+    if !WORKBOOKS.iter().any(|start| bytes.starts_with(start)) {
+        import::look(&bytes).map_err(|error| refused(&path.display().to_string(), &error))?;
+    }
+    source.take(MOST_BYTES).read_to_end(&mut bytes).map_err(failure)?;
+    if bytes.len() as u64 > MOST_BYTES { Err(too_large(path)) } else { Ok(bytes) }
+}
+
+/// The first sheet of a workbook that is a table.
+fn workbook(name: &str, bytes: Vec<u8>) -> Result<import::Import, Failure> {
+    let failure = |error: &dyn std::fmt::Display| {
+        Failure::with_hint(
+            format!("cannot read {name} as a workbook: {error}"),
+            "measured data can be text, XLSX, XLS or ODS; a project of Tracker (TRZ) is exported with File > Export > Data File",
+        )
+    };
+    let mut workbook = open_workbook_auto_from_rs(Cursor::new(bytes)).map_err(|error| failure(&error))?;
+    let mut first = None;
+    for sheet in workbook.sheet_names() {
+        let text = as_text(&mut workbook, &sheet).map_err(|error| failure(&error))?;
+        match import::text(text.as_bytes()) {
+            Ok(import) => return Ok(import),
+            Err(error) => {
+                first.get_or_insert((sheet, error));
+            }
+        }
+    }
+    Err(match first {
+        Some((sheet, error)) => refused(&format!("{name}, sheet {sheet}"), &error),
+        None => failure(&"it has no sheet"),
+    })
+}
+
+/// A sheet as text with tabs, so that a workbook is read by the same rules as a text.
+fn as_text(workbook: &mut Sheets<Cursor<Vec<u8>>>, sheet: &str) -> Result<String, String> {
+    let mut text = Text::default();
+    if let Sheets::Xlsx(workbook) = workbook {
+        // Cell by cell: a sheet that claims a million columns must not get the memory for them.
+        let mut cells = workbook.worksheet_cells_reader(sheet).map_err(|error| error.to_string())?;
+        while let Some(cell) = cells.next_cell().map_err(|error| error.to_string())? {
+            let (row, column) = cell.get_position();
+            match cell.get_value() {
+                DataRef::SharedString(shared) => text.push(row, column, &Data::String((*shared).to_owned()))?,
+                other => text.push(row, column, &Data::from(other.clone()))?,
+            }
+        }
+        return Ok(text.text);
+    }
+    let range = workbook.worksheet_range(sheet).map_err(|error| error.to_string())?;
+    let (top, left) = range.start().unwrap_or_default();
+    for (row, column, value) in range.used_cells() {
+        text.push(top + row as u32, left + column as u32, value)?;
+    }
+    Ok(text.text)
+}
+
+/// Cells in the order of reading, as they become a text.
+#[derive(Debug, Default)]
+struct Text {
+    text: String,
+    row: u32,
+    column: u32,
+}
+
+impl Text {
+    fn push(&mut self, row: u32, column: u32, value: &Data) -> Result<(), String> {
+        while self.row < row {
+            self.text.push('\n');
+            (self.row, self.column) = (self.row + 1, 0);
+        }
+        while self.column < column {
+            self.text.push('\t');
+            self.column += 1;
+        }
+        if self.text.len() as u64 > 2 * MOST_BYTES {
+            return Err(format!("it holds more than {} MB", MOST_BYTES >> 19));
+        }
+        match value {
+            Data::Empty => {}
+            Data::Float(value) => self.text.push_str(&format!("{value:?}")),
+            Data::Int(value) => self.text.push_str(&value.to_string()),
+            Data::DateTime(value) => self.text.push_str(&format!("{:?}", value.as_f64())),
+            other => self.text.push_str(&other.to_string().replace(['\t', '\n', '\r', '"'], " ")),
+        }
+        Ok(())
+    }
+}
+
+/// What `--observe y` or `--observe y=COLUMN` asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Observe {
+    /// What is observed: an expression of the model, or just a name.
+    pub quantity: String,
+    /// The column, if one is named.
+    pub column: Option<String>,
+}
+
+/// Reads `y`, `y=COLUMN`, `y'=v`.
+pub fn observe(text: &str) -> Result<Observe, String> {
+    let (quantity, column) = match text.split_once('=') {
+        Some((quantity, column)) => (quantity.trim(), Some(column.trim())),
+        None => (text.trim(), None),
+    };
+    if quantity.is_empty() || column.is_some_and(str::is_empty) {
+        return Err("write NAME or NAME=COLUMN, such as y, y=2 or y=mass_A.y".to_owned());
+    }
+    Ok(Observe { quantity: quantity.to_owned(), column: column.map(str::to_owned) })
+}
+
+impl Measured {
+    /// The column for an observed quantity: the one that is named, or has the quantity's name; in a file without a header
+    /// the first that is not `taken`.
+    pub fn column(&self, observe: &Observe, taken: &[usize]) -> Result<usize, Failure> {
+        let table = &self.table;
+        let which = observe.column.as_deref().unwrap_or(&observe.quantity);
+        if observe.column.is_none() && table.columns.iter().all(|column| column.name.is_empty()) {
+            return table.observed_columns().find(|column| !taken.contains(column)).ok_or_else(|| {
+                Failure::with_hint(
+                    format!("{} has no column left for {}", self.name, observe.quantity),
+                    format!("choose one with --observe {}=COLUMN", observe.quantity),
+                )
+            });
+        }
+        let column = table.column(which).ok_or_else(|| {
+            let labels = (0..table.columns.len()).map(|index| table.label(index));
+            Failure::with_hint(
+                format!("{} has no column `{which}`", self.name),
+                format!(
+                    "its columns are {}; choose one with --observe {}=COLUMN",
+                    crate::failure::listed(labels),
+                    observe.quantity
+                ),
+            )
+        })?;
+        if table.columns.get(column).is_some_and(|found| found.independent == column) {
+            let label = table.label(column);
+            return Err(Failure::request(format!("{}: {label} is what the others are measured against", self.name)));
+        }
+        Ok(column)
+    }
+
+    /// A name for messages and headers: `y`, or `column 2` where the file gives no name.
+    pub fn called(&self, column: usize) -> String {
+        let unnamed = self.table.columns.get(column).is_some_and(|column| column.name.is_empty());
+        if unnamed { format!("column {}", column + 1) } else { self.table.label(column) }
+    }
+}
+
+/// A reading of the independent variable as an argument: `1.5` in the unit of the file, `1500 ms` or `1500 [ms]` in its own.
+/// The answer is SI.
+pub fn reading(name: &str, text: &str, unit: Option<&Unit>) -> Result<f64, Failure> {
+    let end = text.find(|c: char| !(c.is_ascii_digit() || "+-.eE".contains(c))).unwrap_or(text.len());
+    let (number, rest) = text.split_at(end);
+    let rest = rest.trim().trim_start_matches('[').trim_end_matches(']').trim();
+    let wrong =
+        || Failure::with_hint(format!("{name} {text} is no time"), format!("write {name} 1.5 or {name} '1500 [ms]'"));
+    let value: f64 = number.trim().parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(wrong)?;
+    let own = if rest.is_empty() { None } else { Some(Unit::parse(rest).map_err(|_| wrong())?) };
+    Ok(own.as_ref().or(unit).map_or(value, |unit| unit.to_si(value)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn observations_name_a_quantity_and_perhaps_a_column() {
+        let expected = Observe { quantity: "y'".to_owned(), column: Some("v".to_owned()) };
+        assert_eq!(observe("y' = v"), Ok(expected));
+        assert_eq!(observe("y").map(|observe| observe.column), Ok(None));
+        assert!(observe("=v").is_err() && observe("y=").is_err() && observe("").is_err());
+    }
+
+    #[test]
+    fn readings_have_the_unit_of_the_file_or_their_own() {
+        let milliseconds = Unit::parse("ms").ok();
+        assert_eq!(reading("--from", "1.5", None).ok(), Some(1.5));
+        assert_eq!(reading("--from", "1.5", milliseconds.as_ref()).ok(), Some(0.0015));
+        assert_eq!(reading("--from", "-2e3 [ms]", None).ok(), Some(-2.0));
+        assert_eq!(reading("--from", "2 s", milliseconds.as_ref()).ok(), Some(2.0));
+        for wrong in ["", "soon", "1.5 [parsec]", "1e999", "[s]"] {
+            assert!(reading("--from", wrong, None).is_err(), "{wrong}");
+        }
+    }
+}

@@ -53,6 +53,8 @@ pub enum Ink {
     Series(u8),
     /// A series as an earlier run left it: its colour, faint.
     Ghost(u8),
+    /// What a series may be wrong by: its colour, fainter still.
+    Band(u8),
 }
 
 /// The dashes of a line, so that lines can be told apart without colour.
@@ -108,6 +110,8 @@ pub enum Item<'a> {
     Line(Point, Point, Stroke),
     /// A line through the points, x and y in turn; at least two points, all of them inside the panel or on its edge.
     Polyline(&'a [f32], Stroke),
+    /// The filled area that a line through the points, x and y in turn, encloses; at least three points.
+    Area(&'a [f32], Ink),
     /// Filled circles about the points, x and y in turn.
     Dots {
         /// The centres.
@@ -142,6 +146,7 @@ pub(crate) enum Entry {
     Fill(Rect, Ink),
     Line(Point, Point, Stroke),
     Polyline(Range<usize>, Stroke),
+    Area(Range<usize>, Ink),
     Dots { centres: Range<usize>, radius: f32, ink: Ink, ringed: bool },
     Text { text: Range<usize>, at: Point, anchor: Anchor, size: f32, strong: bool, ink: Ink },
 }
@@ -215,6 +220,7 @@ impl Figure {
             Entry::Fill(area, ink) => Item::Fill(*area, *ink),
             Entry::Line(from, to, stroke) => Item::Line(*from, *to, *stroke),
             Entry::Polyline(points, stroke) => Item::Polyline(&self.points[points.clone()], *stroke),
+            Entry::Area(points, ink) => Item::Area(&self.points[points.clone()], *ink),
             Entry::Dots { centres, radius, ink, ringed } => {
                 Item::Dots { centres: &self.points[centres.clone()], radius: *radius, ink: *ink, ringed: *ringed }
             }

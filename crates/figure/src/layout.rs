@@ -4,6 +4,7 @@ use crate::figure::{Anchor, Entry, Figure, Ink, Point, Rect, Scale};
 use crate::limits::{Extent, growing, sane, shared_limits};
 use crate::plot::{Interval, Plot, Series, Settings, Style};
 use crate::series::{DATA_RADIUS, stroke};
+use crate::spread;
 use crate::text::{fitted, width};
 use crate::ticks::Ticks;
 
@@ -171,6 +172,10 @@ impl Figure {
         };
         let x_ticks = self.horizontal_scale(plot, left, right);
         self.x_power = x_ticks.power;
+        // Under the grid, which would vanish beneath them.
+        for series in &plot.series {
+            self.band(plot, series);
+        }
         self.grid(&x_ticks);
         for series in &plot.series {
             self.trace(plot, series);
@@ -198,7 +203,7 @@ impl Figure {
         let extents: Vec<Extent> = (plot.y.iter().enumerate())
             .map(|(index, axis)| {
                 (plot.series.iter().filter(|series| series.axis == index))
-                    .map(|series| Extent::of(series.y))
+                    .map(|series| Extent::of(series.y).union(spread::extent(series)))
                     .fold(Extent::EMPTY, Extent::union)
                     .with(axis.include)
             })

@@ -16,6 +16,7 @@ mod number;
 mod palette;
 mod plot;
 mod series;
+mod spread;
 mod svg;
 mod text;
 mod ticks;

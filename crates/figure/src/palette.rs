@@ -116,6 +116,7 @@ impl Palette {
             Ink::Marker => self.marker,
             Ink::Series(number) => series(number),
             Ink::Ghost(number) => series(number).mixed(self.ground, 96),
+            Ink::Band(number) => series(number).mixed(self.ground, 40),
         }
     }
 }

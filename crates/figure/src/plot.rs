@@ -48,6 +48,8 @@ pub struct Series<'a> {
     pub x: &'a [f64],
     /// The ordinates, in the unit of the vertical axis. The shorter of the two columns counts.
     pub y: &'a [f64],
+    /// The uncertainty of each ordinate, if there is one: an error bar on a point, a band about a line.
+    pub spread: &'a [f64],
     /// Rows before which the line is interrupted (the first row after a jump), ascending.
     pub breaks: &'a [usize],
     /// Where the series is at the present: a dot there.

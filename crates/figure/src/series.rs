@@ -38,6 +38,7 @@ impl Figure {
         if series.style == Style::Points {
             let ink = Ink::Series(series.colour);
             let area = grown(panel, 0.5);
+            self.bars(series, rows.clone(), &x, &y);
             scatter(&mut self.points, &mut self.entries, area, ink, DATA_RADIUS, rows.filter_map(pixel));
             return;
         }
@@ -96,7 +97,7 @@ fn grown(area: Rect, by: f32) -> Rect {
 }
 
 /// The rows that can be seen: all, or where the abscissas ascend those in the panel and one more at either side.
-fn visible_rows(plot: &Plot<'_>, series: &Series<'_>, x: &Scale) -> Range<usize> {
+pub(crate) fn visible_rows(plot: &Plot<'_>, series: &Series<'_>, x: &Scale) -> Range<usize> {
     let rows = series.x.len().min(series.y.len());
     if !plot.ordered || plot.view.x.is_none() {
         return 0..rows;

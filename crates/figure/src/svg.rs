@@ -52,13 +52,12 @@ fn write_item(out: &mut String, item: Item<'_>, palette: &Palette) -> std::fmt::
             write_stroke(out, stroke, palette)
         }
         Item::Polyline(points, stroke) => {
-            out.push_str("<path d=\"");
-            for (index, point) in points.chunks_exact(2).enumerate() {
-                let command = if index == 0 { 'M' } else { 'L' };
-                write!(out, "{command}{} {}", Short(point[0]), Short(point[1]))?;
-            }
-            out.push('"');
+            write_points(out, points)?;
             write_stroke(out, stroke, palette)
+        }
+        Item::Area(points, ink) => {
+            write_points(out, points)?;
+            write!(out, " fill=\"{}\"/>", palette.colour(ink))
         }
         Item::Dots { centres, radius, ink, ringed } => {
             write!(out, "<g fill=\"{}\"", palette.colour(ink))?;
@@ -91,6 +90,17 @@ fn write_item(out: &mut String, item: Item<'_>, palette: &Palette) -> std::fmt::
             )
         }
     }
+}
+
+/// Begins a path through points.
+fn write_points(out: &mut String, points: &[f32]) -> std::fmt::Result {
+    out.push_str("<path d=\"");
+    for (index, point) in points.chunks_exact(2).enumerate() {
+        let command = if index == 0 { 'M' } else { 'L' };
+        write!(out, "{command}{} {}", Short(point[0]), Short(point[1]))?;
+    }
+    out.push('"');
+    Ok(())
 }
 
 fn write_stroke(out: &mut String, stroke: Stroke, palette: &Palette) -> std::fmt::Result {

@@ -58,8 +58,8 @@ proptest! {
             x: axis,
             y: vec![axis; axes],
             series: vec![
-                Series { label: &label, style: one, x: &x, y: &y, breaks: &breaks, ..Series::default() },
-                Series { label: "z", axis: 1, colour: 9, style: other, x: &x, y: &z, present: Some((at_x, at_y)), ..Series::default() },
+                Series { label: &label, style: one, x: &x, y: &y, spread: &z, breaks: &breaks, ..Series::default() },
+                Series { label: "z", axis: 1, spread: &y, colour: 9, style: other, x: &x, y: &z, present: Some((at_x, at_y)), ..Series::default() },
             ],
             ordered,
             marker: Some(marker),
@@ -88,6 +88,13 @@ proptest! {
                         let half = text.chars().map(|c| if c == '.' || c == ',' { 0.3 } else { 0.6 }).sum::<f32>() * size / 2.0;
                         prop_assert!(at.x - half >= free_from, "{} overlaps", text);
                         free_from = at.x + half;
+                    }
+                }
+                Item::Area(points, _) => {
+                    prop_assert!(points.len() >= 8);
+                    for point in points.chunks_exact(2) {
+                        prop_assert!(figure.panel.x - 0.01 <= point[0] && point[0] <= figure.panel.x + figure.panel.width + 0.01);
+                        prop_assert!(figure.panel.y - 0.01 <= point[1] && point[1] <= figure.panel.y + figure.panel.height + 0.01);
                     }
                 }
                 Item::Fill(..) => {}

@@ -330,3 +330,40 @@ fn a_figure_used_again_is_as_one_made_anew() {
     let fresh = layout(&two, &settings(400.0, 300.0));
     assert_eq!(figure.svg(&Palette::DARK), fresh.svg(&Palette::DARK));
 }
+
+#[test]
+fn uncertainties_are_bars_on_points_and_a_band_about_a_line() {
+    let x = [0.0, 1.0, 2.0, 3.0, 4.0];
+    let y = [0.0, 0.5, f64::NAN, 0.5, 1.0];
+    let spread = [0.1, 0.2, 0.1, 0.1, 0.3];
+    let figure_of = |style| {
+        let series = vec![Series { style, colour: 1, x: &x, y: &y, spread: &spread, ..Series::default() }];
+        let plot = Plot { y: vec![Axis::default()], series, ordered: true, ..Plot::default() };
+        layout(&plot, &Settings::default())
+    };
+    let figure = figure_of(Style::Points);
+    let (x_scale, y_scale) = (*figure.x_scale().unwrap(), figure.y_scales()[0]);
+    assert!(y_scale.values.contains(1.3) && y_scale.values.contains(-0.1), "{y_scale:?}");
+    let bars: Vec<(Point, Point)> = figure
+        .items()
+        .filter_map(|item| match item {
+            Item::Line(from, to, stroke) if stroke.ink == Ink::Ghost(1) => Some((from, to)),
+            _ => None,
+        })
+        .collect();
+    // A bar with a cap at either end for each of four points.
+    assert_eq!(bars.len(), 12);
+    let (top, bottom) = bars[3];
+    assert!((x_scale.value(top.x.into()) - 1.0).abs() < 1e-6 && top.x == bottom.x);
+    assert!((y_scale.value(top.y.into()) - 0.7).abs() < 1e-6 && (y_scale.value(bottom.y.into()) - 0.3).abs() < 1e-6);
+    let figure = figure_of(Style::Line);
+    let areas: Vec<usize> = figure
+        .items()
+        .filter_map(|item| match item {
+            Item::Area(points, Ink::Band(1)) => Some(points.len()),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(areas, [8, 8], "two rows before the gap and two after it, there and back");
+    assert!(figure.svg(&Palette::LIGHT).contains(&format!("fill=\"{}\"/>", Palette::LIGHT.colour(Ink::Band(1)))));
+}

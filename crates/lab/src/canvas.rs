@@ -93,6 +93,14 @@ impl Brush<'_> {
                 }
                 context.stroke();
             }
+            Item::Area(points, ink) => {
+                self.fill(ink);
+                context.begin_path();
+                for point in points.chunks_exact(2) {
+                    context.line_to(point[0].into(), point[1].into());
+                }
+                context.fill();
+            }
             Item::Dots { centres, radius, ink, ringed } => {
                 for centre in centres.chunks_exact(2) {
                     if ringed {

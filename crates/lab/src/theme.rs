@@ -70,6 +70,7 @@ pub struct Colours {
     plain: [String; 6],
     series: [String; SERIES_COLOURS],
     ghosts: [String; SERIES_COLOURS],
+    bands: [String; SERIES_COLOURS],
 }
 
 impl Colours {
@@ -79,6 +80,7 @@ impl Colours {
             plain: [Ink::Ground, Ink::Text, Ink::Grid, Ink::Zero, Ink::Axis, Ink::Marker].map(text),
             series: std::array::from_fn(|number| text(Ink::Series(number as u8))),
             ghosts: std::array::from_fn(|number| text(Ink::Ghost(number as u8))),
+            bands: std::array::from_fn(|number| text(Ink::Band(number as u8))),
         }
     }
 
@@ -93,6 +95,7 @@ impl Colours {
             Ink::Marker => &self.plain[5],
             Ink::Series(number) => &self.series[usize::from(number) % SERIES_COLOURS],
             Ink::Ghost(number) => &self.ghosts[usize::from(number) % SERIES_COLOURS],
+            Ink::Band(number) => &self.bands[usize::from(number) % SERIES_COLOURS],
         }
     }
 }

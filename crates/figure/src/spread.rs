@@ -1,0 +1,94 @@
+//! The uncertainty of a series: error bars on points, a band about a line.
+
+use std::ops::Range;
+
+use crate::figure::{Dash, Entry, Figure, Ink, Point, Scale, Stroke};
+use crate::limits::{Extent, drawable};
+use crate::plot::{Plot, Series, Style};
+use crate::series::visible_rows;
+
+/// Half the length of the line across the end of an error bar, in pixels.
+const CAP: f32 = 2.0;
+/// With more bars than this in a panel none could be told from another, and none is drawn.
+const MOST_BARS: usize = 1000;
+
+/// What the ordinates may reach, with their uncertainties.
+pub(crate) fn extent(series: &Series<'_>) -> Extent {
+    let ends = series.y.iter().zip(series.spread).flat_map(|(y, spread)| [y - spread, y + spread]);
+    ends.filter(|end| drawable(*end))
+        .fold(Extent::EMPTY, |extent, end| extent.union(Extent { low: end, high: end, turned: false }))
+}
+
+impl Figure {
+    /// The band about a line, interrupted where the line is.
+    pub(crate) fn band(&mut self, plot: &Plot<'_>, series: &Series<'_>) {
+        let (Some(x), Some(y)) = (self.x, self.y.get(series.axis).copied()) else {
+            return;
+        };
+        if series.spread.is_empty() || series.style == Style::Points {
+            return;
+        }
+        let rows = visible_rows(plot, series, &x);
+        let rows = rows.start..rows.end.min(series.spread.len()).max(rows.start);
+        let mut start = rows.start;
+        for row in rows.clone() {
+            let whole = [series.x[row], series.y[row], series.spread[row]].into_iter().all(drawable);
+            if !whole {
+                self.piece(series, start..row, &x, &y);
+                start = row + 1;
+            } else if series.breaks.binary_search(&row).is_ok() {
+                self.piece(series, start..row, &x, &y);
+                start = row;
+            }
+        }
+        self.piece(series, start..rows.end, &x, &y);
+    }
+
+    /// A part of the band without gaps: there along its upper edge, back along the lower one.
+    fn piece(&mut self, series: &Series<'_>, rows: Range<usize>, x: &Scale, y: &Scale) {
+        if rows.len() < 2 {
+            return;
+        }
+        let start = self.points.len();
+        let corner = |row: usize, sign: f64| {
+            [within(x, series.x[row]), within(y, series.y[row] + sign * series.spread[row].abs())]
+        };
+        self.points.extend(rows.clone().flat_map(|row| corner(row, 1.0)));
+        self.points.extend(rows.rev().flat_map(|row| corner(row, -1.0)));
+        self.entries.push(Entry::Area(start..self.points.len(), Ink::Band(series.colour)));
+    }
+
+    /// The error bars of points.
+    pub(crate) fn bars(&mut self, series: &Series<'_>, rows: Range<usize>, x: &Scale, y: &Scale) {
+        let stroke = Stroke { ink: Ink::Ghost(series.colour), width: 1.0, dash: Dash::Solid };
+        let inside = |row: &usize| {
+            let whole = [series.x[*row], series.y[*row], series.spread[*row]].into_iter().all(drawable);
+            whole && x.values.contains(series.x[*row])
+        };
+        let rows = rows.start..rows.end.min(series.spread.len());
+        if rows.clone().filter(inside).count() > MOST_BARS {
+            return;
+        }
+        for row in rows.filter(inside) {
+            let across = within(x, series.x[row]);
+            let ends = [1.0, -1.0].map(|sign| series.y[row] + sign * series.spread[row].abs());
+            let [top, bottom] = ends.map(|end| within(y, end));
+            if top == bottom {
+                continue;
+            }
+            let point = |x: f32, y: f32| Point { x, y };
+            self.entries.push(Entry::Line(point(across, top), point(across, bottom), stroke));
+            for (end, down) in ends.into_iter().zip([top, bottom]) {
+                if y.values.contains(end) {
+                    let (from, to) = (point(across - CAP, down), point(across + CAP, down));
+                    self.entries.push(Entry::Line(from, to, stroke));
+                }
+            }
+        }
+    }
+}
+
+/// The pixel of a value, or of the end of the axis that is nearest.
+fn within(scale: &Scale, value: f64) -> f32 {
+    scale.pixel(value.clamp(scale.values.low, scale.values.high)) as f32
+}

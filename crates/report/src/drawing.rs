@@ -1,0 +1,213 @@
+//! The figures: measured values over the fitted curve, and below, on the same axis, what is left over.
+
+use crate::Report;
+use crate::markup::plain_symbol;
+use crate::results::size;
+use crate::rounding::unit;
+use crate::words::Words;
+use analysis::fit::ObservationFit;
+use figure::{Axis, Figure, Interval, Palette, Plot, Series, Settings, Style, layout};
+
+const WIDTH: f64 = 700.0;
+const UPPER: f64 = 300.0;
+const LOWER: f64 = 190.0;
+/// More points than this are not drawn one by one.
+const MOST_POINTS: usize = 4000;
+/// The colours of the data, of the curve, and of what was not fitted.
+const DATA: u8 = 0;
+const CURVE: u8 = 1;
+const UNUSED: u8 = 4;
+
+/// The columns of one observation in the units of its axes.
+struct Columns {
+    /// Of the values that were fitted, and of those that were not: time, value, error (if known), residual.
+    points: [[Vec<f64>; 4]; 2],
+    /// The curve: times, values, twice the standard error.
+    times: Vec<f64>,
+    spread: Vec<f64>,
+    /// The curve in the fitted part and outside, NaN elsewhere.
+    fitted: Vec<f64>,
+    predicted: Vec<f64>,
+}
+
+/// See [`crate::figure`].
+pub fn figure(report: &Report<'_>, observation: usize) -> Option<String> {
+    let fit = report.outcome.observations.get(observation)?;
+    let words = Words::of(report.language);
+    let title = report.document.edition(words.tag()).title.as_str();
+    let record = report.task.records.get(fit.record).map_or("", |record| record.name.as_str());
+    let title = if record.is_empty() { title.to_owned() } else { [title, " · ", record].concat() };
+    Some(panels(report, fit, &title))
+}
+
+/// How many values stand for one that is drawn.
+pub fn thinned(fit: &ObservationFit) -> usize {
+    fit.times.len().div_ceil(MOST_POINTS).max(1)
+}
+
+/// Both panels of one observation as one SVG; `title` may be empty.
+pub fn panels(report: &Report<'_>, fit: &ObservationFit, title: &str) -> String {
+    let columns = columns(report, fit);
+    let drawn = [UPPER, LOWER].map(|height| draw(report, fit, &columns, title, height, 0.0, None));
+    // One axis of time for both: the panel with the narrower numbers begins further right and is as much narrower.
+    let left = drawn.iter().map(|figure| figure.panel.x).fold(0.0, f32::max);
+    let mut top = 0.0;
+    let mut parts = String::new();
+    for figure in drawn {
+        let shift = f64::from(left - figure.panel.x);
+        let height = figure.height;
+        let figure = if shift > 0.0 { draw(report, fit, &columns, title, height, shift, None) } else { figure };
+        place(&mut parts, &figure, shift, top);
+        top += height;
+    }
+    let (width, height) = (WIDTH.to_string(), top.to_string());
+    let ground = Palette::LIGHT.ground.to_string();
+    let pieces = [
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"",
+        &width,
+        "\" height=\"",
+        &height,
+        "\" viewBox=\"0 0 ",
+        &width,
+        " ",
+        &height,
+        "\"><rect width=\"",
+        &width,
+        "\" height=\"",
+        &height,
+        "\" fill=\"",
+        &ground,
+        "\"/>\n",
+        &parts,
+        "</svg>\n",
+    ];
+    pieces.concat()
+}
+
+/// The residuals of one observation as an SVG, on an axis that reaches as far as `reach` (SI) to either side.
+pub fn residuals(report: &Report<'_>, fit: &ObservationFit, reach: f64) -> String {
+    draw(report, fit, &columns(report, fit), "", LOWER, 0.0, Some(size(&fit.unit, reach))).svg(&Palette::LIGHT)
+}
+
+/// One of the panels, told apart by its height, so much narrower than the page.
+fn draw(
+    report: &Report<'_>,
+    fit: &ObservationFit,
+    columns: &Columns,
+    title: &str,
+    height: f64,
+    narrower: f64,
+    reach: Option<f64>,
+) -> Figure {
+    let words = Words::of(report.language);
+    let upper = height == UPPER;
+    let independent = &report.document.model.independent;
+    let (name, observed) = (plain_symbol(&independent.name), plain_symbol(&fit.name));
+    let (time_unit, value_unit) = (unit(&independent.unit.text), unit(&fit.unit.text));
+    let shown = if upper { observed } else { ["Δ", &observed].concat() };
+    let what = if upper {
+        words.pick(": measured values and fitted curve against ", ": valores medidos y curva ajustada frente a ")
+    } else {
+        words.pick(": measured minus fitted, against ", ": medido menos ajustado, frente a ")
+    };
+    let description = [&shown, what, &name].concat();
+    let zero = vec![0.0; columns.times.len()];
+    let [used, unused] = &columns.points;
+    let outside = !unused[0].is_empty();
+    let named = |english, spanish| if upper { words.pick(english, spanish) } else { "" };
+    let of_points = |points, label, colour| {
+        let [x, values, spread, residuals]: &[Vec<f64>; 4] = points;
+        let y = if upper { values } else { residuals };
+        Series { label, style: Style::Points, colour, x, y, spread, ..Series::default() }
+    };
+    let of_curve = |label, style, y| {
+        let (x, spread) = (&columns.times, &columns.spread);
+        Series { label, colour: CURVE, style, x, y, spread, ..Series::default() }
+    };
+    let mut series = vec![of_points(used, named("measured", "medido"), DATA)];
+    if outside {
+        series.push(of_points(unused, named("not fitted", "sin ajustar"), UNUSED));
+    }
+    if upper {
+        series.push(of_curve(named("fitted", "ajustado"), Style::Line, &columns.fitted));
+        if outside {
+            series.push(of_curve(named("predicted", "predicho"), Style::Kept(0), &columns.predicted));
+        }
+    } else {
+        series.insert(0, of_curve("", Style::Line, &zero));
+    }
+    let include = reach.map(|reach| Interval::new(-reach, reach));
+    let plot = Plot {
+        title: if upper { title } else { "" },
+        description: &description,
+        x: Axis { label: &name, unit: &time_unit, include: None },
+        y: vec![Axis { label: &shown, unit: &value_unit, include }],
+        series,
+        ordered: true,
+        ..Plot::default()
+    };
+    layout(&plot, &Settings { width: WIDTH - narrower, height, font_size: 13.0, decimal_comma: words.comma() })
+}
+
+/// A figure inside another SVG.
+fn place(out: &mut String, figure: &Figure, x: f64, y: f64) {
+    let svg = figure.svg(&Palette::LIGHT);
+    let rest = svg.strip_prefix("<svg").unwrap_or(&svg);
+    out.extend(["<svg x=\"", &x.to_string(), "\" y=\"", &y.to_string(), "\"", rest]);
+}
+
+fn columns(report: &Report<'_>, fit: &ObservationFit) -> Columns {
+    let clock = &report.document.model.independent.unit;
+    let value = |si: f64| fit.unit.from_si(si);
+    // A difference on a scale has its factor, not its zero.
+    let difference = |si: f64| size(&fit.unit, si);
+    let errors = errors(report, fit);
+    let mut points: [[Vec<f64>; 4]; 2] = Default::default();
+    for row in (0..fit.times.len()).step_by(thinned(fit)) {
+        let [times, values, spreads, residuals] = &mut points[usize::from(!fit.inside[row])];
+        times.push(clock.from_si(fit.times[row]));
+        values.push(value(fit.measured[row]));
+        residuals.push(difference(fit.measured[row] - fit.fitted[row]));
+        if let Some(error) = errors.get(row) {
+            spreads.push(difference(*error));
+        }
+    }
+    let trace = report.traces.iter().find(|trace| trace.record == fit.record && trace.observation == fit.observation);
+    let (times, values, stderr) = match trace {
+        Some(trace) => (&trace.times[..], &trace.values[..], &trace.stderr[..]),
+        None => (&fit.times[..], &fit.fitted[..], &[][..]),
+    };
+    let task = report.task;
+    let inside =
+        |time: &f64| task.from.is_none_or(|from| *time >= from) && task.until.is_none_or(|until| *time <= until);
+    // The two parts of the curve share the points where they meet.
+    let part = |wanted: bool| -> Vec<f64> {
+        let near = |row: usize| times.get(row).is_some_and(|time| inside(time) == wanted);
+        let belongs = |row: usize| near(row) || (!wanted && (near(row + 1) || (row > 0 && near(row - 1))));
+        let shown = values.iter().enumerate().map(|(row, si)| if belongs(row) { value(*si) } else { f64::NAN });
+        shown.collect()
+    };
+    Columns {
+        points,
+        times: times.iter().map(|time| clock.from_si(*time)).collect(),
+        spread: stderr.iter().map(|error| 2.0 * difference(*error)).collect(),
+        fitted: part(true),
+        predicted: part(false),
+    }
+}
+
+/// The errors that were given for the values of an observation, if any: rows are found by time and value.
+fn errors(report: &Report<'_>, fit: &ObservationFit) -> Vec<f64> {
+    let observation = report.task.records.get(fit.record).and_then(|record| record.observations.get(fit.observation));
+    let Some((given, observation)) = observation.and_then(|one| Some((one.errors.as_ref()?, one))) else {
+        return Vec::new();
+    };
+    let mut rows: Vec<(f64, f64, f64)> = (observation.times.iter().zip(&observation.values).zip(given))
+        .map(|((time, value), error)| (*time, *value, *error))
+        .collect();
+    rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut rows = rows.into_iter();
+    let find =
+        |(time, value): (&f64, &f64)| rows.find(|row| row.0 == *time && row.1 == *value).map_or(f64::NAN, |row| row.2);
+    fit.times.iter().zip(&fit.measured).map(find).collect()
+}

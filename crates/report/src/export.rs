@@ -1,0 +1,216 @@
+//! The same as numbers: a workbook and CSV.
+
+use crate::Report;
+use crate::results::{label, quoted, size};
+use crate::words::Words;
+use analysis::csv::{self, Dialect};
+use analysis::fit::{Estimate, ObservationFit};
+use analysis::spreadsheet::{Cell, Sheet, Workbook};
+
+/// What was measured, fitted and left over, row by row, as CSV: of each observation the time, the measured value, the
+/// fitted one, the residual, and 1 where the value was fitted. `decimal_comma` is for a spreadsheet that expects one.
+pub fn csv(report: &Report<'_>, decimal_comma: bool) -> String {
+    let (headers, columns) = data(report);
+    let headers: Vec<&str> = headers.iter().map(String::as_str).collect();
+    let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
+    csv::write(&headers, &columns, if decimal_comma { Dialect::Semicolons } else { Dialect::Commas })
+}
+
+/// The report as an XLSX workbook: results, data, curves, correlations, and how to repeat it, on sheets of their own.
+pub fn workbook(report: &Report<'_>) -> Vec<u8> {
+    let words = Words::of(report.language);
+    let (headers, columns) = data(report);
+    let data = sheet(words.pick("Data", "Datos"), &headers, &columns);
+    let (headers, columns) = curves(report);
+    let mut sheets = vec![results(report), data];
+    if !columns.is_empty() {
+        sheets.push(sheet(words.pick("Curves", "Curvas"), &headers, &columns));
+    }
+    sheets.push(correlations(report));
+    sheets.push(about(report));
+    Workbook { sheets }.xlsx()
+}
+
+/// A sheet of columns of numbers.
+fn sheet(name: &str, headers: &[String], columns: &[Vec<f64>]) -> Sheet {
+    let headers: Vec<&str> = headers.iter().map(String::as_str).collect();
+    let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
+    Sheet::of_columns(name, &headers, &columns)
+}
+
+/// A heading with its unit; with the record's name where there are several.
+fn heading(report: &Report<'_>, record: usize, name: &str, unit: &str) -> String {
+    let mut text = name.to_owned();
+    if !unit.is_empty() {
+        text.extend([" [", unit, "]"]);
+    }
+    match report.task.records.get(record) {
+        Some(record) if report.task.records.len() > 1 => [&record.name, ": ", &text].concat(),
+        _ => text,
+    }
+}
+
+fn data(report: &Report<'_>) -> (Vec<String>, Vec<Vec<f64>>) {
+    let words = Words::of(report.language);
+    let clock = &report.document.model.independent;
+    let mut headers = Vec::new();
+    let mut columns = Vec::new();
+    let mut times: Option<(usize, &[f64])> = None;
+    for fit in &report.outcome.observations {
+        // Observations of one record at the same times share the column.
+        if times.is_none_or(|(record, known)| record != fit.record || known != fit.times) {
+            headers.push(heading(report, fit.record, &clock.name, &clock.unit.text));
+            columns.push(fit.times.iter().map(|time| clock.unit.from_si(*time)).collect());
+            times = Some((fit.record, &fit.times));
+        }
+        let name = |what: &str| [&fit.name, " ", what].concat();
+        let shown = |values: &[f64]| values.iter().map(|si| fit.unit.from_si(*si)).collect::<Vec<f64>>();
+        let unit = fit.unit.text.as_str();
+        headers.push(heading(report, fit.record, &name(words.pick("measured", "medido")), unit));
+        columns.push(shown(&fit.measured));
+        headers.push(heading(report, fit.record, &name(words.pick("fitted", "ajustado")), unit));
+        columns.push(shown(&fit.fitted));
+        headers.push(heading(report, fit.record, &name(words.pick("residual", "residuo")), unit));
+        columns.push(residuals(fit));
+        headers.push(heading(report, fit.record, &name(words.pick("used", "usado")), ""));
+        columns.push(fit.inside.iter().map(|inside| f64::from(u8::from(*inside))).collect());
+    }
+    (headers, columns)
+}
+
+fn residuals(fit: &ObservationFit) -> Vec<f64> {
+    fit.measured.iter().zip(&fit.fitted).map(|(measured, fitted)| size(&fit.unit, measured - fitted)).collect()
+}
+
+fn curves(report: &Report<'_>) -> (Vec<String>, Vec<Vec<f64>>) {
+    let words = Words::of(report.language);
+    let clock = &report.document.model.independent;
+    let (mut headers, mut columns) = (Vec::new(), Vec::new());
+    let mut last = None;
+    for trace in report.traces {
+        let observations = &report.outcome.observations;
+        let belongs = |fit: &&ObservationFit| fit.record == trace.record && fit.observation == trace.observation;
+        let Some(fit) = observations.iter().find(belongs) else { continue };
+        if last != Some(trace.record) {
+            headers.push(heading(report, trace.record, &clock.name, &clock.unit.text));
+            columns.push(trace.times.iter().map(|time| clock.unit.from_si(*time)).collect());
+            last = Some(trace.record);
+        }
+        headers.push(heading(report, trace.record, &fit.name, &fit.unit.text));
+        columns.push(trace.values.iter().map(|si| fit.unit.from_si(*si)).collect());
+        let name = [&fit.name, words.pick(" standard error", " error típico")].concat();
+        headers.push(heading(report, trace.record, &name, &fit.unit.text));
+        columns.push(trace.stderr.iter().map(|si| size(&fit.unit, *si)).collect());
+    }
+    (headers, columns)
+}
+
+pub fn results(report: &Report<'_>) -> Sheet {
+    let words = Words::of(report.language);
+    let outcome = report.outcome;
+    let mut rows: Vec<Vec<Cell>> = vec![
+        [
+            words.pick("Symbol", "Símbolo"),
+            words.pick("Quantity", "Magnitud"),
+            words.pick("Record", "Registro"),
+            words.pick("Value", "Valor"),
+            words.pick("Standard error", "Error típico"),
+            words.pick(
+                "Standard error if residuals were independent",
+                "Error típico si los residuos fueran independientes",
+            ),
+            words.pick("Unit", "Unidad"),
+            words.pick("Rounded", "Redondeado"),
+        ]
+        .map(Cell::from)
+        .to_vec(),
+    ];
+    rows.extend(outcome.parameters.iter().chain(&outcome.derived).map(|estimate| result(report, estimate)));
+    rows.push(Vec::new());
+    let unit = outcome.rmse_unit.text.clone();
+    let mut say = |name: &str, value: Option<f64>, unit: &str| {
+        let value = value.map_or(Cell::Empty, Cell::Number);
+        rows.push(vec![Cell::Empty, name.into(), Cell::Empty, value, Cell::Empty, Cell::Empty, unit.into()]);
+    };
+    say(words.pick("Values", "Valores"), Some(outcome.n as f64), "");
+    say(words.pick("Degrees of freedom", "Grados de libertad"), Some(outcome.dof as f64), "");
+    say(
+        words.pick("Root mean square residual", "Residuo cuadrático medio"),
+        Some(size(&outcome.rmse_unit, outcome.rmse)),
+        &unit,
+    );
+    say(words.pick("Reduced chi-square", "Chi cuadrado reducido"), outcome.chi2_reduced, "");
+    say("R²", Some(outcome.r2), "");
+    say("AICc", outcome.aicc, "");
+    say("BIC", Some(outcome.bic), "");
+    say("Durbin-Watson", Some(outcome.durbin_watson), "");
+    say(
+        words.pick("Correlation of neighbouring residuals", "Correlación de residuos vecinos"),
+        Some(outcome.autocorrelation),
+        "",
+    );
+    for fit in &outcome.observations {
+        if let Some(outside) = fit.outside {
+            let name = [words.pick("Root mean square predicted: ", "Media cuadrática predicha: "), &fit.name].concat();
+            let name = heading(report, fit.record, &name, "");
+            say(&name, Some(size(&fit.unit, outside.rmse)), &fit.unit.text);
+        }
+    }
+    rows.push(Vec::new());
+    rows.push(vec![Cell::Empty, outcome.verdict_text(words.spanish).into()]);
+    rows.extend(outcome.undetermined.iter().map(|one| vec![Cell::Empty, one.text(words.spanish).into()]));
+    Sheet { name: words.pick("Results", "Resultados").to_owned(), rows, header: true }
+}
+
+fn result(report: &Report<'_>, estimate: &Estimate) -> Vec<Cell> {
+    let words = Words::of(report.language);
+    let record = estimate.record.and_then(|record| report.task.records.get(record));
+    let error = |si: Option<f64>| si.map_or(Cell::Empty, |si| Cell::Number(size(&estimate.unit, si)));
+    let value = if estimate.determined { Cell::Number(estimate.unit.from_si(estimate.value)) } else { Cell::Empty };
+    vec![
+        estimate.name.as_str().into(),
+        label(report, estimate).into(),
+        record.map_or("", |record| &record.name).into(),
+        value,
+        error(estimate.stderr_hac),
+        error(estimate.stderr),
+        estimate.unit.text.as_str().into(),
+        quoted(estimate, words.comma()).into(),
+    ]
+}
+
+fn correlations(report: &Report<'_>) -> Sheet {
+    let words = Words::of(report.language);
+    let parameters = &report.outcome.parameters;
+    let name = |estimate: &Estimate| heading(report, estimate.record.unwrap_or(usize::MAX), &estimate.name, "");
+    let mut first = vec![Cell::Empty];
+    first.extend(parameters.iter().map(|estimate| Cell::from(name(estimate))));
+    let mut rows = vec![first];
+    for (row, values) in report.outcome.correlation.chunks(parameters.len().max(1)).enumerate() {
+        let mut cells = vec![parameters.get(row).map_or(Cell::Empty, |estimate| name(estimate).into())];
+        cells.extend(values.iter().map(|value| Cell::Number(*value)));
+        rows.push(cells);
+    }
+    Sheet { name: words.pick("Correlations", "Correlaciones").to_owned(), rows, header: true }
+}
+
+fn about(report: &Report<'_>) -> Sheet {
+    let words = Words::of(report.language);
+    let line = |name: &str, value: &str| vec![Cell::from(name), Cell::from(value)];
+    let mut rows = vec![
+        line(words.pick("Title", "Título"), &report.document.edition(words.tag()).title),
+        line(words.pick("Theory", "Teoría"), report.document_name),
+        line(words.pick("Command", "Orden"), report.command),
+        line(words.pick("Program", "Programa"), &["Meniscus ", report.version].concat()),
+        line(words.pick("Date", "Fecha"), report.date),
+    ];
+    for (number, record) in report.task.records.iter().enumerate() {
+        rows.push(line(words.pick("Data", "Datos"), &record.name));
+        let notes = report.notes.get(number).map_or(&[][..], Vec::as_slice);
+        rows.extend(notes.iter().map(|note| line("", note)));
+    }
+    rows.push(Vec::new());
+    let source = report.document.source.lines();
+    rows.extend(source.map(|text| line("", text)));
+    Sheet { name: words.pick("About", "Origen").to_owned(), rows, header: false }
+}

@@ -1,0 +1,57 @@
+//! What is handed in after a fit: one HTML page that prints well, a workbook, CSV and figures, in English and Spanish.
+//!
+//! Everything is made from a finished [`analysis::fit::Outcome`] and its document; nothing is computed anew, and nothing
+//! is read from or written to a disk. The page holds no script and asks nobody for anything.
+
+mod drawing;
+mod export;
+mod findings;
+mod markup;
+mod page;
+mod ranking;
+mod results;
+mod rounding;
+mod theory;
+mod words;
+
+use analysis::fit::{Interval, Outcome, Task, Trace};
+use document::Document;
+
+pub use export::{csv, workbook};
+pub use page::html;
+pub use ranking::{Ranking, ranking_csv, ranking_html, ranking_workbook};
+pub use rounding::{plain, unit, with_error};
+
+/// A finished fit and where it comes from.
+#[derive(Clone, Copy, Debug)]
+pub struct Report<'a> {
+    /// The theory.
+    pub document: &'a Document,
+    /// Its file, such as `linear.md`.
+    pub document_name: &'a str,
+    /// The language of the report, `en` or `es`; English for any other.
+    pub language: &'a str,
+    /// What was asked for.
+    pub task: &'a Task,
+    /// What came of it.
+    pub outcome: &'a Outcome,
+    /// The fitted curves, from [`analysis::fit::Fit::traces`]. Without them the figures join the values at the measured
+    /// times.
+    pub traces: &'a [Trace],
+    /// The profile of each parameter, in the order of [`Outcome::parameters`]; empty if none were asked for.
+    pub intervals: &'a [Option<[Interval; 2]>],
+    /// What was noticed about the data of each record, in sentences.
+    pub notes: &'a [Vec<String>],
+    /// The command that repeats the fit, or a sentence that says how; may be empty.
+    pub command: &'a str,
+    /// The version of the program.
+    pub version: &'a str,
+    /// When it was made, as it is to be read; may be empty.
+    pub date: &'a str,
+}
+
+/// The figure of one observation (its place in [`Outcome::observations`]) as a standalone SVG: the measured values over the
+/// fitted curve, and what is left over below. `None` if there is no such observation.
+pub fn figure(report: &Report<'_>, observation: usize) -> Option<String> {
+    drawing::figure(report, observation)
+}

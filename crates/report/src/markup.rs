@@ -1,0 +1,138 @@
+//! Pieces of HTML.
+
+use std::fmt::Display;
+
+/// A text as content or attribute of an element.
+pub fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\u{0}'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' => out.push('\u{fffd}'),
+            other => out.push(other),
+        }
+    }
+    out
+}
+
+/// A name of the model, or one that a fit made from it (`y'_offset`), as mathematics.
+pub fn symbol(name: &str) -> String {
+    let base = name.trim_end_matches('\'');
+    let simple = base.starts_with(|c: char| c.is_ascii_alphabetic())
+        && base.chars().all(|character| character.is_ascii_alphanumeric() || character == '_');
+    if simple { model::typeset_name(name) } else { ["<i>", &escaped(&name.replace('\'', "′")), "</i>"].concat() }
+}
+
+/// A name as plain text, for the axes of a figure: `ω0`, `y′`.
+pub fn plain_symbol(name: &str) -> String {
+    let mut out = String::new();
+    let mut inside = false;
+    for character in symbol(name).chars() {
+        match character {
+            '<' => inside = true,
+            '>' => inside = false,
+            other if !inside => out.push(other),
+            _ => {}
+        }
+    }
+    out.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&amp;", "&")
+}
+
+/// A growing page.
+#[derive(Default)]
+pub struct Page {
+    pub out: String,
+}
+
+impl Page {
+    /// Markup, as it is.
+    pub fn raw(&mut self, markup: &str) {
+        self.out.push_str(markup);
+    }
+
+    /// A text inside an element, which may have attributes: `p class="note"`.
+    pub fn element(&mut self, element: &str, text: &str) {
+        self.wrapped(element, &escaped(text));
+    }
+
+    /// Markup inside an element.
+    pub fn wrapped(&mut self, element: &str, markup: &str) {
+        let name = element.split(' ').next().unwrap_or(element);
+        for piece in ["<", element, ">", markup, "</", name, ">\n"] {
+            self.out.push_str(piece);
+        }
+    }
+
+    /// The heading of a section, which ends with the next one.
+    pub fn heading(&mut self, text: &str) {
+        self.element("h2", text);
+    }
+
+    /// The head of a table with such columns; those that hold numbers are marked with a leading `#`.
+    pub fn table(&mut self, class: &str, headings: &[&str]) {
+        for piece in ["<div class=\"scroll\"><table class=\"", class, "\"><thead><tr>"] {
+            self.out.push_str(piece);
+        }
+        for heading in headings {
+            match heading.strip_prefix('#') {
+                Some(heading) => self.element("th scope=\"col\" class=\"n\"", heading),
+                None => self.element("th scope=\"col\"", heading),
+            }
+        }
+        self.raw("</tr></thead><tbody>\n");
+    }
+
+    /// A row of cells, each markup; those that hold numbers are marked with a leading `#`. The first one heads the row.
+    pub fn row(&mut self, cells: &[&str]) {
+        self.raw("<tr>");
+        for (place, cell) in cells.iter().enumerate() {
+            match (place, cell.strip_prefix('#')) {
+                (0, None) => self.wrapped("th scope=\"row\"", cell),
+                (0, Some(cell)) => self.wrapped("th scope=\"row\" class=\"n\"", cell),
+                (_, Some(cell)) => self.wrapped("td class=\"n\"", cell),
+                (_, None) => self.wrapped("td", cell),
+            }
+        }
+        self.raw("</tr>\n");
+    }
+
+    /// The end of a table.
+    pub fn end_table(&mut self) {
+        self.raw("</tbody></table></div>\n");
+    }
+
+    /// Pairs of a term and its value.
+    pub fn pair(&mut self, term: &str, value: &dyn Display) {
+        self.element("dt", term);
+        self.element("dd", &value.to_string());
+    }
+}
+
+/// A number in a cell of a table.
+pub fn cell(number: &str) -> String {
+    ["#", &escaped(number)].concat()
+}
+
+/// A page of its own around sections.
+pub fn document(title: &str, language: &str, version: &str, body: &str) -> String {
+    let title = escaped(title);
+    let pieces = [
+        "<!doctype html>\n<html lang=\"",
+        language,
+        "\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n",
+        "<meta name=\"generator\" content=\"Meniscus ",
+        &escaped(version),
+        "\">\n<meta name=\"color-scheme\" content=\"light\">\n<title>",
+        &title,
+        "</title>\n<style>\n",
+        include_str!("style.css"),
+        "</style>\n</head>\n<body>\n<main>\n",
+        body,
+        "</main>\n</body>\n</html>\n",
+    ];
+    pieces.concat()
+}

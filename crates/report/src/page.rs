@@ -1,0 +1,105 @@
+//! The report of one fit as a page.
+
+use crate::markup::{self, Page};
+use crate::words::Words;
+use crate::{Report, drawing, export, findings, results, theory};
+
+/// More figures than this are not drawn.
+const FIGURES: usize = 12;
+
+/// The report as one self-contained HTML page in its language.
+pub fn html(report: &Report<'_>) -> String {
+    let words = Words::of(report.language);
+    let title = report.document.edition(words.tag()).title.as_str();
+    let mut page = Page::default();
+    header(&mut page, report, title);
+    figures(&mut page, report);
+    page.heading(words.pick("Results", "Resultados"));
+    results::estimates(&mut page, report, &report.outcome.parameters, false);
+    findings::errors(&mut page, report);
+    findings::warnings(&mut page, report);
+    if !report.outcome.derived.is_empty() {
+        page.element("h3", words.pick("What follows from them", "Lo que se deduce de ellos"));
+        results::estimates(&mut page, report, &report.outcome.derived, true);
+    }
+    findings::residuals(&mut page, report);
+    findings::prediction(&mut page, report);
+    results::correlations(&mut page, report);
+    theory::theory(&mut page, report);
+    theory::data(&mut page, report);
+    theory::repeat(&mut page, report, &export::csv(report, false));
+    footer(&mut page, words, report.version, report.date);
+    markup::document(title, words.tag(), report.version, &page.out)
+}
+
+fn header(page: &mut Page, report: &Report<'_>, title: &str) {
+    let words = Words::of(report.language);
+    page.raw("<header>\n");
+    page.element(
+        "p class=\"kicker\"",
+        words.pick("Fit of a theory to measured data", "Ajuste de una teoría a datos medidos"),
+    );
+    page.element("h1", title);
+    let mut names: Vec<String> = report.task.records.iter().map(|record| record.name.clone()).collect();
+    if names.len() > 8 {
+        names.truncate(8);
+        names.push("…".to_owned());
+    }
+    let mut meta = words.join(&names);
+    if !report.date.is_empty() {
+        meta.extend([" · ", report.date]);
+    }
+    page.element("p class=\"meta\"", &meta);
+    page.raw("</header>\n");
+    let class = if findings::warns(report.outcome) { "p class=\"verdict warn\"" } else { "p class=\"verdict\"" };
+    page.element(class, &report.outcome.verdict_text(words.spanish));
+    page.raw("<dl class=\"numbers\">\n");
+    findings::numbers(page, report);
+    page.raw("</dl>\n");
+}
+
+/// The figures of the observations, as many as are worth the paper.
+fn figures(page: &mut Page, report: &Report<'_>) {
+    let words = Words::of(report.language);
+    let observations = &report.outcome.observations;
+    for (number, fit) in observations.iter().take(FIGURES).enumerate() {
+        page.raw("<figure>\n");
+        page.raw(&drawing::panels(report, fit, ""));
+        let mut caption = findings::record(report, fit).to_owned();
+        if !caption.is_empty() {
+            caption.push_str(". ");
+        }
+        if number == 0 {
+            caption.push_str(words.pick(
+                "Above the measured values and the fitted curve, below what is left over. The band is where the curve itself \
+                 may lie (95 %).",
+                "Arriba, los valores medidos y la curva ajustada; abajo, lo que queda. La banda es donde puede estar la propia \
+                 curva (95 %).",
+            ));
+        }
+        let every = drawing::thinned(fit);
+        if every > 1 {
+            let count = every.to_string();
+            caption.extend([
+                words.pick(" One value in ", " Se dibuja uno de cada "),
+                &count,
+                words.pick(" is drawn.", " valores."),
+            ]);
+        }
+        page.element("figcaption", caption.trim());
+        page.raw("</figure>\n");
+    }
+    if observations.len() > FIGURES {
+        let text = words.pick("Further observations are not drawn: ", "Otras observaciones no se dibujan: ");
+        page.element("p class=\"note\"", &[text, &(observations.len() - FIGURES).to_string(), "."].concat());
+    }
+}
+
+/// The end of a page.
+pub fn footer(page: &mut Page, words: Words, version: &str, date: &str) {
+    let mut text = [words.pick("Made with Meniscus ", "Hecho con Meniscus "), version].concat();
+    if !date.is_empty() {
+        text.extend([", ", date]);
+    }
+    page.element("footer", &text);
+}

@@ -1,0 +1,294 @@
+//! Several theories of the same data, side by side.
+
+use crate::findings::{self, with_unit};
+use crate::markup::{self, Page, cell, escaped};
+use crate::rounding::{fixed, plain};
+use crate::words::Words;
+use crate::{Report, drawing, page, results};
+use analysis::csv::{self, Dialect};
+use analysis::fit::{Ranked, rank};
+use analysis::spreadsheet::{Cell, Sheet, Workbook};
+
+/// Fits of several theories to the same data.
+#[derive(Clone, Copy, Debug)]
+pub struct Ranking<'a> {
+    /// One finished fit for each theory, in any order. Language, version and date are those of the first.
+    pub theories: &'a [Report<'a>],
+    /// The command that repeats the comparison; may be empty.
+    pub command: &'a str,
+}
+
+/// A difference of AICc, in values that count, within which theories cannot be told apart, and one beyond which a theory is
+/// ruled out (Burnham & Anderson, Model Selection, 2002, section 2.6).
+const ALIKE: f64 = 2.0;
+const RULED_OUT: f64 = 10.0;
+
+/// A theory's row.
+struct Row<'a> {
+    report: &'a Report<'a>,
+    ranked: Ranked,
+    title: &'a str,
+    /// How many numbers were determined from the data.
+    numbers: usize,
+    /// The root mean square of what was predicted of the first observation, all records together.
+    predicted: Option<f64>,
+}
+
+impl<'a> Ranking<'a> {
+    fn words(&self) -> Words {
+        Words::of(self.theories.first().map_or("", |report| report.language))
+    }
+
+    /// Best first.
+    fn rows(&self) -> Vec<Row<'a>> {
+        let tag = self.words().tag();
+        let aicc: Vec<Option<f64>> = self.theories.iter().map(|report| report.outcome.aicc).collect();
+        let row = |ranked: Ranked| {
+            let report = self.theories.get(ranked.index)?;
+            let first = report.outcome.observations.iter().filter(|fit| fit.observation == 0);
+            let outside = first.filter_map(|fit| fit.outside);
+            let (count, squares) = outside.fold((0, 0.0), |(count, squares), part| {
+                (count + part.n, squares + part.n as f64 * part.rmse * part.rmse)
+            });
+            Some(Row {
+                report,
+                ranked,
+                title: &report.document.edition(tag).title,
+                numbers: report.outcome.n.saturating_sub(report.outcome.dof),
+                predicted: (count > 0).then(|| (squares / count as f64).sqrt()),
+            })
+        };
+        rank(&aicc).into_iter().filter_map(row).collect()
+    }
+
+    /// For how much of a value each one counts, where those of the best theory's residuals resemble their neighbours: the
+    /// ratio of the variances of a mean of independent values and of one of values correlated in this way (Bayley &
+    /// Hammersley, J. R. Statist. Soc. Suppl. 8 (1946) 184).
+    fn worth(rows: &[Row<'_>]) -> f64 {
+        let rho = rows.first().map_or(0.0, |row| row.report.outcome.autocorrelation).clamp(0.0, 0.99);
+        (1.0 - rho) / (1.0 + rho)
+    }
+}
+
+/// The comparison as one self-contained HTML page.
+pub fn ranking_html(ranking: &Ranking<'_>) -> String {
+    let words = ranking.words();
+    let rows = ranking.rows();
+    let title = words.pick("Which theory do the data favour?", "¿Qué teoría prefieren los datos?");
+    let mut page = Page::default();
+    let first = ranking.theories.first();
+    let (version, date) = first.map_or(("", ""), |report| (report.version, report.date));
+    page.raw("<header>\n");
+    page.element("p class=\"kicker\"", words.pick("Comparison of theories", "Comparación de teorías"));
+    page.element("h1", title);
+    let names: Vec<String> =
+        first.map_or_else(Vec::new, |report| report.task.records.iter().map(|record| record.name.clone()).collect());
+    let mut meta = words.join(&names);
+    if !date.is_empty() {
+        meta.extend([" · ", date]);
+    }
+    page.element("p class=\"meta\"", &meta);
+    page.raw("</header>\n");
+    judgement(&mut page, words, &rows);
+    table(&mut page, words, &rows);
+    caution(&mut page, words, &rows);
+    residuals(&mut page, words, &rows);
+    page.heading(words.pick("What each theory finds", "Lo que encuentra cada teoría"));
+    for row in &rows {
+        page.element("h3", row.title);
+        results::estimates(&mut page, row.report, &row.report.outcome.parameters, false);
+        findings::warnings(&mut page, row.report);
+    }
+    if !ranking.command.is_empty() {
+        page.heading(words.pick("To repeat this", "Para repetirlo"));
+        page.wrapped("pre", &escaped(ranking.command));
+    }
+    page::footer(&mut page, words, version, date);
+    markup::document(title, words.tag(), version, &page.out)
+}
+
+/// What the data favour, what they cannot tell apart, and what they rule out.
+fn judgement(page: &mut Page, words: Words, rows: &[Row<'_>]) {
+    let Some(best) = rows.first().filter(|row| row.ranked.difference == 0.0) else {
+        return;
+    };
+    let worth = Ranking::worth(rows);
+    let quoted = |row: &Row<'_>| {
+        let [open, close] = if words.spanish { ["«", "»"] } else { ["“", "”"] };
+        [open, row.title, close].concat()
+    };
+    let those = |from: f64, to: f64| -> Vec<String> {
+        let rest = rows.iter().skip(1).filter(|row| (from..to).contains(&(row.ranked.difference * worth)));
+        rest.map(quoted).collect()
+    };
+    let mut text = [words.pick("The data favour ", "Los datos prefieren "), &quoted(best), "."].concat();
+    let alike = those(0.0, ALIKE);
+    if !alike.is_empty() {
+        let start = words.pick(" They cannot tell it from ", " No la distinguen de ");
+        text.extend([start, &words.join(&alike), "."]);
+    }
+    let out = those(RULED_OUT, f64::MAX);
+    if !out.is_empty() {
+        text.extend([words.pick(" They rule out ", " Descartan "), &words.join(&out), "."]);
+    }
+    let warns = findings::warns(best.report.outcome);
+    page.element(if warns { "p class=\"verdict warn\"" } else { "p class=\"verdict\"" }, &text);
+    if warns {
+        let but = words.pick(
+            "Even the best one leaves residuals that are not chance: none of these theories is the whole truth.",
+            "Ni siquiera la mejor deja residuos que parezcan azar: ninguna de estas teorías es toda la verdad.",
+        );
+        page.element("p", but);
+    }
+}
+
+fn table(page: &mut Page, words: Words, rows: &[Row<'_>]) {
+    let comma = words.comma();
+    let predicts = rows.iter().any(|row| row.predicted.is_some());
+    let mut headings = vec![
+        words.pick("Theory", "Teoría"),
+        words.pick("#Numbers varied", "#Números variados"),
+        words.pick("#RMS residual", "#Residuo RMS"),
+        "",
+        "#ΔAICc",
+        words.pick("#Share of the evidence", "#Parte de la evidencia"),
+        "#Durbin-Watson",
+    ];
+    if predicts {
+        headings.insert(4, words.pick("#Predicted", "#Predicho"));
+    }
+    page.raw("<div style=\"height:1.2rem\"></div>");
+    page.table("wide", &headings);
+    let worst = rows.iter().map(|row| row.report.outcome.rmse).filter(|rmse| rmse.is_finite()).fold(0.0, f64::max);
+    for row in rows {
+        let outcome = row.report.outcome;
+        let unit = &outcome.rmse_unit;
+        let width = fixed(4.5 * outcome.rmse / worst, 2, false);
+        let bar = ["<span class=\"bar\" style=\"width:", &width, "rem\"></span>"].concat();
+        let share = row.ranked.weight;
+        let share = if share > 0.0 && share < 0.001 {
+            "< 0.1 %".to_owned()
+        } else {
+            [&fixed(100.0 * share, 1, comma), " %"].concat()
+        };
+        let mut cells = vec![
+            escaped(row.title),
+            cell(&row.numbers.to_string()),
+            cell(&with_unit(outcome.rmse, unit, comma)),
+            bar,
+            cell(&fixed(row.ranked.difference, 1, comma)),
+            cell(&if comma { share.replace('.', ",") } else { share }),
+            cell(&fixed(outcome.durbin_watson, 2, comma)),
+        ];
+        if predicts {
+            cells.insert(4, cell(&row.predicted.map_or_else(String::new, |rmse| with_unit(rmse, unit, comma))));
+        }
+        let cells: Vec<&str> = cells.iter().map(String::as_str).collect();
+        page.row(&cells);
+    }
+    page.end_table();
+}
+
+/// What correlated residuals do to the comparison.
+fn caution(page: &mut Page, words: Words, rows: &[Row<'_>]) {
+    let mut text = words
+        .pick(
+            "AICc weighs how well a theory fits against how many numbers it needs; a difference of 2 is nothing, one of 10 is much.",
+            "El AICc sopesa lo bien que ajusta una teoría y cuántos números necesita; una diferencia de 2 no es nada; una de 10, mucho.",
+        )
+        .to_owned();
+    let worth = Ranking::worth(rows);
+    if let Some(best) = rows.first().filter(|_| worth < 0.8) {
+        let n = best.report.outcome.n;
+        let count = plain((n as f64 * worth).round(), 6, words.comma());
+        text.extend([
+            words.pick(
+                " It counts every value as a witness of its own. Here neighbours resemble each other, and the ",
+                " Cuenta cada valor como testigo independiente. Aquí los vecinos se parecen, y los ",
+            ),
+            &n.to_string(),
+            words.pick(" values are worth about ", " valores valen por unos "),
+            &count,
+            words.pick(
+                ": the differences are exaggerated in that proportion, which the sentence at the top takes into account.",
+                ": las diferencias se exageran en esa proporción, lo que la frase del principio tiene en cuenta.",
+            ),
+        ]);
+    }
+    page.element("p class=\"note\"", &text);
+}
+
+/// The residuals of every theory on one scale.
+fn residuals(page: &mut Page, words: Words, rows: &[Row<'_>]) {
+    page.heading(words.pick("What they leave over", "Lo que dejan sin explicar"));
+    let firsts = || rows.iter().filter_map(|row| Some((row, row.report.outcome.observations.first()?)));
+    // One hundredth of the values may lie outside a scale that serves all.
+    let reach = firsts().map(|(_, fit)| 2.5 * fit.rmse).filter(|reach| reach.is_finite()).fold(0.0, f64::max);
+    for (row, fit) in firsts() {
+        page.raw("<figure>\n");
+        page.raw(&drawing::residuals(row.report, fit, reach));
+        page.element("figcaption", row.title);
+        page.raw("</figure>\n");
+    }
+}
+
+/// The table of theories with its header.
+fn numbers(ranking: &Ranking<'_>) -> Vec<Vec<Cell>> {
+    let words = ranking.words();
+    let rows = ranking.rows();
+    let unit = rows.first().map_or("", |row| row.report.outcome.rmse_unit.text.as_str());
+    let with = |name: &str| if unit.is_empty() { name.to_owned() } else { [name, " [", unit, "]"].concat() };
+    let headings = vec![
+        words.pick("Theory", "Teoría").to_owned(),
+        words.pick("File", "Archivo").to_owned(),
+        words.pick("Numbers varied", "Números variados").to_owned(),
+        with(words.pick("Root mean square residual", "Residuo cuadrático medio")),
+        with(words.pick("Root mean square predicted", "Media cuadrática predicha")),
+        "AICc".to_owned(),
+        "ΔAICc".to_owned(),
+        words.pick("Share of the evidence", "Parte de la evidencia").to_owned(),
+        "BIC".to_owned(),
+        "R²".to_owned(),
+        "Durbin-Watson".to_owned(),
+    ];
+    let own = |row: &Row<'_>| {
+        let outcome = row.report.outcome;
+        let size = |si: f64| Cell::Number(results::size(&outcome.rmse_unit, si));
+        vec![
+            row.title.into(),
+            row.report.document_name.into(),
+            Cell::Number(row.numbers as f64),
+            size(outcome.rmse),
+            row.predicted.map_or(Cell::Empty, size),
+            outcome.aicc.map_or(Cell::Empty, Cell::Number),
+            Cell::Number(row.ranked.difference),
+            Cell::Number(row.ranked.weight),
+            Cell::Number(outcome.bic),
+            Cell::Number(outcome.r2),
+            Cell::Number(outcome.durbin_watson),
+        ]
+    };
+    let mut table = vec![headings.into_iter().map(Cell::from).collect()];
+    table.extend(rows.iter().map(own));
+    table
+}
+
+/// The comparison as a workbook: the table of theories, and the results of each on a sheet of its own.
+pub fn ranking_workbook(ranking: &Ranking<'_>) -> Vec<u8> {
+    let words = ranking.words();
+    let rows = numbers(ranking);
+    let mut sheets = vec![Sheet { name: words.pick("Theories", "Teorías").to_owned(), rows, header: true }];
+    for row in ranking.rows() {
+        let mut results = crate::export::results(row.report);
+        results.name = row.title.to_owned();
+        sheets.push(results);
+    }
+    Workbook { sheets }.xlsx()
+}
+
+/// The table of theories as CSV. Titles stand in the first column, in quotation marks.
+pub fn ranking_csv(ranking: &Ranking<'_>, decimal_comma: bool) -> String {
+    let rows = numbers(ranking);
+    let dialect = if decimal_comma { Dialect::Semicolons } else { Dialect::Commas };
+    csv::write_rows(&rows, dialect)
+}

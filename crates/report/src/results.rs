@@ -1,0 +1,204 @@
+//! The tables of what a fit found.
+
+use crate::Report;
+use crate::markup::{Page, cell, escaped, symbol};
+use crate::rounding::{DASH, error, fixed, plain, unit, with_error};
+use crate::words::Words;
+use analysis::fit::{Estimate, Interval};
+use units::Unit;
+
+/// A matrix of more columns would not fit the page.
+const MATRIX: usize = 10;
+
+/// The number to quote for an estimate, in its unit: rounded by the error that is honest about correlated residuals.
+pub fn quoted(estimate: &Estimate, comma: bool) -> String {
+    let value = estimate.unit.from_si(estimate.value);
+    if !estimate.determined {
+        return DASH.to_owned();
+    }
+    with_error(value, estimate.stderr_hac.or(estimate.stderr).map(|error| size(&estimate.unit, error)), comma)
+}
+
+/// A difference of SI size in a unit.
+pub fn size(unit: &Unit, si: f64) -> f64 {
+    unit.from_si(si) - unit.from_si(0.0)
+}
+
+/// What an estimate is called.
+pub fn label(report: &Report<'_>, estimate: &Estimate) -> String {
+    let words = Words::of(report.language);
+    if let Some(label) = &estimate.label {
+        return report.document.text(words.tag(), label).to_owned();
+    }
+    let own = estimate.parameter.is_some();
+    match estimate.name.rsplit_once('_') {
+        Some((name, "origin")) if !own && name == report.document.model.independent.name => {
+            words.pick("Reading of the clock at the start", "Lectura del reloj al empezar").to_owned()
+        }
+        Some((name, "offset")) if !own => {
+            [words.pick("Zero of the scale of ", "Cero de la escala de "), &name.replace('\'', "′")].concat()
+        }
+        _ => String::new(),
+    }
+}
+
+/// The table of the parameters or of the derived quantities.
+pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], derived: bool) {
+    let words = Words::of(report.language);
+    let profiles = if derived { &[][..] } else { report.intervals };
+    let mut headings = vec![
+        "",
+        words.pick("Quantity", "Magnitud"),
+        words.pick("#Value", "#Valor"),
+        words.pick("Unit", "Unidad"),
+        words.pick("#Standard error", "#Error típico"),
+        words.pick("#if residuals were independent", "#si los residuos fueran independientes"),
+    ];
+    if !profiles.is_empty() {
+        headings.push(words.pick("#68 % by profile", "#68 % por perfil"));
+    }
+    page.table("wide", &headings);
+    // What holds for all records first, then record by record.
+    let mut order: Vec<usize> = (0..estimates.len()).collect();
+    order.sort_by_key(|&index| estimates[index].record.map_or(0, |record| record + 1));
+    let mut group = None;
+    for index in order {
+        let estimate = &estimates[index];
+        if estimate.record != group {
+            group = estimate.record;
+            let name = group.and_then(|record| report.task.records.get(record)).map_or("", |record| &record.name);
+            let columns = headings.len().to_string();
+            page.raw(
+                &[
+                    "<tr class=\"group\"><th scope=\"colgroup\" colspan=\"",
+                    &columns,
+                    "\">",
+                    &escaped(name),
+                    "</th></tr>\n",
+                ]
+                .concat(),
+            );
+        }
+        let interval = profiles.get(index).copied().flatten();
+        row(page, report, estimate, (!profiles.is_empty()).then_some(interval));
+    }
+    page.end_table();
+}
+
+fn row(page: &mut Page, report: &Report<'_>, estimate: &Estimate, interval: Option<Option<[Interval; 2]>>) {
+    let words = Words::of(report.language);
+    let comma = words.comma();
+    let own = |si: Option<f64>| match si {
+        Some(si) if estimate.determined => cell(&error(size(&estimate.unit, si), comma)),
+        _ => cell(DASH),
+    };
+    let value = if !estimate.determined {
+        ["#<small>", words.pick("not determined", "no determinado"), "</small>"].concat()
+    } else if estimate.at_bound {
+        let value = plain(estimate.unit.from_si(estimate.value), 6, comma);
+        ["#", &escaped(&value), " <small>", words.pick("end of its range", "fin de su intervalo"), "</small>"].concat()
+    } else {
+        ["#<b>", &escaped(&quoted(estimate, comma)), "</b>"].concat()
+    };
+    let mut cells = vec![
+        symbol(&estimate.name),
+        escaped(&label(report, estimate)),
+        value,
+        escaped(&unit(&estimate.unit.text)),
+        own(estimate.stderr_hac),
+        own(estimate.stderr),
+    ];
+    if let Some(interval) = interval {
+        cells.push(cell(&interval.map_or_else(|| DASH.to_owned(), |[one, _]| ends(estimate, one, comma))));
+    }
+    let cells: Vec<&str> = cells.iter().map(String::as_str).collect();
+    page.row(&cells);
+}
+
+/// `0.383 … 0.391`, to the digits that the width of the interval allows.
+fn ends(estimate: &Estimate, interval: Interval, comma: bool) -> String {
+    let [low, high] = [interval.low, interval.high].map(|end| end.map(|si| estimate.unit.from_si(si)));
+    let width = match (low, high) {
+        (Some(low), Some(high)) => (high - low) / 2.0,
+        _ => estimate.stderr.map_or(f64::NAN, |si| size(&estimate.unit, si)),
+    };
+    let write = |end: Option<f64>| match end {
+        Some(value) => {
+            let text = with_error(value, Some(width), comma);
+            // Without the error in parentheses; what follows it is the power of ten.
+            match (text.find('('), text.find(')')) {
+                (Some(open), Some(close)) => [&text[..open], &text[close + 1..]].concat(),
+                _ => text,
+            }
+        }
+        None => "…".to_owned(),
+    };
+    [&write(low), " … ", &write(high)].concat()
+}
+
+/// The matrix of correlations, or for many parameters the strongest ones.
+pub fn correlations(page: &mut Page, report: &Report<'_>) {
+    let words = Words::of(report.language);
+    let (parameters, matrix) = (&report.outcome.parameters, &report.outcome.correlation);
+    let count = parameters.len();
+    if count < 2 || matrix.len() != count * count {
+        return;
+    }
+    page.heading(words.pick("Correlations", "Correlaciones"));
+    let mut strongest: Vec<(usize, usize, f64)> = (0..count)
+        .flat_map(|row| (0..row).map(move |column| (column, row)))
+        .map(|(a, b)| (a, b, matrix[b * count + a]))
+        .filter(|(.., value)| value.is_finite())
+        .collect();
+    strongest.sort_by(|a, b| b.2.abs().total_cmp(&a.2.abs()));
+    let named = |index: usize| {
+        let estimate = &parameters[index];
+        match estimate.record.and_then(|record| report.task.records.get(record)) {
+            Some(record) => [&symbol(&estimate.name), " <small>", &escaped(&record.name), "</small>"].concat(),
+            None => symbol(&estimate.name),
+        }
+    };
+    if count > MATRIX {
+        page.table("", &["", "", words.pick("#Correlation", "#Correlación")]);
+        for (a, b, value) in strongest.into_iter().take(12) {
+            page.row(&[&named(a), &named(b), &cell(&fixed(value, 3, words.comma()))]);
+        }
+        page.end_table();
+        return;
+    }
+    page.raw("<div class=\"scroll\"><table class=\"matrix\"><thead><tr><td></td>");
+    for index in 0..count {
+        page.wrapped("th scope=\"col\"", &named(index));
+    }
+    page.raw("</tr></thead><tbody>\n");
+    for row in 0..count {
+        page.raw("<tr>");
+        page.wrapped("th scope=\"row\"", &named(row));
+        for column in 0..count {
+            let value = matrix[row * count + column];
+            page.wrapped(&tinted(value), &fixed(value, 2, words.comma()));
+        }
+        page.raw("</tr>\n");
+    }
+    page.end_table();
+    if let Some((a, b, value)) = strongest.first().filter(|(.., value)| value.abs() > 0.9) {
+        let start = words.pick("The strongest is that of ", "La más fuerte es la de ");
+        let end = words.pick(
+            ": the data determine a combination of the two much better than either by itself.",
+            ": los datos determinan una combinación de ambos mucho mejor que cada uno por separado.",
+        );
+        let value = fixed(*value, 3, words.comma());
+        page.wrapped("p", &[start, &named(*a), words.pick(" and ", " y "), &named(*b), ", ", &value, end].concat());
+    }
+}
+
+/// A cell whose colour says sign and size: blue for what grows together, orange for what does not.
+fn tinted(value: f64) -> String {
+    if !value.is_finite() {
+        return "td".to_owned();
+    }
+    let colour = if value > 0.0 { "11,90,168" } else { "209,70,0" };
+    // Squared, so that the strong ones stand out; never so dark that the number could not be read.
+    let depth = (value * value).min(1.0) * 0.42;
+    ["td style=\"background:rgba(", colour, ",", &fixed(depth, 3, false), ")\""].concat()
+}

@@ -1,0 +1,202 @@
+//! The theory, the data, and what is needed to repeat the fit.
+
+use crate::Report;
+use crate::markup::{Page, cell, escaped, symbol};
+use crate::results::size;
+use crate::rounding::{fixed, plain, unit};
+use crate::words::Words;
+use analysis::fit::Target;
+use model::Parameter;
+
+/// Data beyond this are not written into the page.
+const MOST_ROWS: usize = 5000;
+
+/// The equations, and the parameters that were held.
+pub fn theory(page: &mut Page, report: &Report<'_>) {
+    let words = Words::of(report.language);
+    let model = &report.document.model;
+    page.heading(words.pick("The theory", "La teoría"));
+    page.raw("<div class=\"equations\">");
+    let translate = |text: &str| report.document.text(words.tag(), text).to_owned();
+    for equation in model.typeset(&translate) {
+        page.wrapped("div", &equation);
+    }
+    page.raw("</div>\n");
+    let varied = |index: usize| report.outcome.parameters.iter().any(|one| one.parameter == Some(index));
+    let held: Vec<(usize, &Parameter)> =
+        model.parameters.iter().enumerate().filter(|(index, _)| !varied(*index)).collect();
+    if held.is_empty() {
+        return;
+    }
+    page.element("h3", words.pick("Held", "Mantenido"));
+    page.table(
+        "",
+        &["", words.pick("Quantity", "Magnitud"), words.pick("#Value", "#Valor"), words.pick("Unit", "Unidad")],
+    );
+    for (index, parameter) in held {
+        let label = parameter.label.as_deref().map_or("", |label| report.document.text(words.tag(), label));
+        let mut values: Vec<f64> =
+            report.outcome.settings.iter().filter_map(|values| values.get(index).copied()).collect();
+        values.dedup();
+        let values: Vec<String> =
+            values.iter().map(|si| plain(parameter.unit.from_si(*si), 8, words.comma())).collect();
+        let cells =
+            [symbol(&parameter.name), escaped(label), cell(&values.join("; ")), escaped(&unit(&parameter.unit.text))];
+        page.row(&cells.each_ref().map(String::as_str));
+    }
+    page.end_table();
+}
+
+/// What was measured.
+pub fn data(page: &mut Page, report: &Report<'_>) {
+    let words = Words::of(report.language);
+    let comma = words.comma();
+    let independent = &report.document.model.independent;
+    page.heading(words.pick("The data", "Los datos"));
+    let of = [&symbol(&independent.name), words.pick(" from … to", " de … a")].concat();
+    page.raw("<div class=\"scroll\"><table class=\"wide\"><thead><tr>");
+    for (heading, number) in [
+        (escaped(words.pick("Record", "Registro")), false),
+        (escaped(words.pick("Observed", "Observado")), false),
+        (escaped(words.pick("Values", "Valores")), true),
+        (escaped(words.pick("of which fitted", "de ellos ajustados")), true),
+        (of, true),
+    ] {
+        page.wrapped(if number { "th scope=\"col\" class=\"n\"" } else { "th scope=\"col\"" }, &heading);
+    }
+    page.raw("</tr></thead><tbody>\n");
+    for fit in &report.outcome.observations {
+        let ends = [fit.times.first(), fit.times.last()]
+            .map(|time| plain(independent.unit.from_si(time.copied().unwrap_or(f64::NAN)), 6, comma));
+        let time_unit = unit(&independent.unit.text);
+        let observed = [&symbol(&fit.name), " <small>", &escaped(&unit(&fit.unit.text)), "</small>"].concat();
+        let used = fit.inside.iter().filter(|inside| **inside).count();
+        let cells = [
+            escaped(crate::findings::record(report, fit)),
+            observed,
+            cell(&fit.times.len().to_string()),
+            cell(&used.to_string()),
+            cell([&ends[0], " … ", &ends[1], " ", &time_unit].concat().trim()),
+        ];
+        page.row(&cells.each_ref().map(String::as_str));
+    }
+    page.end_table();
+    for (number, notes) in report.notes.iter().enumerate() {
+        let name = report.task.records.get(number).map_or("", |record| &record.name);
+        for note in notes {
+            page.wrapped("p class=\"note\"", &["<b>", &escaped(name), "</b>: ", &escaped(note)].concat());
+        }
+    }
+}
+
+/// Everything that is needed to repeat it.
+pub fn repeat(page: &mut Page, report: &Report<'_>, csv: &str) {
+    let words = Words::of(report.language);
+    page.heading(words.pick("To repeat this", "Para repetirlo"));
+    if !report.command.is_empty() {
+        page.wrapped("pre", &escaped(report.command));
+    }
+    page.raw("<dl class=\"steps\">");
+    page.pair(words.pick("Theory", "Teoría"), &report.document_name);
+    let records: Vec<String> = report.task.records.iter().map(|record| record.name.clone()).collect();
+    page.pair(words.pick("Data", "Datos"), &words.join(&records));
+    page.pair(words.pick("Varied", "Variado"), &varied(report).join(", "));
+    page.pair(words.pick("Fitted part", "Parte ajustada"), &part(report));
+    page.pair(words.pick("Method", "Método"), &method(report));
+    page.pair(words.pick("Program", "Programa"), &["Meniscus ", report.version].concat());
+    page.raw("</dl>\n");
+    let mut detail = |summary: &str, text: &str| {
+        page.raw("<details>");
+        page.element("summary", summary);
+        page.wrapped("pre", &escaped(text));
+        page.raw("</details>\n");
+    };
+    let source = [words.pick("The document, ", "El documento, "), report.document_name].concat();
+    detail(&source, &report.document.source);
+    let rows: usize = report.outcome.observations.iter().map(|fit| fit.times.len()).sum();
+    if rows <= MOST_ROWS {
+        detail(words.pick("The measured and fitted values", "Los valores medidos y ajustados"), csv);
+    }
+}
+
+/// What was varied, and where it was to begin and to stay if that was said.
+fn varied(report: &Report<'_>) -> Vec<String> {
+    let words = Words::of(report.language);
+    let model = &report.document.model;
+    let describe = |varied: &analysis::fit::Varied| {
+        let (mut text, unit) = match varied.target {
+            Target::Parameter(index) => {
+                let parameter = model.parameters.get(index)?;
+                (parameter.name.clone(), parameter.unit.clone())
+            }
+            Target::Origin => ([&model.independent.name, "_origin"].concat(), model.independent.unit.clone()),
+            Target::Offset(number) => {
+                let of = report.task.records.iter().find_map(|record| record.observations.get(number))?;
+                ([&of.name, "_offset"].concat(), of.observed.unit.clone())
+            }
+        };
+        let number = |si: f64| plain(size(&unit, si), 8, words.comma());
+        let mut options = Vec::new();
+        if varied.shared && report.task.records.len() > 1 {
+            options.push(words.pick("one value for all", "un valor para todos").to_owned());
+        }
+        if let Some(start) = varied.start {
+            options.push([words.pick("from ", "desde "), &number(start)].concat());
+        }
+        if let Some((low, high)) = varied.bounds {
+            options.push([words.pick("within ", "entre "), &number(low), " … ", &number(high)].concat());
+        }
+        if !options.is_empty() {
+            text.extend([" (", &options.join(", "), ")"]);
+        }
+        Some(text)
+    };
+    report.task.varied.iter().filter_map(describe).collect()
+}
+
+/// Which part was fitted.
+fn part(report: &Report<'_>) -> String {
+    let words = Words::of(report.language);
+    let independent = &report.document.model.independent;
+    let time = |si: f64| {
+        let number = plain(independent.unit.from_si(si), 8, words.comma());
+        [&number, " ", &unit(&independent.unit.text)].concat().trim_end().to_owned()
+    };
+    match (report.task.from, report.task.until) {
+        (None, None) => words.pick("all values", "todos los valores").to_owned(),
+        (Some(from), None) => [words.pick("from ", "desde "), &time(from)].concat(),
+        (None, Some(until)) => [words.pick("until ", "hasta "), &time(until)].concat(),
+        (Some(from), Some(until)) => [&time(from), " … ", &time(until)].concat(),
+    }
+}
+
+/// How it was computed.
+fn method(report: &Report<'_>) -> String {
+    let words = Words::of(report.language);
+    let mut text = words
+        .pick(
+            "least squares (Levenberg and Marquardt), derivatives by the parameters from the model itself",
+            "mínimos cuadrados (Levenberg y Marquardt), con las derivadas respecto a los parámetros tomadas del propio modelo",
+        )
+        .to_owned();
+    if !report.document.model.states.is_empty() {
+        text +=
+            words.pick("; equations of motion integrated to 10⁻⁹", "; ecuaciones del movimiento integradas con 10⁻⁹");
+    }
+    let records = &report.task.records;
+    let given = records.iter().flat_map(|record| &record.observations).all(|one| one.errors.is_some());
+    if given {
+        text += words.pick("; weights from the given errors", "; pesos según los errores dados");
+    } else if report.outcome.observations.len() > 1 {
+        text += words.pick(
+            "; each observation weighed by its own scatter",
+            "; cada observación, ponderada por su propia dispersión",
+        );
+    }
+    if let Some(origin) = report.task.origin {
+        let name = &report.document.model.independent.name;
+        let value = fixed(report.document.model.independent.unit.from_si(origin), 4, words.comma());
+        text.extend(["; ", name, words.pick(" is 0 at the reading ", " es 0 en la lectura "), &value]);
+    }
+    text
+}

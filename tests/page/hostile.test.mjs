@@ -56,6 +56,13 @@ visit("a page whose document was damaged says so", { file: damaged }, async (lab
   assert.ok((await lab.page.locator(".broken").count()) === 1);
 });
 
+visit("a fault inside the module is told", async (lab) => {
+  await lab.page.evaluate(() => setTimeout(() => { throw new WebAssembly.RuntimeError("unreachable"); }));
+  const alert = lab.page.getByRole("alert").filter({ hasText: "Load the page again" });
+  await alert.waitFor();
+  assert.deepEqual(lab.faults.splice(0), ["RuntimeError: unreachable"]);
+});
+
 function damaged() {
   const whole = readFileSync(exportedWords(), "utf8");
   const file = temporary("damaged.html");

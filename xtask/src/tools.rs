@@ -1,20 +1,34 @@
 //! What the builds and tests need of the machine: found, or installed where that can be done without asking.
 
 use crate::steps;
+use crate::wasm::TARGET;
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The standard library for WebAssembly.
 pub fn wasm_target() -> Result<()> {
-    const TARGET: &str = "wasm32-unknown-unknown";
-    let sysroot = steps::output(&mut steps::program("rustc", &["--print", "sysroot"]))?;
-    if Path::new(sysroot.trim()).join("lib").join("rustlib").join(TARGET).is_dir() {
+    if libraries()?.join(TARGET).is_dir() {
         return Ok(());
     }
     steps::run(&mut steps::program("rustup", &["target", "add", TARGET])).context(
         "the WebAssembly target of Rust is missing; install it with `rustup target add wasm32-unknown-unknown`",
     )
+}
+
+/// The source of the standard library.
+pub fn library_source() -> Result<()> {
+    if libraries()?.join("src").join("rust").join("library").join("std").is_dir() {
+        return Ok(());
+    }
+    steps::run(&mut steps::program("rustup", &["component", "add", "rust-src"]))
+        .context("the source of Rust's standard library is missing; install it with `rustup component add rust-src`")
+}
+
+/// Where the toolchain keeps its libraries.
+fn libraries() -> Result<PathBuf> {
+    let sysroot = steps::output(&mut steps::program("rustc", &["--print", "sysroot"]))?;
+    Ok(Path::new(sysroot.trim()).join("lib").join("rustlib"))
 }
 
 /// Node, at least version 20.

@@ -8,6 +8,7 @@ use base64::Engine as _;
 use document::page::{Options, Source};
 use flate2::{Compression, write::GzEncoder};
 use std::io::Write as _;
+use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 
 /// The document that the laboratory opens with, and its translations.
@@ -41,7 +42,7 @@ fn assemble(glue: &str, module: &[u8]) -> Result<String> {
     let font = std::fs::read(&font).with_context(|| format!("cannot read {}", font.display()))?;
     let style = read(&source.join("style.css"))?.replace("/*math-font*/", &base64(&font));
     let boot = read(&source.join("boot.js"))?;
-    let module = base64(&gzip(module)?);
+    let module = base64(&squeeze(module)?);
     let mut page = read(&source.join("index.html"))?;
     for (marker, text) in [
         ("<!--style-->", format!("<style>\n{style}</style>")),
@@ -103,4 +104,13 @@ fn gzip(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
     let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
     encoder.write_all(bytes)?;
     encoder.finish()
+}
+
+/// The same format, a twentieth smaller, for half a minute's work.
+fn squeeze(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
+    const SEARCHES: NonZeroU64 = NonZeroU64::MIN.saturating_add(14);
+    let options = zopfli::Options { iteration_count: SEARCHES, ..zopfli::Options::default() };
+    let mut squeezed = Vec::new();
+    zopfli::compress(options, zopfli::Format::Gzip, bytes, &mut squeezed)?;
+    Ok(squeezed)
 }

@@ -1,7 +1,7 @@
 //! The few things the laboratory asks of the browser that may fail: storage, clipboard, files. A refusal is an answer,
 //! never a panic; a page opened from `file://`, in private mode or inside a frame is refused many of them.
 
-use js_sys::{Array, Function, Promise, Reflect};
+use js_sys::{Array, Function, Promise, Reflect, Uint8Array};
 use leptos::prelude::{document, window};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
@@ -54,10 +54,15 @@ pub fn remember(key: &str, text: &str) {
 
 /// Lets the browser save a text as a file.
 pub fn save_text(name: &str, kind: &str, text: &str) {
+    save_bytes(name, kind, text.as_bytes());
+}
+
+/// Lets the browser save bytes as a file.
+pub fn save_bytes(name: &str, kind: &str, bytes: &[u8]) {
     let options = BlobPropertyBag::new();
     options.set_type(kind);
-    let parts = Array::of1(&JsValue::from_str(text));
-    if let Ok(blob) = Blob::new_with_str_sequence_and_options(&parts, &options)
+    let parts = Array::of1(&Uint8Array::from(bytes));
+    if let Ok(blob) = Blob::new_with_u8_array_sequence_and_options(&parts, &options)
         && let Ok(url) = Url::create_object_url_with_blob(&blob)
     {
         save_url(name, &url);

@@ -65,6 +65,7 @@ pub fn view(app: App, tab: usize) -> AnyView {
                 <div class="actions">
                     <button type="button" class="quiet" id="copy-csv" on:click=move |_| notebook::copy(app, &app.read(|session| session.csv()))>{words.copy_csv}</button>
                     <button type="button" class="quiet" id="save-csv" on:click=move |_| save(app)>{words.save_csv}</button>
+                    <button type="button" class="quiet" id="save-xlsx" on:click=move |_| save_workbook(app)>{words.save_xlsx}</button>
                 </div>
             </div>
             <div class="table" tabindex="0" role="region" aria-label=words.table>
@@ -80,8 +81,17 @@ pub fn view(app: App, tab: usize) -> AnyView {
 }
 
 fn save(app: App) {
+    browser::save_text(&format!("{}.csv", stem(app)), "text/csv", &app.read(|session| session.csv()));
+}
+
+fn save_workbook(app: App) {
+    let kind = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
+    browser::save_bytes(&format!("{}.xlsx", stem(app)), kind, &app.read(|session| session.workbook()));
+}
+
+/// The name of the document's file without its ending.
+fn stem(app: App) -> String {
     let name = app.with(|lab| lab.sources.first().map(|file| file.name.clone())).flatten().unwrap_or_default();
-    let name = name.trim_end_matches(".md");
-    let name = if name.is_empty() { "run" } else { name };
-    browser::save_text(&format!("{name}.csv"), "text/csv", &app.read(|session| session.csv()));
+    let name = name.rsplit('/').next().unwrap_or_default().trim_end_matches(".md");
+    if name.is_empty() { "run".to_owned() } else { name.to_owned() }
 }

@@ -4,9 +4,9 @@ use crate::app::App;
 use crate::controls::symbol;
 use crate::{browser, icons, library};
 use leptos::prelude::*;
-use session::{FitProgress, FitView, Session};
-use wasm_bindgen::JsCast;
+use session::{ExportKind, FitProgress, FitView, Session};
 use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
 
 /// A slice of work takes so many milliseconds: half a frame.
 const SLICE: f64 = 8.0;
@@ -176,6 +176,7 @@ fn results(app: App, chosen: RwSignal<Option<u32>>) -> impl IntoView {
         if fits.is_empty() {
             return ().into_any();
         }
+        let several = fits.len() > 1;
         let last = fits.iter().map(|fit| fit.id).max();
         let best =
             fits.first().map(|fit| fit.id).filter(|_| fits.iter().filter(|fit| !fit.file.is_empty()).count() > 1);
@@ -193,7 +194,7 @@ fn results(app: App, chosen: RwSignal<Option<u32>>) -> impl IntoView {
                     <tbody>{rows}</tbody>
                 </table>
             </div>
-            {shown.map(|id| detail(app, id))}
+            {shown.map(|id| detail(app, id, several))}
         }
         .into_any()
     }
@@ -241,7 +242,28 @@ fn row(app: App, fit: FitView, shown: Option<u32>, chosen: RwSignal<Option<u32>>
     .into_any()
 }
 
-fn detail(app: App, id: u32) -> AnyView {
+/// The files that can be saved of a fit, and of all fits of the same values.
+fn exports(app: App, id: u32, several: bool) -> Vec<AnyView> {
+    let words = app.words();
+    let kinds = [(ExportKind::Report, words.save_report), (ExportKind::Workbook, "XLSX"), (ExportKind::Csv, "CSV")];
+    let button = |name: String, kind: ExportKind, all: bool| {
+        view! {
+            <button type="button" class="quiet" on:click=move |_| {
+                let date = String::from(js_sys::Date::new_0().to_locale_date_string(app.language.get_untracked().tag(), &JsValue::UNDEFINED));
+                let export = app.read(|session| if all { session.export_ranking(id, kind, &date) } else { session.export_fit(id, kind, &date) });
+                if let Some(file) = export {
+                    browser::save_bytes(&file.name, file.kind, &file.bytes);
+                }
+            }>{name}</button>
+        }
+        .into_any()
+    };
+    let own = kinds.into_iter().map(|(kind, name)| button(name.to_owned(), kind, false));
+    let all = kinds.into_iter().map(|(kind, name)| button(format!("{}: {name}", words.fit_all), kind, true));
+    own.chain(all.filter(|_| several)).collect()
+}
+
+fn detail(app: App, id: u32, several: bool) -> AnyView {
     let words = app.words();
     let Some(detail) = app.read(|session| session.fit_detail(id)) else { return ().into_any() };
     let rows: Vec<AnyView> = detail
@@ -271,6 +293,7 @@ fn detail(app: App, id: u32) -> AnyView {
             </div>
             <p class="note">{statistics.join(" · ")}</p>
             <p class="note">{words.fit_errors}</p>
+            <div class="intake">{exports(app, id, several)}</div>
         </div>
     }
     .into_any()

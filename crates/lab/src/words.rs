@@ -176,6 +176,7 @@ words! {
     row_next: "Later rows", "Filas siguientes";
     row_last: "Last rows", "Últimas filas";
     save_csv: "Download CSV", "Descargar CSV";
+    save_xlsx: "Download XLSX", "Descargar XLSX";
     copy_csv: "Copy CSV", "Copiar CSV";
 
     // Measurements.
@@ -245,6 +246,8 @@ words! {
     fit_open: "Open", "Abrir";
     fit_remove: "Remove the fit", "Quitar el ajuste";
     fit_varied: "Found", "Hallado";
+    save_report: "Report", "Informe";
+    fit_all: "All of them", "Todos";
     fit_errors: "The uncertainties allow for residuals that resemble their neighbours.", "Las incertidumbres tienen en cuenta que los residuos vecinos se parecen.";
 
     // Questions.

@@ -2,9 +2,9 @@
 
 use crate::fitting::Job;
 use crate::{Announcement, Session, number};
-use analysis::fit::{Estimate, Outcome};
+use analysis::fit::{Estimate, Outcome, Task, Trace};
+use document::Document;
 use engine::Setup;
-use std::collections::BTreeMap;
 use units::Unit;
 
 /// How many fits are kept.
@@ -16,12 +16,14 @@ pub(crate) struct Fitted {
     pub id: u32,
     /// The file of its theory; empty for the document that was open.
     pub file: String,
-    /// The title of the theory in its own language.
-    title: String,
-    /// The title and the other texts in each language.
-    texts: Vec<(String, String, BTreeMap<String, String>)>,
-    record: u32,
-    record_name: String,
+    /// The theory.
+    pub document: Document,
+    /// What was asked for.
+    pub task: Task,
+    /// The fitted curves.
+    pub traces: Vec<Trace>,
+    pub record: u32,
+    pub record_name: String,
     /// What was fitted of it: fits of different values cannot be ranked together.
     window: [Option<f64>; 2],
     columns: Vec<String>,
@@ -84,10 +86,8 @@ pub struct FitDetail {
 }
 
 impl Session {
-    pub(crate) fn take_outcome(&mut self, job: Job, outcome: Outcome) {
+    pub(crate) fn take_outcome(&mut self, job: Job, task: Task, outcome: Outcome, traces: Vec<Trace>) {
         let id = self.fits.finished.iter().map(|fit| fit.id + 1).max().unwrap_or(0);
-        let editions = job.document.editions;
-        let texts = editions.into_iter().map(|edition| (edition.language, edition.title, edition.texts));
         let name = self.record(job.record).map(|record| record.name.clone()).unwrap_or_default();
         if self.fits.finished.len() >= MOST_FITS {
             self.fits.finished.remove(0);
@@ -95,8 +95,9 @@ impl Session {
         let fitted = Fitted {
             id,
             file: job.file,
-            title: job.document.title,
-            texts: texts.collect(),
+            document: job.document,
+            task,
+            traces,
             record: job.record,
             record_name: name,
             window: self.fits.window,
@@ -152,12 +153,11 @@ impl Session {
     }
 
     fn title_of(&self, fit: &Fitted) -> String {
-        let own = fit.texts.iter().find(|(language, ..)| *language == self.language);
-        own.map_or_else(|| fit.title.clone(), |(_, title, _)| title.clone())
+        fit.document.edition(&self.language).title.clone()
     }
 
     fn is_applicable(&self, fit: &Fitted) -> bool {
-        fit.title == self.document.title
+        fit.document.title == self.document.title
             && fit.outcome.settings.first().is_some_and(|all| all.len() == self.model().parameters.len())
     }
 
@@ -210,9 +210,7 @@ impl Session {
         } else {
             String::new()
         };
-        let texts = fit.texts.iter().find(|(language, ..)| *language == self.language).map(|(.., texts)| texts);
-        let translated = |label: &String| texts.and_then(|texts| texts.get(label)).unwrap_or(label).clone();
-        let label = one.label.as_ref().map(translated);
+        let label = one.label.as_ref().map(|label| fit.document.text(&self.language, label).to_owned());
         EstimateView {
             name: one.name.clone(),
             label: label.unwrap_or_else(|| crate::symbol(&one.name)),
@@ -278,10 +276,10 @@ impl Fitted {
             names.sort();
             names
         };
-        self.same_values(other) && self.title == other.title && varied(self) == varied(other)
+        self.same_values(other) && self.document.title == other.document.title && varied(self) == varied(other)
     }
 
-    fn same_values(&self, other: &Self) -> bool {
+    pub fn same_values(&self, other: &Self) -> bool {
         (self.record, self.window, &self.columns) == (other.record, other.window, &other.columns)
     }
 }

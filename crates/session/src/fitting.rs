@@ -64,9 +64,13 @@ pub(crate) struct Job {
     pub parameters: Vec<f64>,
 }
 
+/// So many points of a fitted curve are drawn in a report.
+const POINTS_OF_A_CURVE: usize = 600;
+
 #[derive(Debug)]
 struct Running {
     job: Job,
+    task: Task,
     fit: Fit,
 }
 
@@ -183,12 +187,12 @@ impl Session {
     fn next_fit(&mut self) -> Result<(), Refusal> {
         let alone = self.fits.total == 1;
         while let Some(job) = self.fits.queue.pop() {
-            match self.task(&job).map(|task| Fit::new(&job.document.model, task)) {
-                Ok(Ok(fit)) => {
-                    self.fits.running = Some(Running { job, fit });
+            match self.task(&job).map(|task| (Fit::new(&job.document.model, task.clone()), task)) {
+                Ok((Ok(fit), task)) => {
+                    self.fits.running = Some(Running { job, task, fit });
                     return Ok(());
                 }
-                Ok(Err(error)) if alone => return Err(Refusal::Fit { why: self.tongue.fit_error(&error) }),
+                Ok((Err(error), _)) if alone => return Err(Refusal::Fit { why: self.tongue.fit_error(&error) }),
                 Err(refusal) if alone => return Err(refusal),
                 _ => {}
             }
@@ -202,9 +206,12 @@ impl Session {
         if !running.fit.advance() {
             return true;
         }
-        if let Some(Running { job, mut fit }) = self.fits.running.take() {
+        if let Some(Running { job, task, mut fit }) = self.fits.running.take() {
             match fit.outcome() {
-                Some(outcome) => self.take_outcome(job, outcome),
+                Some(outcome) => {
+                    let traces = fit.traces(POINTS_OF_A_CURVE);
+                    self.take_outcome(job, task, outcome, traces);
+                }
                 None => self.announce(Announcement::FitFailed),
             }
         }
@@ -227,7 +234,7 @@ impl Session {
 
     /// How far the fits have come; none while nothing is fitted.
     pub fn fit_progress(&self) -> Option<FitProgress> {
-        let Running { job, fit } = self.fits.running.as_ref()?;
+        let Running { job, fit, .. } = self.fits.running.as_ref()?;
         Some(FitProgress {
             theory: job.document.edition(&self.language).title.clone(),
             trials: fit.trials(),

@@ -11,7 +11,9 @@
 //! | what is shown | [`Session::readouts`], [`Session::scene_values`], [`Session::scene_text`], [`Session::pitch`] |
 //! | plots | [`Session::plots`], [`Session::show_plot`], [`Session::layout_plot`], [`Session::plot_figure`], [`Session::plot_svg`], [`Session::hover_plot`], [`Session::move_cursor`], [`Session::zoom_plot`], [`Session::pan_plot`], [`Session::zoom_plot_to`], [`Session::reset_plot`] |
 //! | runs | [`Session::keep`], [`Session::kept`], [`Session::show_kept`], [`Session::remove_kept`], [`Session::has_ghost`], [`Session::clear_ghost`] |
-//! | table | [`Session::table_header`], [`Session::table_length`], [`Session::table_rows`], [`Session::table_row_now`], [`Session::csv`] |
+//! | table | [`Session::table_header`], [`Session::table_length`], [`Session::table_rows`], [`Session::table_row_now`], [`Session::csv`], [`Session::workbook`] |
+//! | measured data | [`Session::records`], [`Session::record_cells`], [`Session::add_record`], [`Session::add_sample`], [`Session::sample_names`], [`Session::measure`], [`Session::measurement_form`], [`Session::measurement_units`], [`Session::show_record`], [`Session::remove_record`], [`Session::measurable`], [`Session::set_column_quantity`], [`Session::set_column_unit`], [`Session::set_column_fitted`], [`Session::has_points`], [`Session::ghost_follows`], [`Session::ghost_values`], [`Session::saved_records`], [`Session::restore_records`], [`Session::adopt_records`] |
+//! | fits | [`Session::fit_choices`], [`Session::vary`], [`Session::fit_window`], [`Session::set_fit_window`], [`Session::begin_fit`], [`Session::begin_ranking`], [`Session::advance_fit`], [`Session::cancel_fit`], [`Session::fit_progress`], [`Session::fits`], [`Session::fit_detail`], [`Session::apply_fit`], [`Session::remove_fit`], [`Session::export_fit`], [`Session::export_ranking`] |
 //! | questions | [`Session::check_answer`], [`Session::reveal_answer`], [`Session::question_unit`], [`Session::question_setup`], [`Session::apply_question_setup`] |
 //! | method | [`Session::methods`], [`Session::set_method`], [`Session::step`], [`Session::step_text`], [`Session::set_step`], [`Session::set_step_text`] |
 //! | sharing | [`Session::share`], [`Session::restore`] |
@@ -42,6 +44,7 @@ mod readout;
 mod recognise;
 mod record;
 mod refusal;
+mod reporting;
 mod sample;
 mod session;
 mod share;
@@ -59,11 +62,11 @@ pub use figure;
 pub use model;
 
 pub use announcement::Announcement;
-pub use measurement::{MEASUREMENT_FIELDS, MeasurementForm};
 pub use fitted::{EstimateView, FitDetail, FitView, MOST_FITS};
 pub use fitting::{ChoiceView, FitProgress};
 pub use ghost::Follows;
 pub use kept::{KeptView, MOST_KEPT};
+pub use measurement::{MEASUREMENT_FIELDS, MeasurementForm};
 pub use method::MethodView;
 pub use parameter::ParameterView;
 pub use plot::PlotView;
@@ -73,6 +76,7 @@ pub use question::{Grade, Verdict};
 pub use readout::{Readout, ReadoutKind};
 pub use record::{ColumnView, LONGEST_RECORD, MOST_RECORDS, RecordView};
 pub use refusal::Refusal;
+pub use reporting::{Export, ExportKind};
 pub use sample::{SAMPLES, Sample};
 pub use session::{Revision, Session};
 pub use slider::Slider;

@@ -44,8 +44,8 @@ impl Session {
             fields: [
                 shown(independent.unit.to_si(30.0)),
                 shown(independent.unit.from_si(self.end().max(duration))),
-                shown(state.unit.from_si(pixel)),
-                shown(state.unit.from_si(pixel / 2.0)),
+                shown(fine(&state.unit).from_si(pixel)),
+                shown(fine(&state.unit).from_si(pixel / 2.0)),
                 shown(0.0),
                 shown(0.0),
                 shown(1.0),
@@ -57,7 +57,7 @@ impl Session {
     pub fn measurement_units(&self, quantity: &str) -> [String; MEASUREMENT_FIELDS] {
         let unit = |unit: &units::Unit| number::unit_text(&unit.text);
         let time = unit(&self.model().independent.unit);
-        let own = observed(self.model(), quantity).map(|observed| unit(&observed.unit)).unwrap_or_default();
+        let own = observed(self.model(), quantity).map(|observed| unit(&fine(&observed.unit))).unwrap_or_default();
         let rate = if time.is_empty() { String::new() } else { format!("1/{time}") };
         [rate, time.clone(), own.clone(), own, time, "%".to_owned(), String::new()]
     }
@@ -80,6 +80,7 @@ impl Session {
         let time = &self.model().independent.unit;
         let observed = observed(self.model(), &form.quantity)
             .ok_or_else(|| (0, Refusal::Unknown { name: form.quantity.clone() }))?;
+        let fine = fine(&observed.unit);
         let [rate, duration, pixel, noise, jitter, scale, seed] = &form.fields;
         let read = |field: usize, typed: &str, unit: &units::Unit, least: f64| {
             let typed = typed.trim().trim_end_matches('%');
@@ -94,8 +95,8 @@ impl Session {
         Ok(Camera {
             rate: time.from_si(per_time),
             duration: read(1, duration, time, 0.0)?,
-            pixel: read(2, pixel, &observed.unit, 0.0)?,
-            noise: read(3, noise, &observed.unit, 0.0)?,
+            pixel: read(2, pixel, &fine, 0.0)?,
+            noise: read(3, noise, &fine, 0.0)?,
             jitter: read(4, jitter, time, 0.0)?,
             scale: read(5, scale, &plain, f64::NEG_INFINITY)? / 100.0,
             seed: read(6, seed, &plain, 0.0)? as u64,
@@ -146,6 +147,12 @@ impl Session {
         }
         Ok(text)
     }
+}
+
+/// The unit in which errors are told: the thousandth of the quantity's, where that has a name.
+fn fine(unit: &units::Unit) -> units::Unit {
+    let thousandth = units::Unit::parse(&format!("m{}", unit.text)).ok();
+    thousandth.filter(|fine| fine.dimension == unit.dimension).unwrap_or_else(|| unit.clone())
 }
 
 /// Name and unit of the derivative of what is filmed; of a level that is no unknown, the velocity.

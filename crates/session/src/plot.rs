@@ -48,6 +48,9 @@ impl Default for PlotState {
     }
 }
 
+/// The colour of the points of the first curve: none of a line, or nobody could see the line on its points.
+const MEASURED: u8 = 3;
+
 /// A plot against the independent variable begins with room for so many steps.
 const STEPS_AT_FIRST: f64 = 200.0;
 
@@ -228,7 +231,7 @@ impl Session {
                 axes.push(dimension);
                 axes.len() - 1
             });
-            let (colour, style) = (number as u8, Style::Points);
+            let (colour, style) = (MEASURED + number as u8, Style::Points);
             let (x, y) = (&residuals.x[..], &residuals.y[..]);
             series.push(Series { label, axis, colour, style, x, y, ..Series::default() });
         }
@@ -256,7 +259,7 @@ impl Session {
         let kept = kept.map(|kept| (&kept.traces, Style::Kept(kept.pattern)));
         let points = self.data.points.get(index).into_iter().flatten().filter_map(|points| {
             let (_, axis) = *columns.curves.get(points.curve)?;
-            let (colour, style) = (points.curve as u8, Style::Points);
+            let (colour, style) = (MEASURED + points.curve as u8, Style::Points);
             Some(Series { label: "", axis, colour, style, x: &points.x, y: &points.y, ..Series::default() })
         });
         let mut series: Vec<Series<'_>> = points.collect();

@@ -2,6 +2,7 @@
 
 use crate::symbol::symbol;
 use crate::{Session, number};
+use analysis::spreadsheet;
 use engine::table::{Cell, Format, Table};
 use std::ops::Range;
 
@@ -55,6 +56,28 @@ impl Session {
         }
         let _ = table.write_end(Format::Csv, &mut out);
         out
+    }
+
+    /// The whole run and the records as a workbook, each on a sheet of its own.
+    pub fn workbook(&self) -> Vec<u8> {
+        let mut table = Table::new(self.model());
+        let head = self.table_header().into_iter().map(spreadsheet::Cell::Text).collect();
+        let mut rows: Vec<Vec<spreadsheet::Cell>> = vec![head];
+        if let Some(history) = self.course.history() {
+            let cell = |cell: &Cell| match cell {
+                Cell::Number(value) => spreadsheet::Cell::Number(*value),
+                other => spreadsheet::Cell::Text(self.cell_text(other)),
+            };
+            rows.extend((0..self.course.rows()).map(|row| table.row(history, row).iter().map(cell).collect()));
+        }
+        let run = spreadsheet::Sheet { name: self.tongue.run().to_owned(), rows, header: true };
+        let record = |(view, record): (crate::RecordView, &crate::record::Record)| {
+            let heads: Vec<&str> = view.columns.iter().map(|column| column.head.as_str()).collect();
+            let columns: Vec<&[f64]> = record.table.columns.iter().map(|column| column.values.as_slice()).collect();
+            spreadsheet::Sheet::of_columns(&record.name, &heads, &columns)
+        };
+        let records = self.records().into_iter().zip(&self.data.records).map(record);
+        spreadsheet::Workbook { sheets: std::iter::once(run).chain(records).collect() }.xlsx()
     }
 
     fn cell_text(&self, cell: &Cell) -> String {

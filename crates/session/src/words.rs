@@ -73,6 +73,18 @@ impl Tongue {
         self.pick(["Zero of the clock", "Zero of the scale"], ["Cero del reloj", "Cero de la escala"])
     }
 
+    /// How a fit of the page is made again.
+    pub(crate) fn how_to_repeat(self) -> &'static str {
+        self.pick(
+            "Made in the laboratory's page: open the document, drop the record, press Fit.",
+            "Hecho en la página del laboratorio: abre el documento, suelta el registro y pulsa Ajustar.",
+        )
+    }
+
+    pub(crate) fn run(self) -> &'static str {
+        self.pick("run", "serie")
+    }
+
     pub(crate) fn record(self) -> &'static str {
         self.pick("record", "registro")
     }

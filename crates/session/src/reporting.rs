@@ -1,0 +1,99 @@
+//! Reports and spreadsheets of finished fits.
+
+use crate::Session;
+use crate::fitted::Fitted;
+use report::{Ranking, Report};
+
+/// A file to be saved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Export {
+    /// Its name.
+    pub name: String,
+    /// What it holds.
+    pub bytes: Vec<u8>,
+    /// Its media type.
+    pub kind: &'static str,
+}
+
+/// What can be exported of fits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ExportKind {
+    /// A page to be read and printed.
+    Report,
+    /// A workbook of sheets.
+    Workbook,
+    /// Values separated by commas; by semicolons where commas are decimal signs.
+    Csv,
+}
+
+impl ExportKind {
+    /// Its ending and media type.
+    fn file(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Report => ("html", "text/html"),
+            Self::Workbook => ("xlsx", "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"),
+            Self::Csv => ("csv", "text/csv"),
+        }
+    }
+}
+
+impl Session {
+    /// A fit as a file. `date` is when it is made, as it is to be read.
+    pub fn export_fit(&self, id: u32, kind: ExportKind, date: &str) -> Option<Export> {
+        let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
+        let (command, notes) = (self.tongue.how_to_repeat(), self.notes(fit));
+        let report = self.report(fit, &notes, command, date);
+        let bytes = match kind {
+            ExportKind::Report => report::html(&report).into_bytes(),
+            ExportKind::Workbook => report::workbook(&report),
+            ExportKind::Csv => report::csv(&report, self.style.decimal_comma).into_bytes(),
+        };
+        Some(self.export(fit, kind, bytes))
+    }
+
+    /// All fits of the values of a fit as one file, ranked.
+    pub fn export_ranking(&self, id: u32, kind: ExportKind, date: &str) -> Option<Export> {
+        let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
+        let group: Vec<&Fitted> = self.fits.finished.iter().filter(|other| other.same_values(fit)).collect();
+        let (command, notes) = (self.tongue.how_to_repeat(), self.notes(fit));
+        let theories: Vec<Report<'_>> = group.iter().map(|fit| self.report(fit, &notes, command, date)).collect();
+        let ranking = Ranking { theories: &theories, command };
+        let bytes = match kind {
+            ExportKind::Report => report::ranking_html(&ranking).into_bytes(),
+            ExportKind::Workbook => report::ranking_workbook(&ranking),
+            ExportKind::Csv => report::ranking_csv(&ranking, self.style.decimal_comma).into_bytes(),
+        };
+        Some(self.export(fit, kind, bytes))
+    }
+
+    fn report<'a>(&'a self, fit: &'a Fitted, notes: &'a [Vec<String>], command: &'a str, date: &'a str) -> Report<'a> {
+        Report {
+            document: &fit.document,
+            document_name: fit.file.rsplit('/').next().filter(|name| !name.is_empty()).unwrap_or(&fit.document.title),
+            language: &self.language,
+            task: &fit.task,
+            outcome: &fit.outcome,
+            traces: &fit.traces,
+            intervals: &[],
+            notes,
+            command,
+            version: env!("CARGO_PKG_VERSION"),
+            date,
+        }
+    }
+
+    /// What was noticed about the data of a fit.
+    fn notes(&self, fit: &Fitted) -> Vec<Vec<String>> {
+        let record = self.records().into_iter().find(|record| record.id == fit.record);
+        vec![record.map(|record| record.findings).unwrap_or_default()]
+    }
+
+    /// `u3.xlsx` of a record in `u3.txt`.
+    fn export(&self, fit: &Fitted, kind: ExportKind, bytes: Vec<u8>) -> Export {
+        let (ending, kind) = kind.file();
+        let stem = fit.record_name.rsplit_once('.').map_or(fit.record_name.as_str(), |(stem, _)| stem);
+        let plain: String = stem.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
+        let name = if plain.is_empty() { "fit".to_owned() } else { plain.to_lowercase() };
+        Export { name: format!("{name}.{ending}"), bytes, kind }
+    }
+}

@@ -1,0 +1,275 @@
+// Measured data in the page: dropped, looked at, fitted, ranked, handed in.
+
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { inflateRawSync } from "node:zlib";
+import { eventually, number, temporary, visit } from "./lab.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const measured = new URL("../../../shared/data/utube/U3.txt", import.meta.url);
+
+const LENGTH = 0.21;
+const DAMPING = 0.4;
+
+/** A film of a swinging column: the truth and a noise that is the same each time. */
+function film() {
+  const [omega, rows] = [Math.sqrt((2 * 9.8) / LENGTH - DAMPING ** 2), ["t;y [cm]"]];
+  let seed = 1;
+  for (let frame = 0; frame < 240; frame += 1) {
+    seed = (seed * 16807) % 2147483647;
+    const time = frame / 30;
+    const level = 5 * Math.exp(-DAMPING * time) * Math.cos(omega * time) + 0.03 * (seed / 2147483647 - 0.5);
+    rows.push(`${time.toFixed(5)};${level.toFixed(4)}`.replaceAll(".", ","));
+  }
+  return rows.join("\r\n");
+}
+
+/** Lets files fall on the page, as a hand does. */
+async function drop(lab, ...files) {
+  const transfer = await lab.page.evaluateHandle((files) => {
+    const transfer = new DataTransfer();
+    files.forEach(({ name, bytes }) => transfer.items.add(new File([new Uint8Array(bytes)], name)));
+    return transfer;
+  }, files.map(({ name, text }) => ({ name, bytes: [...Buffer.from(text)] })));
+  await lab.page.locator("#apparatus").dispatchEvent("drop", { dataTransfer: transfer });
+}
+
+/** Opens a document that the page carries. */
+async function openTheory(lab, title, button = "Documents") {
+  await lab.press(button);
+  await lab.page.getByRole("dialog").getByRole("button", { name: title, exact: true }).click();
+  await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), title));
+}
+
+const records = (lab) => lab.page.locator("article.record");
+
+/** Fits and waits; the estimates by their symbols' names. */
+async function fit(lab, button = "#fit") {
+  await lab.page.locator(button).click();
+  await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
+  await eventually(async () => assert.equal(await lab.page.locator("#cancel-fit").count(), 0), 60);
+  return estimates(lab);
+}
+
+async function estimates(lab) {
+  const rows = await lab.page.locator(".estimates tr").evaluateAll((rows) => rows.map((row) => [...row.cells].map((cell) => cell.innerText.trim())));
+  return new Map(rows.map(([label, value, unit, remark]) => {
+    const [middle, spread] = value.replace(/[()]/g, "").split("±").map(number);
+    const power = value.match(/×10(\S+)/)?.[1].replace(/./g, (sign) => "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(sign) >= 0 ? "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(sign) : "-");
+    const scale = value.includes("(") && power ? 10 ** Number(power) : 1;
+    return [label.split(/\s+\S*$/)[0], { value: middle * scale, spread: spread * scale, unit, remark }];
+  }));
+}
+
+visit("a dropped file is recognised, drawn, and fitted by one button", async (lab) => {
+  await openTheory(lab, "Linear damping");
+  await drop(lab, { name: "film.csv", text: film() });
+  await records(lab).waitFor();
+  assert.equal(await lab.page.getByRole("tab", { name: "Measurements" }).getAttribute("aria-selected"), "true");
+  const taken = await records(lab).locator("select").evaluateAll((selects) => selects.map((select) => select.value));
+  assert.deepEqual(taken, ["t", "y"]);
+  assert.equal(await lab.field("Unit, y [cm]").inputValue(), "cm");
+  assert.ok(await lab.page.getByRole("checkbox", { name: "Fit it, y [cm]" }).isChecked());
+  // Outline of the measured level in the scene.
+  await eventually(async () => assert.ok((await lab.page.locator("#scene [part=measured]").count()) > 0));
+  assert.equal(await lab.page.getByRole("heading", { name: "Residuals" }).isVisible(), true);
+
+  const found = await fit(lab);
+  const length = found.get("Length of the column");
+  assert.ok(Math.abs(length.value - LENGTH) < 3 * length.spread, JSON.stringify([...found]));
+  const damping = found.get("Damping rate");
+  assert.ok(Math.abs(damping.value - DAMPING) < 3 * damping.spread + 1e-3, JSON.stringify([...found]));
+  // It stands in the slider, and the run covers the record.
+  assert.ok(Math.abs((await lab.number("Length of the column")) - LENGTH) < 1e-3);
+  await eventually(async () => assert.match(await lab.told(), /fitted values/));
+
+  // Records and fits outlive another document and a reload.
+  await openTheory(lab, "Quadratic damping");
+  await lab.tab("Measurements");
+  assert.equal(await records(lab).count(), 1);
+  assert.equal(await lab.page.locator(".fits tbody tr").count(), 1);
+  await lab.page.reload();
+  await lab.tab("Measurements");
+  await eventually(async () => assert.equal(await records(lab).count(), 1));
+});
+
+/** The files of a ZIP archive, by its central directory. */
+function unzip(bytes) {
+  const end = bytes.lastIndexOf(Buffer.from([0x50, 0x4b, 5, 6]));
+  let at = bytes.readUInt32LE(end + 16);
+  const files = new Map();
+  for (let entry = bytes.readUInt16LE(end + 10); entry > 0; entry -= 1) {
+    const [method, packed, name, extra, comment, start] = [
+      bytes.readUInt16LE(at + 10), bytes.readUInt32LE(at + 20), bytes.readUInt16LE(at + 28),
+      bytes.readUInt16LE(at + 30), bytes.readUInt16LE(at + 32), bytes.readUInt32LE(at + 42),
+    ];
+    const body = start + 30 + bytes.readUInt16LE(start + 26) + bytes.readUInt16LE(start + 28);
+    const content = bytes.subarray(body, body + packed);
+    files.set(bytes.toString("utf8", at + 46, at + 46 + name), (method === 0 ? content : inflateRawSync(content)).toString("utf8"));
+    at += 46 + name + extra + comment;
+  }
+  return files;
+}
+
+visit("a fit is handed in as report, workbook and CSV", { language: "es-ES" }, async (lab) => {
+  await openTheory(lab, "Amortiguamiento lineal", "Documentos");
+  await drop(lab, { name: "película.csv", text: film() });
+  await records(lab).waitFor();
+  await fit(lab);
+  const download = async (name) => {
+    const [file] = await Promise.all([lab.page.waitForEvent("download"), lab.page.locator(".detail").getByRole("button", { name, exact: true }).click()]);
+    return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
+  };
+  const workbook = await download("XLSX");
+  assert.equal(workbook.name, "película.xlsx");
+  const files = unzip(workbook.bytes);
+  const sheets = [...files.keys()].filter((name) => /^xl\/worksheets\/.*\.xml$/.test(name));
+  assert.ok(sheets.length >= 3, `data, curves and results: ${[...files.keys()]}`);
+  const rows = Math.max(...sheets.map((name) => files.get(name).split("<row").length - 1));
+  assert.ok(rows >= 240, `${rows} rows`);
+
+  const csv = (await download("CSV")).bytes.toString("utf8");
+  assert.match(csv, /;/, "semicolons between");
+  assert.match(csv, /\d,\d/, "decimal commas");
+  const report = (await download("Informe")).bytes.toString("utf8");
+  assert.match(report, /<html lang="es"/);
+  assert.match(report, /<svg/);
+  assert.doesNotMatch(report, /<script/);
+});
+
+visit("a virtual measurement is fitted, and the truth is found", async (lab) => {
+  await openTheory(lab, "Linear damping");
+  await lab.enter("Length of the column", "0.3");
+  await lab.tab("Measurements");
+  await lab.page.locator("#virtual summary").click();
+  await lab.page.getByRole("textbox", { name: "Duration" }).fill("6");
+  await lab.page.getByRole("textbox", { name: "Noise of a reading" }).fill("0.5 mm");
+  await lab.page.getByRole("textbox", { name: "Seed" }).fill("7");
+  await lab.press("Measure");
+  await records(lab).waitFor();
+  assert.equal(await records(lab).locator(".tag").innerText(), "synthetic");
+  // Somewhere else, as if nobody knew.
+  await lab.press("Reset parameters");
+  const found = await fit(lab);
+  const length = found.get("Length of the column");
+  assert.ok(Math.abs(length.value - 0.3) < 3 * length.spread, JSON.stringify(length));
+  assert.match(length.remark, /^truth: 0.3 m; off by −?\d/);
+  // A field that cannot be says so.
+  await lab.page.getByRole("textbox", { name: "Frames per second" }).fill("none");
+  await lab.press("Measure");
+  assert.equal(await lab.page.getByRole("textbox", { name: "Frames per second" }).getAttribute("aria-invalid"), "true");
+});
+
+visit("the sample with a contact line is told from the others", async (lab) => {
+  await lab.tab("Measurements");
+  await lab.press("Column with a contact line");
+  await records(lab).waitFor();
+  await lab.press("Rank all theories");
+  // The page is not frozen meanwhile, and what is begun can be given up.
+  await lab.page.locator("#cancel-fit").waitFor();
+  await eventually(async () => assert.ok((await lab.page.locator(".fits tbody tr").count()) >= 2), 120);
+  await lab.press("Cancel");
+  await eventually(async () => assert.match(await lab.told(), /cancelled/));
+  const before = await lab.page.locator(".fits tbody tr").count();
+  // One of them is opened with what was found.
+  await lab.page.getByRole("button", { name: /^Open: / }).first().click();
+  await eventually(async () => assert.notEqual(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Oscillations of a liquid in a U-tube"));
+  assert.equal(await lab.page.locator(".fits tbody tr").count(), before);
+  await eventually(async () => assert.match(await lab.told(), /fitted values/));
+});
+
+visit("what cannot be read says where and why, and nothing is lost", async (lab) => {
+  await lab.enter("Damping", "60");
+  await drop(lab, { name: "words.txt", text: "there is\nnothing here\n" }, { name: "film.csv", text: film() });
+  await eventually(async () => assert.equal(await records(lab).count(), 1));
+  await drop(lab, { name: "photo.png", text: "\x89PNG\r\n\x1a\n\0\0\0" });
+  const refusal = lab.page.locator("#record-refusal");
+  await eventually(async () => assert.match(await refusal.innerText(), /photo\.png could not be read/));
+  assert.equal(await records(lab).count(), 1);
+  assert.equal(await lab.number("Damping"), 60);
+});
+
+visit("a pasted table is read, its columns renamed and switched off", async (lab) => {
+  await lab.tab("Measurements");
+  await lab.page.getByText("Paste a table").click();
+  await lab.page.locator("#paste-record").fill("0 1 2\n0.1 2 3\n0.2 3 5\n0.3 2 4\n");
+  await lab.press("Read");
+  await records(lab).waitFor();
+  const column = lab.page.getByRole("combobox", { name: "Measures, 3" });
+  assert.equal(await column.inputValue(), "y'");
+  await column.selectOption("not used");
+  await eventually(async () => assert.equal(await lab.page.getByRole("textbox", { name: "Unit, 3" }).count(), 0));
+  const unit = lab.page.getByRole("textbox", { name: "Unit, 2" });
+  await unit.fill("kg");
+  await unit.press("Enter");
+  await eventually(async () => assert.match(await lab.page.locator("#record-refusal").innerText(), /measures something else/));
+});
+
+visit("a real film is fitted", async (lab) => {
+  if (!existsSync(measured)) {
+    console.error("skipped: ../shared/data/utube is not here");
+    return;
+  }
+  await openTheory(lab, "Damped cosine");
+  const file = temporary("U3.txt");
+  writeFileSync(file, readFileSync(measured));
+  await lab.tab("Measurements");
+  await lab.page.setInputFiles("#record-file", file);
+  await records(lab).waitFor();
+  assert.match(await records(lab).innerText(), /6 frames are missing/);
+  assert.match(await records(lab).innerText(), /no second witness/);
+  const found = await fit(lab);
+  // The published fit.
+  for (const [name, expected] of [["Damping rate", 0.386718345], ["Angular frequency with damping", 9.60927046]]) {
+    const { value, spread } = found.get(name);
+    assert.ok(Math.abs(value - expected) < Math.max(spread / 10, 1e-3), `${name}: ${value}`);
+  }
+});
+
+visit("from the sample to the result by keyboard alone", async (lab) => {
+  await lab.tabTo("#browse");
+  await lab.keys("Enter");
+  await lab.page.getByRole("dialog").waitFor();
+  await lab.page.getByRole("dialog").getByRole("button", { name: "Linear damping", exact: true }).focus();
+  await lab.keys("Enter");
+  await eventually(async () => assert.equal((await lab.focused()).id, "browse"));
+  await lab.tabTo("[role=tab]");
+  await lab.keys("End", "ArrowLeft");
+  await lab.tabTo(".intake .chip");
+  await lab.keys("Enter");
+  await records(lab).waitFor();
+  await lab.tabTo("[id^=fitted-]");
+  const ticked = (await lab.focused()).id;
+  await lab.keys("Space");
+  await eventually(async () => assert.equal((await lab.focused()).id, ticked, "the focus stays"));
+  await lab.keys("Space");
+  await eventually(async () => assert.equal(await lab.page.locator(`#${ticked}`).isChecked(), true));
+  await lab.tabTo("#fit");
+  await lab.keys("Enter");
+  await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
+  await lab.tabTo("[id^=fit-][aria-pressed]");
+});
+
+for (const language of ["en-GB", "es-ES"]) {
+  for (const theme of ["light", "dark"]) {
+    for (const [device, size] of [["desk", {}], ["phone", { width: 390, height: 844, touch: true }]]) {
+      visit(`axe finds nothing in a fit: ${language}, ${theme}, ${device}`, { language, theme, ...size }, async (lab) => {
+        const spanish = language === "es-ES";
+        await openTheory(lab, spanish ? "Amortiguamiento lineal" : "Linear damping", spanish ? "Documentos" : "Documents");
+        await lab.tab(spanish ? "Mediciones" : "Measurements");
+        await lab.page.locator(".intake .chip").first().click();
+        await records(lab).waitFor();
+        await fit(lab);
+        await lab.page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
+        await lab.page.evaluate(axe);
+        const check = (part) => lab.page.evaluate((part) => window.axe.run(part), part);
+        const found = (await check("html")).violations;
+        await lab.page.locator("#browse").click();
+        found.push(...(await check("#library-list")).violations);
+        assert.deepEqual(found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 160))}`), []);
+        assert.equal(await lab.page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth), false, "no sideways scrolling");
+      });
+    }
+  }
+}

@@ -139,7 +139,7 @@ impl Reader<'_> {
         self.expect('"')?;
         let mut text = String::new();
         loop {
-            let end = self.rest.find(['"', '\\'])?;
+            let end = self.rest.bytes().position(|byte| matches!(byte, b'"' | b'\\'))?;
             text.push_str(&self.rest[..end]);
             let escaped = self.rest[end..].starts_with('\\');
             self.rest = &self.rest[end + 1..];

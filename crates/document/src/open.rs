@@ -37,12 +37,11 @@ pub fn open(source: &str, translations: &[&str]) -> Opened {
         }
         None => (None, Vec::new()),
     };
-    let scene = file.fences(FenceKind::Scene).first().map(|fence| fence.content.clone());
     let mut diagnostics = vec![file.diagnostics];
     for text in translations {
         let mut translation = File::read(text);
         if let Some(document) = &mut document {
-            translation.translate(document, &scene, &raw_questions);
+            translation.translate(document, &raw_questions);
         }
         diagnostics.push(translation.diagnostics);
     }
@@ -125,9 +124,7 @@ impl<'a> File<'a> {
             presets::read(&mut expressions, fence.content.clone(), &mut presets);
         }
         let scenes = self.fences(FenceKind::Scene);
-        let scene = scenes
-            .first()
-            .and_then(|fence| scene::build(&mut expressions, fence.content.clone(), &mut Texts::default()));
+        let scene = scenes.first().and_then(|fence| scene::build(&mut expressions, fence.content.clone()));
         let mut further: Vec<Diagnostic> = (scenes.iter().skip(1))
             .map(|fence| Diagnostic::error("fence", "a document has one scene", fence.opening))
             .collect();
@@ -209,7 +206,7 @@ impl<'a> File<'a> {
     }
 
     /// Adds this file to `document` as its edition in another language. `numbers` are those of the original's questions.
-    fn translate(&mut self, document: &mut Document, scene: &Option<Range<usize>>, numbers: &[Option<usize>]) {
+    fn translate(&mut self, document: &mut Document, numbers: &[Option<usize>]) {
         document.translations.push(self.source.to_owned());
         let Some(language) = self.matter.get("language").cloned() else {
             self.diagnostics.push(
@@ -255,11 +252,8 @@ impl<'a> File<'a> {
             };
             found.push(Diagnostic::warning("untranslated", message, language.span));
         }
-        let scene = scene.clone().and_then(|range| {
-            let mut expressions = Expressions::new(&document.source, &mut document.model);
-            // What is wrong with the scene itself has been said of the original.
-            scene::build(&mut expressions, range, &mut texts)
-        });
+        let original = document.editions.first().and_then(|original| original.scene.as_ref());
+        let scene = original.map(|scene| scene.translated(&mut texts));
         let mut table = BTreeMap::new();
         for original in document.translatable() {
             if let Some((text, _)) = texts.translate(original, scene::has_word(original)) {

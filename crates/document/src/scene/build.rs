@@ -3,16 +3,16 @@
 use super::allowed::{ELEMENTS, is_id};
 use super::drag::Dragging;
 use super::style::{SCENE_CLASS, confine};
+use super::values::Words;
 use super::xml::{RawChild, RawElement, parse};
 use super::{Attribute, Child, Element, Piece, Scene};
 use crate::expressions::Expressions;
-use crate::translation::Texts;
 use model::{Compiled, Diagnostic, Span};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// Reads the scene in `range`: definitions, then one `svg` element. Its texts are looked up in `texts`.
-pub fn build(expressions: &mut Expressions, range: Range<usize>, texts: &mut Texts) -> Option<Scene> {
+/// Reads the scene in `range`: definitions, then one `svg` element.
+pub fn build(expressions: &mut Expressions, range: Range<usize>) -> Option<Scene> {
     let source = expressions.source;
     let opening = Span::new(range.start, range.start);
     let Some(length) = source[range.clone()].find("<svg") else {
@@ -25,7 +25,8 @@ pub fn build(expressions: &mut Expressions, range: Range<usize>, texts: &mut Tex
     let start = range.start + length;
     expressions.define(range.start..start);
     let children = parse(source, start..range.end, &mut expressions.diagnostics);
-    let mut builder = Builder { expressions, texts, values: Vec::new(), ids: BTreeSet::new(), references: Vec::new() };
+    let mut builder =
+        Builder { expressions, values: Vec::new(), words: Vec::new(), ids: BTreeSet::new(), references: Vec::new() };
     builder.collect_ids(&children);
     let mut root = None;
     for child in children {
@@ -41,19 +42,19 @@ pub fn build(expressions: &mut Expressions, range: Range<usize>, texts: &mut Tex
         }
     }
     builder.check_references();
-    let values = builder.values;
+    let Builder { values, words, .. } = builder;
     expressions.forget();
-    Some(Scene { root: root?, values })
+    Some(Scene { root: root?, values, words })
 }
 
 /// Builds one scene.
 pub struct Builder<'b, 'a> {
     /// Where the values are compiled.
     pub expressions: &'b mut Expressions<'a>,
-    /// Translations of the texts.
-    pub texts: &'b mut Texts,
     /// The values so far.
     pub values: Vec<Compiled>,
+    /// What the texts so far say.
+    pub words: Vec<Words>,
     /// The ids that elements have.
     ids: BTreeSet<String>,
     /// The ids that attributes refer to.

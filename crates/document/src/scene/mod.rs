@@ -22,6 +22,8 @@ pub struct Scene {
     pub root: Element,
     /// What the templates name, evaluated for each frame.
     pub values: Vec<Compiled>,
+    /// What its texts say, in the order in which they stand.
+    words: Vec<values::Words>,
 }
 
 /// An SVG element of the allow-list.

@@ -2,7 +2,8 @@
 
 use super::build::Builder;
 use super::template::{self, RawPiece, normalised};
-use super::{Piece, Template};
+use super::{Child, Element, Piece, Scene, Template};
+use crate::translation::Texts;
 use model::{Compiled, Diagnostic, Kind};
 use std::ops::Range;
 
@@ -10,45 +11,23 @@ use std::ops::Range;
 const VALUES: usize = 1_000;
 
 impl Builder<'_, '_> {
-    /// A text, in the language asked for.
+    /// A text. What it says is kept for translations.
     pub fn text(&mut self, range: Range<usize>) -> Option<Template> {
         let raw = template::split(self.expressions.source, range.clone(), &mut self.expressions.diagnostics);
-        let original: Option<Template> = raw.iter().cloned().map(|piece| self.piece(piece, false)).collect();
-        let mut original = original?;
-        let key = normalised(self.source(&range));
-        if key.is_empty() {
-            return (!original.is_empty()).then_some(original);
-        }
-        let has_words = raw.iter().any(|piece| matches!(piece, RawPiece::Literal(text) if has_word(text)));
-        let Some((translated, span)) = self.texts.translate(&key, has_words) else {
-            return Some(original);
-        };
-        // Each value of the translation must be one of the original, written the same way.
-        let mut scratch = Vec::new();
-        let template =
-            template::split(&translated, 0..translated.len(), &mut scratch).into_iter().map(|piece| match piece {
-                RawPiece::Literal(text) => Some(Piece::Literal(text)),
-                RawPiece::Placeholder { expression, decimals } => {
-                    let wanted = translated[expression].trim();
-                    raw.iter().zip(&original).find_map(|(raw, piece)| match (raw, piece) {
-                        (RawPiece::Placeholder { expression, .. }, Piece::Value { index, .. })
-                            if self.source(expression).trim() == wanted =>
-                        {
-                            Some(Piece::Value { index: *index, decimals })
-                        }
-                        _ => None,
-                    })
+        let template: Option<Template> = raw.iter().cloned().map(|piece| self.piece(piece, false)).collect();
+        let template = template.filter(|template| !template.is_empty())?;
+        let mut words = Words { key: normalised(self.source(&range)), ..Words::default() };
+        for (raw, piece) in raw.iter().zip(&template) {
+            match (raw, piece) {
+                (RawPiece::Literal(text), _) => words.needed |= has_word(text),
+                (RawPiece::Placeholder { expression, .. }, Piece::Value { index, .. }) => {
+                    words.values.push((self.source(expression).trim().to_owned(), *index));
                 }
-            });
-        match template.collect::<Option<Template>>() {
-            Some(template) if scratch.is_empty() => original = template,
-            _ => self.texts.refuse(Diagnostic::error(
-                "translation",
-                "the translation must contain the same `{expressions}` as the original",
-                span,
-            )),
+                _ => {}
+            }
         }
-        Some(original)
+        self.words.push(words);
+        Some(template)
     }
 
     /// A part of a template, compiled.
@@ -90,6 +69,73 @@ impl Builder<'_, '_> {
         }
         self.values.push(compiled);
         Some(self.values.len() - 1)
+    }
+}
+
+/// What a text of a scene says, for its translation.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Words {
+    /// The text as written.
+    key: String,
+    /// Whether there is something to translate.
+    needed: bool,
+    /// Its values as written, and which of the scene's they are.
+    values: Vec<(String, usize)>,
+}
+
+impl Words {
+    /// The text in another language, if there is one.
+    fn translate(&self, texts: &mut Texts) -> Option<Template> {
+        if self.key.is_empty() {
+            return None;
+        }
+        let (translated, span) = texts.translate(&self.key, self.needed)?;
+        // Each value of the translation must be one of the original, written the same way.
+        let mut scratch = Vec::new();
+        let pieces = template::split(&translated, 0..translated.len(), &mut scratch);
+        let pieces = pieces.into_iter().map(|piece| match piece {
+            RawPiece::Literal(text) => Some(Piece::Literal(text)),
+            RawPiece::Placeholder { expression, decimals } => {
+                let wanted = translated[expression].trim();
+                let (_, index) = self.values.iter().find(|(written, _)| written == wanted)?;
+                Some(Piece::Value { index: *index, decimals })
+            }
+        });
+        let template = pieces.collect::<Option<Template>>().filter(|_| scratch.is_empty());
+        if template.is_none() {
+            texts.refuse(Diagnostic::error(
+                "translation",
+                "the translation must contain the same `{expressions}` as the original",
+                span,
+            ));
+        }
+        template
+    }
+}
+
+impl Scene {
+    /// The scene in another language: the same drawing with the same values.
+    pub(crate) fn translated(&self, texts: &mut Texts) -> Self {
+        let mut scene = self.clone();
+        translate(&mut scene.root, &mut self.words.iter(), texts);
+        scene
+    }
+}
+
+/// Takes from `words` as many as there are texts in the element.
+fn translate(element: &mut Element, words: &mut std::slice::Iter<Words>, texts: &mut Texts) {
+    if element.name == "style" {
+        return;
+    }
+    for child in &mut element.children {
+        match child {
+            Child::Element(inner) => translate(inner, words, texts),
+            Child::Text(template) => {
+                if let Some(translated) = words.next().and_then(|words| words.translate(texts)) {
+                    *template = translated;
+                }
+            }
+        }
     }
 }
 

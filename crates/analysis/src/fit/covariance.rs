@@ -8,6 +8,8 @@ use super::statistics;
 
 /// A direction is undetermined if the curve changes along it by less than this part of the greatest change.
 const FLAT: f64 = 1e-10;
+/// The autocorrelation of fewer residuals than this is not worth knowing.
+const LONG: usize = 12;
 
 /// What is known of the uncertainties at a solution. Matrices hold all columns of the search, row by row; rows and columns
 /// of what is held at a bound are zero.
@@ -15,7 +17,8 @@ const FLAT: f64 = 1e-10;
 pub(crate) struct Covariance {
     /// The inverse of the normal matrix times the variance of the residuals.
     pub textbook: Vec<f64>,
-    /// The same for residuals that are correlated in time and of uneven size: Newey & West (Econometrica 55 (1987) 703).
+    /// The same for residuals that are correlated in time and of uneven size: Newey & West (Econometrica 55 (1987) 703), of
+    /// residuals whitened before (Andrews & Monahan, Econometrica 60 (1992) 953).
     pub robust: Vec<f64>,
     /// Directions (by column) in which the curve does not change.
     pub flat: Vec<Vec<f64>>,
@@ -62,15 +65,9 @@ impl Covariance {
         }
         let dof = values - rank as f64;
         let variance = if errors_given { 1.0 } else { search.sum / dof.max(f64::MIN_POSITIVE) };
-        let meat = meat(search, plans);
-        let correction = if dof > 0.0 { values / dof } else { f64::NAN };
+        let meat = meat(search, plans, &inverse);
         let robust = product(&product(&inverse, &meat, size), &inverse, size);
-        Self {
-            textbook: inverse.iter().map(|value| value * variance).collect(),
-            robust: robust.iter().map(|value| value * correction).collect(),
-            flat,
-            dof,
-        }
+        Self { textbook: inverse.iter().map(|value| value * variance).collect(), robust, flat, dof }
     }
 
     /// Whether a change along `gradient` (by column) changes the curve, so that its uncertainty is known.
@@ -95,16 +92,16 @@ impl Covariance {
 
 /// The sum over times of the products of scores, those of neighbouring times with Bartlett's weights. The score of a time is
 /// the gradient that its residuals contribute; columns measured at one time count together.
-fn meat(search: &Search, plans: &[Plan]) -> Vec<f64> {
+fn meat(search: &Search, plans: &[Plan], inverse: &[f64]) -> Vec<f64> {
     let size = search.x.len();
     let mut meat = vec![0.0; size * size];
     let mut base = 0;
     for plan in plans {
         let mut scores = vec![vec![0.0; plan.times.len()]; size];
-        for (place, point) in plan.points.iter().enumerate() {
-            for (column, scores) in scores.iter_mut().enumerate() {
-                scores[point.row] += search.jacobian.column(column)[base + place] * search.residuals[base + place];
-            }
+        for observation in 0..plan.expressions.len() {
+            let places = (0..plan.points.len()).filter(|&place| plan.points[place].observation == observation);
+            let series: Vec<(usize, usize)> = places.map(|place| (plan.points[place].row, base + place)).collect();
+            add_scores(search, &series, inverse, &mut scores);
         }
         base += plan.points.len();
         let window = statistics::lags(&scores, plan.times.len()) + 1;
@@ -120,6 +117,34 @@ fn meat(search: &Search, plans: &[Plan]) -> Vec<f64> {
         }
     }
     meat
+}
+
+/// Adds what one observation's residuals contribute; `series` holds their rows among the times and their places in the search.
+///
+/// A residual is a part of the one before and something new: e_t = rho e_(t-1) + u_t. The gradient sum J_t e_t is then
+/// sum G_t u_t with G_t = J_t + rho G_(t+1), and what is new in one residual knows nearly nothing of the next, so that few lags
+/// are left to be counted. Without this, as many lags as residuals cling together are too few of them, and errors too small.
+///
+/// A residual that the fit was drawn towards is made as large as it would be had the fit not known it (MacKinnon & White,
+/// J. Econometrics 29 (1985) 305).
+fn add_scores(search: &Search, series: &[(usize, usize)], inverse: &[f64], scores: &mut [Vec<f64>]) {
+    let size = search.x.len();
+    let residuals: Vec<f64> = series.iter().map(|&(_, place)| search.residuals[place]).collect();
+    let rho = if residuals.len() < LONG { 0.0 } else { statistics::autocorrelation(&[&residuals]).clamp(-0.97, 0.97) };
+    let mut gradient = vec![0.0; size];
+    let mut following = vec![0.0; size];
+    for (number, &(row, place)) in series.iter().enumerate().rev() {
+        for (column, value) in gradient.iter_mut().enumerate() {
+            *value = search.jacobian.values[column * search.jacobian.rows + place];
+        }
+        let leverage = Covariance::variance(inverse, &gradient);
+        let before = if number > 0 { residuals[number - 1] } else { 0.0 };
+        let new = (residuals[number] - rho * before) / (1.0 - leverage).max(0.1);
+        for ((following, value), scores) in following.iter_mut().zip(&gradient).zip(scores.iter_mut()) {
+            *following = value + rho * *following;
+            scores[row] += *following * new;
+        }
+    }
 }
 
 /// The sums over all windows of this length that touch the series. Their products, added up and divided by the length, are the

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by it")]
 
 mod classic;
+mod coverage;
 mod nist;
 #[path = "../support/mod.rs"]
 mod noise;

@@ -1,0 +1,160 @@
+//! Whether uncertainties may be believed: how often the interval of one standard error contains the truth.
+
+use crate::noise::Noise;
+use crate::support::{fitted, model, observation, parameter, record, task};
+use analysis::fit::{Fit, profile};
+use model::Model;
+
+const FORMULA: &str = "
+parameter A = 0.05 [m]
+parameter gamma = 0.4 [1/s]
+parameter omega = 9.6 [1/s]
+parameter phi = 0.5
+parameter c = 0.002 [m]
+y = A*exp(-gamma*t)*cos(omega*t + phi) + c
+";
+
+const MOTION: &str = "
+parameter k = 92 [s^-2]
+parameter gamma = 0.4 [1/s]
+parameter x_0 = 0.05 [m]
+parameter v_0 = -0.2 [m/s]
+parameter c = 0.002 [m]
+x'' = -2*gamma*x' - k*x
+x(0) = x_0
+x'(0) = v_0
+y = x + c
+";
+
+/// Of one parameter, over many records with known truth.
+struct Coverage {
+    name: &'static str,
+    /// How many per cent of the textbook's intervals contain the truth.
+    textbook: f64,
+    /// How many of those robust to autocorrelation.
+    robust: f64,
+    /// The textbook's error, on average, as a part of the true scatter.
+    ratio: f64,
+}
+
+/// Fits `records` records of 200 values at 30 a second, with noise in which each value remembers the part `rho` of the one
+/// before.
+fn coverage(text: &str, names: &[&'static str], records: u32, rho: f64) -> Vec<Coverage> {
+    let model = model(text);
+    let times: Vec<f64> = (0..200).map(|row| f64::from(row) / 30.0).collect();
+    let clean = curve(&model, &times);
+    let truth: Vec<f64> = names.iter().map(|name| model.parameters[parameter(&model, name)].value).collect();
+    let mut noise = Noise::new(2_025);
+    let mut sums = vec![[0.0; 4]; names.len()];
+    for _ in 0..records {
+        let mut scatter = noise.normal();
+        let disturbed = |value: &f64| {
+            scatter = rho * scatter + (1.0 - rho * rho).sqrt() * noise.normal();
+            value + 5e-4 * scatter
+        };
+        let values: Vec<f64> = clean.iter().map(disturbed).collect();
+        let outcome = fitted(&model, task(&model, record(vec![observation(&model, "y", 0, &times, &values)]), names));
+        for ((sums, estimate), truth) in sums.iter_mut().zip(&outcome.parameters).zip(&truth) {
+            let off = estimate.value - truth;
+            let [textbook, robust] = [estimate.stderr, estimate.stderr_hac].map(Option::unwrap);
+            let counts = [f64::from(off.abs() <= textbook), f64::from(off.abs() <= robust), textbook, off * off];
+            sums.iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
+        }
+    }
+    let mean = |sum: f64| sum / f64::from(records);
+    let coverage = |(name, sums): (&&'static str, &[f64; 4])| Coverage {
+        name,
+        textbook: 100.0 * mean(sums[0]),
+        robust: 100.0 * mean(sums[1]),
+        ratio: mean(sums[2]) / mean(sums[3]).sqrt(),
+    };
+    names.iter().zip(&sums).map(coverage).collect()
+}
+
+/// The curve at the model's own values.
+fn curve(model: &Model, times: &[f64]) -> Vec<f64> {
+    let mut task = task(model, record(vec![observation(model, "y", 0, times, times)]), &["c"]);
+    let own = model.parameters[parameter(model, "c")].value;
+    task.varied[0].bounds = Some((own.next_down(), own.next_up()));
+    let mut fit = Fit::new(model, task).unwrap();
+    fit.complete();
+    fit.outcome().unwrap().observations[0].fitted.clone()
+}
+
+#[test]
+fn two_of_three_intervals_contain_the_truth() {
+    for one in coverage(FORMULA, &["A", "gamma", "omega", "phi", "c"], 2_000, 0.0) {
+        let Coverage { name, textbook, robust, .. } = one;
+        assert!((63.0..73.0).contains(&textbook) && (63.0..73.0).contains(&robust), "{name}: {textbook} {robust}");
+    }
+}
+
+#[test]
+fn and_so_they_do_for_an_equation_of_motion() {
+    // Fewer records, so that chance is given more room: its standard deviation is 3.8 per cent.
+    for one in coverage(MOTION, &["k", "gamma", "x_0", "v_0", "c"], 150, 0.0) {
+        let Coverage { name, textbook, robust, .. } = one;
+        assert!((58.0..78.0).contains(&textbook) && (58.0..78.0).contains(&robust), "{name}: {textbook} {robust}");
+    }
+}
+
+/// Noise that clings together hides in slow changes: the offset's textbook error is three times too small, those of the
+/// oscillation, which is faster than the memory of the noise, nearly twice.
+#[test]
+fn errors_robust_to_autocorrelation_hold_where_the_textbook_fails() {
+    for one in coverage(FORMULA, &["A", "gamma", "omega", "phi", "c"], 800, 0.8) {
+        let Coverage { name, textbook, robust, ratio } = one;
+        let too_small = if name == "c" { 2.5..4.0 } else { 1.6..2.2 };
+        assert!(too_small.contains(&(1.0 / ratio)), "{name}: {ratio}");
+        assert!(textbook < 50.0 && (61.0..74.0).contains(&robust), "{name}: {textbook} {robust}");
+    }
+}
+
+#[test]
+fn the_profile_of_a_straight_line_is_its_standard_error() {
+    let line = model("parameter a = 1 [m]\nparameter b = 0 [m/s]\ny = a + b*t");
+    let times: Vec<f64> = (0..30).map(f64::from).collect();
+    let mut noise = Noise::new(7);
+    let values: Vec<f64> = times.iter().map(|time| 2.0 - 0.1 * time + 0.3 * noise.normal()).collect();
+    let mut fit = Fit::new(&line, task(&line, record(vec![observation(&line, "y", 0, &times, &values)]), &["a", "b"]));
+    let fit = fit.as_mut().unwrap();
+    fit.complete();
+    let outcome = fit.outcome().unwrap();
+    for (index, estimate) in outcome.parameters.iter().enumerate() {
+        let stderr = estimate.stderr.unwrap();
+        for (deviations, interval) in [1.0, 2.0].into_iter().zip(profile(fit, index, stderr, outcome.dof)) {
+            for (end, side) in [(interval.low, -1.0), (interval.high, 1.0)] {
+                let expected = estimate.value + side * deviations * stderr;
+                assert!((end.unwrap() - expected).abs() < 2e-3 * stderr, "{}: {interval:?} {expected}", estimate.name);
+            }
+        }
+    }
+}
+
+/// A growth that is hardly followed to its end: the limit may be far above, but not far below what is found.
+#[test]
+fn profiles_of_a_bent_problem_are_lopsided_and_contain_the_truth() {
+    let growth = model("parameter c = 1 [m]\nparameter r = 0.5 [1/s]\ny = c*(1 - exp(-r*t))");
+    let times: Vec<f64> = (1..=24).map(|row| 0.125 * f64::from(row)).collect();
+    let clean = curve(&growth, &times);
+    let mut noise = Noise::new(11);
+    let (records, mut inside, mut lopsided) = (400, [0.0; 2], 0);
+    for _ in 0..records {
+        let values: Vec<f64> = clean.iter().map(|value| value + 0.02 * noise.normal()).collect();
+        let observation = observation(&growth, "y", 0, &times, &values);
+        let mut fit = Fit::new(&growth, task(&growth, record(vec![observation]), &["c", "r"])).unwrap();
+        fit.complete();
+        let outcome = fit.outcome().unwrap();
+        let estimate = &outcome.parameters[0];
+        let intervals = profile(&mut fit, 0, estimate.stderr.unwrap(), outcome.dof);
+        for (inside, interval) in inside.iter_mut().zip(intervals) {
+            let contains = interval.low.is_none_or(|low| low <= 1.0) && interval.high.is_none_or(|high| high >= 1.0);
+            *inside += 100.0 * f64::from(contains) / f64::from(records);
+        }
+        let [near, far] = [intervals[1].low, intervals[1].high]
+            .map(|end| end.map_or(f64::INFINITY, |end| (end - estimate.value).abs()));
+        lopsided += i32::from(far > 1.2 * near);
+    }
+    assert!((62.0..73.0).contains(&inside[0]) && (92.0..98.0).contains(&inside[1]), "{inside:?}");
+    assert!(lopsided > records * 4 / 5, "{lopsided}");
+}

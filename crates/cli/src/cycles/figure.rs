@@ -93,10 +93,10 @@ fn measured(record: &Record, time: &Quantity, amplitude: &Quantity) -> String {
 
 /// One quantity against another, with error bars.
 fn panel(x: &Quantity, y: &Quantity, title: &str, limits: Vec<Interval>) -> String {
-    let series = Series { style: Style::Points, x: &x.values, y: &y.values, ..Series::default() };
+    let series = Series { style: Style::Points, x: &x.values, y: &y.values, spread: &y.errors, ..Series::default() };
     drawn(&Plot {
         title,
-        description: "Each point is a turning point with the half-cycles around it",
+        description: "Each point is a turning point with the half-cycles around it; bars are one standard error",
         x: x.axis(),
         y: vec![y.axis()],
         series: vec![series],

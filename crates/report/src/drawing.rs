@@ -3,14 +3,15 @@
 use crate::Report;
 use crate::markup::plain_symbol;
 use crate::results::size;
-use crate::rounding::unit;
+use crate::rounding::{readable, unit};
 use crate::words::Words;
 use analysis::fit::ObservationFit;
-use figure::{Axis, Figure, Interval, Palette, Plot, Series, Settings, Style, layout};
+use figure::{Axis, Figure, Interval, Palette, Plot, Series, Settings, Style, View, layout};
 
 const WIDTH: f64 = 700.0;
 const UPPER: f64 = 300.0;
 const LOWER: f64 = 190.0;
+const SLIM: f64 = 165.0;
 /// More points than this are not drawn one by one.
 const MOST_POINTS: usize = 4000;
 /// The colours of the data, of the curve, and of what was not fitted.
@@ -20,11 +21,16 @@ const UNUSED: u8 = 4;
 
 /// The columns of one observation in the units of its axes.
 struct Columns {
-    /// Of the values that were fitted, and of those that were not: time, value, error (if known), residual.
-    points: [[Vec<f64>; 4]; 2],
-    /// The curve: times, values, twice the standard error.
+    /// Of the values that were fitted, and of those that were not: time, value, its error (if known), and residual and error
+    /// in the unit of residuals.
+    points: [[Vec<f64>; 5]; 2],
+    /// The unit of residuals.
+    unit: String,
+    /// How much of the unit of the observation it is.
+    part: f64,
+    /// The curve: times, and twice the standard error in the unit of values and in that of residuals.
     times: Vec<f64>,
-    spread: Vec<f64>,
+    spread: [Vec<f64>; 2],
     /// The curve in the fitted part and outside, NaN elsewhere.
     fitted: Vec<f64>,
     predicted: Vec<f64>,
@@ -47,15 +53,15 @@ pub fn thinned(fit: &ObservationFit) -> usize {
 
 /// Both panels of one observation as one SVG; `title` may be empty.
 pub fn panels(report: &Report<'_>, fit: &ObservationFit, title: &str) -> String {
-    let columns = columns(report, fit);
-    let drawn = [UPPER, LOWER].map(|height| draw(report, fit, &columns, title, height, 0.0, None));
+    let columns = columns(report, fit, greatest(fit));
+    let drawn = [(UPPER, title), (LOWER, "")]
+        .map(|(height, title)| (draw(report, fit, &columns, title, height, 0.0, None), height, title));
     // One axis of time for both: the panel with the narrower numbers begins further right and is as much narrower.
-    let left = drawn.iter().map(|figure| figure.panel.x).fold(0.0, f32::max);
+    let left = drawn.iter().map(|(figure, ..)| figure.panel.x).fold(0.0, f32::max);
     let mut top = 0.0;
     let mut parts = String::new();
-    for figure in drawn {
+    for (figure, height, title) in drawn {
         let shift = f64::from(left - figure.panel.x);
-        let height = figure.height;
         let figure = if shift > 0.0 { draw(report, fit, &columns, title, height, shift, None) } else { figure };
         place(&mut parts, &figure, shift, top);
         top += height;
@@ -84,9 +90,9 @@ pub fn panels(report: &Report<'_>, fit: &ObservationFit, title: &str) -> String 
     pieces.concat()
 }
 
-/// The residuals of one observation as an SVG, on an axis that reaches as far as `reach` (SI) to either side.
-pub fn residuals(report: &Report<'_>, fit: &ObservationFit, reach: f64) -> String {
-    draw(report, fit, &columns(report, fit), "", LOWER, 0.0, Some(size(&fit.unit, reach))).svg(&Palette::LIGHT)
+/// The residuals of one observation as an SVG, on an axis that shows as much as `reach` (SI) to either side.
+pub fn residuals(report: &Report<'_>, fit: &ObservationFit, title: &str, reach: f64) -> String {
+    draw(report, fit, &columns(report, fit, reach), title, SLIM, 0.0, Some(reach)).svg(&Palette::LIGHT)
 }
 
 /// One of the panels, told apart by its height, so much narrower than the page.
@@ -103,7 +109,8 @@ fn draw(
     let upper = height == UPPER;
     let independent = &report.document.model.independent;
     let (name, observed) = (plain_symbol(&independent.name), plain_symbol(&fit.name));
-    let (time_unit, value_unit) = (unit(&independent.unit.text), unit(&fit.unit.text));
+    let time_unit = unit(&independent.unit.text);
+    let value_unit = if upper { unit(&fit.unit.text) } else { columns.unit.clone() };
     let shown = if upper { observed } else { ["Δ", &observed].concat() };
     let what = if upper {
         words.pick(": measured values and fitted curve against ", ": valores medidos y curva ajustada frente a ")
@@ -116,12 +123,12 @@ fn draw(
     let outside = !unused[0].is_empty();
     let named = |english, spanish| if upper { words.pick(english, spanish) } else { "" };
     let of_points = |points, label, colour| {
-        let [x, values, spread, residuals]: &[Vec<f64>; 4] = points;
-        let y = if upper { values } else { residuals };
+        let [x, values, errors, residuals, residual_errors]: &[Vec<f64>; 5] = points;
+        let (y, spread) = if upper { (values, errors) } else { (residuals, residual_errors) };
         Series { label, style: Style::Points, colour, x, y, spread, ..Series::default() }
     };
     let of_curve = |label, style, y| {
-        let (x, spread) = (&columns.times, &columns.spread);
+        let (x, spread) = (&columns.times, &columns.spread[usize::from(!upper)]);
         Series { label, colour: CURVE, style, x, y, spread, ..Series::default() }
     };
     let mut series = vec![of_points(used, named("measured", "medido"), DATA)];
@@ -136,14 +143,17 @@ fn draw(
     } else {
         series.insert(0, of_curve("", Style::Line, &zero));
     }
-    let include = reach.map(|reach| Interval::new(-reach, reach));
+    // Residuals of several theories on one scale: what lies beyond it is not drawn.
+    let limits = reach.map(|reach| size(&fit.unit, reach) / columns.part);
+    let view = View { x: None, y: limits.map(|limit| Interval::new(-limit, limit)).into_iter().collect() };
     let plot = Plot {
-        title: if upper { title } else { "" },
+        title,
         description: &description,
         x: Axis { label: &name, unit: &time_unit, include: None },
-        y: vec![Axis { label: &shown, unit: &value_unit, include }],
+        y: vec![Axis { label: &shown, unit: &value_unit, include: None }],
         series,
         ordered: true,
+        view,
         ..Plot::default()
     };
     layout(&plot, &Settings { width: WIDTH - narrower, height, font_size: 13.0, decimal_comma: words.comma() })
@@ -156,20 +166,29 @@ fn place(out: &mut String, figure: &Figure, x: f64, y: f64) {
     out.extend(["<svg x=\"", &x.to_string(), "\" y=\"", &y.to_string(), "\"", rest]);
 }
 
-fn columns(report: &Report<'_>, fit: &ObservationFit) -> Columns {
+/// The greatest residual, SI.
+pub fn greatest(fit: &ObservationFit) -> f64 {
+    let residuals = fit.measured.iter().zip(&fit.fitted).map(|(measured, fitted)| (measured - fitted).abs());
+    residuals.filter(|size| size.is_finite()).fold(0.0, f64::max)
+}
+
+/// `reach` is the SI size of residuals that their unit is to suit.
+fn columns(report: &Report<'_>, fit: &ObservationFit, reach: f64) -> Columns {
+    let (part, unit) = readable(&fit.unit, reach);
     let clock = &report.document.model.independent.unit;
     let value = |si: f64| fit.unit.from_si(si);
     // A difference on a scale has its factor, not its zero.
     let difference = |si: f64| size(&fit.unit, si);
     let errors = errors(report, fit);
-    let mut points: [[Vec<f64>; 4]; 2] = Default::default();
+    let mut points: [[Vec<f64>; 5]; 2] = Default::default();
     for row in (0..fit.times.len()).step_by(thinned(fit)) {
-        let [times, values, spreads, residuals] = &mut points[usize::from(!fit.inside[row])];
+        let [times, values, spreads, residuals, residual_spreads] = &mut points[usize::from(!fit.inside[row])];
         times.push(clock.from_si(fit.times[row]));
         values.push(value(fit.measured[row]));
-        residuals.push(difference(fit.measured[row] - fit.fitted[row]));
+        residuals.push(difference(fit.measured[row] - fit.fitted[row]) / part);
         if let Some(error) = errors.get(row) {
             spreads.push(difference(*error));
+            residual_spreads.push(difference(*error) / part);
         }
     }
     let trace = report.traces.iter().find(|trace| trace.record == fit.record && trace.observation == fit.observation);
@@ -181,7 +200,7 @@ fn columns(report: &Report<'_>, fit: &ObservationFit) -> Columns {
     let inside =
         |time: &f64| task.from.is_none_or(|from| *time >= from) && task.until.is_none_or(|until| *time <= until);
     // The two parts of the curve share the points where they meet.
-    let part = |wanted: bool| -> Vec<f64> {
+    let piece = |wanted: bool| -> Vec<f64> {
         let near = |row: usize| times.get(row).is_some_and(|time| inside(time) == wanted);
         let belongs = |row: usize| near(row) || (!wanted && (near(row + 1) || (row > 0 && near(row - 1))));
         let shown = values.iter().enumerate().map(|(row, si)| if belongs(row) { value(*si) } else { f64::NAN });
@@ -190,9 +209,11 @@ fn columns(report: &Report<'_>, fit: &ObservationFit) -> Columns {
     Columns {
         points,
         times: times.iter().map(|time| clock.from_si(*time)).collect(),
-        spread: stderr.iter().map(|error| 2.0 * difference(*error)).collect(),
-        fitted: part(true),
-        predicted: part(false),
+        spread: [1.0, part].map(|part| stderr.iter().map(|error| 2.0 * difference(*error) / part).collect()),
+        fitted: piece(true),
+        predicted: piece(false),
+        unit,
+        part,
     }
 }
 

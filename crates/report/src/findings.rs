@@ -3,7 +3,7 @@
 use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
 use crate::results::size;
-use crate::rounding::{fixed, plain, share, unit};
+use crate::rounding::{fixed, plain, readable, share, significant};
 use crate::words::Words;
 use analysis::fit::{ObservationFit, Outcome, Verdict};
 
@@ -34,10 +34,11 @@ pub fn rmse(outcome: &Outcome, comma: bool) -> String {
     with_unit(outcome.rmse, &outcome.rmse_unit, comma)
 }
 
-/// A difference of SI size with three digits and its unit.
+/// A difference of SI size with three digits and a unit that suits it.
 pub fn with_unit(si: f64, shown: &units::Unit, comma: bool) -> String {
-    let number = plain(size(shown, si), 3, comma);
-    if shown.text.is_empty() { number } else { [&number, "\u{a0}", &unit(&shown.text)].concat() }
+    let (part, unit) = readable(shown, si);
+    let number = significant(size(shown, si) / part, 3, comma);
+    if unit.is_empty() { number } else { [&number, "\u{a0}", &unit].concat() }
 }
 
 /// Whether the verdict is a warning.

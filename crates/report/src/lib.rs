@@ -18,6 +18,7 @@ use analysis::fit::{Interval, Outcome, Task, Trace};
 use document::Document;
 
 pub use export::{csv, workbook};
+pub use markup::with_math_font;
 pub use page::html;
 pub use ranking::{Ranking, ranking_csv, ranking_html, ranking_workbook};
 pub use rounding::{plain, unit, with_error};

@@ -87,7 +87,15 @@ impl Page {
 
     /// A row of cells, each markup; those that hold numbers are marked with a leading `#`. The first one heads the row.
     pub fn row(&mut self, cells: &[&str]) {
-        self.raw("<tr>");
+        self.row_of("", cells);
+    }
+
+    /// A row of a class.
+    pub fn row_of(&mut self, class: &str, cells: &[&str]) {
+        match class {
+            "" => self.raw("<tr>"),
+            class => self.out.extend(["<tr class=\"", class, "\">"]),
+        }
         for (place, cell) in cells.iter().enumerate() {
             match (place, cell.strip_prefix('#')) {
                 (0, None) => self.wrapped("th scope=\"row\"", cell),
@@ -116,6 +124,17 @@ pub fn cell(number: &str) -> String {
     ["#", &escaped(number)].concat()
 }
 
+/// A page of this crate with a font for its equations in it (WOFF2 in base64, of characters `A-Z a-z 0-9 + / =`): without a
+/// mathematical font a browser draws roots that do not fit what they enclose, and many systems have none.
+pub fn with_math_font(page: &str, font: &str) -> String {
+    let face = [
+        "<style>\n@font-face { font-family: \"Meniscus Math\"; src: url(\"data:font/woff2;base64,",
+        font,
+        "\") format(\"woff2\") }\nmath { font-family: \"Meniscus Math\", math; font-size: 1.08em }\n</style>\n</head>",
+    ];
+    page.replacen("</head>", &face.concat(), 1)
+}
+
 /// A page of its own around sections.
 pub fn document(title: &str, language: &str, version: &str, body: &str) -> String {
     let title = escaped(title);
@@ -123,7 +142,7 @@ pub fn document(title: &str, language: &str, version: &str, body: &str) -> Strin
         "<!doctype html>\n<html lang=\"",
         language,
         "\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n",
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; font-src data:\">\n",
         "<meta name=\"generator\" content=\"Meniscus ",
         &escaped(version),
         "\">\n<meta name=\"color-scheme\" content=\"light\">\n<title>",

@@ -147,24 +147,19 @@ fn table(page: &mut Page, words: Words, rows: &[Row<'_>]) {
     let predicts = rows.iter().any(|row| row.predicted.is_some());
     let mut headings = vec![
         words.pick("Theory", "Teoría"),
-        words.pick("#Numbers varied", "#Números variados"),
+        words.pick("#Free numbers", "#Números libres"),
         words.pick("#RMS residual", "#Residuo RMS"),
-        "",
         "#ΔAICc",
-        words.pick("#Share of the evidence", "#Parte de la evidencia"),
+        words.pick("#Evidence", "#Evidencia"),
         "#Durbin-Watson",
     ];
     if predicts {
-        headings.insert(4, words.pick("#Predicted", "#Predicho"));
+        headings.insert(3, words.pick("#Predicted", "#Predicho"));
     }
-    page.raw("<div style=\"height:1.2rem\"></div>");
-    page.table("wide", &headings);
-    let worst = rows.iter().map(|row| row.report.outcome.rmse).filter(|rmse| rmse.is_finite()).fold(0.0, f64::max);
+    page.table("wide theories", &headings);
     for row in rows {
         let outcome = row.report.outcome;
         let unit = &outcome.rmse_unit;
-        let width = fixed(4.5 * outcome.rmse / worst, 2, false);
-        let bar = ["<span class=\"bar\" style=\"width:", &width, "rem\"></span>"].concat();
         let share = row.ranked.weight;
         let share = if share > 0.0 && share < 0.001 {
             "< 0.1 %".to_owned()
@@ -175,16 +170,15 @@ fn table(page: &mut Page, words: Words, rows: &[Row<'_>]) {
             escaped(row.title),
             cell(&row.numbers.to_string()),
             cell(&with_unit(outcome.rmse, unit, comma)),
-            bar,
             cell(&fixed(row.ranked.difference, 1, comma)),
             cell(&if comma { share.replace('.', ",") } else { share }),
             cell(&fixed(outcome.durbin_watson, 2, comma)),
         ];
         if predicts {
-            cells.insert(4, cell(&row.predicted.map_or_else(String::new, |rmse| with_unit(rmse, unit, comma))));
+            cells.insert(3, cell(&row.predicted.map_or_else(String::new, |rmse| with_unit(rmse, unit, comma))));
         }
         let cells: Vec<&str> = cells.iter().map(String::as_str).collect();
-        page.row(&cells);
+        page.row_of(if row.ranked.difference == 0.0 { "best" } else { "" }, &cells);
     }
     page.end_table();
 }
@@ -222,14 +216,20 @@ fn caution(page: &mut Page, words: Words, rows: &[Row<'_>]) {
 fn residuals(page: &mut Page, words: Words, rows: &[Row<'_>]) {
     page.heading(words.pick("What they leave over", "Lo que dejan sin explicar"));
     let firsts = || rows.iter().filter_map(|row| Some((row, row.report.outcome.observations.first()?)));
-    // One hundredth of the values may lie outside a scale that serves all.
-    let reach = firsts().map(|(_, fit)| 2.5 * fit.rmse).filter(|reach| reach.is_finite()).fold(0.0, f64::max);
+    let best = rows.first().map_or(0.0, |row| row.report.outcome.rmse);
+    // The scale is made for the theories that come near.
+    let near = firsts().filter(|(row, _)| row.report.outcome.rmse <= 2.0 * best);
+    let reach = near.map(|(_, fit)| 1.05 * drawing::greatest(fit)).fold(0.0, f64::max);
+    page.raw("<figure>\n");
     for (row, fit) in firsts() {
-        page.raw("<figure>\n");
-        page.raw(&drawing::residuals(row.report, fit, reach));
-        page.element("figcaption", row.title);
-        page.raw("</figure>\n");
+        page.raw(&drawing::residuals(row.report, fit, row.title, reach));
     }
+    let caption = words.pick(
+        "Measured minus fitted, all on one scale. What lies beyond it is not drawn.",
+        "Medido menos ajustado, todo en la misma escala. Lo que queda fuera no se dibuja.",
+    );
+    page.element("figcaption", caption);
+    page.raw("</figure>\n");
 }
 
 /// The table of theories with its header.
@@ -241,7 +241,7 @@ fn numbers(ranking: &Ranking<'_>) -> Vec<Vec<Cell>> {
     let headings = vec![
         words.pick("Theory", "Teoría").to_owned(),
         words.pick("File", "Archivo").to_owned(),
-        words.pick("Numbers varied", "Números variados").to_owned(),
+        words.pick("Free numbers", "Números libres").to_owned(),
         with(words.pick("Root mean square residual", "Residuo cuadrático medio")),
         with(words.pick("Root mean square predicted", "Media cuadrática predicha")),
         "AICc".to_owned(),

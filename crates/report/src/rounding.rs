@@ -1,5 +1,7 @@
 //! Numbers as a report writes them: rounded to what is known of them.
 
+use units::Unit;
+
 /// Shown for a number that is not finite.
 pub const DASH: &str = "–";
 
@@ -42,6 +44,15 @@ pub fn error(value: f64, comma: bool) -> String {
 
 /// A number with so many significant digits, without zeros at the end of its decimals: `0.00131`, `1.2×10⁻⁶`.
 pub fn plain(value: f64, digits: usize, comma: bool) -> String {
+    let text = significant(value, digits, comma);
+    let (number, power) = text.split_at(text.find('×').unwrap_or(text.len()));
+    let trimmed =
+        if number.contains(['.', ',']) { number.trim_end_matches('0').trim_end_matches(['.', ',']) } else { number };
+    [trimmed, power].concat()
+}
+
+/// A number with so many significant digits, zeros included: `1.40`.
+pub fn significant(value: f64, digits: usize, comma: bool) -> String {
     if !value.is_finite() {
         return DASH.to_owned();
     }
@@ -51,11 +62,7 @@ pub fn plain(value: f64, digits: usize, comma: bool) -> String {
     let (_, exponent) = scientific(value, digits);
     let power = if (-3..6).contains(&exponent) { 0 } else { exponent };
     let decimals = usize::try_from(power - exponent + digits as i32 - 1).unwrap_or(0);
-    let mut text = shifted(value, power, decimals);
-    if text.contains('.') {
-        text.truncate(text.trim_end_matches('0').trim_end_matches('.').len());
-    }
-    finish(text, power, comma)
+    finish(shifted(value, power, decimals), power, comma)
 }
 
 /// A number with so many decimals.
@@ -82,8 +89,15 @@ fn scientific(value: f64, digits: usize) -> (String, i32) {
 
 /// `value` over ten to the `power` with so many decimals.
 fn shifted(value: f64, power: i32, decimals: usize) -> String {
-    let unit: f64 = format!("1e{power}").parse().unwrap_or(1.0);
-    let text = format!("{:.decimals$}", value / unit);
+    let exact = format!("{value:.decimals$e}");
+    let text = match exact.split_once('e') {
+        // The digits of the value itself, rounded once.
+        Some((mantissa, exponent)) if power != 0 && exponent.parse() == Ok(power) => mantissa.to_owned(),
+        _ => {
+            let unit: f64 = format!("1e{power}").parse().unwrap_or(1.0);
+            format!("{:.decimals$}", value / unit)
+        }
+    };
     match text.strip_prefix('-') {
         // No minus before a zero.
         Some(rest) if !rest.bytes().any(|byte| (b'1'..=b'9').contains(&byte)) => rest.to_owned(),
@@ -139,6 +153,24 @@ pub fn unit(text: &str) -> String {
     if out == "deg" { "°".to_owned() } else { out }
 }
 
+/// A unit in which differences of about `size` (SI) are easy to read: the unit itself, or a thousandth or a millionth of
+/// it where these have a name (`mm`, `µm/s`). The part of it, and how it is printed.
+pub fn readable(shown: &Unit, size: f64) -> (f64, String) {
+    let own = (shown.from_si(size) - shown.from_si(0.0)).abs();
+    for (prefix, part, below) in [("m", 1e-3, 0.05), ("u", 1e-6, 5e-5)].into_iter().rev() {
+        let named = Unit::parse(&[prefix, &shown.text].concat()).ok();
+        let fits = |unit: &Unit| {
+            let ratio = unit.factor / (part * shown.factor);
+            unit.dimension == shown.dimension && (ratio - 1.0).abs() < 1e-9
+        };
+        if own < below && own > 0.0 && !shown.text.is_empty() && named.as_ref().is_some_and(fits) {
+            let sign = if prefix == "u" { "µ" } else { prefix };
+            return (part, [sign, &unit(&shown.text)].concat());
+        }
+    }
+    (1.0, unit(&shown.text))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -177,7 +209,7 @@ mod tests {
     fn plain_numbers() {
         for (value, digits, expected) in [
             (0.001_312_3, 3, "0.00131"),
-            (1.25e-6, 2, "1.2×10⁻⁶"),
+            (1.26e-6, 2, "1.3×10⁻⁶"),
             (0.5, 6, "0.5"),
             (1000.0, 3, "1000"),
             (-3.0, 6, "−3"),
@@ -193,6 +225,9 @@ mod tests {
         {
             assert_eq!(error(value, false), expected);
         }
+        assert_eq!(significant(1.4, 3, true), "1,40");
+        assert_eq!(significant(1.4e-6, 3, false), "1.40×10⁻⁶");
+        assert_eq!(plain(1.4e-6, 3, true), "1,4×10⁻⁶");
         assert_eq!(fixed(-0.004, 2, false), "0.00");
         assert_eq!(fixed(-1234.55, 1, true), "−1234,5");
         for (value, expected) in
@@ -209,5 +244,20 @@ mod tests {
         assert_eq!(unit("m^(1/2)"), "m^(1/2)");
         assert_eq!(unit("deg"), "°");
         assert_eq!(unit(""), "");
+        for (text, size, expected) in [
+            ("m", 0.001_41, (1e-3, "mm")),
+            ("m", 0.2, (1.0, "m")),
+            ("m", 2e-6, (1e-6, "µm")),
+            ("m/s", 0.003, (1e-3, "mm/s")),
+            ("mm", 2e-6, (1.0, "mm")),
+            ("1/s", 0.003, (1.0, "1/s")),
+            ("rad", 0.003, (1e-3, "mrad")),
+            ("kg", 1e-3, (1.0, "kg")),
+            ("", 1e-3, (1.0, "")),
+            ("m", f64::NAN, (1.0, "m")),
+        ] {
+            let (part, printed) = readable(&Unit::parse(text).unwrap(), size);
+            assert_eq!((part, printed.as_str()), expected, "{text} {size}");
+        }
     }
 }

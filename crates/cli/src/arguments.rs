@@ -1,5 +1,6 @@
 //! What can be typed after `meniscus`.
 
+use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -49,6 +50,12 @@ pub enum Command {
     /// Measure an oscillation cycle by cycle: period, amplitude, damping
     #[command(after_help = CYCLES_EXAMPLES)]
     Cycles(Cycles),
+    /// Fit a document to measured data
+    #[command(after_help = FIT_EXAMPLES)]
+    Fit(Fit),
+    /// Compare several documents as theories of the same data
+    #[command(after_help = RANK_EXAMPLES)]
+    Rank(Rank),
     /// Make one offline page of a document, with its source inside
     #[command(after_help = EXPORT_EXAMPLES)]
     Export(Export),
@@ -148,7 +155,8 @@ pub struct Assignment {
     pub value: String,
 }
 
-fn assignment(text: &str) -> Result<Assignment, String> {
+/// Reads `NAME=VALUE`.
+pub fn assignment(text: &str) -> Result<Assignment, String> {
     match text.split_once('=') {
         Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
             Ok(Assignment { name: name.trim().to_owned(), value: value.trim().to_owned() })

@@ -4,7 +4,7 @@ use crate::arguments::{Check, Findings};
 use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::output::Output;
-use crate::report::{Terminal, findings_as_json, findings_as_text};
+use crate::terminal::{Terminal, findings_as_json, findings_as_text};
 use std::io::Write;
 use std::path::PathBuf;
 

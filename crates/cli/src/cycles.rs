@@ -8,7 +8,7 @@ use crate::data::{self, Measured, Observe};
 use crate::failure::Failure;
 use crate::load::Sources;
 use crate::output::Output;
-use crate::report::Terminal;
+use crate::terminal::Terminal;
 use analysis::csv::{self, Dialect};
 use analysis::cycles;
 use serde_json::json;

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::output::Output;
 use crate::page;
-use crate::report::Terminal;
+use crate::terminal::Terminal;
 use std::io::Write;
 
 /// Writes the page; refuses a document with errors.

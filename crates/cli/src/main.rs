@@ -6,20 +6,22 @@ mod cycles;
 mod data;
 mod export;
 mod failure;
+mod fitting;
 mod load;
 mod output;
 mod page;
-mod report;
+
 mod rounded;
 mod run;
 mod serve;
 mod settings;
+mod terminal;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
 use failure::Failure;
-use report::Terminal;
 use std::process::ExitCode;
+use terminal::Terminal;
 
 fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
@@ -36,6 +38,8 @@ fn main() -> ExitCode {
         Command::Run(run) => run::run(run, terminal),
         Command::Check(check) => check::check(check, terminal),
         Command::Cycles(cycles) => cycles::run(cycles, terminal),
+        Command::Fit(fit) => fitting::fit(fit, terminal),
+        Command::Rank(rank) => fitting::rank(rank, terminal),
         Command::Export(export) => export::export(export, terminal),
     };
     match result {

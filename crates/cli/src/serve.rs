@@ -4,7 +4,7 @@ use crate::arguments::Serve;
 use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::page;
-use crate::report::Terminal;
+use crate::terminal::Terminal;
 use axum::Router;
 use axum::extract::{Request, State};
 use axum::http::{HeaderMap, StatusCode, header};

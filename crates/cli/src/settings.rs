@@ -3,7 +3,7 @@
 use crate::arguments::{Assignment, Run};
 use crate::failure::{Failure, listed};
 use crate::load::Sources;
-use crate::report::Terminal;
+use crate::terminal::Terminal;
 use document::Document;
 use engine::{Method, Readings, Setup};
 use model::{Compiled, Kind, Model, Parameter, nearest};
@@ -23,7 +23,7 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
     let time = model.independent.unit.clone();
     let mut reader = Reader { model, terminal };
     for assignment in &arguments.set {
-        let (index, value) = reader.parameter(assignment, &setup.parameters)?;
+        let (index, value) = reader.parameter("--set", assignment, &setup.parameters)?;
         setup.parameters[index] = value;
     }
     if !arguments.start.is_empty() {
@@ -49,24 +49,32 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
 }
 
 /// Values in the words of a command line, read with the document's names.
-struct Reader<'a> {
-    model: &'a mut Model,
-    terminal: Terminal,
+pub struct Reader<'a> {
+    /// The document's model.
+    pub model: &'a mut Model,
+    /// Where errors of expressions are told.
+    pub terminal: Terminal,
 }
 
 impl Reader<'_> {
-    /// `--set NAME=VALUE`: which parameter, and its value.
-    fn parameter(&mut self, assignment: &Assignment, parameters: &[f64]) -> Result<(usize, f64), Failure> {
+    /// `--set NAME=VALUE` (the option's name is `option`): which parameter, and its value.
+    pub fn parameter(
+        &mut self,
+        option: &str,
+        assignment: &Assignment,
+        parameters: &[f64],
+    ) -> Result<(usize, f64), Failure> {
         let Some(index) = self.model.parameters.iter().position(|parameter| parameter.name == assignment.name) else {
             return Err(self.no_parameter(&assignment.name));
         };
         let unit = self.model.parameters[index].unit.clone();
-        let value = self.value(&format!("--set {}", assignment.name), &assignment.value, &unit, parameters)?;
+        let value = self.value(&format!("{option} {}", assignment.name), &assignment.value, &unit, parameters)?;
         within_range(&self.model.parameters[index], value)?;
         Ok((index, value))
     }
 
-    fn no_parameter(&self, name: &str) -> Failure {
+    /// What is said of a name that is no parameter.
+    pub fn no_parameter(&self, name: &str) -> Failure {
         if self.model.quantities.iter().any(|quantity| quantity.name == name) {
             return Failure::request(format!(
                 "`{name}` is defined by the document and cannot be set; only parameters can"
@@ -99,7 +107,7 @@ impl Reader<'_> {
     }
 
     /// The SI value of a bare number in `unit`, of a number with a unit, or of an expression in the parameters.
-    fn value(&mut self, what: &str, text: &str, unit: &Unit, parameters: &[f64]) -> Result<f64, Failure> {
+    pub fn value(&mut self, what: &str, text: &str, unit: &Unit, parameters: &[f64]) -> Result<f64, Failure> {
         if let Ok(number) = text.parse::<f64>() {
             return finite(what, unit.to_si(number));
         }
@@ -124,7 +132,8 @@ impl Reader<'_> {
         finite(what, value.unwrap_or(f64::NAN))
     }
 
-    fn expression(&mut self, what: &str, text: &str) -> Result<Compiled, Failure> {
+    /// An expression of the document, compiled; what is wrong with it is told.
+    pub fn expression(&mut self, what: &str, text: &str) -> Result<Compiled, Failure> {
         let (expression, unit, mut diagnostics) = model::parse_expression(text, 0..text.len());
         if diagnostics.is_empty() {
             match self.model.compile_expression(&expression, unit.as_ref()) {

@@ -1,6 +1,7 @@
 //! Fits a model to measured data: a [`Task`] says what is measured and what may vary, [`Fit`] works on it in slices, and
 //! [`Outcome`] is what is known in the end. All numbers are SI; names and units are the model's.
 
+mod bind;
 mod covariance;
 mod curve;
 mod driver;
@@ -19,6 +20,7 @@ mod trace;
 mod weights;
 mod words;
 
+pub use bind::{BindError, observation};
 pub use driver::Fit;
 pub use identify::Undetermined;
 pub use outcome::{Estimate, ObservationFit, Outcome, Outside, Verdict};

@@ -1,0 +1,129 @@
+//! What can be typed after `meniscus fit` and `meniscus rank`.
+
+use crate::arguments::{Assignment, assignment};
+use crate::data::{Observe, observe};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// Shown after the help of `meniscus fit`.
+pub const FIT_EXAMPLES: &str = "\
+Examples:
+  meniscus fit linear.md run3.txt --observe y                     vary what the document says
+  meniscus fit linear.md run3.txt --observe y=2 --vary gamma,y_0,v_0 --fix L='21 [cm]'
+  meniscus fit linear.md run3.txt --observe y --from 1 --until 6  the rest is predicted
+  meniscus fit linear.md *.txt --observe y --share L --vary L,gamma,y_0,v_0
+  meniscus fit linear.md run3.txt --observe y --error y='1 [mm]' --profile
+  meniscus fit linear.md run3.txt --observe y --output report.html
+
+DATA is text as Tracker, loggers and spreadsheets write it, or XLSX, XLS or ODS; docs/data.md has the rules. NAME is a
+parameter of the document, or t_origin (the clock's reading at the model's 0), or y_offset (the zero of the scale of y).";
+
+/// Shown after the help of `meniscus rank`.
+pub const RANK_EXAMPLES: &str = "\
+Examples:
+  meniscus rank run3.txt --model linear.md --model quadratic.md --observe y
+  meniscus rank run3.txt --model linear.md --model quadratic.md --observe y --from 1 --predict-from 6
+
+The best theory, by AICc, comes first. With --predict-from T each theory is also fitted to what is before T alone, and the
+error of what it then predicts is shown: that is what tells a theory from a flexible curve.";
+
+/// What `fit` and `rank` have in common.
+#[derive(Debug, Args)]
+pub struct Common {
+    /// What is observed, and its column by name, body.name or number; the columns in turn in a file without a header
+    #[arg(long, value_name = "y[=COLUMN]", value_parser = observe, required = true)]
+    pub observe: Vec<Observe>,
+
+    /// What is varied [default: what the document's front matter says]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub vary: Vec<String>,
+
+    /// What has one value in all records, of what is varied
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub share: Vec<String>,
+
+    /// Hold a parameter; with several records perhaps a value for each, L=0.2,0.3
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+    pub fix: Vec<Assignment>,
+
+    /// Begin the search here
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+    pub start: Vec<Assignment>,
+
+    /// Search between these [default: the parameter's own range]
+    #[arg(long, value_name = "NAME=LO..HI", value_parser = assignment)]
+    pub bounds: Vec<Assignment>,
+
+    /// The standard error of what is observed: a value, or the column that holds it
+    #[arg(long, value_name = "y=VALUE", value_parser = assignment)]
+    pub error: Vec<Assignment>,
+
+    /// Fit from this time on, in the unit of the model's or as '500 [ms]'
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub from: Option<String>,
+
+    /// Fit up to this time
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub until: Option<String>,
+
+    /// The form of what is printed
+    #[arg(long, value_enum, default_value_t = Form::Text)]
+    pub format: Form,
+}
+
+/// `meniscus fit`
+#[derive(Debug, Args)]
+pub struct Fit {
+    /// The document: a closed form or equations of motion
+    #[arg(value_name = "DOC")]
+    pub document: PathBuf,
+
+    /// The measured data, a file for each run; `-` reads text from the standard input
+    #[arg(value_name = "DATA", required = true)]
+    pub data: Vec<PathBuf>,
+
+    /// What is observed, varied and held.
+    #[command(flatten)]
+    pub common: Common,
+
+    /// Intervals from the profile of the likelihood as well
+    #[arg(long)]
+    pub profile: bool,
+
+    /// Write a report (.html), a workbook (.xlsx), a table (.csv) or a figure (.svg), which appears whole or not at all
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// `meniscus rank`
+#[derive(Debug, Args)]
+pub struct Rank {
+    /// The measured data, a file for each run
+    #[arg(value_name = "DATA", required = true)]
+    pub data: Vec<PathBuf>,
+
+    /// A theory; twice or more
+    #[arg(long = "model", value_name = "DOC", required = true)]
+    pub models: Vec<PathBuf>,
+
+    /// What is observed, varied and held.
+    #[command(flatten)]
+    pub common: Common,
+
+    /// Also fit what is before this time alone, and show the error of what is predicted from there on
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub predict_from: Option<String>,
+
+    /// Write a report (.html) or a table (.csv), which appears whole or not at all
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// The forms of a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Form {
+    /// Tables with words about them
+    Text,
+    /// One object
+    Json,
+}

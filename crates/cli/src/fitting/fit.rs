@@ -1,0 +1,202 @@
+//! `meniscus fit`: one theory, one or more records.
+
+use super::arguments::{Fit as Arguments, Form};
+use super::prepare::{self, Theory};
+use super::{json, text};
+use crate::data::{self, Measured};
+use crate::failure::Failure;
+use crate::output::Output;
+use crate::terminal::Terminal;
+use analysis::fit::{Fit, FitError, Interval, Outcome, Task, Trace, profile};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use report::Report;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Points of a drawn curve.
+const POINTS: usize = 600;
+
+/// A theory that has been fitted.
+pub struct Fitted {
+    /// The theory.
+    pub theory: Theory,
+    /// What was asked for.
+    pub task: Task,
+    /// What came of it.
+    pub outcome: Outcome,
+    /// The fitted curves.
+    pub traces: Vec<Trace>,
+    /// Profile intervals by parameter, where they were asked for.
+    pub intervals: Vec<Option<[Interval; 2]>>,
+}
+
+/// Fits the document to the data, prints what came of it and writes what is asked for.
+pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
+    let kind = arguments.output.as_deref().map(kind).transpose()?;
+    let data: Vec<Measured> = arguments.data.iter().map(|path| data::read(path)).collect::<Result<_, _>>()?;
+    let mut theory = prepare::theory(&arguments.document, terminal)?;
+    let task = prepare::task(&mut theory.document, &data, &arguments.common, terminal)?;
+    let fitted = complete(theory, task, arguments.profile)?;
+    let notes = notes(&data);
+    if let (Some(path), Some(kind)) = (&arguments.output, kind) {
+        let command = command();
+        write(path, kind, &arguments.data, &fitted.report(&notes, &command))?;
+    }
+    let shown = match arguments.common.format {
+        Form::Text => text::fit(&fitted, &notes),
+        Form::Json => format!("{:#}\n", json::fit(&fitted)),
+    };
+    print(&shown)
+}
+
+/// Works on a fit to its end, with progress on a terminal if it takes long.
+pub fn complete(theory: Theory, task: Task, profiles: bool) -> Result<Fitted, Failure> {
+    let mut fit = Fit::new(&theory.document.model, task.clone()).map_err(|error| refused(&theory, &task, &error))?;
+    let progress = progress(&theory.document.title);
+    while !fit.advance() {
+        progress.set_position(fit.trials() as u64);
+    }
+    let Some(outcome) = fit.outcome() else {
+        progress.finish_and_clear();
+        return Err(Failure::with_hint(
+            "the model has no finite curve anywhere it was tried",
+            "give values from which it runs with --start NAME=VALUE, and ranges with --bounds NAME=LO..HI",
+        ));
+    };
+    let intervals = match profiles {
+        true => outcome
+            .parameters
+            .iter()
+            .enumerate()
+            .map(|(index, estimate)| Some(profile(&mut fit, index, estimate.stderr?, outcome.dof)))
+            .collect(),
+        false => Vec::new(),
+    };
+    let traces = fit.traces(POINTS);
+    progress.finish_and_clear();
+    Ok(Fitted { theory, task, outcome, traces, intervals })
+}
+
+fn refused(theory: &Theory, task: &Task, error: &FitError) -> Failure {
+    let model = &theory.document.model;
+    let named = |place: usize| match task.varied.get(place).map(|varied| varied.target) {
+        Some(analysis::fit::Target::Parameter(index)) => model.parameters[index].name.clone(),
+        _ => "it".to_owned(),
+    };
+    let message = format!("{}: {error}", theory.sources.path().display());
+    match error {
+        FitError::VariedTwice(place) => {
+            Failure::with_hint(message, format!("name {} once, in --vary or in --fix", named(*place)))
+        }
+        FitError::TooFew { .. } => Failure::with_hint(message, "vary less, or fit a longer part of the record"),
+        FitError::NothingObserved => Failure::with_hint(message, "look at --from and --until, and at the column"),
+        _ => Failure::request(message),
+    }
+}
+
+impl Fitted {
+    /// As the report shows it.
+    pub fn report<'a>(&'a self, notes: &'a [Vec<String>], command: &'a str) -> Report<'a> {
+        let name = self.theory.sources.path().file_name().and_then(|name| name.to_str());
+        Report {
+            document: &self.theory.document,
+            document_name: name.unwrap_or("the document"),
+            language: &self.theory.document.language,
+            task: &self.task,
+            outcome: &self.outcome,
+            traces: &self.traces,
+            intervals: &self.intervals,
+            notes,
+            command,
+            version: env!("CARGO_PKG_VERSION"),
+            date: "",
+        }
+    }
+}
+
+/// What was noticed about each file, in sentences.
+pub fn notes(data: &[Measured]) -> Vec<Vec<String>> {
+    data.iter().map(|one| one.findings.iter().map(|finding| finding.text(false)).collect()).collect()
+}
+
+/// The command as it was typed, as far as a shell needs quotes.
+pub fn command() -> String {
+    let mut words = vec!["meniscus".to_owned()];
+    for word in std::env::args().skip(1) {
+        let plain = |c: char| c.is_alphanumeric() || "-_=.,/+:@%".contains(c);
+        words.push(if word.chars().all(plain) && !word.is_empty() {
+            word
+        } else {
+            format!("'{}'", word.replace('\'', "'\\''"))
+        });
+    }
+    words.join(" ")
+}
+
+/// What a file is to hold, by its ending.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileKind {
+    /// A report.
+    Html,
+    /// A workbook.
+    Xlsx,
+    /// A table.
+    Csv,
+    /// A figure.
+    Svg,
+}
+
+/// What `--output FILE` asks for.
+pub fn kind(path: &Path) -> Result<FileKind, Failure> {
+    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
+    match ending.as_str() {
+        "html" | "htm" => Ok(FileKind::Html),
+        "xlsx" => Ok(FileKind::Xlsx),
+        "csv" => Ok(FileKind::Csv),
+        "svg" => Ok(FileKind::Svg),
+        _ => Err(Failure::with_hint(
+            format!("--output {}: the ending says nothing that can be written", path.display()),
+            "end it in .html (a report), .xlsx (a workbook), .csv (a table) or .svg (a figure)",
+        )),
+    }
+}
+
+fn write(path: &Path, kind: FileKind, data: &[PathBuf], report: &Report) -> Result<(), Failure> {
+    let bytes = match kind {
+        FileKind::Html => report::html(report).into_bytes(),
+        FileKind::Xlsx => report::workbook(report),
+        FileKind::Csv => report::csv(report, false).into_bytes(),
+        FileKind::Svg => report::figure(report, 0).unwrap_or_default().into_bytes(),
+    };
+    write_file(path, data, &bytes)
+}
+
+/// Writes a whole file, which must not be one of the data.
+pub fn write_file(path: &Path, data: &[PathBuf], bytes: &[u8]) -> Result<(), Failure> {
+    let own = path.canonicalize().ok();
+    if own.is_some() && data.iter().any(|data| data.canonicalize().ok() == own) {
+        return Err(Failure::request(format!("{} is the data; choose another output", path.display())));
+    }
+    let mut output = Output::to(path, &crate::load::Sources::of_text("", ""))?;
+    output.write_all(bytes).map_err(|error| output.failure(&error))?;
+    output.finish()
+}
+
+/// Prints to the standard output.
+pub fn print(text: &str) -> Result<(), Failure> {
+    let mut output = Output::standard();
+    output.write_all(text.as_bytes()).map_err(|error| output.failure(&error))?;
+    output.finish()
+}
+
+/// Shown on a terminal after a moment; indicatif shows nothing where the standard error is none.
+fn progress(title: &str) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr()).with_message(title.to_owned());
+    let bar = match ProgressStyle::with_template("{spinner} {msg}: {pos} trials, {elapsed}") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    };
+    bar.enable_steady_tick(Duration::from_millis(500));
+    bar
+}

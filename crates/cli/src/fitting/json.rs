@@ -1,0 +1,119 @@
+//! Results as JSON, in declared units; what is not known is null.
+
+use super::fit::Fitted;
+use analysis::fit::{Estimate, Interval, ObservationFit, Outcome};
+use serde_json::{Map, Value, json};
+use units::Unit;
+
+/// A fit as one object.
+pub fn fit(fitted: &Fitted) -> Value {
+    let outcome = &fitted.outcome;
+    let several = fitted.task.records.len() > 1;
+    let mut object = json!({
+        "document": fitted.theory.sources.path().display().to_string(),
+        "title": fitted.theory.document.title,
+        "converged": outcome.converged,
+        "n": outcome.n,
+        "dof": outcome.dof,
+        "rmse": in_unit(&outcome.rmse_unit, outcome.rmse),
+        "rmse_unit": outcome.rmse_unit.text,
+        "chi2_reduced": outcome.chi2_reduced,
+        "r2": outcome.r2,
+        "aicc": outcome.aicc,
+        "bic": outcome.bic,
+        "durbin_watson": outcome.durbin_watson,
+        "autocorrelation": outcome.autocorrelation,
+        "runs_test": outcome.runs.map(|runs| json!({
+            "runs": runs.runs, "expected": runs.expected, "z": runs.z, "p": runs.p,
+        })),
+        "verdict": outcome.verdict_text(false),
+        "parameters": estimates(&outcome.parameters, &fitted.intervals, None),
+        "derived": estimates(&outcome.derived, &[], None),
+        "correlation": correlation(fitted),
+        "undetermined": outcome.undetermined.iter().flat_map(|one| one.names.clone()).collect::<Vec<_>>(),
+        "determined_combinations":
+            outcome.undetermined.iter().filter_map(|one| one.combination.clone()).collect::<Vec<_>>(),
+        "observations": observations(outcome, None),
+    });
+    if several && let Some(object) = object.as_object_mut() {
+        let runs = fitted.task.records.iter().enumerate().map(|(record, one)| {
+            json!({
+                "name": one.name,
+                "parameters": estimates(&outcome.parameters, &fitted.intervals, Some(record)),
+                "derived": estimates(&outcome.derived, &[], Some(record)),
+                "observations": observations(outcome, Some(record)),
+            })
+        });
+        object.insert("runs".to_owned(), Value::Array(runs.collect()));
+        // Those of each run stand with it.
+        object.remove("observations");
+    }
+    object
+}
+
+/// Those that belong to `record`, or to all.
+fn estimates(estimates: &[Estimate], intervals: &[Option<[Interval; 2]>], record: Option<usize>) -> Value {
+    let mut object = Map::new();
+    for (place, one) in estimates.iter().enumerate().filter(|(_, one)| one.record == record) {
+        let known = |si: f64| one.determined.then(|| in_unit(&one.unit, si));
+        let mut entry = json!({
+            "value": known(one.value),
+            "stderr": one.stderr.map(|error| in_unit(&one.unit, error)),
+            "stderr_hac": one.stderr_hac.map(|error| in_unit(&one.unit, error)),
+            "unit": one.unit.text,
+        });
+        if one.at_bound {
+            entry["at_bound"] = Value::Bool(true);
+        }
+        if let Some(Some(intervals)) = intervals.get(place) {
+            let end = |si: Option<f64>| si.map(|si| in_unit(&one.unit, si));
+            entry["profile"] = intervals
+                .iter()
+                .map(|interval| json!({"level": interval.level, "low": end(interval.low), "high": end(interval.high)}))
+                .collect();
+        }
+        object.insert(one.name.clone(), entry);
+    }
+    Value::Object(object)
+}
+
+/// The matrix as names of names; with several runs, what belongs to one has its name behind it.
+fn correlation(fitted: &Fitted) -> Value {
+    let outcome = &fitted.outcome;
+    let names: Vec<String> = outcome
+        .parameters
+        .iter()
+        .map(|one| match one.record.and_then(|record| fitted.task.records.get(record)) {
+            Some(record) => format!("{} ({})", one.name, record.name),
+            None => one.name.clone(),
+        })
+        .collect();
+    let mut object = Map::new();
+    for (row, name) in names.iter().enumerate() {
+        let cells = outcome.correlation.iter().skip(row * names.len());
+        let entry: Map<String, Value> = names.iter().cloned().zip(cells.map(|value| json!(value))).collect();
+        object.insert(name.clone(), Value::Object(entry));
+    }
+    Value::Object(object)
+}
+
+fn observations(outcome: &Outcome, record: Option<usize>) -> Value {
+    let mine = outcome.observations.iter().filter(|one| record.is_none_or(|record| one.record == record));
+    mine.map(observation).collect()
+}
+
+fn observation(one: &ObservationFit) -> Value {
+    json!({
+        "name": one.name,
+        "unit": one.unit.text,
+        "n": one.inside.iter().filter(|inside| **inside).count(),
+        "rmse": in_unit(&one.unit, one.rmse),
+        "r2": one.r2,
+        "made_from_another": one.derived,
+        "outside": one.outside.map(|outside| json!({"n": outside.n, "rmse": in_unit(&one.unit, outside.rmse)})),
+    })
+}
+
+fn in_unit(unit: &Unit, si: f64) -> f64 {
+    unit.from_si(si)
+}

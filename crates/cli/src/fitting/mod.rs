@@ -1,0 +1,11 @@
+//! `meniscus fit` and `meniscus rank`: documents as theories of measured data.
+
+pub mod arguments;
+mod fit;
+mod json;
+mod prepare;
+mod rank;
+mod text;
+
+pub use fit::fit;
+pub use rank::rank;

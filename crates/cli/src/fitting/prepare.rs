@@ -1,0 +1,284 @@
+//! From the words of a command line to a task.
+
+use super::arguments::Common;
+use crate::arguments::Assignment;
+use crate::data::Measured;
+use crate::failure::Failure;
+use crate::load::{self, Loaded, Sources};
+use crate::settings::{Reader, unknown};
+use crate::terminal::Terminal;
+use analysis::fit::{Observation, Record, Target, Task, Varied, observation};
+use document::Document;
+use engine::Method;
+use model::{Compiled, Kind};
+use std::path::Path;
+use std::str::FromStr;
+use units::Unit;
+
+/// A theory.
+pub struct Theory {
+    /// Where it came from.
+    pub sources: Sources,
+    /// The document.
+    pub document: Document,
+}
+
+/// Opens a document as a theory; what is wrong with it is told.
+pub fn theory(path: &Path, terminal: Terminal) -> Result<Theory, Failure> {
+    let loaded = Loaded::open(load::sources(path)?);
+    terminal.report(&loaded);
+    let refused = loaded.opened.has_errors();
+    let Loaded { sources, opened } = loaded;
+    match opened.document.filter(|_| !refused) {
+        Some(document) => Ok(Theory { sources, document }),
+        None => Err(Failure::Document),
+    }
+}
+
+/// What the arguments ask for, with the document's names.
+pub fn task(
+    document: &mut Document,
+    data: &[Measured],
+    arguments: &Common,
+    terminal: Terminal,
+) -> Result<Task, Failure> {
+    let time = document.model.independent.unit.clone();
+    let parameters: Vec<f64> = document.model.parameters.iter().map(|parameter| parameter.value).collect();
+    let mut task = Task { parameters, ..Task::default() };
+    if let Some(name) = &document.method {
+        task.method = Method::from_str(name)
+            .map_err(|_| unknown("method", name, Method::ALL.iter().map(|method| method.name())))?;
+    }
+    let observed = observed(document, arguments, terminal)?;
+    for measured in data {
+        task.records.push(record(document, measured, arguments, &observed)?);
+    }
+    let vary = document.vary.clone();
+    let mut reader = Reader { model: &mut document.model, terminal };
+    let names: Vec<String> = observed.iter().map(|(name, _)| name.clone()).collect();
+    for fixed in &arguments.fix {
+        fix(&mut reader, &mut task, fixed)?;
+    }
+    for error in &arguments.error {
+        errors(&mut reader, &mut task, data, error, &observed)?;
+    }
+    task.varied = if arguments.vary.is_empty() {
+        // What is held is not varied.
+        let held = |index: usize| arguments.fix.iter().any(|fixed| fixed.name == reader.model.parameters[index].name);
+        vary.into_iter().filter(|&index| !held(index)).map(Varied::parameter).collect()
+    } else {
+        let targets: Result<Vec<Target>, Failure> =
+            arguments.vary.iter().map(|name| target(&reader, name.trim(), &names)).collect();
+        targets?.into_iter().map(|target| Varied { target, ..Varied::parameter(0) }).collect()
+    };
+    if task.varied.is_empty() {
+        return Err(Failure::with_hint(
+            "nothing is varied",
+            "say what with --vary NAME,NAME, or in the document's front matter: `vary: b, y_0`",
+        ));
+    }
+    refine(&mut reader, &mut task, arguments, &names)?;
+    let values = task.parameters.clone();
+    let mut moment = |what: &str, text: &Option<String>| match text {
+        Some(text) => reader.value(what, text, &time, &values).map(Some),
+        None => Ok(None),
+    };
+    task.from = moment("--from", &arguments.from)?;
+    task.until = moment("--until", &arguments.until)?;
+    Ok(task)
+}
+
+/// Shares, starts and bounds of what is varied.
+fn refine(reader: &mut Reader, task: &mut Task, arguments: &Common, names: &[String]) -> Result<(), Failure> {
+    let values = task.parameters.clone();
+    for name in &arguments.share {
+        let place = varied(reader, task, "--share", name.trim(), names)?;
+        task.varied[place].shared = true;
+    }
+    for start in &arguments.start {
+        let place = varied(reader, task, "--start", &start.name, names)?;
+        let unit = unit(reader, task, task.varied[place].target);
+        task.varied[place].start =
+            Some(reader.value(&format!("--start {}", start.name), &start.value, &unit, &values)?);
+    }
+    for bounds in &arguments.bounds {
+        let place = varied(reader, task, "--bounds", &bounds.name, names)?;
+        let unit = unit(reader, task, task.varied[place].target);
+        let what = format!("--bounds {}", bounds.name);
+        let (low, high) = split_range(&bounds.value).ok_or_else(|| {
+            Failure::with_hint(format!("{what} is no range"), format!("write --bounds {}=LO..HI", bounds.name))
+        })?;
+        let low = if low.is_empty() { f64::NEG_INFINITY } else { reader.value(&what, low, &unit, &values)? };
+        let high = if high.is_empty() { f64::INFINITY } else { reader.value(&what, high, &unit, &values)? };
+        if low >= high {
+            return Err(Failure::request(format!("{what}: the lower bound is not below the upper one")));
+        }
+        task.varied[place].bounds = Some((low, high));
+    }
+    Ok(())
+}
+
+/// `1..2`, `1. .. 2.`, `..2`: at the dots that leave both sides whole.
+fn split_range(text: &str) -> Option<(&str, &str)> {
+    let (low, high) = text.split_once("..")?;
+    Some((low.trim(), high.trim()))
+}
+
+/// Observed expressions with the names they are asked for by.
+fn observed(
+    document: &mut Document,
+    arguments: &Common,
+    terminal: Terminal,
+) -> Result<Vec<(String, Compiled)>, Failure> {
+    let mut reader = Reader { model: &mut document.model, terminal };
+    let mut observed: Vec<(String, Compiled)> = Vec::new();
+    for observe in &arguments.observe {
+        let name = &observe.quantity;
+        if observed.iter().any(|(known, _)| known == name) {
+            return Err(Failure::request(format!("--observe {name} is given twice")));
+        }
+        let compiled = reader.expression("--observe", name)?;
+        if compiled.kind != Kind::Number {
+            return Err(Failure::request(format!("--observe {name} is no number that could be measured")));
+        }
+        observed.push((name.clone(), compiled));
+    }
+    Ok(observed)
+}
+
+fn record(
+    document: &Document,
+    measured: &Measured,
+    arguments: &Common,
+    observed: &[(String, Compiled)],
+) -> Result<Record, Failure> {
+    let mut record = Record { name: short_name(&measured.name), ..Record::default() };
+    let mut columns: Vec<usize> = Vec::new();
+    for (observe, (name, compiled)) in arguments.observe.iter().zip(observed) {
+        let column = measured.column(observe, &columns)?;
+        let observation = observation(&document.model, &measured.table, column, name, compiled.clone())
+            .map_err(|error| Failure::request(format!("{}: {error}", measured.name)))?;
+        record.observations.push(observation);
+        columns.push(column);
+    }
+    for (place, column) in columns.iter().enumerate() {
+        let source = measured.derived.iter().find(|derived| derived.column == *column).map(|derived| derived.of);
+        record.observations[place].derived_from =
+            source.and_then(|source| columns.iter().position(|column| *column == source));
+    }
+    Ok(record)
+}
+
+/// The name of a file without its directory.
+fn short_name(path: &str) -> String {
+    Path::new(path).file_name().map_or_else(|| path.to_owned(), |name| name.to_string_lossy().into_owned())
+}
+
+/// `--fix NAME=VALUE`, or as many values as there are records.
+fn fix(reader: &mut Reader, task: &mut Task, fixed: &Assignment) -> Result<(), Failure> {
+    let values = task.parameters.clone();
+    let several: Vec<&str> = fixed.value.split(',').map(str::trim).collect();
+    if several.len() > 1 && several.len() == task.records.len() {
+        for (record, value) in several.iter().enumerate() {
+            let one = Assignment { name: fixed.name.clone(), value: (*value).to_owned() };
+            let assigned = reader.parameter("--fix", &one, &values)?;
+            task.records[record].fixed.push(assigned);
+        }
+        return Ok(());
+    }
+    let (index, value) = reader.parameter("--fix", fixed, &values)?;
+    task.parameters[index] = value;
+    Ok(())
+}
+
+/// `--error y=VALUE` or `--error y=COLUMN`.
+fn errors(
+    reader: &mut Reader,
+    task: &mut Task,
+    data: &[Measured],
+    error: &Assignment,
+    observed: &[(String, Compiled)],
+) -> Result<(), Failure> {
+    let Some(place) = observed.iter().position(|(name, _)| *name == error.name) else {
+        return Err(unknown("observed quantity", &error.name, observed.iter().map(|(name, _)| name.as_str())));
+    };
+    let unit = observed[place].1.unit.clone();
+    for (record, measured) in task.records.iter_mut().zip(data) {
+        let observation: &mut Observation = &mut record.observations[place];
+        let column = error.value.parse::<f64>().err().and_then(|_| measured.table.column(&error.value));
+        let errors = match column {
+            // Row by row as the values, of which gaps have been left out.
+            Some(column) => column_errors(measured, column, &unit, observation)?,
+            None => {
+                let what = format!("--error {}", error.name);
+                let value = reader.value(&what, &error.value, &unit, &task.parameters)?;
+                vec![value; observation.values.len()]
+            }
+        };
+        if errors.iter().any(|error| error.is_nan() || *error <= 0.0) {
+            return Err(Failure::request(format!(
+                "{}: the standard error of {} must be greater than 0 in every row",
+                measured.name, error.name
+            )));
+        }
+        observation.errors = Some(errors);
+    }
+    Ok(())
+}
+
+fn column_errors(
+    measured: &Measured,
+    column: usize,
+    unit: &Unit,
+    observation: &Observation,
+) -> Result<Vec<f64>, Failure> {
+    let values = measured.table.columns[column].si(Some(unit));
+    let times = measured.table.times_of(column);
+    let kept: Vec<f64> =
+        values.iter().zip(times).filter(|(_, time)| time.is_finite()).map(|(value, _)| *value).collect();
+    if kept.len() != observation.values.len() {
+        return Err(Failure::request(format!(
+            "{}: {} has gaps where there are values",
+            measured.name,
+            measured.called(column)
+        )));
+    }
+    Ok(kept)
+}
+
+/// What a name means that can be varied.
+fn target(reader: &Reader, name: &str, observed: &[String]) -> Result<Target, Failure> {
+    if let Some(index) = reader.model.parameters.iter().position(|parameter| parameter.name == name) {
+        return Ok(Target::Parameter(index));
+    }
+    if name == format!("{}_origin", reader.model.independent.name) {
+        return Ok(Target::Origin);
+    }
+    if let Some(place) = observed.iter().position(|observed| name == format!("{observed}_offset")) {
+        return Ok(Target::Offset(place));
+    }
+    Err(reader.no_parameter(name))
+}
+
+/// The place among what is varied of what an option names.
+fn varied(reader: &Reader, task: &Task, option: &str, name: &str, observed: &[String]) -> Result<usize, Failure> {
+    let target = target(reader, name, observed)?;
+    task.varied.iter().position(|varied| varied.target == target).ok_or_else(|| {
+        Failure::with_hint(
+            format!("{option} {name}: {name} is not varied"),
+            format!("add it to --vary: --vary {name},..."),
+        )
+    })
+}
+
+fn unit(reader: &Reader, task: &Task, target: Target) -> Unit {
+    match target {
+        Target::Parameter(index) => reader.model.parameters[index].unit.clone(),
+        Target::Origin => reader.model.independent.unit.clone(),
+        Target::Offset(place) => task
+            .records
+            .first()
+            .and_then(|record| record.observations.get(place))
+            .map_or_else(Unit::dimensionless, |observation| observation.observed.unit.clone()),
+    }
+}

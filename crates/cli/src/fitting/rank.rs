@@ -1,0 +1,185 @@
+//! `meniscus rank`: several theories of the same data, best first.
+
+use super::arguments::{Form, Rank as Arguments};
+use super::fit::{FileKind, Fitted, command, complete, kind, notes, print, write_file};
+use super::prepare;
+use super::text::{Columns, in_unit};
+use crate::data::{self, Measured};
+use crate::failure::Failure;
+use crate::settings::Reader;
+use crate::terminal::Terminal;
+use analysis::fit::{ObservationFit, Outside, Ranked, rank as order};
+use report::{Ranking, Report, plain};
+use serde_json::json;
+use std::fmt::Write;
+
+/// A theory's fit, and what it predicted after having seen the beginning alone.
+struct Contender {
+    fitted: Fitted,
+    /// The errors of the first observation: before and after the moment of the prediction in the fit of everything, and of
+    /// what was predicted from there on.
+    parts: Option<[Outside; 3]>,
+}
+
+/// Fits every theory, and prints them best first.
+pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
+    if arguments.models.len() < 2 {
+        return Err(Failure::with_hint("there is only one theory", "name another one with --model DOC"));
+    }
+    let kind = arguments.output.as_deref().map(kind).transpose()?;
+    if kind == Some(FileKind::Svg) {
+        return Err(Failure::with_hint("a ranking is no figure", "end --output in .html, .xlsx or .csv"));
+    }
+    let data: Vec<Measured> = arguments.data.iter().map(|path| data::read(path)).collect::<Result<_, _>>()?;
+    let contenders: Vec<Contender> =
+        arguments.models.iter().map(|path| contend(path, &data, arguments, terminal)).collect::<Result<_, _>>()?;
+    let aicc: Vec<Option<f64>> = contenders.iter().map(|one| one.fitted.outcome.aicc).collect();
+    let ranked = order(&aicc);
+    if let (Some(path), Some(kind)) = (&arguments.output, kind) {
+        let notes = notes(&data);
+        let reports: Vec<Report> = contenders.iter().map(|one| one.fitted.report(&notes, "")).collect();
+        let command = command();
+        let ranking = Ranking { theories: &reports, command: &command };
+        let bytes = match kind {
+            FileKind::Xlsx => report::ranking_workbook(&ranking),
+            FileKind::Csv => report::ranking_csv(&ranking, false).into_bytes(),
+            FileKind::Html | FileKind::Svg => report::ranking_html(&ranking).into_bytes(),
+        };
+        write_file(path, &arguments.data, &bytes)?;
+    }
+    print(&match arguments.common.format {
+        Form::Text => table(&contenders, &ranked, arguments),
+        Form::Json => as_json(&contenders, &ranked),
+    })
+}
+
+fn contend(
+    path: &std::path::Path,
+    data: &[Measured],
+    arguments: &Arguments,
+    terminal: Terminal,
+) -> Result<Contender, Failure> {
+    let mut theory = prepare::theory(path, terminal)?;
+    let mut task = prepare::task(&mut theory.document, data, &arguments.common, terminal)?;
+    let Some(text) = &arguments.predict_from else {
+        return Ok(Contender { fitted: complete(theory, task, false)?, parts: None });
+    };
+    let time = theory.document.model.independent.unit.clone();
+    let moment = Reader { model: &mut theory.document.model, terminal }.value(
+        "--predict-from",
+        text,
+        &time,
+        &task.parameters.clone(),
+    )?;
+    let until = task.until;
+    let mut fitted = complete(theory, task.clone(), false)?;
+    // What lies exactly at the moment is predicted.
+    task.until = Some(moment - 1e-9 * moment.abs().max(1e-9));
+    let predicted = complete(prepare::theory(path, terminal)?, task, false)?;
+    let from = fitted.task.from;
+    let inside = move |time: f64| from.is_none_or(|from| time >= from) && until.is_none_or(|until| time <= until);
+    let before = error(&fitted, |time| inside(time) && time < moment);
+    let after = error(&fitted, |time| inside(time) && time >= moment);
+    let prediction = error(&predicted, |time| inside(time) && time >= moment);
+    // The report shows the prediction where a fit of a part would have it.
+    for (own, predicted) in fitted.outcome.observations.iter_mut().zip(&predicted.outcome.observations) {
+        own.outside = Some(error_of(predicted, |time| inside(time) && time >= moment)).filter(|part| part.n > 0);
+    }
+    Ok(Contender { fitted, parts: Some([before, after, prediction]) })
+}
+
+/// The root of the mean square of the first observation's residuals at some times, over all records.
+fn error(fitted: &Fitted, inside: impl Fn(f64) -> bool) -> Outside {
+    let parts = fitted.outcome.observations.iter().filter(|one| one.observation == 0).map(|one| error_of(one, &inside));
+    let (n, squares) =
+        parts.fold((0, 0.0), |(n, squares), part| (n + part.n, squares + part.n as f64 * part.rmse * part.rmse));
+    Outside { n, rmse: (squares / n.max(1) as f64).sqrt() }
+}
+
+fn error_of(one: &ObservationFit, inside: impl Fn(f64) -> bool) -> Outside {
+    let rows = one.times.iter().zip(&one.measured).zip(&one.fitted).filter(|((time, _), _)| inside(**time));
+    let (n, squares) = rows.fold((0, 0.0), |(n, squares), ((_, measured), fitted)| {
+        (n + 1, squares + (measured - fitted) * (measured - fitted))
+    });
+    Outside { n, rmse: (squares / n.max(1) as f64).sqrt() }
+}
+
+/// How many numbers the data determined.
+fn numbers(fitted: &Fitted) -> usize {
+    fitted.outcome.n.saturating_sub(fitted.outcome.dof)
+}
+
+fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> String {
+    let mut columns = Columns::default();
+    let predicts = contenders.iter().any(|one| one.parts.is_some());
+    let moment = arguments.predict_from.as_deref().unwrap_or_default();
+    let (before, after) = (format!("before {moment}"), format!("after {moment}"));
+    let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<String>>();
+    let mut head = words(&["", "theory", "numbers", "ΔAICc", "weight", "RMSE"]);
+    if predicts {
+        head.extend([before, after, "predicted".to_owned()]);
+    }
+    columns.push(head);
+    for (place, ranked) in ranked.iter().enumerate() {
+        let one = &contenders[ranked.index];
+        let Some(first) = one.fitted.outcome.observations.first() else { continue };
+        let mut row = vec![
+            format!("{}.", place + 1),
+            one.fitted.theory.document.title.clone(),
+            numbers(&one.fitted).to_string(),
+            if ranked.difference.is_finite() { format!("{:.1}", ranked.difference) } else { "–".to_owned() },
+            if ranked.weight < 1e-3 { "< 0.001".to_owned() } else { format!("{:.3}", ranked.weight) },
+            in_unit(first, one.fitted.outcome.rmse),
+        ];
+        if let Some(parts) = one.parts {
+            row.extend(parts.map(|part| if part.n > 0 { in_unit(first, part.rmse) } else { "–".to_owned() }));
+        }
+        columns.push(row);
+    }
+    let mut text = columns.text(&[false, false, true, true, true, true, true, true, true]);
+    let best = ranked.first().map(|ranked| &contenders[ranked.index].fitted.outcome);
+    if let Some(best) = best {
+        let _ = writeln!(text, "\nOf the best: {}", best.verdict_text(false));
+        if best.autocorrelation > 0.3 {
+            let rho = best.autocorrelation.min(0.99);
+            let _ = writeln!(
+                text,
+                "Neighbouring residuals resemble each other (correlation {}), so that {} values are worth about {:.0}: \
+                 differences of AICc are overstated about {:.0} times, and the prediction is the better judge.",
+                plain(rho, 2, false),
+                best.n,
+                best.n as f64 * (1.0 - rho) / (1.0 + rho),
+                (1.0 + rho) / (1.0 - rho)
+            );
+        }
+    }
+    for one in contenders.iter().filter(|one| !one.fitted.outcome.converged) {
+        let _ = writeln!(text, "The search for {} did not come to its end.", one.fitted.theory.document.title);
+    }
+    for one in contenders {
+        for undetermined in &one.fitted.outcome.undetermined {
+            let _ = writeln!(text, "{}: {}", one.fitted.theory.document.title, undetermined.text(false));
+        }
+    }
+    text
+}
+
+fn as_json(contenders: &[Contender], ranked: &[Ranked]) -> String {
+    let rows: Vec<serde_json::Value> = ranked
+        .iter()
+        .map(|ranked| {
+            let one = &contenders[ranked.index];
+            let mut row = super::json::fit(&one.fitted);
+            let unit = &one.fitted.outcome.rmse_unit;
+            row["delta_aicc"] = json!(ranked.difference);
+            row["weight"] = json!(ranked.weight);
+            if let Some([before, after, prediction]) = one.parts {
+                row["rmse_before"] = json!(unit.from_si(before.rmse));
+                row["rmse_after"] = json!(unit.from_si(after.rmse));
+                row["rmse_predicted"] = json!(unit.from_si(prediction.rmse));
+            }
+            row
+        })
+        .collect();
+    format!("{:#}\n", serde_json::Value::Array(rows))
+}

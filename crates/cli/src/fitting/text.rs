@@ -1,0 +1,168 @@
+//! Results for people, on a terminal.
+
+use super::fit::Fitted;
+use analysis::fit::{Estimate, Interval, ObservationFit, Outcome};
+use report::{plain, unit, with_error};
+use std::fmt::Write;
+
+/// Rows of cells, set in columns.
+#[derive(Default)]
+pub struct Columns {
+    rows: Vec<Vec<String>>,
+}
+
+impl Columns {
+    /// Adds a row.
+    pub fn push(&mut self, cells: Vec<String>) {
+        self.rows.push(cells);
+    }
+
+    /// The rows, each column as wide as its widest cell; the first at the left, the others at the right where `right` says so.
+    pub fn text(&self, right: &[bool]) -> String {
+        let count = self.rows.iter().map(Vec::len).max().unwrap_or(0);
+        let width =
+            |column: usize| self.rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max();
+        let widths: Vec<usize> = (0..count).map(|column| width(column).unwrap_or(0)).collect();
+        let mut text = String::new();
+        for row in &self.rows {
+            let mut line = String::from(" ");
+            for (column, cell) in row.iter().enumerate() {
+                let pad = " ".repeat(widths[column].saturating_sub(cell.chars().count()));
+                line.push(' ');
+                match right.get(column) {
+                    Some(true) => line.extend([pad.as_str(), cell, " "]),
+                    _ => line.extend([cell.as_str(), &pad, " "]),
+                }
+            }
+            text.push_str(line.trim_end());
+            text.push('\n');
+        }
+        text
+    }
+}
+
+/// A fit with everything that is known of it.
+pub fn fit(fitted: &Fitted, notes: &[Vec<String>]) -> String {
+    let outcome = &fitted.outcome;
+    let mut text = String::new();
+    let names: Vec<&str> = fitted.task.records.iter().map(|record| record.name.as_str()).collect();
+    // Writing to a string cannot fail.
+    let _ = writeln!(text, "{}, fitted to {}\n", fitted.theory.document.title, crate::failure::listed(names));
+    if !outcome.converged {
+        text.push_str("The search did not come to its end: these values are only the best that were found.\n\n");
+    }
+    text.push_str(&parameters(fitted));
+    if outcome.derived.iter().any(|one| one.determined) {
+        text.push_str("\nFrom these\n");
+        text.push_str(&estimates(&outcome.derived, &[], fitted));
+    }
+    for one in &outcome.undetermined {
+        let _ = writeln!(text, "\n{}", one.text(false));
+    }
+    text.push('\n');
+    text.push_str(&quality(outcome, fitted));
+    let _ = writeln!(text, "\n{}", outcome.verdict_text(false));
+    let derived: Vec<&str> =
+        outcome.observations.iter().filter(|one| one.derived).map(|one| one.name.as_str()).collect();
+    if !derived.is_empty() {
+        let _ = writeln!(
+            text,
+            "{} was computed from another column: it is no second witness, and is not counted twice.",
+            crate::failure::listed(derived)
+        );
+    }
+    for (record, notes) in fitted.task.records.iter().zip(notes).filter(|(_, notes)| !notes.is_empty()) {
+        let _ = writeln!(text, "\n{}", record.name);
+        for note in notes {
+            let _ = writeln!(text, "  {note}");
+        }
+    }
+    text
+}
+
+fn parameters(fitted: &Fitted) -> String {
+    let outcome = &fitted.outcome;
+    let mut text = estimates(&outcome.parameters, &fitted.intervals, fitted);
+    if outcome.parameters.iter().any(|one| one.stderr_hac.is_some()) {
+        text.push_str(
+            "  In brackets: the standard error of the last digits, for residuals as they are, correlated in time\n  \
+             (Newey-West). Behind: the textbook's, which supposes that they know nothing of each other.\n",
+        );
+    }
+    text
+}
+
+fn estimates(estimates: &[Estimate], intervals: &[Option<[Interval; 2]>], fitted: &Fitted) -> String {
+    let mut columns = Columns::default();
+    for (place, one) in estimates.iter().enumerate() {
+        let record = one.record.and_then(|record| fitted.task.records.get(record));
+        let name = match record {
+            Some(record) => format!("{} ({})", one.name, record.name),
+            None => one.name.clone(),
+        };
+        let value = one.unit.from_si(one.value);
+        let error = one.stderr_hac.map(|error| one.unit.from_si(error));
+        let shown = if one.determined { with_error(value, error, false) } else { "not determined".to_owned() };
+        let remark = match (one.at_bound, one.stderr) {
+            (true, _) => "at the end of its range".to_owned(),
+            (_, Some(error)) => format!("±{}", plain(one.unit.from_si(error), 2, false)),
+            _ => String::new(),
+        };
+        let unit_text = if one.determined { unit(&one.unit.text) } else { String::new() };
+        let profile = intervals.get(place).copied().flatten().map_or_else(String::new, |intervals| {
+            let end = |si: Option<f64>| si.map_or("…".to_owned(), |si| plain(one.unit.from_si(si), 5, false));
+            let [one_sigma, two_sigma] =
+                intervals.map(|interval| format!("{} … {}", end(interval.low), end(interval.high)));
+            format!("68 %: {one_sigma}; 95 %: {two_sigma}")
+        });
+        columns.push(vec![name, shown, unit_text, remark, profile, one.label.clone().unwrap_or_default()]);
+    }
+    columns.text(&[])
+}
+
+fn quality(outcome: &Outcome, fitted: &Fitted) -> String {
+    let mut columns = Columns::default();
+    let number = |value: f64| plain(value, 5, false);
+    columns.push(vec!["values, degrees of freedom".to_owned(), format!("{}, {}", outcome.n, outcome.dof)]);
+    for one in &outcome.observations {
+        columns.push(vec![format!("RMSE of {}", called(one, fitted)), in_unit(one, one.rmse)]);
+        if let Some(outside) = one.outside {
+            columns.push(vec![
+                format!("RMSE of {} outside the fitted part", called(one, fitted)),
+                format!("{} ({} values)", in_unit(one, outside.rmse), outside.n),
+            ]);
+        }
+    }
+    if let Some(reduced) = outcome.chi2_reduced {
+        columns.push(vec!["reduced chi-square".to_owned(), number(reduced)]);
+    }
+    columns.push(vec!["R²".to_owned(), plain(outcome.r2, 6, false)]);
+    columns.push(vec![
+        "AICc, BIC".to_owned(),
+        format!(
+            "{}, {}",
+            outcome.aicc.map_or("–".to_owned(), |aicc| plain(aicc, 6, false)),
+            plain(outcome.bic, 6, false)
+        ),
+    ]);
+    let mut witness = format!("{} (2 by chance)", plain(outcome.durbin_watson, 3, false));
+    if let Some(runs) = outcome.runs {
+        let _ = write!(witness, "; {} runs of equal sign ({:.0} by chance)", runs.runs, runs.expected);
+    }
+    columns.push(vec!["Durbin-Watson".to_owned(), witness]);
+    columns.text(&[])
+}
+
+/// The name of an observation, with its record where there are several.
+fn called(one: &ObservationFit, fitted: &Fitted) -> String {
+    match fitted.task.records.get(one.record).filter(|_| fitted.task.records.len() > 1) {
+        Some(record) => format!("{} ({})", one.name, record.name),
+        None => one.name.clone(),
+    }
+}
+
+/// An SI value in the unit of an observation.
+pub fn in_unit(one: &ObservationFit, si: f64) -> String {
+    let number = plain(one.unit.from_si(si), 3, false);
+    if one.unit.text.is_empty() { number } else { format!("{number} {}", unit(&one.unit.text)) }
+}

@@ -270,7 +270,7 @@ impl Session {
                 let label = labels.curves.get(number).filter(|_| present_run).map_or("", String::as_str);
                 let (x, y) = (traces.column(columns.x), traces.column(column));
                 let mut curve = Series { label, axis, colour: number as u8, style, x, y, ..Series::default() };
-                curve.breaks = traces.breaks();
+                curve.breaks = traces.breaks(columns.first + number);
                 curve.present = present.filter(|_| present_run);
                 series.push(curve);
             }

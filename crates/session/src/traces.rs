@@ -21,6 +21,8 @@ pub(crate) struct Columns {
 pub(crate) struct PlotColumns {
     /// The abscissa.
     pub x: usize,
+    /// The number of its first curve among those of all plots.
+    pub first: usize,
     /// For each curve its column and the number of its axis.
     pub curves: Vec<(usize, usize)>,
     /// The unit of each axis: that of its first curve.
@@ -44,7 +46,8 @@ impl Columns {
                 });
                 curves.push((columns.add(curve.value.node, &axes[axis]), axis));
             }
-            columns.plots.push(PlotColumns { x, curves, axes });
+            let first = columns.plots.iter().map(|plot| plot.curves.len()).sum();
+            columns.plots.push(PlotColumns { x, first, curves, axes });
         }
         columns.readings = Readings::new(model, &columns.nodes);
         columns
@@ -76,6 +79,15 @@ impl Columns {
         out.extend(values.iter().zip(&self.units).map(|(&value, unit)| unit.from_si(value)));
     }
 
+    /// Of each column whether its value at a row would be another with other parameters.
+    fn jumping(&mut self, history: &History, row: usize, parameters: &[f64], columns: &[Vec<f64>]) -> Vec<bool> {
+        let mut state = vec![0.0; history.states()];
+        history.state(row, &mut state);
+        let values = self.readings.at(parameters, history.initial(), history.time(row), &state);
+        let columns = columns.iter().zip(values).zip(&self.units);
+        columns.map(|((column, &value), unit)| column[row].to_bits() != unit.from_si(value).to_bits()).collect()
+    }
+
     fn row(&mut self, history: &History, row: usize, columns: &mut [Vec<f64>]) {
         let values = self.readings.at_row(history, row);
         for ((column, &value), unit) in columns.iter_mut().zip(values).zip(&self.units) {
@@ -88,8 +100,8 @@ impl Columns {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Traces {
     columns: Vec<Vec<f64>>,
-    /// Rows before which the line is interrupted.
-    breaks: Vec<usize>,
+    /// For each curve of all plots the rows before which its line is interrupted.
+    breaks: Vec<Vec<usize>>,
     /// Recorded rows; the columns may have one value more, the tip.
     rows: usize,
 }
@@ -106,17 +118,37 @@ impl Traces {
             return;
         }
         self.columns.resize(columns.nodes.len(), Vec::new());
+        self.breaks.resize(columns.plots.iter().map(|plot| plot.curves.len()).sum(), Vec::new());
         self.truncate(rows);
         for row in self.rows..rows {
             if row > 0 && history.segment(row) != history.segment(row - 1) {
-                self.breaks.push(row);
+                self.breaks.iter_mut().for_each(|breaks| breaks.push(row));
+            } else if row > 0 {
+                self.interrupt(history, row, history.parameters(row), columns);
             }
             columns.row(history, row, &mut self.columns);
         }
         self.rows = rows;
         if !course.is_scrubbed() {
+            if rows > 0 {
+                self.interrupt(history, rows, course.parameters(), columns);
+            }
             for (column, &value) in self.columns.iter_mut().zip(present) {
                 column.push(value);
+            }
+        }
+    }
+
+    /// Interrupts before `row` the curves that jump because there the parameters change: the energy with the density.
+    fn interrupt(&mut self, history: &History, row: usize, parameters: &[f64], columns: &mut Columns) {
+        if history.parameters(row - 1) == parameters {
+            return;
+        }
+        let jumping = columns.jumping(history, row - 1, parameters, &self.columns);
+        let curves = columns.plots.iter().flat_map(|plot| plot.curves.iter().map(|&(column, _)| (plot.x, column)));
+        for ((x, column), breaks) in curves.zip(&mut self.breaks) {
+            if jumping[x] || jumping[column] {
+                breaks.push(row);
             }
         }
     }
@@ -127,7 +159,9 @@ impl Traces {
         for column in &mut self.columns {
             column.truncate(self.rows);
         }
-        self.breaks.retain(|&row| row < self.rows);
+        for breaks in &mut self.breaks {
+            breaks.retain(|&row| row < self.rows);
+        }
     }
 
     /// One column.
@@ -135,9 +169,9 @@ impl Traces {
         self.columns.get(index).map_or(&[], Vec::as_slice)
     }
 
-    /// Rows before which the line is interrupted.
-    pub fn breaks(&self) -> &[usize] {
-        &self.breaks
+    /// Rows before which the line of a curve is interrupted; curves are counted through all plots.
+    pub fn breaks(&self, curve: usize) -> &[usize] {
+        self.breaks.get(curve).map_or(&[], Vec::as_slice)
     }
 
     /// How many recorded rows there are.
@@ -151,13 +185,13 @@ impl Traces {
         let stride = length.saturating_sub(first).div_ceil(most.max(1)).max(1);
         let rows: Vec<usize> = (first..length).step_by(stride).collect();
         let columns = self.columns.iter().map(|column| rows.iter().map(|&row| column[row]).collect()).collect();
-        let mut breaks: Vec<usize> = self
-            .breaks
-            .iter()
-            .map(|&row| rows.partition_point(|&kept| kept < row))
-            .filter(|&row| row > 0 && row < rows.len())
-            .collect();
-        breaks.dedup();
+        let thinned = |breaks: &Vec<usize>| {
+            let places = breaks.iter().map(|&row| rows.partition_point(|&kept| kept < row));
+            let mut places: Vec<usize> = places.filter(|&row| row > 0 && row < rows.len()).collect();
+            places.dedup();
+            places
+        };
+        let breaks = self.breaks.iter().map(thinned).collect();
         Self { columns, breaks, rows: rows.len() }
     }
 }

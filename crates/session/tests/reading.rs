@@ -139,6 +139,27 @@ fn plots_grow_with_the_run_and_end_at_the_moment_shown() {
     assert!(session.layout_plot(9, &Settings::default()).is_none());
 }
 
+/// How many pieces the lines of a figure have.
+fn pieces(session: &mut Session, index: usize) -> usize {
+    let figure = session.layout_plot(index, &Settings::default()).unwrap();
+    figure.items().filter(|item| matches!(item, Item::Polyline(..))).count()
+}
+
+#[test]
+fn what_jumps_with_a_parameter_is_drawn_interrupted() {
+    let mut session = utube();
+    play(&mut session, [1.0]);
+    let (motion, energies) = (pieces(&mut session, 0), pieces(&mut session, 2));
+    set(&mut session, "rho", 2000.0);
+    assert_eq!((pieces(&mut session, 0), pieces(&mut session, 2)), (motion, energies), "a point is no piece");
+    play(&mut session, [1.0]);
+    // E, T and V double with the mass; the state goes on.
+    assert_eq!((pieces(&mut session, 0), pieces(&mut session, 2)), (motion, energies + 3));
+    set(&mut session, "b", 100.0);
+    play(&mut session, [1.0]);
+    assert_eq!((pieces(&mut session, 0), pieces(&mut session, 2)), (motion, energies + 3));
+}
+
 #[test]
 fn plots_are_read_by_pointer_and_by_keyboard() {
     let mut session = utube();

@@ -43,10 +43,10 @@ impl Theme {
 
     /// Sets the attribute that the style sheet follows, and the colours of the canvases.
     pub fn apply(self, app: App) {
-        if let Some(root) = document().document_element() {
-            let _ = root.set_attribute("data-theme", self.name());
-        }
         let dark = self == Self::Dark || (self == Self::System && browser::matches("(prefers-color-scheme: dark)"));
+        if let Some(root) = document().document_element() {
+            let _ = root.set_attribute("data-theme", if dark { Self::Dark } else { Self::Light }.name());
+        }
         app.with(|lab| {
             lab.stage.colours = Colours::new(if dark { &Palette::DARK } else { &Palette::LIGHT });
             for plot in lab.stage.plots.iter_mut().flatten() {

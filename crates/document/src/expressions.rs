@@ -118,7 +118,7 @@ impl<'a> Expressions<'a> {
         if found.is_none() {
             let message = format!("`{}` is not a parameter of the model", name.text);
             let names = self.model().parameters.iter().map(|parameter| parameter.name.as_str());
-            let hint = match crate::near::nearest(&name.text, names) {
+            let hint = match model::nearest(&name.text, names) {
                 Some(near) => Some(format!("did you mean `{near}`?")),
                 None if self.model().lookup(&name.text, 0).is_some() => {
                     Some("only parameters can be set; what is computed follows from them".to_owned())

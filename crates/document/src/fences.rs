@@ -1,8 +1,7 @@
 //! The fenced blocks of a document that are more than prose, and the prose between them.
 
-use crate::near::nearest;
 use crate::source::{Line, lines};
-use model::{Diagnostic, Span};
+use model::{Diagnostic, Span, nearest};
 use std::ops::Range;
 
 /// What a fenced block holds.

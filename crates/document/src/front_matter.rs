@@ -1,8 +1,7 @@
 //! The lines between `---` at the beginning of a document: `key: value`.
 
-use crate::near::nearest;
 use crate::source::{Line, lines};
-use model::{Diagnostic, Span};
+use model::{Diagnostic, Span, nearest};
 use std::ops::Range;
 
 /// The keys there are.

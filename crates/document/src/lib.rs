@@ -5,7 +5,6 @@ mod document;
 mod expressions;
 mod fences;
 mod front_matter;
-mod near;
 mod open;
 pub mod page;
 mod plots;

@@ -1,10 +1,9 @@
 //! The texts of a document in another language: lines `"Damping" = "Amortiguamiento"`.
 
-use crate::near::nearest;
 use crate::scan::{leading_text, statements};
 use crate::scene::normalised;
 use crate::source::trim;
-use model::{Diagnostic, Span};
+use model::{Diagnostic, Span, nearest};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 

@@ -18,7 +18,7 @@ impl Builder<'_, '_> {
             let hint = match text.as_str() {
                 "style" => Some("write the properties as attributes, `fill=\"red\"`, or in a `<style>`".to_owned()),
                 "href" | "xlink:href" => Some("a scene refers to nothing outside itself".to_owned()),
-                _ => crate::near::nearest(&text, ATTRIBUTES).map(|near| format!("did you mean `{near}`?")),
+                _ => model::nearest(&text, ATTRIBUTES).map(|near| format!("did you mean `{near}`?")),
             };
             self.refuse(
                 format!("the attribute `{text}` is not allowed in a scene; it is left out"),

@@ -126,7 +126,7 @@ impl Builder<'_, '_> {
     fn element(&mut self, raw: RawElement) -> Option<Element> {
         let name = self.source(&raw.name).to_owned();
         if !ELEMENTS.contains(&name.as_str()) {
-            let hint = crate::near::nearest(&name, ELEMENTS).map(|near| format!("did you mean `{near}`?"));
+            let hint = model::nearest(&name, ELEMENTS).map(|near| format!("did you mean `{near}`?"));
             self.refuse(
                 format!("a scene cannot contain `<{name}>`; it is left out with what it holds"),
                 raw.name,

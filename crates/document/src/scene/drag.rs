@@ -34,7 +34,7 @@ impl Builder<'_, '_> {
         let states: Vec<String> = self.expressions.model().states.iter().map(model::State::name).collect();
         let Some(state) = states.iter().position(|known| *known == name) else {
             let mut hint = format!("the states are {}", states.join(", "));
-            if let Some(near) = crate::near::nearest(&name, states.iter().map(String::as_str)) {
+            if let Some(near) = model::nearest(&name, states.iter().map(String::as_str)) {
                 hint = format!("did you mean `{near}`?");
             }
             self.refuse(format!("`{name}` is not a state, so it cannot be dragged"), place, Some(&hint));

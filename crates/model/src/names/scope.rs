@@ -70,13 +70,14 @@ impl Scope {
 }
 
 /// The candidate that differs least from `name`, if that is little; the first of several.
-pub fn nearest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = name.chars().count();
     if length > LONGEST_COMPARED {
         return None;
     }
     let tolerance = if length <= 2 { 1 } else { length.div_ceil(3).min(3) };
     candidates
+        .into_iter()
         .filter(|candidate| candidate.chars().count().abs_diff(length) <= tolerance)
         .map(|candidate| (distance(name, candidate), candidate))
         .filter(|&(distance, candidate)| distance <= tolerance && (distance < length || similar(name, candidate)))
@@ -135,6 +136,16 @@ mod tests {
             ("temperature", None),
         ] {
             assert_eq!(scope.near(written), meant, "{written}");
+        }
+        for (written, known, meant) in [
+            ("titel", "title", true),
+            ("Step", "step", true),
+            ("author", "title", false),
+            ("author", "step", false),
+            ("", "step", false),
+            ("L", "g", false),
+        ] {
+            assert_eq!(nearest(written, [known]), meant.then_some(known), "{written}");
         }
         assert_eq!(Scope::near_function("sine"), Some("sin"));
         assert_eq!(Scope::near_function("squrt"), Some("sqrt"));

@@ -20,7 +20,7 @@ pub fn html(report: &Report<'_>) -> String {
     findings::warnings(&mut page, report);
     if !report.outcome.derived.is_empty() {
         page.element("h3", words.pick("What follows from them", "Lo que se deduce de ellos"));
-        results::estimates(&mut page, report, &report.outcome.derived, true);
+        results::estimates(&mut page, report, &results::once(&report.outcome.derived), true);
     }
     findings::residuals(&mut page, report);
     findings::prediction(&mut page, report);

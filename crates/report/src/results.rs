@@ -42,6 +42,23 @@ pub fn label(report: &Report<'_>, estimate: &Estimate) -> String {
     }
 }
 
+/// Derived quantities, those that are the same in every record only once.
+pub fn once(derived: &[Estimate]) -> Vec<Estimate> {
+    let mut result: Vec<Estimate> = Vec::new();
+    for estimate in derived {
+        let alike = |other: &&Estimate| other.name == estimate.name;
+        let same = derived.iter().filter(alike).all(|other| {
+            other.value == estimate.value && other.stderr == estimate.stderr && other.stderr_hac == estimate.stderr_hac
+        });
+        if !same {
+            result.push(estimate.clone());
+        } else if !result.iter().any(|other| other.name == estimate.name) {
+            result.push(Estimate { record: None, ..estimate.clone() });
+        }
+    }
+    result
+}
+
 /// The table of the parameters or of the derived quantities.
 pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], derived: bool) {
     let words = Words::of(report.language);
@@ -168,7 +185,7 @@ pub fn correlations(page: &mut Page, report: &Report<'_>) {
     }
     page.raw("<div class=\"scroll\"><table class=\"matrix\"><thead><tr><td></td>");
     for index in 0..count {
-        page.wrapped("th scope=\"col\"", &named(index));
+        page.wrapped("th scope=\"col\"", &named(index).replace(" <small>", "<br/><small>"));
     }
     page.raw("</tr></thead><tbody>\n");
     for row in 0..count {

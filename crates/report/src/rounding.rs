@@ -38,7 +38,7 @@ pub fn error(value: f64, comma: bool) -> String {
         return DASH.to_owned();
     }
     let (_, exponent) = scientific(value, 2);
-    let power = if value == 0.0 || (-4..2).contains(&exponent) { 0 } else { exponent };
+    let power = if value == 0.0 || (-5..2).contains(&exponent) { 0 } else { exponent };
     finish(shifted(value, power, usize::try_from(power - exponent + 1).unwrap_or(0)), power, comma)
 }
 

@@ -58,7 +58,7 @@ async function estimates(lab) {
     const [middle, spread] = value.replace(/[()]/g, "").split("±").map(number);
     const power = value.match(/×10(\S+)/)?.[1].replace(/./g, (sign) => "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(sign) >= 0 ? "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(sign) : "-");
     const scale = value.includes("(") && power ? 10 ** Number(power) : 1;
-    return [label.split(/\s+\S*$/)[0], { value: middle * scale, spread: spread * scale, unit, remark }];
+    return [label.split("\n")[0].trim(), { value: middle * scale, spread: spread * scale, unit, remark }];
   }));
 }
 

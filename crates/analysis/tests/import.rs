@@ -190,6 +190,23 @@ const CASES: &[Case] = &[
 3:2.y=3 4",
     ),
     (
+        "bodies whose times have their names",
+        "t_A;y_A;t_B;y_B\n0;1;0;3\n1;2;1;4\n",
+        "semicolons, decimal point, 1 header line
+*1.t_A=0 1
+1:1.y_A=1 2
+*2.t_B=0 1
+3:2.y_B=3 4",
+    ),
+    (
+        "a quantity that is a time",
+        "t;t_half;time_of_flight\n0;1;2\n1;2;3\n",
+        "semicolons, decimal point, 1 header line
+*t=0 1
+1:t_half=1 2
+1:time_of_flight=2 3",
+    ),
+    (
         "a counter of frames",
         "n\tx\n0\t1.5\n1\t2.5\n",
         "tabs, decimal point, 1 header line

@@ -34,7 +34,9 @@ fn independent(columns: &[Column]) -> Vec<usize> {
     let all = |wanted: &dyn Fn(&Column) -> bool| -> Vec<usize> {
         (0..columns.len()).filter(|index| wanted(&columns[*index])).collect()
     };
-    let times = all(&|column| is_in(&TIMES, &column.name));
+    // Where one is called just that, `t_half` is a quantity; else `t_A` and `t_B` are times.
+    let exact = all(&|column| TIMES.contains(&column.name.to_lowercase().as_str()));
+    let times = if exact.is_empty() { all(&|column| is_in(&TIMES, &column.name)) } else { exact };
     if !times.is_empty() {
         return times;
     }

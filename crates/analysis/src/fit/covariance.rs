@@ -1,7 +1,7 @@
 //! How well a fit determines what was varied: the textbook covariance, and one that is honest about residuals that cling
 //! together.
 
-use super::linear::{Decomposition, dot, norm};
+use super::linear::{Decomposition, Jacobian, dot, norm};
 use super::problem::Plan;
 use super::search::Search;
 use super::statistics;
@@ -24,6 +24,8 @@ pub(crate) struct Covariance {
     pub flat: Vec<Vec<f64>>,
     /// Independent values minus determined numbers.
     pub dof: f64,
+    /// How far each number must go to change the curve by as much as any other; 0 where that is nowhere.
+    lengths: Vec<f64>,
 }
 
 impl Covariance {
@@ -43,40 +45,32 @@ impl Covariance {
                 free.push(column);
             }
         }
-        let decomposition = Decomposition::new(&search.jacobian, &free, &scale, &search.residuals);
-        let least = FLAT * decomposition.greatest();
-        // The pseudo-inverse of the normal matrix, V S^-2 V^T in scaled variables.
-        let mut inverse = vec![0.0; size * size];
-        let mut rank = 0;
-        for (k, &singular) in decomposition.singular.iter().enumerate() {
-            let right = &decomposition.right[k * free.len()..(k + 1) * free.len()];
-            let mut direction = vec![0.0; size];
-            free.iter().zip(right).for_each(|(&column, value)| direction[column] = value / scale[column]);
-            if singular <= least {
-                flat.push(direction);
-                continue;
-            }
-            rank += 1;
-            for row in 0..size {
-                for column in 0..size {
-                    inverse[row * size + column] += direction[row] * direction[column] / (singular * singular);
-                }
+        let known = pseudo_inverse(&search.jacobian, &free, &scale);
+        flat.extend(known.flat);
+        let dof = values - known.rank as f64;
+        let variance = |squares: f64| if errors_given { 1.0 } else { squares / dof.max(f64::MIN_POSITIVE) };
+        let mut textbook: Vec<f64> = known.inverse.iter().map(|value| value * variance(search.sum)).collect();
+        // What was computed from other columns has errors that follow from theirs. Where these determine as much by themselves,
+        // they alone are counted.
+        if plans.iter().flat_map(|plan| &plan.points).any(|point| !point.measured) {
+            let (jacobian, squares) = witnesses(search, plans);
+            let alone = pseudo_inverse(&jacobian, &free, &scale);
+            if alone.rank == known.rank {
+                textbook = alone.inverse.iter().map(|value| value * variance(squares)).collect();
             }
         }
-        let dof = values - rank as f64;
-        let variance = if errors_given { 1.0 } else { search.sum / dof.max(f64::MIN_POSITIVE) };
+        let inverse = known.inverse;
         let meat = meat(search, plans, &inverse);
         let robust = product(&product(&inverse, &meat, size), &inverse, size);
-        Self { textbook: inverse.iter().map(|value| value * variance).collect(), robust, flat, dof }
+        let lengths = scale.iter().map(|scale| if *scale > 0.0 { 1.0 / scale } else { 0.0 }).collect();
+        Self { textbook, robust, flat, dof, lengths }
     }
 
     /// Whether a change along `gradient` (by column) changes the curve, so that its uncertainty is known.
     pub fn determines(&self, gradient: &[f64]) -> bool {
-        self.flat.iter().all(|direction| {
-            // In the size that each column has in the direction, so that units do not matter.
-            let parts = gradient.iter().zip(direction).map(|(a, b)| (a * b).abs()).fold(0.0, f64::max);
-            dot(gradient, direction).abs() <= 1e-6 * parts
-        })
+        // What a change of each number by its natural length would make of it.
+        let parts = gradient.iter().zip(&self.lengths).fold(0.0, |sum, (slope, length)| sum + (slope * length).abs());
+        self.flat.iter().all(|direction| dot(gradient, direction).abs() <= 1e-6 * parts)
     }
 
     /// The variance along `gradient` in one of the matrices.
@@ -88,6 +82,53 @@ impl Covariance {
         }
         sum.max(0.0)
     }
+}
+
+/// The pseudo-inverse of a normal matrix.
+struct Inverse {
+    /// All columns, row by row.
+    inverse: Vec<f64>,
+    rank: usize,
+    /// Directions in which the curve does not change.
+    flat: Vec<Vec<f64>>,
+}
+
+/// V S^-2 V^T in scaled variables, of the columns `free`.
+fn pseudo_inverse(jacobian: &Jacobian, free: &[usize], scale: &[f64]) -> Inverse {
+    let size = jacobian.columns;
+    let decomposition = Decomposition::new(jacobian, free, scale, &vec![0.0; jacobian.rows]);
+    let least = FLAT * decomposition.greatest();
+    let mut result = Inverse { inverse: vec![0.0; size * size], rank: 0, flat: Vec::new() };
+    for (k, &singular) in decomposition.singular.iter().enumerate() {
+        let right = &decomposition.right[k * free.len()..(k + 1) * free.len()];
+        let mut direction = vec![0.0; size];
+        free.iter().zip(right).for_each(|(&column, value)| direction[column] = value / scale[column]);
+        if singular <= least {
+            result.flat.push(direction);
+            continue;
+        }
+        result.rank += 1;
+        for row in 0..size {
+            for column in 0..size {
+                result.inverse[row * size + column] += direction[row] * direction[column] / (singular * singular);
+            }
+        }
+    }
+    result
+}
+
+/// The derivatives of what was measured, with its full weight, and its sum of squares; nothing of what was computed from it.
+fn witnesses(search: &Search, plans: &[Plan]) -> (Jacobian, f64) {
+    let mut jacobian = search.jacobian.clone();
+    let mut squares = 0.0;
+    for (place, point) in plans.iter().flat_map(|plan| &plan.points).enumerate() {
+        let factor = if point.measured { 1.0 / point.share.sqrt() } else { 0.0 };
+        squares += factor * factor * search.residuals[place] * search.residuals[place];
+        for column in 0..jacobian.columns {
+            jacobian.values[column * jacobian.rows + place] *= factor;
+        }
+    }
+    (jacobian, squares)
 }
 
 /// The sum over times of the products of scores, those of neighbouring times with Bartlett's weights. The score of a time is

@@ -75,8 +75,6 @@ impl Fit {
     const SCREENED: usize = 240;
     /// How many of these are searched from.
     const CHOSEN: usize = 10;
-    /// Own values that leave less of the scatter than this come first.
-    const PROMISING: f64 = 0.5;
     /// A direction in which the curve changes by less than this part of the greatest change is no direction to search in.
     const FLAT: f64 = 1e-8;
     /// A later start wins only if it lowers the sum of squares by more than this part.
@@ -114,7 +112,7 @@ impl Fit {
         };
         let own = fit.search(&fit.own.clone(), &fit.plans.clone(), Self::TRIALS);
         fit.flat = flat(&own);
-        if own.sum < Self::PROMISING * fit.total || fit.estimates.iter().all(Option::is_none) {
+        if own.sum < fit.total || fit.estimates.iter().all(Option::is_none) {
             fit.stages.pop();
             fit.current = Some(Current { search: own, plans: fit.plans.clone(), windows: Vec::new() });
         } else {
@@ -178,6 +176,13 @@ impl Fit {
         Search::new(&mut window, start, self.bounds.clone(), rows, tolerance, limit)
     }
 
+    /// How well these numbers fit, what is linear being at its best values.
+    pub(super) fn look(&mut self, start: &[f64], plans: &[Plan]) -> Search {
+        let mut search = self.search(start, plans, 1);
+        search.set_linear(&mut Window { problem: &mut self.problem, plans });
+        search
+    }
+
     /// A search over `plans` in which one number is held where it is; `None` if it lies outside its bounds.
     pub(super) fn search_holding(&mut self, start: &[f64], plans: &[Plan], held: usize) -> Option<Search> {
         let (low, high) = self.bounds[held];
@@ -212,7 +217,7 @@ impl Fit {
         }
         let candidates: Vec<Vec<f64>> = (0..Self::SCREENED).map(start).collect();
         let plans: Vec<Plan> = self.plans.iter().map(start::thinned).collect();
-        let mut looked: Vec<Search> = candidates.iter().map(|start| self.search(start, &plans, 1)).collect();
+        let mut looked: Vec<Search> = candidates.iter().map(|start| self.look(start, &plans)).collect();
         looked.sort_by(|one, other| one.sum.total_cmp(&other.sum));
         looked.into_iter().filter(|one| one.sum.is_finite()).take(Self::CHOSEN).map(|one| one.x).collect()
     }

@@ -31,6 +31,8 @@ pub(crate) struct Point {
     pub weight: f64,
     /// How much of an independent value it is: 1/m if m columns tell the same.
     pub share: f64,
+    /// Whether it was measured, and not computed from another column.
+    pub measured: bool,
 }
 
 /// The points of one record, ordered by time.
@@ -176,7 +178,7 @@ impl Problem {
                     };
                     let row = plan.times.partition_point(|known| *known < time);
                     let weight = weight * share.sqrt();
-                    plan.points.push(Point { row, observation: index, value, weight, share });
+                    plan.points.push(Point { row, observation: index, value, weight, share, measured: root == index });
                 }
             }
             plan.points.sort_by_key(|point| (point.row, point.observation));

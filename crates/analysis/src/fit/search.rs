@@ -108,24 +108,33 @@ impl Search {
             trial_jacobian: Jacobian::new(rows, columns),
             step: None,
         };
-        let mut first = std::mem::take(&mut search.x);
-        search.sum = search.evaluate(problem, &mut first);
-        search.x = first;
+        search.sum = search.evaluate_at(problem, &search.x.clone());
         if search.sum == f64::INFINITY {
             search.status = Status::Failed;
         } else {
             search.swap();
-            search.rescale();
-            let length = search.length(&search.x);
-            search.radius = Self::FIRST_RADIUS * if length > 0.0 { length } else { 1.0 };
+            search.measure();
         }
         search
+    }
+
+    /// Sets what is linear to its best values where the search begins, if that is worth it.
+    pub fn set_linear(&mut self, problem: &mut impl Residuals) {
+        let Some(better) = self.projected(&self.x, &self.residuals, &self.jacobian, self.sum) else { return };
+        let sum = self.evaluate_at(problem, &better);
+        if sum < self.sum {
+            self.accept(better, sum);
+            self.measure();
+        }
     }
 
     /// Makes one trial.
     pub fn advance(&mut self, problem: &mut impl Residuals) -> Status {
         if self.status != Status::Searching {
             return self.status;
+        }
+        if self.trials == 1 {
+            self.set_linear(problem);
         }
         let step = match self.step.take() {
             Some(known) => known,
@@ -212,7 +221,7 @@ impl Search {
     fn evaluate(&mut self, problem: &mut impl Residuals, x: &mut Vec<f64>) -> f64 {
         let sum = self.evaluate_at(problem, x);
         if sum < f64::INFINITY
-            && let Some(better) = self.projected(x, sum)
+            && let Some(better) = self.projected(x, &self.trial_residuals, &self.trial_jacobian, sum)
         {
             let better_sum = self.evaluate_at(problem, &better);
             if better_sum < sum {
@@ -235,14 +244,15 @@ impl Search {
     }
 
     /// `x` with the best values of what is linear, if that takes away a good part of `sum` and stays within the bounds.
-    fn projected(&self, x: &[f64], sum: f64) -> Option<Vec<f64>> {
-        let scale: Vec<f64> = (0..x.len()).map(|column| norm(self.trial_jacobian.column(column))).collect();
+    fn projected(&self, x: &[f64], residuals: &[f64], jacobian: &Jacobian, sum: f64) -> Option<Vec<f64>> {
+        let mut scale = vec![0.0; x.len()];
+        self.linear.iter().for_each(|&column| scale[column] = norm(jacobian.column(column)));
         let free = |column: usize| scale[column] > 0.0 && self.bounds[column].0 < self.bounds[column].1;
         let columns: Vec<usize> = self.linear.iter().copied().filter(|&column| free(column)).collect();
         if columns.is_empty() {
             return None;
         }
-        let decomposition = Decomposition::new(&self.trial_jacobian, &columns, &scale, &self.trial_residuals);
+        let decomposition = Decomposition::new(jacobian, &columns, &scale, residuals);
         if decomposition.promised(Self::FLAT_LINEAR) < Self::WORTH * sum {
             return None;
         }
@@ -263,6 +273,14 @@ impl Search {
     pub fn at_bound(&self, column: usize) -> bool {
         let (low, high) = self.bounds[column];
         self.x[column] <= low || self.x[column] >= high
+    }
+
+    /// Takes scales and the first radius from where the search stands.
+    fn measure(&mut self) {
+        self.scale.fill(0.0);
+        self.rescale();
+        let length = self.length(&self.x);
+        self.radius = Self::FIRST_RADIUS * if length > 0.0 { length } else { 1.0 };
     }
 
     fn rescale(&mut self) {

@@ -37,7 +37,7 @@ impl Fit {
                 (0..=steps).map(|step| first + (last - first) * (step as f64 / steps as f64)).collect();
             for observation in 0..records[record].observations.len() {
                 // Beside a measured 0, the residual is the model's value.
-                let point = |row| Point { row, observation, value: 0.0, weight: 1.0, share: 1.0 };
+                let point = |row| Point { row, observation, value: 0.0, weight: 1.0, share: 1.0, measured: true };
                 let points = (0..times.len()).map(point).collect();
                 let plan =
                     Plan { times: times.clone(), points, expressions: plan.expressions.clone(), origin: plan.origin };

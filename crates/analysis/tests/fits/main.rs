@@ -3,6 +3,7 @@
 
 mod classic;
 mod coverage;
+mod known;
 mod nist;
 #[path = "../support/mod.rs"]
 mod noise;

@@ -22,6 +22,7 @@ mod syntax;
 mod system;
 mod typeset;
 mod walk;
+mod whole;
 
 pub use compile::compile;
 pub use diagnostic::{Diagnostic, Label, Severity, Span, has_errors};

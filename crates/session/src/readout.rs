@@ -1,7 +1,8 @@
 //! What is read off: time, states and quantities with their units; the values of the scene; the pitch.
 
 use crate::{Session, number};
-use model::{Compiled, Kind};
+use model::{Compiled, Kind, NodeId};
+use units::Unit;
 
 /// What a readout shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +35,9 @@ pub struct Readout {
 /// Significant digits of a value that moves.
 const MOVING_DIGITS: usize = 4;
 
+/// Digits of a count; beyond these it is not exact.
+const COUNT_DIGITS: usize = 15;
+
 impl Session {
     /// Everything that can be read off at the time shown: the independent variable, the states, the quantities.
     pub fn readouts(&mut self) -> Vec<Readout> {
@@ -62,6 +66,7 @@ impl Session {
             let scale = self.scales.get(self.document.model.states.len() + index).copied().unwrap_or_default();
             let unit = &quantity.value.unit;
             let shown = match quantity.value.kind {
+                Kind::Number if self.is_count(quantity.value.node, unit) => self.count(value),
                 Kind::Number if quantity.varies => {
                     number::scaled(unit.from_si(value), unit.from_si(scale), MOVING_DIGITS, self.style)
                 }
@@ -108,6 +113,7 @@ impl Session {
         let in_unit = shown.unit.from_si(value);
         let number = match decimals {
             Some(decimals) => number::fixed(in_unit, usize::from(decimals), self.style),
+            None if self.is_count(shown.node, &shown.unit) => self.count(value),
             None => number::steady(in_unit, MOVING_DIGITS, self.style),
         };
         self.with_unit(number, &shown.unit)
@@ -132,6 +138,16 @@ impl Session {
             }
         }
         values.to_vec()
+    }
+
+    /// Whether a value is a whole number and shown as such.
+    pub(crate) fn is_count(&self, node: NodeId, unit: &Unit) -> bool {
+        unit.text.is_empty() && self.whole.get(node.0 as usize).is_some_and(|whole| *whole)
+    }
+
+    /// A whole number, all of its digits.
+    pub(crate) fn count(&self, value: f64) -> String {
+        number::plain(value, COUNT_DIGITS, self.style)
     }
 
     /// A text or truth value in the session's language.

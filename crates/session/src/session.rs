@@ -66,6 +66,8 @@ pub struct Session {
     pub(crate) evaluators: Evaluators,
     pub(crate) data: Data,
     pub(crate) fits: Fits,
+    /// For each node of the model whether it is a count.
+    pub(crate) whole: Vec<bool>,
     /// The greatest size that each state and then each quantity has shown in this run.
     pub(crate) scales: Vec<f64>,
 }
@@ -102,6 +104,7 @@ impl Session {
             style: Style::of(&language),
             revision: Revision::default(),
             announcements: Announcements::default(),
+            whole: model.whole_numbers(),
             scales: vec![0.0; model.states.len() + model.quantities.len()],
             evaluators: Evaluators::new(&document, &language),
             // One more for what measurements leave over.

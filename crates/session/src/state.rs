@@ -2,7 +2,7 @@
 
 use crate::{Announcement, Refusal, Session, number};
 use engine::Setup;
-use model::State;
+use model::{Node, State};
 
 /// A state as its field shows it.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,6 +107,10 @@ impl Session {
 
     /// A state's value in its unit, with the resolution that its swing in this run calls for.
     pub(crate) fn state_number(&self, index: usize, state: &State, value: f64) -> String {
+        let node = self.model().graph.find(Node::State(index as u32));
+        if node.is_some_and(|node| self.is_count(node, &state.unit)) {
+            return self.count(value);
+        }
         let scale = self.scales.get(index).copied().unwrap_or_default();
         number::scaled(state.unit.from_si(value), state.unit.from_si(scale), 4, self.style)
     }

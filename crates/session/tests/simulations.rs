@@ -54,6 +54,16 @@ fn every_document_runs_and_is_drawn() {
 }
 
 #[test]
+fn bounces_are_counted_in_whole_numbers() {
+    let mut session = support::open(include_str!("../../../simulations/bouncing-ball.md"), &[]);
+    play(&mut session, [1.0; 2]);
+    // After sqrt(2 h/g) = 0.639 s, and again 2*0.8 times as long after that.
+    assert_eq!(support::readout(&mut session, "bounces"), "2");
+    let bounces = session.states().into_iter().find(|state| state.name == "bounces").unwrap();
+    assert_eq!((bounces.text.as_str(), bounces.spoken.as_str()), ("2", "2"));
+}
+
+#[test]
 fn every_preset_can_be_chosen_and_shows_itself_as_chosen() {
     let mut session = utube();
     let presets: Vec<_> = session.presets().into_iter().flat_map(|group| group.presets).collect();

@@ -11,7 +11,7 @@ pub struct BindError {
     /// The column, by its label.
     pub column: String,
     /// The unit that its header gives.
-    pub found: Unit,
+    pub found: String,
     /// The dimension it must have.
     pub expected: Dimension,
 }
@@ -49,7 +49,7 @@ fn in_si(table: &Table, index: usize, unit: &Unit) -> Result<Vec<f64>, BindError
     let Some(column) = table.columns.get(index) else { return Ok(Vec::new()) };
     match &column.unit {
         Some(own) if own.dimension != unit.dimension => {
-            Err(BindError { column: table.label(index), found: own.clone(), expected: unit.dimension })
+            Err(BindError { column: table.label(index), found: own.to_string(), expected: unit.dimension })
         }
         _ => Ok(column.si(Some(unit))),
     }

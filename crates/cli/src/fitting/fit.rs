@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::output::Output;
 use crate::terminal::Terminal;
 use analysis::fit::{Fit, FitError, Interval, Outcome, Task, Trace, profile};
+use base64::Engine as _;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use report::Report;
 use std::io::Write;
@@ -164,12 +165,18 @@ pub fn kind(path: &Path) -> Result<FileKind, Failure> {
 
 fn write(path: &Path, kind: FileKind, data: &[PathBuf], report: &Report) -> Result<(), Failure> {
     let bytes = match kind {
-        FileKind::Html => report::html(report).into_bytes(),
+        FileKind::Html => with_font(&report::html(report)),
         FileKind::Xlsx => report::workbook(report),
         FileKind::Csv => report::csv(report, false).into_bytes(),
         FileKind::Svg => report::figure(report, 0).unwrap_or_default().into_bytes(),
     };
     write_file(path, data, &bytes)
+}
+
+/// A report with the laboratory's mathematical font in it: the machine on which it is read may have none.
+pub fn with_font(page: &str) -> Vec<u8> {
+    const FONT: &[u8] = include_bytes!("../../../lab/page/math.woff2");
+    report::with_math_font(page, &base64::engine::general_purpose::STANDARD.encode(FONT)).into_bytes()
 }
 
 /// Writes a whole file, which must not be one of the data.

@@ -1,7 +1,7 @@
 //! `meniscus rank`: several theories of the same data, best first.
 
 use super::arguments::{Form, Rank as Arguments};
-use super::fit::{FileKind, Fitted, command, complete, kind, notes, print, write_file};
+use super::fit::{FileKind, Fitted, command, complete, kind, notes, print, with_font, write_file};
 use super::prepare;
 use super::text::{Columns, in_unit};
 use crate::data::{self, Measured};
@@ -43,7 +43,7 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
         let bytes = match kind {
             FileKind::Xlsx => report::ranking_workbook(&ranking),
             FileKind::Csv => report::ranking_csv(&ranking, false).into_bytes(),
-            FileKind::Html | FileKind::Svg => report::ranking_html(&ranking).into_bytes(),
+            FileKind::Html | FileKind::Svg => with_font(&report::ranking_html(&ranking)),
         };
         write_file(path, &arguments.data, &bytes)?;
     }

@@ -76,18 +76,15 @@ impl Session {
         Ok(())
     }
 
-    /// Sets a parameter from what was typed: a number in the parameter's unit, or with a unit of the same dimension. The
-    /// text that the field shows leaves the value as it is, although it may be rounded.
+    /// Sets a parameter from what was typed: a number in the parameter's unit, or with a unit of the same dimension, or
+    /// an expression that gives its value now. The text that the field shows leaves the value as it is.
     pub fn set_parameter_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
-        let view = self.parameter(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
-        if text.trim() == view.text {
-            return Ok(());
+        let unknown = || Refusal::Unknown { name: index.to_string() };
+        let (view, parameter) = self.parameter(index).zip(self.model().parameters.get(index)).ok_or_else(unknown)?;
+        match self.read_field(text, &view.text, &parameter.unit)? {
+            Some(value) => self.set_parameter(index, value),
+            None => Ok(()),
         }
-        let value = match self.model().parameters.get(index) {
-            Some(parameter) => self.read_value(text, &parameter.unit)?,
-            None => return Ok(()),
-        };
-        self.set_parameter(index, value)
     }
 
     /// Sets a parameter to the value at a position of its slider.

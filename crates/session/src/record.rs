@@ -228,8 +228,8 @@ impl Session {
     /// # Errors
     /// What is no unit, or that of something else than the column's quantity.
     pub fn set_column_unit(&mut self, id: u32, column: usize, typed: &str) -> Result<(), Refusal> {
-        let unit = Unit::parse(&number::unit_source(typed))
-            .map_err(|_| Refusal::UnknownUnit { typed: typed.trim().chars().take(40).collect() })?;
+        let unit =
+            Unit::parse(typed).map_err(|_| Refusal::UnknownUnit { typed: typed.trim().chars().take(40).collect() })?;
         let known = crate::recognise::measurable(self.model());
         let Some(used) = self.record_mut(id).and_then(|record| record.uses.get_mut(column)) else { return Ok(()) };
         let own = known.iter().find(|(name, _)| *name == used.meaning.quantity).map(|(_, own)| own);

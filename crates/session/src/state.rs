@@ -71,18 +71,14 @@ impl Session {
         Ok(())
     }
 
-    /// The same from what was typed, in the state's unit or with a unit of the same dimension. The text that the field
-    /// shows leaves the state as it is.
+    /// The same from what was typed, as [`Session::set_parameter_text`] takes it.
     pub fn set_state_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
-        let view = self.state(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
-        if text.trim() == view.text {
-            return Ok(());
+        let unknown = || Refusal::Unknown { name: index.to_string() };
+        let (view, state) = self.state(index).zip(self.model().states.get(index)).ok_or_else(unknown)?;
+        match self.read_field(text, &view.text, &state.unit)? {
+            Some(value) => self.set_state(index, value),
+            None => Ok(()),
         }
-        let value = match self.model().states.get(index) {
-            Some(state) => self.read_value(text, &state.unit)?,
-            None => return Ok(()),
-        };
-        self.set_state(index, value)
     }
 
     /// Whether the run began from a state set by hand and not from the model's initial values.

@@ -16,6 +16,27 @@ fn refused(session: &mut Session, name: &str, text: &str) -> String {
 }
 
 #[test]
+fn expressions_are_taken_as_presets_have_them() {
+    let mut session = utube();
+    let b = parameter(&session, "b");
+    for (text, expected) in [
+        ("2*m*omega_0", 2.0 * 350.0 * (2.0_f64 * 9.8 / 7.0).sqrt()),
+        ("m*omega_0/2 in [g/s]", 0.5 * 350.0 * (2.0_f64 * 9.8 / 7.0).sqrt()),
+        ("3*50", 150.0),
+        ("0,1 t/s", 0.1e3),
+    ] {
+        session.set_parameter_text(b, text).unwrap();
+        let value = session.parameter(b).unwrap().value;
+        assert!((value - expected).abs() < 1e-9 * expected, "{text}: {value} and not {expected}");
+    }
+    session.set_state_text(0, "-y(0)/2").unwrap();
+    assert_eq!(session.state(0).unwrap().value, -0.25);
+    for text in ["2*m", "b*t", "y'*m", "2*", "regime", "1/0", "nothing"] {
+        assert!(session.set_parameter_text(b, text).is_err(), "{text}");
+    }
+}
+
+#[test]
 fn what_is_typed_is_taken_in_any_unit_or_refused_in_words() {
     let mut session = utube();
     for (name, text, expected) in [

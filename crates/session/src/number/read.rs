@@ -1,32 +1,6 @@
-//! Numbers and units as people type them.
+//! Numbers as people type them.
 
 use super::Style;
-
-/// What people type for a unit as the unit parser reads it: `kg/m³` as `kg/m^3`.
-pub fn unit_source(text: &str) -> String {
-    if text.trim() == "°" {
-        return "deg".to_owned();
-    }
-    let mut out = String::new();
-    let mut raised = false;
-    for character in text.trim().chars() {
-        let plain = match character {
-            '0'..='9' | '-' => None,
-            _ => lowered(character).filter(|_| character != '−'),
-        };
-        match plain {
-            Some(digit) => {
-                if !raised {
-                    out.push('^');
-                }
-                out.push(digit);
-            }
-            None => out.push(if character == '·' { '*' } else { character }),
-        }
-        raised = plain.is_some();
-    }
-    out
-}
 
 /// A number and the text that follows it, blanks trimmed: `40 cm` is 40 and `cm`, `1,5×10³` is 1500 and nothing.
 /// Accepts a decimal comma or point, a true minus, `e3` and `×10^3`, and blanks between groups of three digits. In a

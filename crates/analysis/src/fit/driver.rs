@@ -215,8 +215,11 @@ impl Fit {
         if self.problem.curve.has_states() {
             return (0..Self::SPREAD).map(start).collect();
         }
-        let candidates: Vec<Vec<f64>> = (0..Self::SCREENED).map(start).collect();
         let plans: Vec<Plan> = self.plans.iter().map(start::thinned).collect();
+        let points: usize = plans.iter().map(|plan| plan.points.len()).sum();
+        // The more points, the fewer: nothing else goes on meanwhile.
+        let count = (Self::SCREENED * start::ROWS / points.max(start::ROWS)).max(Self::CHOSEN);
+        let candidates: Vec<Vec<f64>> = (0..count).map(start).collect();
         let mut looked: Vec<Search> = candidates.iter().map(|start| self.look(start, &plans)).collect();
         looked.sort_by(|one, other| one.sum.total_cmp(&other.sum));
         looked.into_iter().filter(|one| one.sum.is_finite()).take(Self::CHOSEN).map(|one| one.x).collect()

@@ -27,7 +27,7 @@ enum Role {
 }
 
 /// How many rows are looked at to find a start.
-const ROWS: usize = 64;
+pub(crate) const ROWS: usize = 64;
 
 /// The damped oscillation that each record's first observation shows.
 pub(crate) fn estimates(problem: &Problem) -> Vec<Option<Estimate>> {

@@ -4,11 +4,14 @@
 use super::driver::Fit;
 use super::search::Search;
 use super::task::Target;
+use units::Dimension;
 
 /// Sums of squares that differ by less than this part are equal.
 const EQUAL: f64 = 1e-6;
 /// And so are those below this part of the scatter of the data.
 const NOTHING: f64 = 1e-20;
+/// Exchanges that are tried, at most.
+const TRIES: usize = 60;
 
 /// The numbers of a search that is at its end, with signs and order more like those of `own` than they are, if that fits as
 /// well.
@@ -24,6 +27,7 @@ pub(crate) fn like_start(fit: &mut Fit, best: &Search, own: &[f64]) -> Option<Ve
         }
     }
     // Terms may have more than one number each, which stand together.
+    let mut tries = 0;
     for length in 1..=others.len() / 2 {
         for first in 0..others.len() {
             for second in first + length..=others.len() - length {
@@ -35,9 +39,10 @@ pub(crate) fn like_start(fit: &mut Fit, best: &Search, own: &[f64]) -> Option<Ve
                 let alike = (0..length).all(|place| {
                     let (a, b) = (others[first + place], others[second + place]);
                     exchanged.swap(a, b);
-                    unit(fit, a) == unit(fit, b)
+                    sort(fit, a) == sort(fit, b)
                 });
-                if alike {
+                if alike && tries < TRIES {
+                    tries += 1;
                     x = equal(fit, best, exchanged).unwrap_or(x);
                 }
             }
@@ -53,9 +58,12 @@ fn equal(fit: &mut Fit, best: &Search, x: Vec<f64>) -> Option<Vec<f64>> {
     as_good.then_some(search.x)
 }
 
-fn unit(fit: &Fit, column: usize) -> Option<units::Dimension> {
-    match fit.problem.columns[column].target {
+/// What must be the same of two numbers that may change places: the unit's dimension, and the record they belong to.
+fn sort(fit: &Fit, column: usize) -> (Option<Dimension>, Option<usize>) {
+    let column = fit.problem.columns[column];
+    let dimension = match column.target {
         Target::Parameter(index) => fit.model.parameters.get(index).map(|parameter| parameter.unit.dimension),
         Target::Origin | Target::Offset(_) => None,
-    }
+    };
+    (dimension, column.record)
 }

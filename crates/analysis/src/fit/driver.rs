@@ -201,12 +201,12 @@ impl Fit {
         Current { search: self.search(start, &plans, limit), plans, windows }
     }
 
-    /// Whether no other start is needed: much is explained by a search that came to its end in a place as definite as where it
-    /// began. Where terms of a formula have become one, or a number has run away, it is in none.
+    /// Whether no other start is needed: much is explained, and for a formula by a search that came to its end in a place as
+    /// definite as where it began. Where terms have become one, or a number has run away, it is in none. Equations of motion
+    /// are too slow to be searched again for that.
     fn is_enough(&self) -> bool {
-        self.converged
-            && self.explained() >= Self::EXPLAINED
-            && self.best.as_ref().is_some_and(|best| flat(best) <= self.flat)
+        let Some(best) = self.best.as_ref().filter(|_| self.explained() >= Self::EXPLAINED) else { return false };
+        self.problem.curve.has_states() || (self.converged && flat(best) <= self.flat)
     }
 
     /// Starts spread over the ranges. Those of a formula are cheap enough to look at many, and to begin with the best.

@@ -31,32 +31,39 @@ pub struct Derived {
 
 /// Looks at the sampling of every independent variable, and for columns that are finite differences of others.
 pub fn inspect(table: &Table) -> Inspection {
-    // A table of more columns is no film of a body.
+    // A table of more columns, or bodies, is no film.
     const COLUMNS: usize = 12;
+    const BODIES: usize = 100;
+    // So many rows tell how a column was computed.
+    const ROWS: usize = 5000;
     let mut inspection = Inspection::default();
-    for independent in table.independent() {
+    let observed: Vec<usize> = table.observed_columns().collect();
+    for independent in table.independent().take(BODIES) {
         let of_it = |column: &usize| table.columns[*column].independent == independent;
-        let columns: Vec<usize> = table.observed_columns().filter(of_it).take(COLUMNS).collect();
+        let columns: Vec<usize> = observed.iter().copied().filter(of_it).take(COLUMNS).collect();
         if columns.is_empty() {
             continue;
         }
         let column = &table.columns[independent];
-        let times = column.si(None);
-        let sampling = sampling::examine(&times);
+        let mut times = column.si(None);
+        let mut sampling = sampling::examine(&times);
         inspection.findings.extend(sampling.findings(&times, unit_of(column.unit.as_ref(), &times)));
+        if times.len() > ROWS {
+            times.truncate(ROWS);
+            sampling = sampling::examine(&times);
+        }
+        let values = |column: usize| table.columns[column].values.get(..times.len()).unwrap_or_default();
         for &candidate in &columns {
+            let recognise = |of: usize| stencil::recognise_on(&sampling, values(of), values(candidate));
             let best = columns
                 .iter()
                 .filter(|of| **of != candidate)
-                .filter_map(|&of| {
-                    let values = &table.columns[of].values;
-                    Some((of, stencil::recognise_on(&sampling, values, &table.columns[candidate].values)?))
-                })
+                .filter_map(|of| Some((*of, recognise(*of)?)))
                 // The first of equals: the position comes before the velocity.
                 .rev()
                 .max_by(|one, other| one.1.share.total_cmp(&other.1.share));
             let Some((of, recognised)) = best else { continue };
-            let estimate = cycles::estimate(&times, &table.columns[of].values);
+            let estimate = cycles::estimate(&times, values(of));
             let attenuation = estimate.map(|e| recognised.stencil.attenuation(e.angular_frequency * sampling.interval));
             inspection.derived.push(Derived { column: candidate, of, recognised, attenuation });
             inspection.findings.push(Finding::Derived {

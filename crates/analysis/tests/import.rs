@@ -406,8 +406,14 @@ fn a_small_file_cannot_ask_for_much_memory() {
     let mut text = "1;2\n".repeat(100_000);
     text.push_str(&"1;".repeat(100_000));
     let import = read(text.as_bytes());
-    assert!(import.table.columns.len() * import.table.rows() <= 20_000_000);
+    assert!(import.table.columns.len() * import.table.rows() <= 4_000_000);
     assert!(import.findings.iter().any(|finding| finding.text(false).contains("the first in line 100001")));
+    // Nor with a header that is wider than the table.
+    let text = format!("{}\n{}", "t\ty [?]\t".repeat(100_000), "1\t2\n".repeat(10_000));
+    let import = read(text.as_bytes());
+    assert!(import.table.columns.len() * import.table.rows() <= 4_000_000);
+    assert!(import.findings.len() <= 21, "{}", import.findings.len());
+    assert!(analysis::inspection::inspect(&import.table).findings.is_empty());
 }
 
 #[test]

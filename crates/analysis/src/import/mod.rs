@@ -31,6 +31,9 @@ pub struct Import {
     pub format: Format,
 }
 
+/// Nobody reads more about columns.
+const FINDINGS: usize = 20;
+
 /// Reads delimited text.
 ///
 /// # Errors
@@ -44,9 +47,9 @@ pub fn text(bytes: &[u8]) -> Result<Import, ImportError> {
     let head_lines: Vec<&str> = text[..first.offset].lines().collect();
     let mut rows = Rows::read(&text[first.offset..], &format);
     let mut heads = header::read(&head_lines, delimiter, rows.columns.len(), &mut findings);
+    findings.truncate(FINDINGS);
     refuse_double_commas(&heads, &rows, &format)?;
-    let length = rows.length;
-    rows.columns.resize_with(heads.len(), || vec![f64::NAN; length]);
+    rows.widen(heads.len(), &text);
     heads.resize(rows.columns.len(), Head::default());
     rows.refuse_words(first.line)?;
     let mut columns = Vec::with_capacity(heads.len());
@@ -56,12 +59,12 @@ pub fn text(bytes: &[u8]) -> Result<Import, ImportError> {
         let filled = values.iter().filter(|value| value.is_finite()).count();
         if filled == 0 && (words > 0 || head.name.is_empty()) {
             // A delimiter at the end of each line makes an empty column; words are no measurement.
-            if words > 0 {
+            if words > 0 && findings.len() < FINDINGS {
                 findings.push(Finding::WordColumn(called(&head.name, index)));
             }
             continue;
         }
-        if filled == 0 {
+        if filled == 0 && findings.len() < FINDINGS {
             findings.push(Finding::EmptyColumn(called(&head.name, index)));
         }
         kept.push(index);
@@ -71,7 +74,6 @@ pub fn text(bytes: &[u8]) -> Result<Import, ImportError> {
         return Err(ImportError::new(Some(first.line + 1), Refusal::OneColumn));
     }
     roles::assign(&mut columns);
-    // A time that all bodies share belongs to none of them.
     let table = Table { columns };
     findings.extend(rows.findings(|index| kept.iter().position(|kept| *kept == index).map(|place| table.label(place))));
     Ok(Import { table, findings, format })

@@ -10,7 +10,7 @@ use crate::finding::Finding;
 const TOLD: usize = 5;
 /// So many cells, or as many as the file has bytes: then a longer row makes no new columns. Otherwise a small file could
 /// ask for any amount of memory.
-const CELLS: usize = 20_000_000;
+const CELLS: usize = 4_000_000;
 /// No table of measured data has more columns.
 const COLUMNS: usize = 10_000;
 
@@ -122,6 +122,14 @@ impl Rows {
             }
         }
         numbers > 0
+    }
+
+    /// Makes room for columns that only the header has, as far as the bound on cells lets it.
+    pub fn widen(&mut self, wanted: usize, text: &str) {
+        let most = text.len().max(CELLS) / self.length.max(1);
+        let length = self.length;
+        let wanted = wanted.min(COLUMNS).min(most).max(self.columns.len());
+        self.columns.resize_with(wanted, || vec![f64::NAN; length]);
     }
 
     /// How many words a column has.

@@ -79,7 +79,7 @@ fn setup(app: App, index: usize) -> AnyView {
     let is_set = move || now.with(|setup| setup.as_ref().is_some_and(|(_, set)| *set));
     view! {
         <p class="setup">
-            <span>{words.supposes}" "{move || now.with(|setup| setup.as_ref().map(|(text, _)| text.clone()))}</span>
+            <span>{words.supposes}" "{move || supposed(now.get().map_or_else(Vec::new, |(values, _)| values))}</span>
             <button type="button" class="quiet" aria-disabled=move || is_set().to_string()
                 on:click=move |_| refusal.set(app.attempt(|session| session.apply_question_setup(index)))>
                 {move || if is_set() { format!("✓ {}", words.is_set_up) } else { words.set_up.to_owned() }}
@@ -88,4 +88,14 @@ fn setup(app: App, index: usize) -> AnyView {
         </p>
     }
     .into_any()
+}
+
+/// `h_l = 4 m, b = 0 kg/s`, with the names as in formulas.
+fn supposed(values: Vec<(String, String)>) -> Vec<AnyView> {
+    let one = |(place, (name, value)): (usize, (String, String))| {
+        let before = if place == 0 { "" } else { ", " };
+        view! { {before}<span class="symbol" inner_html=model::typeset_name(&name)></span>{format!(" = {value}")} }
+            .into_any()
+    };
+    values.into_iter().enumerate().map(one).collect()
 }

@@ -41,10 +41,13 @@ impl Session {
                 continue;
             };
             let near = |(now, then): (&f64, &f64)| (now - then).abs() <= SAME * now.abs().max(then.abs());
+            let assigned = self.assigned(&preset.values, &then);
+            let assigned: Vec<String> =
+                assigned.iter().map(|(name, value)| format!("{} = {value}", symbol(name))).collect();
             let view = PresetView {
                 index,
                 name: self.text(&preset.name).to_owned(),
-                description: self.assignments_text(&preset.values, &then),
+                description: assigned.join(", "),
                 selected: now.iter().zip(&then).all(near),
             };
             match groups.last_mut() {
@@ -75,15 +78,14 @@ impl Session {
         assign(&mut self.evaluators.presets, first, values, self.course.parameters(), self.course.initial())
     }
 
-    /// `b = 0 kg/s, ρ = 13534 kg/m³`
-    pub(crate) fn assignments_text(&self, assignments: &[Assignment], parameters: &[f64]) -> String {
-        let text = |assignment: &Assignment| {
+    /// The name of each parameter that is set, and its value for people: `rho` and `13534 kg/m³`.
+    pub(crate) fn assigned(&self, assignments: &[Assignment], parameters: &[f64]) -> Vec<(String, String)> {
+        let assigned = |assignment: &Assignment| {
             let parameter = self.model().parameters.get(assignment.parameter)?;
             let value = parameters.get(assignment.parameter)?;
-            Some(format!("{} = {}", symbol(&parameter.name), self.quantity_text(*value, &parameter.unit)))
+            Some((parameter.name.clone(), self.quantity_text(*value, &parameter.unit)))
         };
-        let texts: Vec<String> = assignments.iter().filter_map(text).collect();
-        texts.join(", ")
+        assignments.iter().filter_map(assigned).collect()
     }
 
     /// The parameters if each of those assigned may have its value.

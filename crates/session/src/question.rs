@@ -63,13 +63,13 @@ impl Session {
         self.document.questions.get(question).map_or_else(String::new, |asked| number::unit_text(&asked.unit.text))
     }
 
-    /// The parameter values a question supposes, `b = 0 kg/s, h_l = 3 m`, and whether they are set now; `None` if it
-    /// supposes none.
-    pub fn question_setup(&mut self, question: usize) -> Option<(String, bool)> {
+    /// The names and values of the parameters that a question supposes, `b` and `0 kg/s`, and whether they are set now;
+    /// `None` if it supposes none.
+    pub fn question_setup(&mut self, question: usize) -> Option<(Vec<(String, String)>, bool)> {
         let parameters = self.supposed_parameters(question);
         let asked = self.document.questions.get(question).filter(|asked| !asked.setup.is_empty())?;
         let set = self.course.parameters() == parameters;
-        Some((self.assignments_text(&asked.setup, &parameters), set))
+        Some((self.assigned(&asked.setup, &parameters), set))
     }
 
     /// Sets the parameters that a question supposes.

@@ -261,7 +261,8 @@ fn answers_are_judged() {
 fn a_question_may_suppose_other_parameters() {
     let mut session = utube();
     assert_eq!(session.question_setup(0), None);
-    assert_eq!(session.question_setup(1), Some(("b = 0 kg/s, h_l = 4 m".to_owned(), false)));
+    let supposed = [("b", "0 kg/s"), ("h_l", "4 m")].map(|(name, value)| (name.to_owned(), value.to_owned())).to_vec();
+    assert_eq!(session.question_setup(1), Some((supposed, false)));
     assert_eq!(session.check_answer(1, "1").grade, Grade::Correct);
     assert_eq!(session.reveal_answer(1), "1 m");
     session.apply_question_setup(1).unwrap();

@@ -37,6 +37,7 @@ fn item(app: App, record: RecordView) -> AnyView {
                 <h3 id=format!("record-{id}")>{record.name.clone()}</h3>
                 {record.synthetic.then(|| view! { <span class="tag" title=words.sample_title>{words.synthetic}</span> })}
                 <span class="note">{format!("{} {}", record.rows, words.rows)}</span>
+                {(!record.lasting).then(|| view! { <span class="note">{words.not_lasting}</span> })}
                 <label class="switch">
                     <input type="checkbox" id=format!("show-record-{id}") prop:checked=record.shown on:change=move |event| {
                         let shown = event_target_checked(&event);

@@ -191,6 +191,7 @@ words! {
     sample_records: "Sample records", "Registros de muestra";
     sample_title: "Nobody measured these: they are computed, with the errors of a camera", "Nadie los midió: están calculados, con los errores de una cámara";
     synthetic: "synthetic", "sintético";
+    not_lasting: "too long to be kept for the next visit", "demasiado largo para conservarlo hasta la próxima visita";
     show_record: "Show it in the plots", "Mostrarlo en las gráficas";
     remove_record: "Remove the record", "Quitar el registro";
     preview: "Columns and first rows", "Columnas y primeras filas";

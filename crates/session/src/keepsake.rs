@@ -17,7 +17,7 @@ impl Session {
     pub fn saved_records(&self) -> (String, usize) {
         let (mut saved, mut missing) = (String::new(), 0);
         for record in &self.data.records {
-            if saved.len() + record.text.len() > LONGEST {
+            if !self.is_lasting(record.id) {
                 missing += 1;
                 continue;
             }
@@ -44,6 +44,19 @@ impl Session {
             saved.insert_str(0, VERSION);
         }
         (saved, missing)
+    }
+
+    /// Whether a record will be there at the next visit: it, and those before it, leave it room.
+    pub(crate) fn is_lasting(&self, id: u32) -> bool {
+        let mut sum = 0;
+        for record in &self.data.records {
+            let fits = sum + record.text.len() <= LONGEST;
+            if record.id == id {
+                return fits;
+            }
+            sum += if fits { record.text.len() } else { 0 };
+        }
+        false
     }
 
     /// Brings back records. What cannot be read is left out.

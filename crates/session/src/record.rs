@@ -64,6 +64,8 @@ pub struct RecordView {
     pub shown: bool,
     /// Whether nobody measured it.
     pub synthetic: bool,
+    /// Whether it will be there at the next visit; the longest are not.
+    pub lasting: bool,
     /// Its columns.
     pub columns: Vec<ColumnView>,
     /// What the text hides, in the session's language.
@@ -115,6 +117,7 @@ impl Session {
             rows: record.table.rows(),
             shown: record.shown,
             synthetic: record.truth.is_some(),
+            lasting: self.is_lasting(record.id),
             columns: record.table.columns.iter().zip(&record.uses).enumerate().map(column).collect(),
             findings: record.findings.iter().map(|finding| sentence(&finding.text(spanish))).collect(),
         }

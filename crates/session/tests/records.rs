@@ -219,6 +219,7 @@ fn records_come_back() {
     let rows: String = (0..200_000).map(|row| format!("{row} {row}\n")).collect();
     session.add_record("long", rows.as_bytes()).unwrap();
     assert_eq!(session.saved_records(), (saved, 1));
+    assert_eq!(session.records().iter().map(|record| record.lasting).collect::<Vec<_>>(), [true, true, false]);
 }
 
 #[test]

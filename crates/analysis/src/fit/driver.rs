@@ -26,6 +26,8 @@ pub struct Fit {
     /// Whether the best search has come to its end.
     pub(super) converged: bool,
     bounds: Vec<(f64, f64)>,
+    /// By number of the search: whether equations of motion themselves depend on it, not only how they begin.
+    moving: Vec<bool>,
     own: Vec<f64>,
     estimates: Vec<Option<Estimate>>,
     /// What is still to be tried, the last one first.
@@ -51,12 +53,20 @@ enum Stage {
     From(Vec<f64>),
 }
 
+/// A part of the records, from the beginning.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    duration: f64,
+    /// Whether what the motion itself depends on is held meanwhile, and only initial values and scales are searched.
+    held: bool,
+}
+
 #[derive(Clone, Debug)]
 struct Current {
     search: Search,
     plans: Vec<Plan>,
     /// Windows still to come, the last one first; the search is of the whole where there are none.
-    windows: Vec<f64>,
+    windows: Vec<Span>,
 }
 
 impl Fit {
@@ -67,10 +77,14 @@ impl Fit {
     const TOLERANCE_OF_MOTION: [f64; 2] = [1e-8, 1e-13];
     /// Trials of one search.
     const TRIALS: usize = 400;
+    /// Windows in which only the beginning of a motion is searched.
+    const HELD: usize = 2;
     /// Trials in a window that is not yet the whole.
     const WINDOW_TRIALS: usize = 15;
     /// Starts spread over the ranges.
     const SPREAD: usize = 12;
+    /// Trials from each of them, for equations of motion: what has not found its way by then does not.
+    const SPREAD_TRIALS: usize = 40;
     /// Starts that are looked at, for formulas.
     const SCREENED: usize = 240;
     /// How many of these are searched from.
@@ -95,6 +109,7 @@ impl Fit {
         let mut fit = Self {
             model: curve::bare(model),
             bounds: bounds(model, &problem),
+            moving: moving(model, &problem),
             own: problem.own_start(),
             estimates: start::estimates(&problem),
             total: problem.spread_sum(),
@@ -115,6 +130,8 @@ impl Fit {
         if own.sum < fit.total || fit.estimates.iter().all(Option::is_none) {
             fit.stages.pop();
             fit.current = Some(Current { search: own, plans: fit.plans.clone(), windows: Vec::new() });
+        } else if fit.problem.curve.has_states() {
+            fit.stages = vec![Stage::Spread, Stage::Own, Stage::Windows];
         } else {
             let last = fit.stages.len() - 1;
             fit.stages.swap(last - 1, last);
@@ -195,18 +212,35 @@ impl Fit {
         Some(search)
     }
 
-    fn window(&mut self, start: &[f64], window: f64, windows: Vec<f64>) -> Current {
-        let plans = start::cut(&self.plans, window);
+    fn window(&mut self, start: &[f64], span: Span, windows: Vec<Span>) -> Current {
+        let plans = start::cut(&self.plans, span.duration);
         let limit = if windows.is_empty() { Self::TRIALS } else { Self::WINDOW_TRIALS };
-        Current { search: self.search(start, &plans, limit), plans, windows }
+        let bounds = self.bounds.clone();
+        if span.held {
+            for (number, bounds) in self.bounds.iter_mut().enumerate().filter(|(number, _)| self.moving[*number]) {
+                *bounds = (start[number], start[number]);
+            }
+        }
+        let search = self.search(start, &plans, limit);
+        self.bounds = bounds;
+        Current { search, plans, windows }
     }
 
-    /// Whether no other start is needed: much is explained, and for a formula by a search that came to its end in a place as
-    /// definite as where it began. Where terms have become one, or a number has run away, it is in none. Equations of motion
-    /// are too slow to be searched again for that.
+    /// The windows of the records, the last one first. In the first ones the motion is held: as long as it is not known where
+    /// it began, it would be bent to make up for that.
+    fn windows(&self) -> Vec<Span> {
+        let held = if self.moving.contains(&false) { Self::HELD } else { 0 };
+        let durations = start::windows(&self.problem, &self.estimates);
+        let spans = durations.into_iter().enumerate();
+        spans.map(|(place, duration)| Span { duration, held: place < held && duration.is_finite() }).rev().collect()
+    }
+
+    /// Whether no other start is needed: much is explained by a search that came to its end in a place as definite as where it
+    /// began. Where terms have become one, or a number has run away to the end of its range, it is in none.
     fn is_enough(&self) -> bool {
-        let Some(best) = self.best.as_ref().filter(|_| self.explained() >= Self::EXPLAINED) else { return false };
-        self.problem.curve.has_states() || (self.converged && flat(best) <= self.flat)
+        let definite =
+            |best: &Search| flat(best) <= self.flat && (0..best.x.len()).all(|column| !best.at_bound(column));
+        self.converged && self.explained() >= Self::EXPLAINED && self.best.as_ref().is_some_and(definite)
     }
 
     /// Starts spread over the ranges. Those of a formula are cheap enough to look at many, and to begin with the best.
@@ -231,6 +265,7 @@ impl Fit {
             self.conclude();
             return;
         };
+        let far = matches!(stage, Stage::From(_));
         let start = match stage {
             Stage::Own => self.own.clone(),
             Stage::From(start) => start,
@@ -246,15 +281,15 @@ impl Fit {
                 }
             }
             Stage::Windows => {
-                let mut windows = start::windows(&self.problem, &self.estimates);
-                windows.reverse();
-                if let Some(first) = windows.pop().filter(|first| first.is_finite()) {
+                let mut windows = self.windows();
+                if let Some(first) = windows.pop().filter(|first| first.duration.is_finite()) {
                     self.current = Some(self.window(&self.own.clone(), first, windows));
                 }
                 return;
             }
         };
-        let search = self.search(&start, &self.plans.clone(), Self::TRIALS);
+        let limit = if far && self.problem.curve.has_states() { Self::SPREAD_TRIALS } else { Self::TRIALS };
+        let search = self.search(&start, &self.plans.clone(), limit);
         self.current = Some(Current { search, plans: self.plans.clone(), windows: Vec::new() });
     }
 
@@ -312,6 +347,19 @@ fn flat(search: &Search) -> usize {
     let decomposition = Decomposition::new(&search.jacobian, &moving, &scale, &search.residuals);
     let least = Fit::FLAT * decomposition.greatest();
     scale.len() - decomposition.singular.iter().filter(|value| **value > least).count()
+}
+
+/// Whether equations of motion, their events or the observed expressions depend on a parameter in another way than through
+/// initial values and scales; for formulas, never.
+fn moving(model: &Model, problem: &Problem) -> Vec<bool> {
+    let mut parameters = Vec::new();
+    for node in
+        model.states.iter().map(|state| state.derivative).chain(model.events.iter().map(|event| event.condition))
+    {
+        parameters.extend(model.depends(node).parameters);
+    }
+    let moves = |target| matches!(target, Target::Parameter(index) if parameters.contains(&(index as u32)));
+    problem.columns.iter().map(|column| moves(column.target)).collect()
 }
 
 /// The bounds of each number of the search: given, else the parameter's own range, else none.

@@ -57,6 +57,12 @@ pub fn task(
     let mut reader = Reader { model: &mut document.model, terminal };
     let names: Vec<String> = observed.iter().map(|(name, _)| name.clone()).collect();
     for fixed in &arguments.fix {
+        if arguments.vary.iter().any(|name| name.trim() == fixed.name) {
+            return Err(Failure::with_hint(
+                format!("{} is both varied and held", fixed.name),
+                "name it in --vary or in --fix; where a search begins says --start",
+            ));
+        }
         fix(&mut reader, &mut task, fixed)?;
     }
     for error in &arguments.error {

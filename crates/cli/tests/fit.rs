@@ -1,0 +1,240 @@
+//! `meniscus fit` and `meniscus rank` as a person uses them.
+#![allow(clippy::expect_used, clippy::unwrap_used, clippy::panic, reason = "a test fails by them")]
+
+mod common;
+
+use common::{Done, meniscus};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// A damped cosine in centimetres at 30 frames a second, with the scatter of a film: known, so that every run is the same.
+fn record(directory: &Path, name: &str, damping: f64, scatter: f64) -> PathBuf {
+    let mut text = "t [s]\ty [cm]\n".to_owned();
+    let mut seed = 12345_u64;
+    for frame in 0..210_u32 {
+        let time = f64::from(frame) / 30.0;
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let noise = ((seed >> 33) as f64 / f64::from(1_u32 << 31) - 0.5) * scatter;
+        let level = 5.0 * libm::exp(-damping * time) * libm::cos(9.6 * time + 0.3) - 0.2 + noise;
+        text.push_str(&format!("{time:.6}\t{level:.6}\n"));
+    }
+    let path = directory.join(name);
+    std::fs::write(&path, text).expect("it can be written");
+    path
+}
+
+fn word(path: &Path) -> &str {
+    path.to_str().expect("UTF-8")
+}
+
+fn object(done: &Done) -> Value {
+    assert_eq!(done.code, 0, "{}", done.stderr);
+    serde_json::from_str(&done.stdout).expect("JSON")
+}
+
+const COSINE: &str = "simulations/theories/cosine.md";
+const LINEAR: &str = "simulations/theories/linear.md";
+
+#[test]
+fn a_fit_gives_values_in_declared_units_with_both_errors() {
+    let directory = tempfile::tempdir().unwrap();
+    let data = record(directory.path(), "run.txt", 0.4, 0.1);
+    let fit = object(&meniscus(&["fit", COSINE, word(&data), "--observe", "y", "--format", "json"]));
+    assert_eq!(fit["converged"], true);
+    assert_eq!((fit["n"].as_u64(), fit["dof"].as_u64()), (Some(210), Some(205)));
+    assert_eq!(fit["chi2_reduced"], Value::Null);
+    for (name, truth, unit) in [("gamma", 0.4, "1/s"), ("omega_d", 9.6, "rad/s"), ("c", -0.002, "m")] {
+        let found = &fit["parameters"][name];
+        let (value, error) = (found["value"].as_f64().unwrap(), found["stderr"].as_f64().unwrap());
+        assert!((value - truth).abs() < 4.0 * error, "{name}: {found}");
+        assert!(found["stderr_hac"].as_f64().unwrap() > 0.0);
+        assert_eq!(found["unit"], unit);
+    }
+    // Even scatter of 1 mm: its root mean square is 1 mm/sqrt(12).
+    assert!((fit["rmse"].as_f64().unwrap() / (0.001 / libm::sqrt(12.0)) - 1.0).abs() < 0.1);
+    let length = fit["derived"]["L"]["value"].as_f64().unwrap();
+    assert!((length - 2.0 * 9.8 / (9.6 * 9.6 + 0.16)).abs() < 1e-3);
+    assert_eq!(fit["correlation"]["gamma"]["gamma"], 1.0);
+    assert_eq!(fit["undetermined"], serde_json::json!([]));
+    for key in ["r2", "aicc", "bic", "durbin_watson"] {
+        assert!(fit[key].is_f64(), "{key}");
+    }
+}
+
+#[test]
+fn what_the_data_cannot_determine_is_named() {
+    let directory = tempfile::tempdir().unwrap();
+    let data = record(directory.path(), "run.txt", 0.1, 0.02);
+    let theory = directory.path().join("tube.md");
+    let text = "---\ntitle: A tube\nvary: b, rho, L, y_0, v_0, c\n---\n\n```model\n\
+        parameter b = 0.1 [kg/s]\nparameter rho = 1000 [kg/m^3]\nparameter S = 5 [cm^2]\nparameter L = 0.2 [m]\n\
+        parameter y_0 = 0.04 [m]\nparameter v_0 = 0 [m/s]\nparameter c = 0 [m]\n\
+        rho*S*L*x'' + b*x' + 2*rho*S*9.8 [m/s^2]*x = 0\nx(0) = y_0\nx'(0) = v_0\ny = x + c\nratio = b/rho\n```\n";
+    std::fs::write(&theory, text).unwrap();
+    let words = ["fit", word(&theory), word(&data), "--observe", "y"];
+    let fit = object(&meniscus(&[&words[..], &["--format", "json"]].concat()));
+    assert_eq!(fit["undetermined"], serde_json::json!(["b", "rho"]));
+    assert_eq!(fit["determined_combinations"], serde_json::json!(["b/rho"]));
+    assert_eq!(fit["parameters"]["b"]["value"], Value::Null);
+    // The ratio itself is known: gamma = b/(2 rho S L).
+    let ratio = fit["derived"]["ratio"]["value"].as_f64().unwrap();
+    let length = fit["parameters"]["L"]["value"].as_f64().unwrap();
+    assert!((ratio / (2.0 * 5e-4 * length) - 0.1).abs() < 2e-3, "{ratio}");
+    let told = meniscus(&words).stdout;
+    assert!(told.contains("The data determine only b/rho, not b and rho each by itself; fix one of them."), "{told}");
+    let held = object(&meniscus(&[&words[..], &["--fix", "rho=1000", "--format", "json"]].concat()));
+    assert_eq!(held["undetermined"], serde_json::json!([]));
+    assert!(held["parameters"]["rho"].is_null());
+}
+
+#[test]
+fn a_part_is_fitted_and_the_rest_predicted() {
+    let directory = tempfile::tempdir().unwrap();
+    let data = record(directory.path(), "run.txt", 0.4, 0.05);
+    let words =
+        ["fit", LINEAR, word(&data), "--observe", "y", "--from", "1", "--until", "4000 [ms]", "--format", "json"];
+    let fit = object(&meniscus(&words));
+    let outside = &fit["observations"][0]["outside"];
+    assert_eq!((fit["n"].as_u64(), outside["n"].as_u64()), (Some(91), Some(119)));
+    // The theory is the true one, so that what it predicts is as near as what it was fitted to.
+    assert!(outside["rmse"].as_f64().unwrap() < 1.5 * fit["rmse"].as_f64().unwrap());
+}
+
+#[test]
+fn several_runs_share_what_they_are_told_to() {
+    let directory = tempfile::tempdir().unwrap();
+    let (slow, fast) =
+        (record(directory.path(), "slow.txt", 0.2, 0.05), record(directory.path(), "fast.txt", 0.8, 0.05));
+    let words = ["fit", LINEAR, word(&slow), word(&fast), "--observe", "y", "--share", "L,c", "--format", "json"];
+    let fit = object(&meniscus(&words));
+    assert!(fit["parameters"]["L"]["value"].is_f64() && fit["parameters"]["gamma"].is_null());
+    for (run, name, damping) in [(0, "slow.txt", 0.2), (1, "fast.txt", 0.8)] {
+        assert_eq!(fit["runs"][run]["name"], name);
+        let gamma = fit["runs"][run]["parameters"]["gamma"]["value"].as_f64().unwrap();
+        assert!((gamma - damping).abs() < 0.01, "{gamma}");
+    }
+}
+
+#[test]
+fn given_errors_make_chi_square_mean_something() {
+    let directory = tempfile::tempdir().unwrap();
+    let data = record(directory.path(), "run.txt", 0.4, 0.1);
+    let error = format!("y={}", 0.001 / libm::sqrt(12.0));
+    let fit = object(&meniscus(&["fit", COSINE, word(&data), "--observe", "y", "--error", &error, "--format", "json"]));
+    assert!((fit["chi2_reduced"].as_f64().unwrap() - 1.0).abs() < 0.25);
+}
+
+#[test]
+fn what_cannot_be_done_is_said_and_nothing_is_written() {
+    let directory = tempfile::tempdir().unwrap();
+    let data = record(directory.path(), "run.txt", 0.4, 0.1);
+    let kilograms = directory.path().join("mass.txt");
+    std::fs::write(&kilograms, "t [s]\ty [kg]\n0\t1\n1\t2\n2\t3\n3\t5\n").unwrap();
+    for (words, code, said) in [
+        (vec!["fit", COSINE, word(&data), "--observe", "y", "--vary", "gama"], 2, "there is no parameter `gama`\n"),
+        (vec!["fit", COSINE, word(&data), "--observe", "z"], 2, "z"),
+        (vec!["fit", COSINE, word(&data), "--observe", "y=7"], 2, "no column `7`"),
+        (vec!["fit", COSINE, word(&kilograms), "--observe", "y"], 2, "column y is in kg, and what is observed is in m"),
+        (vec!["fit", COSINE, word(&data), "--observe", "y", "--share", "drift"], 2, "drift is not varied"),
+        (vec!["fit", COSINE, word(&data), "--observe", "y", "--bounds", "gamma=3..1"], 2, "not below"),
+        (vec!["fit", COSINE, word(&data), "--observe", "y", "--bounds", "gamma=3"], 2, "LO..HI"),
+        (vec!["fit", COSINE, word(&data), "--observe", "y", "--from", "100"], 2, "no measured value"),
+        (vec!["fit", COSINE, word(&data), "--observe", "y", "--until", "0.1"], 2, "cannot determine 5 numbers"),
+        (vec!["fit", COSINE, word(&data), "--observe", "y", "--fix", "gamma=99"], 2, "out of range"),
+        (vec!["fit", COSINE, word(&data), "--observe", "y", "--vary", "gamma", "--fix", "gamma=1"], 2, "gamma"),
+        (vec!["fit", COSINE, word(&data), "--observe", "y", "--output", "fit.docx"], 2, ".html (a report)"),
+        (vec!["fit", COSINE, "absent.txt", "--observe", "y"], 2, "absent.txt"),
+        (vec!["rank", word(&data), "--model", COSINE, "--observe", "y"], 2, "only one theory"),
+    ] {
+        let done = meniscus(&words);
+        assert_eq!(done.code, code, "{words:?}: {}", done.stderr);
+        assert!(done.stderr.contains(said), "{words:?}: {}", done.stderr);
+        assert_eq!(done.stdout, "", "{words:?}");
+    }
+    let before = std::fs::read(&data).unwrap();
+    let over = directory.path().join("run.csv");
+    std::fs::rename(&data, &over).unwrap();
+    let done = meniscus(&["fit", COSINE, word(&over), "--observe", "y", "--output", word(&over)]);
+    assert_eq!(done.code, 2);
+    assert_eq!(std::fs::read(&over).unwrap(), before, "the data are never overwritten");
+}
+
+#[test]
+fn reports_workbooks_tables_and_figures_are_written() {
+    let directory = tempfile::tempdir().unwrap();
+    let data = record(directory.path(), "run.txt", 0.4, 0.1);
+    for (name, begins, contains) in [
+        ("fit.html", "<!doctype html>", "Damped cosine"),
+        ("fit.csv", "", "y residual [m]"),
+        ("fit.svg", "<svg", "</svg>"),
+    ] {
+        let path = directory.path().join(name);
+        let done = meniscus(&["fit", COSINE, word(&data), "--observe", "y", "--profile", "--output", word(&path)]);
+        assert_eq!(done.code, 0, "{}", done.stderr);
+        assert!(done.stdout.contains("68 %:"), "{}", done.stdout);
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert!(text.to_lowercase().starts_with(begins) && text.contains(contains), "{name}: {text:.200}");
+    }
+    let path = directory.path().join("fit.xlsx");
+    let done = meniscus(&["fit", COSINE, word(&data), "--observe", "y", "--output", word(&path)]);
+    assert_eq!(done.code, 0, "{}", done.stderr);
+    use calamine::Reader;
+    let mut workbook = calamine::open_workbook_auto(&path).unwrap();
+    let sheets = workbook.sheet_names();
+    assert!(sheets.len() >= 3, "{sheets:?}");
+    let cells: Vec<String> = sheets
+        .iter()
+        .flat_map(|sheet| {
+            let range = workbook.worksheet_range(sheet).unwrap();
+            range.used_cells().map(|(_, _, cell)| cell.to_string()).collect::<Vec<_>>()
+        })
+        .collect();
+    assert!(cells.iter().any(|cell| cell == "gamma" || cell == "γ"), "{cells:?}");
+    // The measured levels themselves stand in it.
+    assert!(cells.len() > 3 * 210);
+}
+
+/// The measured column: the theories of its friction. What each costs and gains, before and after 6 s, and predicted from what
+/// is before 6 s. The reference data lie beside the project; without them this says so and does nothing.
+#[test]
+fn the_theories_of_the_measured_column_are_ranked() {
+    let data = common::root().join("../shared/data/utube");
+    if !data.is_dir() {
+        eprintln!("skipped: {} is not there", data.display());
+        return;
+    }
+    let theories =
+        ["linear", "quadratic", "dry-friction", "linear-contact-line", "quadratic-contact-line", "power-law"];
+    for name in ["U1", "U2", "U3", "U4"] {
+        let file = data.join(format!("{name}.txt"));
+        let mut words =
+            vec!["rank", word(&file), "--observe", "y", "--from", "1", "--predict-from", "6", "--format", "json"];
+        let models: Vec<String> = theories.iter().map(|theory| format!("simulations/theories/{theory}.md")).collect();
+        for model in &models {
+            words.extend(["--model", model]);
+        }
+        let ranked = object(&meniscus(&words));
+        let rows = ranked.as_array().unwrap();
+        let row = |theory: &str| {
+            let ending = format!("{theory}.md");
+            rows.iter().find(|row| row["document"].as_str().unwrap().ends_with(&format!("/{ending}"))).unwrap()
+        };
+        let number = |theory: &str, key: &str| row(theory)[key].as_f64().unwrap();
+        for theory in theories {
+            let [all, before, after, predicted] =
+                ["rmse", "rmse_before", "rmse_after", "rmse_predicted"].map(|key| 1000.0 * number(theory, key));
+            println!(
+                "{name} {theory:24} {all:.3} mm, before 6 s {before:.3}, after {after:.3}, predicted {predicted:.3}"
+            );
+            assert_eq!(row(theory)["converged"], true, "{name} {theory}");
+        }
+        // The contact line explains what viscous friction does not, and predicts it.
+        let best = rows[0]["document"].as_str().unwrap();
+        assert!(best.ends_with("contact-line.md"), "{name}: {best}");
+        for theory in ["linear", "quadratic", "dry-friction", "power-law"] {
+            assert!(number(theory, "rmse") > 1.3 * number("quadratic-contact-line", "rmse"), "{name} {theory}");
+        }
+        let by_best = rows[0]["rmse_predicted"].as_f64().unwrap();
+        assert!(number("linear", "rmse_predicted") > 1.3 * by_best, "{name}");
+    }
+}

@@ -2,7 +2,7 @@
 // `name value` in each line. Needs PROBE, the directory with the probe's JavaScript and module; PAGE, the built page; and
 // CHROME, without which the pace is that of Node and nothing is said about the page.
 
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import vm from "node:vm";
@@ -23,7 +23,7 @@ const say = (name, value) => console.log(name, value.toFixed(3));
 const median = (values) => values.toSorted((one, other) => one - other)[Math.floor(values.length / 2)];
 
 /** Million steps in a second in the virtual machine and by hand, in turns, the best of each. */
-async function pace({ bytes, steps, rounds }) {
+async function pace({ bytes, steps, rounds, record }) {
   const { probe } = globalThis;
   await probe({ module_or_path: Uint8Array.from(atob(bytes), (character) => character.charCodeAt(0)) });
   const tube = new probe.Pace();
@@ -37,16 +37,38 @@ async function pace({ bytes, steps, rounds }) {
     measure("machine", () => tube.machine(steps));
     measure("hand", () => tube.by_hand(steps));
   }
+  // A damped cosine at 30 frames a second, as the native measurement makes it without the measured record.
+  const times = Float64Array.from({ length: 207 }, (_, frame) => frame / 30);
+  const level = times.map((time) => 0.056 * Math.exp(-0.387 * time) * Math.sin(9.61 * time - 1.6) - 0.0027);
+  const fits = new probe.Fits(record?.times ?? times, record?.level ?? level);
+  const each = (work, count) => {
+    work(1);
+    const start = performance.now();
+    work(count);
+    return (performance.now() - start) / count;
+  };
+  best.formula = each((count) => fits.formula(count), 200);
+  best.motion = each((count) => fits.motion(count), 20);
   return best;
 }
 
-const task = { bytes: module.toString("base64"), steps: STEPS, rounds: ROUNDS };
+/** The measured record U3 beside the project, if it is there. */
+function measured() {
+  const path = new URL("../../../shared/data/utube/U3.txt", import.meta.url);
+  if (!existsSync(path)) return undefined;
+  const rows = readFileSync(path, "utf8").trim().split("\n").map((line) => line.split(" ").map(Number));
+  return { times: rows.map((row) => row[0]), level: rows.map((row) => row[1]) };
+}
+
+const task = { bytes: module.toString("base64"), steps: STEPS, rounds: ROUNDS, record: measured() };
 
 if (!process.env.CHROME) {
   vm.runInThisContext(glue);
   const best = await pace(task);
   say("wasm-machine", best.machine);
   say("wasm-hand", best.hand);
+  say("fit-formula", best.formula);
+  say("fit-motion", best.motion);
   process.exit(0);
 }
 
@@ -71,6 +93,8 @@ async function measurePace() {
   const best = await page.evaluate(pace, task);
   say("wasm-machine", best.machine);
   say("wasm-hand", best.hand);
+  say("fit-formula", best.formula);
+  say("fit-motion", best.motion);
   await page.close();
 }
 

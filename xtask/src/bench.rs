@@ -16,7 +16,7 @@ type Numbers = BTreeMap<String, f64>;
 pub fn all() -> Result<()> {
     let page = step("the page", page::build)?;
     let page = std::fs::read(&page).with_context(|| format!("cannot read {}", page.display()))?;
-    let native = step("the pace of the engine natively", native)?;
+    let native = step("the pace of the engine, of fits and of the import natively", native)?;
     let browser = tools::chromium();
     if let Err(missing) = &browser {
         println!("{missing:#}");
@@ -30,6 +30,13 @@ pub fn all() -> Result<()> {
     println!();
     pace("natively", &native, "machine", "hand");
     pace(place, &web, "wasm-machine", "wasm-hand");
+    fits("natively", &native);
+    fits(place, &web);
+    for (name, title) in [("points", "import"), ("commas", "import with decimal commas")] {
+        if let Some(rows) = native.get(name) {
+            row(title, rows / 1e6, "million rows/s", "at least 1");
+        }
+    }
     row("size of the page", page.len() as f64 / 1000.0, "kB", "");
     row("size of the page, gzipped", gzipped as f64 / 1000.0, "kB", "at most 300");
     let aims = [
@@ -57,14 +64,30 @@ fn pace(place: &str, numbers: &Numbers, machine: &str, hand: &str) {
     }
 }
 
+/// Fits of one measured record, the estimate of where to begin included.
+fn fits(place: &str, numbers: &Numbers) {
+    for (name, title, aim) in [
+        ("fit-formula", "fit of a damped cosine", "at most 0.3; SciPy's curve_fit 1.7, lmfit 7"),
+        ("fit-motion", "fit of its equation of motion", "at most 10; solve_ivp with least_squares 1900"),
+    ] {
+        if let Some(milliseconds) = numbers.get(name) {
+            row(&format!("{title} {place}"), *milliseconds, "ms", aim);
+        }
+    }
+}
+
 fn row(title: &str, value: f64, unit: &str, aim: &str) {
     let aim = if aim.is_empty() { String::new() } else { format!("({aim})") };
-    println!("{}", format!("{title:<40}{value:>10.2} {unit:<10}{aim}").trim_end());
+    println!("{}", format!("{title:<44}{value:>10.2} {unit:<15}{aim}").trim_end());
 }
 
 fn native() -> Result<Numbers> {
-    let arguments = ["run", "--release", "--quiet", "--package", "probe", "--example", "pace"];
-    steps::output(&mut cargo(&arguments)).map(|text| numbers(&text))
+    let mut all = Numbers::new();
+    for (package, example) in [("probe", "pace"), ("probe", "fits"), ("analysis", "import_rows")] {
+        let arguments = ["run", "--release", "--quiet", "--package", package, "--example", example];
+        all.extend(numbers(&steps::output(&mut cargo(&arguments))?));
+    }
+    Ok(all)
 }
 
 fn in_wasm(browser: Option<std::path::PathBuf>) -> Result<Numbers> {

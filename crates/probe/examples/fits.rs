@@ -37,7 +37,7 @@ fn record() -> (Vec<f64>, Vec<f64>) {
     (0..207_u32)
         .map(|frame| {
             let time = f64::from(frame) / 30.0;
-            (time, 0.056 * (-0.387 * time).exp() * (9.61 * time - 1.6).sin() - 0.0027)
+            (time, 0.056 * libm::exp(-0.387 * time) * libm::sin(9.61 * time - 1.6) - 0.0027)
         })
         .unzip()
 }

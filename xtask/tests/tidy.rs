@@ -7,20 +7,22 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which crates of the workspace each may use. The walls between them are the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 9] = [
+const ARROWS: [(&str, &[&str]); 11] = [
     ("units", &[]),
     ("model", &["units"]),
     ("figure", &[]),
     ("engine", &["model", "units"]),
     ("document", &["model", "units"]),
-    ("session", &["document", "engine", "figure", "model", "units"]),
-    ("probe", &["document", "engine", "figure", "model", "session", "units"]),
+    ("analysis", &["engine", "model", "units"]),
+    ("report", &["analysis", "document", "figure", "model", "units"]),
+    ("session", &["analysis", "document", "engine", "figure", "model", "report", "units"]),
+    ("probe", &["analysis", "document", "engine", "figure", "model", "session", "units"]),
     ("lab", &["document", "figure", "model", "session", "units"]),
-    ("cli", &["document", "engine", "model", "units"]),
+    ("cli", &["analysis", "document", "engine", "figure", "model", "report", "units"]),
 ];
 
 /// The crates that do no I/O, read no clock and touch no DOM.
-const CORE: [&str; 6] = ["units", "model", "document", "engine", "figure", "session"];
+const CORE: [&str; 8] = ["units", "model", "document", "engine", "analysis", "figure", "report", "session"];
 const OUTSIDE: [&str; 8] =
     ["std::fs", "std::net", "std::env", "std::process", "std::time", "std::thread", "web_sys", "js_sys"];
 

@@ -254,7 +254,7 @@ impl Session {
                 languages.map(|language| job.document.text(language, label).to_lowercase()).collect()
             };
             record.origin = None;
-            record.take_for(model, &labels);
+            record.take_for(&job.document, &labels);
         }
         let method = job.document.method.as_deref().and_then(|name| name.parse::<Method>().ok()).unwrap_or_default();
         Ok(Task {

@@ -1,7 +1,9 @@
 //! Which quantity of the document a column of data measures.
 
 use analysis::table::{Column, Table};
+use document::Document;
 use model::{Kind, Model};
+use std::collections::BTreeSet;
 use units::Unit;
 
 /// What a column is taken for.
@@ -13,10 +15,17 @@ pub(crate) struct Meaning {
     pub unit: Unit,
 }
 
-/// What can be measured: the independent variable, the unknowns and their derivatives, and whatever else is a number that
-/// changes; each with its unit.
-pub(crate) fn measurable(model: &Model) -> Vec<(String, Unit)> {
+/// What can be measured: the independent variable, what the document is about and its derivatives, the unknowns and
+/// theirs, and whatever else is a number that changes; each with its unit.
+pub(crate) fn measurable(document: &Document) -> Vec<(String, Unit)> {
+    let model = &document.model;
     let mut found = vec![(model.independent.name.clone(), model.independent.unit.clone())];
+    for subject in subjects(document) {
+        for order in 0..=2 {
+            let name = format!("{subject}{}", "'".repeat(order as usize));
+            found.extend(model.lookup(subject, order).map(|value| (name, value.unit)));
+        }
+    }
     for (index, state) in model.states.iter().enumerate() {
         found.push((state.name(), state.unit.clone()));
         // The highest derivative follows the last state of its variable.
@@ -27,6 +36,27 @@ pub(crate) fn measurable(model: &Model) -> Vec<(String, Unit)> {
     }
     let varying = model.quantities.iter().filter(|quantity| quantity.varies && quantity.value.kind == Kind::Number);
     found.extend(varying.map(|quantity| (quantity.name.clone(), quantity.value.unit.clone())));
+    let mut names = BTreeSet::new();
+    found.retain(|(name, _)| names.insert(name.clone()));
+    found
+}
+
+/// What the document is about: what it draws first against the independent variable.
+fn subjects(document: &Document) -> Vec<&str> {
+    let model = &document.model;
+    let mut found: Vec<&str> = Vec::new();
+    for curve in document
+        .plots
+        .iter()
+        .find(|plot| plot.x.expression == model.independent.name)
+        .iter()
+        .flat_map(|plot| &plot.curves)
+    {
+        let stem = curve.expression.trim_end_matches('\'');
+        if model.lookup(stem, 0).is_some() && !found.contains(&stem) {
+            found.push(stem);
+        }
+    }
     found
 }
 
@@ -37,8 +67,10 @@ pub(crate) fn observed(model: &Model, name: &str) -> Option<model::Compiled> {
 }
 
 /// What each column is taken for. `labels` gives a label in all languages of the document, in small letters.
-pub(crate) fn recognise(table: &Table, model: &Model, labels: &dyn Fn(&str) -> Vec<String>) -> Vec<Meaning> {
-    let known = measurable(model);
+pub(crate) fn recognise(table: &Table, document: &Document, labels: &dyn Fn(&str) -> Vec<String>) -> Vec<Meaning> {
+    let model = &document.model;
+    let known = measurable(document);
+    let subjects = subjects(document);
     let mut taken: Vec<bool> = vec![false; known.len()];
     let nothing = |column: &Column| Meaning {
         quantity: String::new(),
@@ -50,7 +82,7 @@ pub(crate) fn recognise(table: &Table, model: &Model, labels: &dyn Fn(&str) -> V
     let of_body = |column: &Column| column.body.is_none() || column.body.as_ref() == body;
     let fits = |column: &Column, unit: &Unit| column.unit.as_ref().is_none_or(|own| own.dimension == unit.dimension);
     // First what is called as it is in the document, then as people call it, then by unit or place.
-    let unknowns = 1 + known.iter().skip(1).take_while(|(name, _)| is_unknown(model, name)).count();
+    let unknowns = 1 + known.iter().skip(1).take_while(|(name, _)| is_about(model, &subjects, name)).count();
     let unknowns = if model.states.is_empty() { known.len() } else { unknowns };
     for (names, how) in [by_name, by_custom, by_place].into_iter().enumerate() {
         for (index, column) in table.columns.iter().enumerate() {
@@ -64,6 +96,14 @@ pub(crate) fn recognise(table: &Table, model: &Model, labels: &dyn Fn(&str) -> V
             let candidates: Vec<usize> = (0..within)
                 .filter(free)
                 .filter(|&place| known.get(place).is_some_and(|(_, unit)| fits(column, unit)))
+                // What has no name at all can only be what the document draws first.
+                .filter(|&place| {
+                    let stem = known.get(place).map(|(name, _)| name.trim_end_matches('\''));
+                    independent
+                        || !column.name.is_empty()
+                        || subjects.is_empty()
+                        || stem.is_some_and(|stem| subjects.contains(&stem))
+                })
                 .collect();
             let spelled = spelling(&column.name);
             let found = if independent {
@@ -94,10 +134,10 @@ fn by_name(spelled: &str, names: &[(usize, &str)], _: &Column, labels: &dyn Fn(&
     found.map(|(place, _)| *place)
 }
 
-/// Whether a name is an unknown of the model or a derivative of one.
-fn is_unknown(model: &Model, name: &str) -> bool {
+/// Whether a name is a subject of the document, an unknown of its model, or a derivative of one.
+fn is_about(model: &Model, subjects: &[&str], name: &str) -> bool {
     let stem = name.trim_end_matches('\'');
-    model.states.iter().any(|state| state.variable == stem)
+    subjects.contains(&stem) || model.states.iter().any(|state| state.variable == stem)
 }
 
 /// Velocities and accelerations as tracking programs and people write them.

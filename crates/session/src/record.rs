@@ -5,6 +5,7 @@ use crate::recognise::{Meaning, recognise};
 use crate::{Announcement, Refusal, Session, Tongue, number};
 use analysis::finding::Finding;
 use analysis::table::Table;
+use document::Document;
 use model::Model;
 use units::Unit;
 
@@ -133,7 +134,7 @@ impl Session {
 
     /// What a column can be taken for: name and how it is shown.
     pub fn measurable(&self) -> Vec<(String, String)> {
-        crate::recognise::measurable(self.model())
+        crate::recognise::measurable(&self.document)
             .into_iter()
             .map(|(name, _)| (name.clone(), crate::symbol(&name)))
             .collect()
@@ -178,7 +179,7 @@ impl Session {
             truth,
         };
         record.examine();
-        record.take_for(&self.document.model, &|label| self.labels(label));
+        record.take_for(&self.document, &|label| self.labels(label));
         let name = record.name.clone();
         self.data.records.push(record);
         self.records_changed();
@@ -210,7 +211,7 @@ impl Session {
 
     /// Takes a column for another quantity; for none where the name is empty. Its unit stays if it can.
     pub fn set_column_quantity(&mut self, id: u32, column: usize, quantity: &str) {
-        let units = crate::recognise::measurable(self.model());
+        let units = crate::recognise::measurable(&self.document);
         let unit = units.into_iter().find(|(name, _)| name == quantity).map(|(_, unit)| unit);
         let independent = self.model().independent.name.clone();
         let Some(record) = self.record_mut(id) else { return };
@@ -233,7 +234,7 @@ impl Session {
     pub fn set_column_unit(&mut self, id: u32, column: usize, typed: &str) -> Result<(), Refusal> {
         let unit =
             Unit::parse(typed).map_err(|_| Refusal::UnknownUnit { typed: typed.trim().chars().take(40).collect() })?;
-        let known = crate::recognise::measurable(self.model());
+        let known = crate::recognise::measurable(&self.document);
         let Some(used) = self.record_mut(id).and_then(|record| record.uses.get_mut(column)) else { return Ok(()) };
         let own = known.iter().find(|(name, _)| *name == used.meaning.quantity).map(|(_, own)| own);
         if let Some(own) = own.filter(|own| own.dimension != unit.dimension) {
@@ -272,7 +273,7 @@ impl Session {
     pub(crate) fn recognise_records(&mut self) {
         let mut records = std::mem::take(&mut self.data.records);
         for record in &mut records {
-            record.take_for(&self.document.model, &|label| self.labels(label));
+            record.take_for(&self.document, &|label| self.labels(label));
         }
         self.data.records = records;
         self.records_changed();
@@ -308,8 +309,9 @@ impl Record {
     }
 
     /// Takes the columns for what they seem to measure, except where a person has said what they do.
-    pub fn take_for(&mut self, model: &Model, labels: &dyn Fn(&str) -> Vec<String>) {
-        let meanings = recognise(&self.table, model, labels);
+    pub fn take_for(&mut self, document: &Document, labels: &dyn Fn(&str) -> Vec<String>) {
+        let model = &document.model;
+        let meanings = recognise(&self.table, document, labels);
         // The first column that is a witness of its own is what a fit follows.
         let witness = |(column, meaning): (usize, &Meaning)| {
             !meaning.quantity.is_empty()

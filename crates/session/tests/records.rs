@@ -287,3 +287,18 @@ fn what_cannot_be_fitted_is_said() {
     assert_eq!(session.fit_window(), ["7".to_owned(), String::new()]);
     assert!(session.set_fit_window(1, "3 kg").is_err());
 }
+
+#[test]
+fn columns_without_names_measure_what_the_document_draws_first() {
+    let source = "---\ntitle: T\n---\n\n```model\nparameter c = 1 [m]\nf' = -f\nx'' = -x + f\nf(0) = 0 [m/s^2]\nx(0) = 1 [m]\n\
+        x'(0) = 0\ny = x + c\n```\n\n```plots\n\"Level\": y against t\n\"Force\": f against t\n```\n";
+    let source = source.replace("-x + f", "-x/(1 [s^2]) + f").replace("f' = -f", "f' = -f/(1 [s])");
+    let opened = document::open(&source, &[]);
+    let document = opened.document.unwrap_or_else(|| panic!("{:#?}", opened.diagnostics));
+    let mut session = Session::open(document);
+    session.add_record("run.txt", b"0 1.5 0.2\n0.1 1.4 0.3\n0.2 1.2 0.1\n0.3 1.0 0.4\n").unwrap();
+    let records = session.records();
+    let taken: Vec<&str> = records[0].columns.iter().map(|column| column.quantity.as_str()).collect();
+    // The third could be anything.
+    assert_eq!(taken, ["t", "y", ""]);
+}

@@ -50,6 +50,9 @@ pub enum Command {
     /// Measure an oscillation cycle by cycle: period, amplitude, damping
     #[command(after_help = CYCLES_EXAMPLES)]
     Cycles(Cycles),
+    /// Make velocity and acceleration of a measured column anew
+    #[command(after_help = DERIVATIVES_EXAMPLES)]
+    Derivatives(Derivatives),
     /// Fit a document to measured data
     #[command(after_help = FIT_EXAMPLES)]
     Fit(Fit),
@@ -242,6 +245,61 @@ pub struct Cycles {
     /// Write into this file, which appears whole or not at all [default: the standard output]
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+const DERIVATIVES_EXAMPLES: &str = "\
+Examples:
+  meniscus derivatives film.txt --observe y                  as Tracker makes them
+  meniscus derivatives film.txt --observe y --smooth 9       polynomials over 9 rows, which also smooth
+  meniscus derivatives film.txt --observe y=2 --decimal-comma --output film.csv
+
+The stencils are, for the velocity and the acceleration,
+  central:   (x[i+1] - x[i-1])/(2 dt)   and  (2x[i+2] - x[i+1] - 2x[i] - x[i-1] + 2x[i-2])/(7 dt^2)
+  forward:   (x[i+1] - x[i])/dt         and  (x[i+1] - 2x[i] + x[i-1])/dt^2
+  backward:  (x[i] - x[i-1])/dt         and  (x[i+1] - 2x[i] + x[i-1])/dt^2
+Where a neighbour is missing the cell is empty. Smoothing polynomials (Savitzky and Golay) bridge single gaps.";
+
+/// `meniscus derivatives`
+#[derive(Debug, Args)]
+pub struct Derivatives {
+    /// The measured data; `-` reads text from the standard input
+    #[arg(value_name = "DATA")]
+    pub data: PathBuf,
+
+    /// What is differentiated, and its column by name, body.name or number
+    #[arg(long, value_name = "y[=COLUMN]", value_parser = crate::data::observe)]
+    pub observe: crate::data::Observe,
+
+    /// The finite differences
+    #[arg(long, value_enum, default_value_t = Difference::Central, conflicts_with = "smooth")]
+    pub stencil: Difference,
+
+    /// Polynomials over so many rows instead, an odd number
+    #[arg(long, value_name = "ROWS")]
+    pub smooth: Option<usize>,
+
+    /// Their degree
+    #[arg(long, value_name = "N", default_value_t = 3, requires = "smooth")]
+    pub degree: usize,
+
+    /// Semicolons and decimal commas, for spreadsheets that expect them
+    #[arg(long)]
+    pub decimal_comma: bool,
+
+    /// Write into this file, which appears whole or not at all [default: the standard output]
+    #[arg(long, short, value_name = "FILE.csv")]
+    pub output: Option<PathBuf>,
+}
+
+/// Finite differences.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Difference {
+    /// As Tracker makes them
+    Central,
+    /// From a row to the next
+    Forward,
+    /// From the row before
+    Backward,
 }
 
 /// The forms of a table of cycles.

@@ -4,6 +4,7 @@ mod arguments;
 mod check;
 mod cycles;
 mod data;
+mod derivatives;
 mod export;
 mod failure;
 mod fitting;
@@ -38,6 +39,7 @@ fn main() -> ExitCode {
         Command::Run(run) => run::run(run, terminal),
         Command::Check(check) => check::check(check, terminal),
         Command::Cycles(cycles) => cycles::run(cycles, terminal),
+        Command::Derivatives(derivatives) => derivatives::run(derivatives, terminal),
         Command::Fit(fit) => fitting::fit(fit, terminal),
         Command::Rank(rank) => fitting::rank(rank, terminal),
         Command::Export(export) => export::export(export, terminal),

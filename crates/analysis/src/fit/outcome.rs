@@ -158,9 +158,7 @@ impl Outcome {
 
     /// The residuals of an observation in the fitted part, measured minus fitted.
     pub fn residuals(&self, observation: usize) -> Vec<f64> {
-        let Some(fit) = self.observations.get(observation) else { return Vec::new() };
-        let rows = fit.measured.iter().zip(&fit.fitted).zip(&fit.inside);
-        rows.filter(|(_, inside)| **inside).map(|((measured, fitted), _)| measured - fitted).collect()
+        self.observations.get(observation).map(ObservationFit::inside_residuals).unwrap_or_default()
     }
 }
 

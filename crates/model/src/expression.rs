@@ -165,6 +165,14 @@ impl Model {
         dependence
     }
 
+    /// Whether there are equations of motion, and they and the events are the same at all times: then a run can begin at any
+    /// reading of the clock.
+    pub fn is_autonomous(&self) -> bool {
+        let derivatives = self.states.iter().map(|state| state.derivative);
+        let mut nodes = derivatives.chain(self.events.iter().map(|event| event.condition));
+        !self.states.is_empty() && !nodes.any(|node| self.depends(node).independent)
+    }
+
     /// The unknown functions by name, in the order of their states.
     fn variables(&self) -> Vec<(&str, Chain)> {
         let mut variables: Vec<(&str, Chain)> = Vec::new();

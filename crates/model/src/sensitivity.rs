@@ -39,12 +39,7 @@ impl Model {
     /// The change of `nodes` per unit of the independent variable, along the solution.
     pub fn rates_of(&mut self, nodes: &[NodeId]) -> Vec<NodeId> {
         let rates: Vec<NodeId> = self.states.iter().map(|state| state.derivative).collect();
-        let one = self.graph.constant(1.0);
-        along(&mut self.graph, nodes, |node| match node {
-            Node::State(state) => rates.get(state as usize).copied(),
-            Node::Independent => Some(one),
-            _ => None,
-        })
+        moving(&mut self.graph, nodes, &rates)
     }
 
     fn add_sensitivity(&self, extended: &mut Model, parameter: u32) {
@@ -92,12 +87,7 @@ impl Model {
             .collect();
         // h_x s + h_p, and the change of h along the motion before the jump.
         let direct = total(graph, &after, parameter, first, initial);
-        let one = graph.constant(1.0);
-        let moving = along(graph, &after, |node| match node {
-            Node::State(state) => rates.get(state as usize).copied(),
-            Node::Independent => Some(one),
-            _ => None,
-        });
+        let moving = moving(graph, &after, &rates);
         let rates_after = graph.substitute(&rates, |_, node| match node {
             Node::State(state) => after.get(state as usize).copied(),
             _ => None,
@@ -130,6 +120,16 @@ fn total(graph: &mut Graph, nodes: &[NodeId], parameter: u32, first: usize, init
     })
 }
 
+/// The change per unit of the independent variable along a solution whose states change at `rates`.
+fn moving(graph: &mut Graph, nodes: &[NodeId], rates: &[NodeId]) -> Vec<NodeId> {
+    let one = graph.constant(1.0);
+    along(graph, nodes, |node| match node {
+        Node::State(state) => rates.get(state as usize).copied(),
+        Node::Independent => Some(one),
+        _ => None,
+    })
+}
+
 /// How the moment of an event changes with a parameter.
 ///
 /// Of a condition of several comparisons, the one that is passed through at this moment counts: the one that is nearest to
@@ -142,15 +142,10 @@ fn delay(
     rates: &[NodeId],
     initial: &[NodeId],
 ) -> NodeId {
-    let one = graph.constant(1.0);
     let mut best: Option<(NodeId, NodeId)> = None;
     for crossing in comparisons(graph, condition) {
         let change = total(graph, &[crossing], parameter, first, initial)[0];
-        let speed = along(graph, &[crossing], |node| match node {
-            Node::State(state) => rates.get(state as usize).copied(),
-            Node::Independent => Some(one),
-            _ => None,
-        })[0];
+        let speed = moving(graph, &[crossing], rates)[0];
         let quotient = graph.divide(change, speed);
         let delay = graph.negate(quotient);
         let ahead = graph.divide(crossing, speed);

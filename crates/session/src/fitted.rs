@@ -244,7 +244,7 @@ impl Session {
         }
         self.records_changed();
         let name = self.model().independent.name.clone();
-        let autonomous = crate::observed::is_autonomous(self.model());
+        let autonomous = self.model().is_autonomous();
         let begins = self.record(record).map_or(0.0, |record| record.origin(&name, autonomous));
         self.playing = false;
         let setup = Setup { parameters, start: None, ..self.course.begun().clone() };

@@ -1,7 +1,6 @@
 //! Fits: what is varied, the work in slices, the theories in a queue.
 
 use crate::fitted::Fitted;
-use crate::observed::is_autonomous;
 use crate::recognise::observed;
 use crate::record::Record;
 use crate::{Announcement, Refusal, Session, number};
@@ -260,7 +259,7 @@ impl Session {
         Ok(Task {
             parameters: job.parameters.clone(),
             method,
-            origin: Some(record.origin(&model.independent.name, is_autonomous(model))),
+            origin: Some(record.origin(&model.independent.name, model.is_autonomous())),
             records: vec![analysis::fit::Record {
                 name: record.name.clone(),
                 observations: observations(&record, model),

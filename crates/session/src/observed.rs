@@ -67,7 +67,7 @@ impl Session {
     pub(crate) fn records_changed(&mut self) {
         let model = &self.document.model;
         let independent = &model.independent.name;
-        let autonomous = is_autonomous(model);
+        let autonomous = model.is_autonomous();
         let mut measured = Vec::new();
         for record in self.data.records.iter().filter(|record| record.shown) {
             let origin = record.origin(independent, autonomous);
@@ -147,12 +147,6 @@ impl Measured {
         let part = (time - before) / (after - before);
         (after - before <= self.pause).then_some(from + part * (value - from))
     }
-}
-
-/// Whether the equations of motion are the same at all times: then the clock of a record may begin anywhere, and the model
-/// begins with its first row.
-pub(crate) fn is_autonomous(model: &model::Model) -> bool {
-    !model.states.is_empty() && model.states.iter().all(|state| !model.depends(state.derivative).independent)
 }
 
 impl Record {

@@ -196,12 +196,9 @@ fn columns(report: &Report<'_>, fit: &ObservationFit, reach: f64) -> Columns {
         Some(trace) => (&trace.times[..], &trace.values[..], &trace.stderr[..]),
         None => (&fit.times[..], &fit.fitted[..], &[][..]),
     };
-    let task = report.task;
-    let inside =
-        |time: &f64| task.from.is_none_or(|from| *time >= from) && task.until.is_none_or(|until| *time <= until);
     // The two parts of the curve share the points where they meet.
     let piece = |wanted: bool| -> Vec<f64> {
-        let near = |row: usize| times.get(row).is_some_and(|time| inside(time) == wanted);
+        let near = |row: usize| times.get(row).is_some_and(|time| report.task.covers(*time) == wanted);
         let belongs = |row: usize| near(row) || (!wanted && (near(row + 1) || (row > 0 && near(row - 1))));
         let shown = values.iter().enumerate().map(|(row, si)| if belongs(row) { value(*si) } else { f64::NAN });
         shown.collect()

@@ -2,7 +2,7 @@
 //! together.
 
 use super::linear::{Decomposition, Jacobian, dot, norm};
-use super::problem::Plan;
+use super::plan::Plan;
 use super::search::Search;
 use super::statistics;
 

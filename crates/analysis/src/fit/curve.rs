@@ -28,7 +28,6 @@ pub(crate) fn bare(model: &Model) -> Model {
 /// Gives the model's values of all that is observed, with derivatives, at any ascending times.
 #[derive(Clone, Debug)]
 pub(crate) struct Curve {
-    model: Model,
     /// How many states the model has without sensitivities.
     states: usize,
     /// The parameters of the model among the targets, in order.
@@ -107,7 +106,6 @@ impl Curve {
         Ok(Self {
             routine: Routine::compile(&extended, &roots),
             initial: Routine::compile(&extended, &initial_nodes),
-            model: extended,
             states,
             varied,
             linear,
@@ -145,15 +143,6 @@ impl Curve {
     /// Whether there are equations of motion.
     pub fn has_states(&self) -> bool {
         self.states > 0
-    }
-
-    /// Whether the equations have states, and the independent variable does not occur in them: such a run can begin at
-    /// any reading of the clock.
-    pub fn is_autonomous(&self) -> bool {
-        let uses_time = |node| self.model.depends(node).independent;
-        self.states > 0
-            && !self.model.states.iter().any(|state| uses_time(state.derivative))
-            && !self.model.events.iter().any(|event| uses_time(event.condition))
     }
 
     /// Goes through the model's `times`, ascending and not before 0 where there are states, and hands the values at each
@@ -216,21 +205,21 @@ impl Derived {
                 quantity.value.kind == Kind::Number && !quantity.varies && depends(quantity.value.node)
             })
             .collect();
-        let mut graph_model = model.clone();
+        let mut graph = model.graph.clone();
         let states = model.states.len();
         // In what holds for a whole run, an initial value is its expression.
         let initial: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
         let nodes: Vec<NodeId> = quantities.iter().map(|&number| model.quantities[number].value.node).collect();
-        let nodes = graph_model.graph.substitute(&nodes, |_, node| match node {
+        let nodes = graph.substitute(&nodes, |_, node| match node {
             Node::Initial(state) => initial.get(state as usize).copied(),
             _ => None,
         });
         let mut roots = nodes.clone();
         for &parameter in varied {
             let variable = model::Variable::Parameter(parameter as u32);
-            roots.extend(model::differentiate_all(&mut graph_model.graph, &nodes, variable));
+            roots.extend(model::differentiate_all(&mut graph, &nodes, variable));
         }
-        let routine = Routine::from_graph(&graph_model.graph, states, &roots);
+        let routine = Routine::from_graph(&graph, states, &roots);
         Self { quantities, routine, varied: varied.len(), states }
     }
 

@@ -1,14 +1,17 @@
 //! The course of a fit: which starts are tried, how several observations are weighed, when it ends.
 
+use super::covariance::Covariance;
 use super::curve;
 use super::linear::{Decomposition, norm};
 use super::outcome::{self, Outcome};
-use super::problem::{Plan, Problem, Window};
+use super::plan::Plan;
+use super::problem::{Problem, Window};
 use super::search::{Search, Status};
 use super::task::{FitError, Target, Task};
 use super::{start, symmetry};
 use crate::cycles::Estimate;
 use model::Model;
+use std::sync::Arc;
 
 /// A fit that goes on one trial at a time.
 ///
@@ -19,8 +22,6 @@ use model::Model;
 pub struct Fit {
     pub(super) model: Model,
     pub(super) problem: Problem,
-    /// The points of the fitted part, with weights.
-    pub(super) plans: Vec<Plan>,
     /// The best search so far.
     pub(super) best: Option<Search>,
     /// Whether the best search has come to its end.
@@ -46,7 +47,7 @@ pub struct Fit {
 
 #[derive(Clone, Debug)]
 enum Stage {
-    Own,
+    Own(Box<Search>),
     Estimated,
     Windows,
     Spread,
@@ -64,7 +65,7 @@ struct Span {
 #[derive(Clone, Debug)]
 struct Current {
     search: Search,
-    plans: Vec<Plan>,
+    plans: Arc<Vec<Plan>>,
     /// Windows still to come, the last one first; the search is of the whole where there are none.
     windows: Vec<Span>,
 }
@@ -105,7 +106,6 @@ impl Fit {
     pub fn new(model: &Model, task: Task) -> Result<Self, FitError> {
         let mut problem = Problem::new(model, task)?;
         problem.weigh(&problem.spread());
-        let plans = problem.plans.clone();
         let mut fit = Self {
             model: curve::bare(model),
             bounds: bounds(model, &problem),
@@ -114,10 +114,9 @@ impl Fit {
             estimates: start::estimates(&problem),
             total: problem.spread_sum(),
             problem,
-            plans,
             best: None,
             converged: false,
-            stages: vec![Stage::Spread, Stage::Windows, Stage::Estimated, Stage::Own],
+            stages: Vec::new(),
             current: None,
             flat: 0,
             refined: false,
@@ -125,17 +124,16 @@ impl Fit {
             trials: 0,
             finished: false,
         };
-        let own = fit.search(&fit.own.clone(), &fit.plans.clone(), Self::TRIALS);
+        let own = fit.search(&fit.own.clone(), &fit.problem.plans.clone(), Self::TRIALS);
         fit.flat = flat(&own);
-        if own.sum < fit.total || fit.estimates.iter().all(Option::is_none) {
-            fit.stages.pop();
-            fit.current = Some(Current { search: own, plans: fit.plans.clone(), windows: Vec::new() });
-        } else if fit.problem.curve.has_states() {
-            fit.stages = vec![Stage::Spread, Stage::Own, Stage::Windows];
-        } else {
-            let last = fit.stages.len() - 1;
-            fit.stages.swap(last - 1, last);
-        }
+        let explains = own.sum < fit.total || fit.estimates.iter().all(Option::is_none);
+        let own = Stage::Own(Box::new(own));
+        fit.stages = match (explains, fit.problem.curve.has_states()) {
+            (true, _) => vec![Stage::Spread, Stage::Windows, Stage::Estimated, own],
+            (false, true) => vec![Stage::Spread, own, Stage::Windows],
+            (false, false) => vec![Stage::Spread, Stage::Windows, own, Stage::Estimated],
+        };
+        fit.begin();
         Ok(fit)
     }
 
@@ -182,6 +180,12 @@ impl Fit {
         outcome::outcome(self)
     }
 
+    /// What is known of the uncertainties at the end of a search of the whole.
+    pub(super) fn covariance(&self, best: &Search) -> Covariance {
+        let Problem { plans, task, .. } = &self.problem;
+        Covariance::new(best, plans, self.problem.independent_values(), task.errors_given())
+    }
+
     /// A search over `plans`, from `start`.
     pub(super) fn search(&mut self, start: &[f64], plans: &[Plan], limit: usize) -> Search {
         let rows = plans.iter().map(|plan| plan.points.len()).sum();
@@ -213,7 +217,7 @@ impl Fit {
     }
 
     fn window(&mut self, start: &[f64], span: Span, windows: Vec<Span>) -> Current {
-        let plans = start::cut(&self.plans, span.duration);
+        let plans = Arc::new(start::cut(&self.problem.plans, span.duration));
         let limit = if windows.is_empty() { Self::TRIALS } else { Self::WINDOW_TRIALS };
         let bounds = self.bounds.clone();
         if span.held {
@@ -249,7 +253,7 @@ impl Fit {
         if self.problem.curve.has_states() {
             return (0..Self::SPREAD).map(start).collect();
         }
-        let plans: Vec<Plan> = self.plans.iter().map(start::thinned).collect();
+        let plans: Vec<Plan> = self.problem.plans.iter().map(start::thinned).collect();
         let points: usize = plans.iter().map(|plan| plan.points.len()).sum();
         // The more points, the fewer: nothing else goes on meanwhile.
         let count = (Self::SCREENED * start::ROWS / points.max(start::ROWS)).max(Self::CHOSEN);
@@ -267,7 +271,10 @@ impl Fit {
         };
         let far = matches!(stage, Stage::From(_));
         let start = match stage {
-            Stage::Own => self.own.clone(),
+            Stage::Own(search) => {
+                self.search_whole(*search);
+                return;
+            }
             Stage::From(start) => start,
             Stage::Spread => {
                 let starts = self.spread();
@@ -289,8 +296,13 @@ impl Fit {
             }
         };
         let limit = if far && self.problem.curve.has_states() { Self::SPREAD_TRIALS } else { Self::TRIALS };
-        let search = self.search(&start, &self.plans.clone(), limit);
-        self.current = Some(Current { search, plans: self.plans.clone(), windows: Vec::new() });
+        let search = self.search(&start, &self.problem.plans.clone(), limit);
+        self.search_whole(search);
+    }
+
+    /// Goes on with a search of the whole fitted part.
+    fn search_whole(&mut self, search: Search) {
+        self.current = Some(Current { search, plans: self.problem.plans.clone(), windows: Vec::new() });
     }
 
     /// Takes in a search over the whole that has ended.
@@ -329,14 +341,13 @@ impl Fit {
             start = like;
         } else if self.weighings < Self::WEIGHINGS && self.problem.reweigh(&best.residuals) {
             self.weighings += 1;
-            self.plans = self.problem.plans.clone();
             self.total = self.problem.spread_sum();
         } else {
             self.finished = true;
             return;
         }
-        let search = self.search(&start, &self.plans.clone(), Self::TRIALS);
-        self.current = Some(Current { search, plans: self.plans.clone(), windows: Vec::new() });
+        let search = self.search(&start, &self.problem.plans.clone(), Self::TRIALS);
+        self.search_whole(search);
     }
 }
 

@@ -5,7 +5,9 @@ use super::curve::Derived;
 use super::driver::Fit;
 use super::identify::{Undetermined, undetermined};
 use super::linear::Jacobian;
-use super::problem::{Plan, Problem, witness};
+use super::observed::ObservationFit;
+use super::plan::{Plan, alike, witness};
+use super::problem::Problem;
 use super::search::Search;
 use super::statistics::{self, RunsTest};
 use super::task::Target;
@@ -81,44 +83,6 @@ pub struct Estimate {
     pub stderr_hac: Option<f64>,
 }
 
-/// How one observation was fitted. Columns are of equal length: all measured values that are no gap.
-#[derive(Clone, Debug)]
-pub struct ObservationFit {
-    /// Which record.
-    pub record: usize,
-    /// Which of its observations.
-    pub observation: usize,
-    /// `y'`
-    pub name: String,
-    /// The unit to show it in.
-    pub unit: Unit,
-    /// Whether it was computed from another one.
-    pub derived: bool,
-    /// The clock's readings.
-    pub times: Vec<f64>,
-    /// What was measured.
-    pub measured: Vec<f64>,
-    /// The model's values; NaN where it has none.
-    pub fitted: Vec<f64>,
-    /// Whether the value was in the fitted part.
-    pub inside: Vec<bool>,
-    /// The root of the mean square of measured minus fitted in the fitted part.
-    pub rmse: f64,
-    /// The coefficient of determination in the fitted part.
-    pub r2: f64,
-    /// What was predicted outside.
-    pub outside: Option<Outside>,
-}
-
-/// How well the rest of a record was predicted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Outside {
-    /// How many values.
-    pub n: usize,
-    /// The root of the mean square of measured minus predicted.
-    pub rmse: f64,
-}
-
 /// Whether the model is compatible with the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
@@ -164,10 +128,9 @@ impl Outcome {
 
 pub(super) fn outcome(fit: &mut Fit) -> Option<Outcome> {
     let best = fit.best.clone()?;
-    let errors_given =
-        fit.problem.task.records.iter().flat_map(|record| &record.observations).all(|one| one.errors.is_some());
+    let errors_given = fit.problem.task.errors_given();
     let values = fit.problem.independent_values();
-    let covariance = Covariance::new(&best, &fit.plans, values, errors_given);
+    let covariance = fit.covariance(&best);
     let observations = observations(&mut fit.problem, &best);
     let (parameters, derived) = estimates(&fit.problem, &fit.model, &best, &covariance);
     let names: Vec<String> = parameters.iter().map(|estimate| full_name(estimate, &fit.problem)).collect();
@@ -216,7 +179,7 @@ fn estimates(
     covariance: &Covariance,
 ) -> (Vec<Estimate>, Vec<Estimate>) {
     let size = best.x.len();
-    let known = |gradient: &[f64], matrix: &[f64]| Some(Covariance::variance(matrix, gradient).sqrt());
+    let error = |gradient: &[f64], matrix: &[f64]| Covariance::variance(matrix, gradient).sqrt();
     let mut parameters = Vec::with_capacity(size);
     for (number, column) in problem.columns.iter().enumerate() {
         let mut gradient = vec![0.0; size];
@@ -234,8 +197,8 @@ fn estimates(
             value: best.x[number],
             determined,
             at_bound,
-            stderr: certain.then(|| known(&gradient, &covariance.textbook)).flatten(),
-            stderr_hac: certain.then(|| known(&gradient, &covariance.robust)).flatten(),
+            stderr: certain.then(|| error(&gradient, &covariance.textbook)),
+            stderr_hac: certain.then(|| error(&gradient, &covariance.robust)),
         });
     }
     let varied: Vec<usize> = parameters.iter().filter_map(|estimate| estimate.parameter).collect();
@@ -251,7 +214,7 @@ fn estimates(
             let quantity = &model.quantities[quantity];
             let mut gradient = vec![0.0; size];
             for (number, column) in problem.columns.iter().enumerate() {
-                if column.record.is_none_or(|own| own == record)
+                if column.belongs_to(record)
                     && let Target::Parameter(index) = column.target
                     && let Some(slope) = distinct.iter().position(|&known| known == index)
                 {
@@ -271,8 +234,8 @@ fn estimates(
                 value: values[place],
                 determined,
                 at_bound: false,
-                stderr: certain.then(|| known(&gradient, &covariance.textbook)).flatten(),
-                stderr_hac: certain.then(|| known(&gradient, &covariance.robust)).flatten(),
+                stderr: certain.then(|| error(&gradient, &covariance.textbook)),
+                stderr_hac: certain.then(|| error(&gradient, &covariance.robust)),
             });
         }
     }
@@ -311,17 +274,9 @@ fn correlation(covariance: &[f64], size: usize) -> Vec<f64> {
     correlation
 }
 
-impl ObservationFit {
-    fn inside_residuals(&self) -> Vec<f64> {
-        let rows = self.measured.iter().zip(&self.fitted).zip(&self.inside);
-        rows.filter(|(_, inside)| **inside).map(|((measured, fitted), _)| measured - fitted).collect()
-    }
-}
-
 /// Every observation beside the curve, in and outside the fitted part.
 fn observations(problem: &mut Problem, best: &Search) -> Vec<ObservationFit> {
-    let (from, until) = (problem.task.from, problem.task.until);
-    let plans = problem.plan(&problem.expressions(), None, None, &[]);
+    let plans = problem.plan(|_| true);
     let mut fits = Vec::new();
     for (record, plan) in plans.iter().enumerate() {
         let (residuals, known) = residuals_of(problem, record, plan, &best.x);
@@ -349,34 +304,13 @@ fn observations(problem: &mut Problem, best: &Search) -> Vec<ObservationFit> {
                 } else {
                     f64::NAN
                 });
-                fit.inside.push(from.is_none_or(|from| time >= from) && until.is_none_or(|until| time <= until));
+                fit.inside.push(problem.task.covers(time));
             }
             fit.summarise();
             fits.push(fit);
         }
     }
     fits
-}
-
-impl ObservationFit {
-    fn summarise(&mut self) {
-        let rows = || self.measured.iter().zip(&self.fitted).zip(&self.inside);
-        let squares = |wanted: bool| {
-            rows().filter(|(_, inside)| **inside == wanted).fold((0_usize, 0.0), |(n, sum), ((measured, fitted), _)| {
-                (n + 1, sum + (measured - fitted) * (measured - fitted))
-            })
-        };
-        let (n, sum) = squares(true);
-        let mean =
-            rows().filter(|(_, inside)| **inside).map(|((measured, _), _)| measured).sum::<f64>() / n.max(1) as f64;
-        let spread: f64 =
-            rows().filter(|(_, inside)| **inside).map(|((measured, _), _)| (measured - mean) * (measured - mean)).sum();
-        let (outside, outside_sum) = squares(false);
-        let root = |sum: f64, n: usize| (sum / n.max(1) as f64).sqrt();
-        let (rmse, r2) = (root(sum, n), if spread > 0.0 { 1.0 - sum / spread } else { f64::NAN });
-        self.outside = (outside > 0).then(|| Outside { n: outside, rmse: root(outside_sum, outside) });
-        (self.rmse, self.r2) = (rmse, r2);
-    }
 }
 
 /// The weighted residuals of a record, and up to which row the curve goes.
@@ -408,8 +342,7 @@ fn criteria(
         let mut variances = 0.0;
         for one in observations {
             let record = &problem.task.records[one.record];
-            let root = witness(record, one.observation);
-            let alike = (0..record.observations.len()).filter(|&other| witness(record, other) == root).count() as f64;
+            let alike = alike(record, one.observation) as f64;
             let n = one.inside.iter().filter(|inside| **inside).count() as f64;
             if n > 0.0 {
                 deviance += n / alike * libm::log(one.rmse * one.rmse);

@@ -2,10 +2,12 @@
 
 use super::curve::Curve;
 use super::linear::Jacobian;
+use super::plan::Plan;
 use super::search::Residuals;
 use super::task::{FitError, Record, Target, Task};
 use super::{MOST_VALUES, MOST_VARIED};
 use model::{Model, NodeId};
+use std::sync::Arc;
 
 /// One number of the search: a target, in one record or in all.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,34 +20,11 @@ pub(crate) struct Column {
     pub record: Option<usize>,
 }
 
-/// A measured value.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Point {
-    /// Its row among the times of the record.
-    pub row: usize,
-    /// Which observation of the record.
-    pub observation: usize,
-    /// The value.
-    pub value: f64,
-    /// What its residual is multiplied by.
-    pub weight: f64,
-    /// How much of an independent value it is: 1/m if m columns tell the same.
-    pub share: f64,
-    /// Whether it was measured, and not computed from another column.
-    pub measured: bool,
-}
-
-/// The points of one record, ordered by time.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Plan {
-    /// The clock's readings, ascending, each once.
-    pub times: Vec<f64>,
-    /// Ordered by row, then by observation.
-    pub points: Vec<Point>,
-    /// For each observation of the record: where among the curve's expressions it is.
-    pub expressions: Vec<usize>,
-    /// The clock's reading at the model's 0, where it is not varied.
-    pub origin: f64,
+impl Column {
+    /// Whether it counts in this record.
+    pub fn belongs_to(&self, record: usize) -> bool {
+        self.record.is_none_or(|own| own == record)
+    }
 }
 
 /// A task made ready.
@@ -57,8 +36,12 @@ pub(crate) struct Problem {
     pub task: Task,
     /// The numbers of the search.
     pub columns: Vec<Column>,
+    /// The expressions that the curve gives.
+    pub expressions: Vec<NodeId>,
+    /// Whether records may begin at any reading of the clock.
+    pub autonomous: bool,
     /// What is fitted, by record.
-    pub plans: Vec<Plan>,
+    pub plans: Arc<Vec<Plan>>,
     /// Model times are computed here.
     clock: Vec<f64>,
 }
@@ -80,6 +63,7 @@ impl Problem {
                 return Err(FitError::BadBounds(place));
             }
         }
+        let columns = columns(&task);
         let mut expressions: Vec<NodeId> = Vec::new();
         let mut values = 0;
         for observation in task.records.iter().flat_map(|record| &record.observations) {
@@ -88,28 +72,27 @@ impl Problem {
             }
             values += observation.values.len();
         }
-        if values > MOST_VALUES || task.varied.len() > MOST_VARIED {
+        if values > MOST_VALUES || columns.len() > MOST_VARIED {
             return Err(FitError::TooLarge);
         }
         let targets: Vec<Target> = task.varied.iter().map(|varied| varied.target).collect();
         let duration = task.records.iter().map(duration).fold(0.0, f64::max);
         let curve = Curve::new(model, &expressions, &targets, &task.parameters, (task.method, duration))
             .map_err(FitError::Model)?;
-        let mut problem = Self { curve, columns: columns(&task), plans: Vec::new(), clock: Vec::new(), task };
-        problem.plans = problem.plan(&expressions, problem.task.from, problem.task.until, &[]);
-        problem.check(values)?;
+        let autonomous = model.is_autonomous();
+        let mut problem =
+            Self { curve, autonomous, columns, expressions, plans: Arc::default(), clock: Vec::new(), task };
+        problem.plans = Arc::new(problem.plan(|time| problem.task.covers(time)));
+        problem.check()?;
         Ok(problem)
     }
 
-    fn check(&self, values: usize) -> Result<(), FitError> {
+    fn check(&self) -> Result<(), FitError> {
         let points: usize = self.plans.iter().map(|plan| plan.points.len()).sum();
         if points == 0 {
             return Err(FitError::NothingObserved);
         }
         let independent = self.independent_values();
-        if values > MOST_VALUES || self.columns.len() > MOST_VARIED {
-            return Err(FitError::TooLarge);
-        }
         if (self.columns.len() as f64) > independent {
             return Err(FitError::TooFew { values: independent as usize, varied: self.columns.len() });
         }
@@ -122,82 +105,6 @@ impl Problem {
         shares.sum::<f64>().round()
     }
 
-    /// The points between two times, all of them where these are not given; `weights` by record and observation, 1 where
-    /// they are not given.
-    pub fn plan(
-        &self,
-        expressions: &[NodeId],
-        from: Option<f64>,
-        until: Option<f64>,
-        weights: &[Vec<f64>],
-    ) -> Vec<Plan> {
-        let varies_origin = self.columns.iter().any(|column| column.target == Target::Origin);
-        let autonomous = self.curve.is_autonomous();
-        let inside = |time: f64| from.is_none_or(|from| time >= from) && until.is_none_or(|until| time <= until);
-        let mut plans = Vec::with_capacity(self.task.records.len());
-        for (number, record) in self.task.records.iter().enumerate() {
-            let mut plan = Plan::default();
-            let first = record
-                .observations
-                .iter()
-                .flat_map(|observation| &observation.times)
-                .copied()
-                .filter(|time| time.is_finite())
-                .fold(f64::INFINITY, f64::min);
-            plan.origin = match self.task.origin {
-                Some(origin) => origin,
-                None if autonomous && first.is_finite() => first,
-                None => 0.0,
-            };
-            let earliest = if self.curve.has_states() && !varies_origin { plan.origin } else { f64::NEG_INFINITY };
-            let usable = |time: f64| time.is_finite() && time >= earliest && inside(time);
-            plan.times = record
-                .observations
-                .iter()
-                .flat_map(|observation| observation.times.iter().zip(&observation.values))
-                .filter(|(time, value)| value.is_finite() && usable(**time))
-                .map(|(time, _)| *time)
-                .collect();
-            plan.times.sort_unstable_by(f64::total_cmp);
-            plan.times.dedup();
-            for (index, observation) in record.observations.iter().enumerate() {
-                let node = observation.observed.node;
-                plan.expressions.push(expressions.iter().position(|known| *known == node).unwrap_or(0));
-                let root = witness(record, index);
-                let alike = (0..record.observations.len()).filter(|&other| witness(record, other) == root).count();
-                let share = 1.0 / alike as f64;
-                let weight = weights.get(number).and_then(|weights| weights.get(index)).copied().unwrap_or(1.0);
-                for (place, (&time, &value)) in observation.times.iter().zip(&observation.values).enumerate() {
-                    if !(value.is_finite() && usable(time)) {
-                        continue;
-                    }
-                    let weight = match observation.errors.as_ref().and_then(|errors| errors.get(place)) {
-                        Some(&error) if error > 0.0 => 1.0 / error,
-                        Some(_) => continue,
-                        None => weight,
-                    };
-                    let row = plan.times.partition_point(|known| *known < time);
-                    let weight = weight * share.sqrt();
-                    plan.points.push(Point { row, observation: index, value, weight, share, measured: root == index });
-                }
-            }
-            plan.points.sort_by_key(|point| (point.row, point.observation));
-            plans.push(plan);
-        }
-        plans
-    }
-
-    /// The expressions that the curve gives, by their nodes.
-    pub fn expressions(&self) -> Vec<NodeId> {
-        let mut expressions: Vec<NodeId> = Vec::new();
-        for observation in self.task.records.iter().flat_map(|record| &record.observations) {
-            if !expressions.contains(&observation.observed.node) {
-                expressions.push(observation.observed.node);
-            }
-        }
-        expressions
-    }
-
     /// All parameters of the model in a record, with the varied ones from `x`.
     pub fn parameters(&self, record: usize, x: &[f64]) -> Vec<f64> {
         let mut parameters = self.task.parameters.clone();
@@ -208,7 +115,7 @@ impl Problem {
         }
         for (column, &value) in self.columns.iter().zip(x) {
             if let Target::Parameter(index) = column.target
-                && column.record.is_none_or(|own| own == record)
+                && column.belongs_to(record)
                 && let Some(parameter) = parameters.get_mut(index)
             {
                 *parameter = value;
@@ -270,7 +177,7 @@ impl Problem {
                 let mut predicted = values[0];
                 let mut parameter = 0;
                 for (number, column) in columns.iter().enumerate() {
-                    let own = column.record.is_none_or(|own| own == record);
+                    let own = column.belongs_to(record);
                     let slope = match column.target {
                         Target::Parameter(_) => {
                             // Columns of one target in several records stand together.
@@ -308,25 +215,10 @@ impl Problem {
 
     /// The clock's reading at the model's 0.
     pub fn origin(&self, record: usize, plan: &Plan, x: &[f64]) -> f64 {
-        let varied = self
-            .columns
-            .iter()
-            .zip(x)
-            .find(|(column, _)| column.target == Target::Origin && column.record.is_none_or(|own| own == record));
+        let varied =
+            self.columns.iter().zip(x).find(|(column, _)| column.target == Target::Origin && column.belongs_to(record));
         varied.map_or(plan.origin, |(_, value)| *value)
     }
-}
-
-/// The observation in the end of the chain of those from which each is computed.
-pub(crate) fn witness(record: &Record, mut index: usize) -> usize {
-    // A chain that leads in a circle ends somewhere.
-    for _ in 0..record.observations.len() {
-        match record.observations[index].derived_from {
-            Some(source) if source < record.observations.len() && source != index => index = source,
-            _ => break,
-        }
-    }
-    index
 }
 
 fn columns(task: &Task) -> Vec<Column> {

@@ -36,9 +36,7 @@ fn end(fit: &mut Fit, index: usize, unit: f64, deviations: f64, dof: usize) -> O
     if !(unit != 0.0 && unit.is_finite()) || dof == 0 || best.sum <= 0.0 {
         return None;
     }
-    let errors_given =
-        fit.problem.task.records.iter().flat_map(|record| &record.observations).all(|one| one.errors.is_some());
-    let variance = if errors_given { 1.0 } else { best.sum / dof as f64 };
+    let variance = if fit.problem.task.errors_given() { 1.0 } else { best.sum / dof as f64 };
     let mut others = best.x.clone();
     let mut growth = |fit: &mut Fit, distance: f64| -> Option<f64> {
         let value = best.x[index] + distance * unit;
@@ -66,7 +64,7 @@ fn end(fit: &mut Fit, index: usize, unit: f64, deviations: f64, dof: usize) -> O
 /// The least sum of squares with one number held at `value`; `x` is where the others begin, and where they end.
 fn least_with(fit: &mut Fit, x: &mut [f64], index: usize, value: f64) -> Option<f64> {
     x[index] = value;
-    let plans = fit.plans.clone();
+    let plans = fit.problem.plans.clone();
     let mut search = fit.search_holding(x, &plans, index)?;
     let mut window = Window { problem: &mut fit.problem, plans: &plans };
     while search.advance(&mut window) == Status::Searching {}

@@ -5,7 +5,8 @@
 //! fitted from its beginning in windows that grow, so that the frequency is never wrong by half a period.
 
 use super::linear::{Decomposition, Jacobian};
-use super::problem::{Plan, Point, Problem};
+use super::plan::{Plan, Point};
+use super::problem::Problem;
 use super::task::Target;
 use crate::cycles::{Estimate, estimate};
 use model::Model;

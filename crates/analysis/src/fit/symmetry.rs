@@ -53,7 +53,7 @@ pub(crate) fn like_start(fit: &mut Fit, best: &Search, own: &[f64]) -> Option<Ve
 
 /// These numbers, with what is linear at its best values, if they fit as well as the best.
 fn equal(fit: &mut Fit, best: &Search, x: Vec<f64>) -> Option<Vec<f64>> {
-    let search = fit.look(&x, &fit.plans.clone());
+    let search = fit.look(&x, &fit.problem.plans.clone());
     let as_good = search.sum <= best.sum * (1.0 + EQUAL) || search.sum <= NOTHING * fit.total;
     as_good.then_some(search.x)
 }

@@ -86,6 +86,18 @@ pub struct Task {
     pub until: Option<f64>,
 }
 
+impl Task {
+    /// Whether the clock's reading `time` lies in the fitted part.
+    pub fn covers(&self, time: f64) -> bool {
+        self.from.is_none_or(|from| time >= from) && self.until.is_none_or(|until| time <= until)
+    }
+
+    /// Whether every observation has errors of its own, so that they are taken at their word.
+    pub fn errors_given(&self) -> bool {
+        self.records.iter().flat_map(|record| &record.observations).all(|one| one.errors.is_some())
+    }
+}
+
 /// Why a fit cannot be made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FitError {

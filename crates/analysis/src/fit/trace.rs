@@ -3,7 +3,7 @@
 use super::covariance::Covariance;
 use super::driver::Fit;
 use super::linear::Jacobian;
-use super::problem::{Plan, Point};
+use super::plan::{Plan, Point};
 
 /// The fitted curve of one observation. All numbers are SI.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -25,17 +25,15 @@ impl Fit {
     /// nothing was found.
     pub fn traces(&mut self, count: usize) -> Vec<Trace> {
         let Some(best) = self.best.clone() else { return Vec::new() };
-        let records = self.problem.task.records.clone();
-        let errors_given = records.iter().flat_map(|record| &record.observations).all(|one| one.errors.is_some());
-        let covariance = Covariance::new(&best, &self.plans, self.problem.independent_values(), errors_given);
-        let whole = self.problem.plan(&self.problem.expressions(), None, None, &[]);
+        let covariance = self.covariance(&best);
+        let whole = self.problem.plan(|_| true);
         let mut traces = Vec::new();
         for (record, plan) in whole.iter().enumerate() {
             let (Some(&first), Some(&last)) = (plan.times.first(), plan.times.last()) else { continue };
             let steps = count.max(2) - 1;
             let times: Vec<f64> =
                 (0..=steps).map(|step| first + (last - first) * (step as f64 / steps as f64)).collect();
-            for observation in 0..records[record].observations.len() {
+            for observation in 0..plan.expressions.len() {
                 // Beside a measured 0, the residual is the model's value.
                 let point = |row| Point { row, observation, value: 0.0, weight: 1.0, share: 1.0, measured: true };
                 let points = (0..times.len()).map(point).collect();

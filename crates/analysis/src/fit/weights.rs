@@ -1,6 +1,8 @@
 //! How several observations are weighed against each other where their errors are not given: by their own scatter.
 
+use super::plan::Plan;
 use super::problem::Problem;
+use std::sync::Arc;
 
 impl Problem {
     /// By record and observation: the root of the mean square of the fitted values about their mean; 1 where all are equal.
@@ -18,7 +20,7 @@ impl Problem {
 
     /// Sets the weights of all points to the reciprocals of these sizes, by record and observation; given errors are kept.
     pub fn weigh(&mut self, sizes: &[Vec<f64>]) {
-        for ((plan, record), sizes) in self.plans.iter_mut().zip(&self.task.records).zip(sizes) {
+        for ((plan, record), sizes) in Arc::make_mut(&mut self.plans).iter_mut().zip(&self.task.records).zip(sizes) {
             for point in &mut plan.points {
                 let given = record.observations[point.observation].errors.is_some();
                 let size = sizes[point.observation];
@@ -71,7 +73,7 @@ impl Problem {
     /// The weighted sum of squares of all fitted values about the mean of their observation.
     pub fn spread_sum(&self) -> f64 {
         let mut sum = 0.0;
-        for plan in &self.plans {
+        for plan in self.plans.iter() {
             for observation in 0..plan.expressions.len() {
                 let points = || plan.points.iter().filter(|point| point.observation == observation);
                 let weights: f64 = points().map(|point| point.weight * point.weight).sum();
@@ -85,7 +87,7 @@ impl Problem {
         if sum > 0.0 { sum } else { f64::MIN_POSITIVE }
     }
 
-    fn by_observation(&self, measure: impl Fn(&super::problem::Plan, usize) -> f64) -> Vec<Vec<f64>> {
+    fn by_observation(&self, measure: impl Fn(&Plan, usize) -> f64) -> Vec<Vec<f64>> {
         self.plans
             .iter()
             .map(|plan| (0..plan.expressions.len()).map(|observation| measure(plan, observation)).collect())

@@ -71,36 +71,32 @@ fn contend(
         &time,
         &task.parameters.clone(),
     )?;
-    let until = task.until;
     let mut fitted = complete(theory, task.clone(), false)?;
     // What lies exactly at the moment is predicted.
     task.until = Some(moment - 1e-9 * moment.abs().max(1e-9));
     let predicted = complete(prepare::theory(path, terminal)?, task, false)?;
-    let from = fitted.task.from;
-    let inside = move |time: f64| from.is_none_or(|from| time >= from) && until.is_none_or(|until| time <= until);
-    let before = error(&fitted, |time| inside(time) && time < moment);
-    let after = error(&fitted, |time| inside(time) && time >= moment);
-    let prediction = error(&predicted, |time| inside(time) && time >= moment);
+    let (whole, after) = (fitted.task.clone(), |time| time >= moment);
+    let before = error(&fitted, |time| whole.covers(time) && !after(time));
+    let rest = |time| whole.covers(time) && after(time);
+    let after = error(&fitted, rest);
+    let prediction = error(&predicted, rest);
     // The report shows the prediction where a fit of a part would have it.
     for (own, predicted) in fitted.outcome.observations.iter_mut().zip(&predicted.outcome.observations) {
-        own.outside = Some(error_of(predicted, |time| inside(time) && time >= moment)).filter(|part| part.n > 0);
+        own.outside = Some(predicted.error_where(|time, _| rest(time))).filter(|part| part.n > 0);
     }
     Ok(Contender { fitted, parts: Some([before, after, prediction]) })
 }
 
 /// The root of the mean square of the first observation's residuals at some times, over all records.
 fn error(fitted: &Fitted, inside: impl Fn(f64) -> bool) -> Outside {
-    let parts = fitted.outcome.observations.iter().filter(|one| one.observation == 0).map(|one| error_of(one, &inside));
+    let parts = fitted
+        .outcome
+        .observations
+        .iter()
+        .filter(|one| one.observation == 0)
+        .map(|one| one.error_where(|time, _| inside(time)));
     let (n, squares) =
         parts.fold((0, 0.0), |(n, squares), part| (n + part.n, squares + part.n as f64 * part.rmse * part.rmse));
-    Outside { n, rmse: (squares / n.max(1) as f64).sqrt() }
-}
-
-fn error_of(one: &ObservationFit, inside: impl Fn(f64) -> bool) -> Outside {
-    let rows = one.times.iter().zip(&one.measured).zip(&one.fitted).filter(|((time, _), _)| inside(**time));
-    let (n, squares) = rows.fold((0, 0.0), |(n, squares), ((_, measured), fitted)| {
-        (n + 1, squares + (measured - fitted) * (measured - fitted))
-    });
     Outside { n, rmse: (squares / n.max(1) as f64).sqrt() }
 }
 

@@ -1,0 +1,76 @@
+//! How one measured column was fitted, and how the rest of it was predicted.
+
+use units::Unit;
+
+/// How one observation was fitted. Columns are of equal length: all measured values that are no gap.
+#[derive(Clone, Debug)]
+pub struct ObservationFit {
+    /// Which record.
+    pub record: usize,
+    /// Which of its observations.
+    pub observation: usize,
+    /// `y'`
+    pub name: String,
+    /// The unit to show it in.
+    pub unit: Unit,
+    /// Whether it was computed from another one.
+    pub derived: bool,
+    /// The clock's readings.
+    pub times: Vec<f64>,
+    /// What was measured.
+    pub measured: Vec<f64>,
+    /// The model's values; NaN where it has none.
+    pub fitted: Vec<f64>,
+    /// Whether the value was in the fitted part.
+    pub inside: Vec<bool>,
+    /// The root of the mean square of measured minus fitted in the fitted part.
+    pub rmse: f64,
+    /// The coefficient of determination in the fitted part.
+    pub r2: f64,
+    /// What was predicted outside.
+    pub outside: Option<Outside>,
+}
+
+/// How well the rest of a record was predicted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outside {
+    /// How many values.
+    pub n: usize,
+    /// The root of the mean square of measured minus predicted.
+    pub rmse: f64,
+}
+
+impl ObservationFit {
+    /// How many values there are in a part of the rows, and the root of the mean square of measured minus fitted there; `wanted`
+    /// is told the time of a row, and whether it was in the fitted part.
+    pub fn error_where(&self, wanted: impl Fn(f64, bool) -> bool) -> Outside {
+        let part = self.residuals_where(wanted);
+        let squares = part.iter().fold(0.0, |sum, residual| sum + residual * residual);
+        Outside { n: part.len(), rmse: (squares / part.len().max(1) as f64).sqrt() }
+    }
+
+    /// Measured minus fitted in the fitted part.
+    pub(super) fn inside_residuals(&self) -> Vec<f64> {
+        self.residuals_where(|_, inside| inside)
+    }
+
+    fn residuals_where(&self, wanted: impl Fn(f64, bool) -> bool) -> Vec<f64> {
+        let rows = self.times.iter().zip(&self.inside).zip(self.measured.iter().zip(&self.fitted));
+        rows.filter(|((time, inside), _)| wanted(**time, **inside))
+            .map(|(_, (measured, fitted))| measured - fitted)
+            .collect()
+    }
+
+    /// Computes from the columns what is told of them.
+    pub(super) fn summarise(&mut self) {
+        let fitted = self.error_where(|_, inside| inside);
+        let measured = || self.measured.iter().zip(&self.inside).filter(|(_, inside)| **inside).map(|(value, _)| value);
+        let count = fitted.n.max(1) as f64;
+        let mean = measured().sum::<f64>() / count;
+        let spread: f64 = measured().map(|value| (value - mean) * (value - mean)).sum();
+        let squares: f64 = self.inside_residuals().iter().map(|residual| residual * residual).sum();
+        self.rmse = fitted.rmse;
+        self.r2 = if spread > 0.0 { 1.0 - squares / spread } else { f64::NAN };
+        self.outside = Some(self.error_where(|_, inside| !inside)).filter(|part| part.n > 0);
+    }
+}

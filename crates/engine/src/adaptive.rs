@@ -32,6 +32,8 @@ pub(crate) struct Adaptive {
     floors: Vec<f64>,
     /// The greatest magnitude each state has had.
     peaks: Vec<f64>,
+    /// A state is near zero below this part of its peak: the error allowed falls no further.
+    below_peak: f64,
     /// No step is longer, lest a short push be leapt over while all is at rest.
     longest: f64,
     proposed: f64,
@@ -51,7 +53,7 @@ pub(crate) struct Adaptive {
 impl Adaptive {
     /// A step spans at most so many rows.
     const ROWS: f64 = 10.0;
-    /// A state is near zero below this part of the greatest magnitude it has had: the error allowed falls no further.
+    /// [`Adaptive::below_peak`] of a run that is looked at.
     const BELOW_PEAK: f64 = 1e-3;
     /// A state is zero but for rounding below this part of its display unit, which is the author's idea of its size.
     const BELOW_UNIT: f64 = 1e-9;
@@ -69,6 +71,7 @@ impl Adaptive {
             tolerance: setup.tolerance,
             floors: model.states.iter().map(|state| Self::BELOW_UNIT * state.unit.factor.abs()).collect(),
             peaks: zeros.clone(),
+            below_peak: Self::BELOW_PEAK,
             longest: Self::ROWS * setup.step,
             proposed: Self::FIRST_STEP * setup.step,
             earlier_error: Self::FIRST_ERROR,
@@ -90,9 +93,10 @@ impl Adaptive {
         self.peaks.fill(0.0);
     }
 
-    /// Sets the error allowed in each step.
-    pub fn set_tolerance(&mut self, tolerance: f64) {
+    /// Allows this error in each step, relative to the peak of each state.
+    pub fn allow_of_peak(&mut self, tolerance: f64) {
         self.tolerance = tolerance;
+        self.below_peak = 1.0;
     }
 
     /// Begins anew at `time` with `state`, after a jump of the state or the parameters.
@@ -241,7 +245,7 @@ impl Adaptive {
         let mut sum = 0.0;
         for (k, error) in self.error.iter().enumerate() {
             let size = self.to[k].abs().max(self.attempt[k].abs());
-            let scale = self.tolerance * size.max(Self::BELOW_PEAK * self.peaks[k]).max(self.floors[k]);
+            let scale = self.tolerance * size.max(self.below_peak * self.peaks[k]).max(self.floors[k]);
             let ratio = error / scale;
             // A value that is not finite must not hide behind `max`, which passes over NaN.
             sum += if self.attempt[k].is_finite() { ratio * ratio } else { f64::NAN };

@@ -31,33 +31,37 @@ pub(crate) enum Instruction {
     Solve(u32),
 }
 
-/// Runs `code` over `registers`.
-pub(crate) fn run(code: &[Instruction], registers: &mut [f64], systems: &mut [Elimination]) {
+/// Runs `code` over `registers`, for as many rows at a time as a register has values: one dispatch serves them all, and the
+/// processor may treat several at once. The bits of a row do not depend on how many there are.
+pub(crate) fn run<const ROWS: usize>(code: &[Instruction], registers: &mut [[f64; ROWS]], systems: &mut [Elimination]) {
     for &instruction in code {
         match instruction {
-            Instruction::Add(to, a, b) => registers[to as usize] = registers[a as usize] + registers[b as usize],
-            Instruction::Subtract(to, a, b) => registers[to as usize] = registers[a as usize] - registers[b as usize],
-            Instruction::Multiply(to, a, b) => registers[to as usize] = registers[a as usize] * registers[b as usize],
-            Instruction::Divide(to, a, b) => registers[to as usize] = registers[a as usize] / registers[b as usize],
-            Instruction::Negate(to, a) => registers[to as usize] = -registers[a as usize],
-            Instruction::MultiplyAdd(to, a, b, c) => {
-                registers[to as usize] = registers[a as usize] * registers[b as usize] + registers[c as usize];
-            }
-            Instruction::MultiplySubtract(to, a, b, c) => {
-                registers[to as usize] = registers[a as usize] * registers[b as usize] - registers[c as usize];
-            }
-            Instruction::SubtractProduct(to, a, b, c) => {
-                registers[to as usize] = registers[c as usize] - registers[a as usize] * registers[b as usize];
-            }
+            Instruction::Add(to, a, b) => each(registers, to, [a, b], |[a, b]| a + b),
+            Instruction::Subtract(to, a, b) => each(registers, to, [a, b], |[a, b]| a - b),
+            Instruction::Multiply(to, a, b) => each(registers, to, [a, b], |[a, b]| a * b),
+            Instruction::Divide(to, a, b) => each(registers, to, [a, b], |[a, b]| a / b),
+            Instruction::Negate(to, a) => each(registers, to, [a], |[a]| -a),
+            Instruction::MultiplyAdd(to, a, b, c) => each(registers, to, [a, b, c], |[a, b, c]| a * b + c),
+            Instruction::MultiplySubtract(to, a, b, c) => each(registers, to, [a, b, c], |[a, b, c]| a * b - c),
+            Instruction::SubtractProduct(to, a, b, c) => each(registers, to, [a, b, c], |[a, b, c]| c - a * b),
             Instruction::Select(to, condition, a, b) => {
-                let chosen = if registers[condition as usize] != 0.0 { a } else { b };
-                registers[to as usize] = registers[chosen as usize];
+                each(registers, to, [condition, a, b], |[condition, a, b]| if condition != 0.0 { a } else { b });
             }
-            Instruction::Unary(function, to, a) => registers[to as usize] = function.evaluate(registers[a as usize]),
-            Instruction::Binary(function, to, a, b) => {
-                registers[to as usize] = function.evaluate(registers[a as usize], registers[b as usize]);
-            }
-            Instruction::Solve(system) => systems[system as usize].solve(registers),
+            Instruction::Unary(function, to, a) => each(registers, to, [a], |[a]| function.evaluate(a)),
+            Instruction::Binary(function, to, a, b) => each(registers, to, [a, b], |[a, b]| function.evaluate(a, b)),
+            Instruction::Solve(system) => (0..ROWS).for_each(|row| systems[system as usize].solve(registers, row)),
         }
     }
+}
+
+/// Puts the result of `operation` into register `to`, row by row.
+#[inline(always)]
+fn each<const ROWS: usize, const OPERANDS: usize>(
+    registers: &mut [[f64; ROWS]],
+    to: Register,
+    operands: [Register; OPERANDS],
+    operation: impl Fn([f64; OPERANDS]) -> f64,
+) {
+    let operands = operands.map(|register| registers[register as usize]);
+    registers[to as usize] = std::array::from_fn(|row| operation(std::array::from_fn(|which| operands[which][row])));
 }

@@ -19,18 +19,18 @@ pub(crate) struct Elimination {
 }
 
 impl Elimination {
-    /// Reads the system from `registers` and writes the unknowns there.
-    pub fn solve(&mut self, registers: &mut [f64]) {
+    /// Reads the system of one row from `registers` and writes the unknowns there.
+    pub fn solve<const ROWS: usize>(&mut self, registers: &mut [[f64; ROWS]], row: usize) {
         for (value, &register) in self.factors.values.iter_mut().zip(&self.matrix) {
-            *value = registers[register as usize];
+            *value = registers[register as usize][row];
         }
         for (value, &register) in self.solution.iter_mut().zip(&self.right) {
-            *value = registers[register as usize];
+            *value = registers[register as usize][row];
         }
         self.factors.factorize();
         self.factors.solve(&mut self.solution);
-        let target = self.target as usize;
-        registers[target..target + self.solution.len()].copy_from_slice(&self.solution);
+        let targets = registers[self.target as usize..].iter_mut();
+        targets.zip(&self.solution).for_each(|(register, value)| register[row] = *value);
     }
 }
 

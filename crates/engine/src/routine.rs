@@ -4,6 +4,9 @@ use crate::instruction::{self, Instruction, Register};
 use crate::linear::{Elimination, Factors};
 use model::{Binary, Graph, Model, Node, NodeId, Unary};
 
+/// How many rows are computed at a time.
+const ROWS: usize = 16;
+
 /// Register code for a set of expressions, the roots. What depends on parameters and initial values only is computed once
 /// by [`Routine::prepare`], the rest by each [`Routine::evaluate`], which allocates nothing.
 #[derive(Clone, Debug)]
@@ -12,6 +15,8 @@ pub struct Routine {
     body: Vec<Instruction>,
     /// The independent variable, the states, then one for each node.
     registers: Vec<f64>,
+    /// The same for many rows at a time, where these were asked for.
+    rows: Vec<[f64; ROWS]>,
     states: usize,
     parameters: Vec<(usize, Register)>,
     initial: Vec<(usize, Register)>,
@@ -40,7 +45,7 @@ impl Routine {
         for &(index, register) in &self.initial {
             self.registers[register as usize] = initial[index];
         }
-        instruction::run(&self.prologue, &mut self.registers, &mut self.systems);
+        instruction::run(&self.prologue, self.registers.as_chunks_mut::<1>().0, &mut self.systems);
     }
 
     /// Computes all roots at `time` and `state`; `out[i]` becomes the value of `roots[i]`.
@@ -59,9 +64,25 @@ impl Routine {
                 *register = state(k);
             }
         }
-        instruction::run(&self.body, &mut self.registers, &mut self.systems);
+        instruction::run(&self.body, self.registers.as_chunks_mut::<1>().0, &mut self.systems);
         for (value, &register) in out.iter_mut().zip(&self.roots) {
             *value = self.registers[register as usize];
+        }
+    }
+
+    /// Computes all roots at many times and one state: those of root `i` stand in `out` from `i * times.len()` on. They have
+    /// the bits of [`Routine::evaluate`].
+    pub fn evaluate_rows(&mut self, times: &[f64], state: &[f64], out: &mut [f64]) {
+        self.registers[1..=self.states].copy_from_slice(&state[..self.states]);
+        self.rows.clear();
+        self.rows.extend(self.registers.iter().map(|&value| [value; ROWS]));
+        for (chunk, some) in times.chunks(ROWS).enumerate() {
+            self.rows[0][..some.len()].copy_from_slice(some);
+            instruction::run(&self.body, &mut self.rows, &mut self.systems);
+            for (column, &register) in out.chunks_mut(times.len()).zip(&self.roots) {
+                let values = &self.rows[register as usize][..some.len()];
+                column[chunk * ROWS..][..some.len()].copy_from_slice(values);
+            }
         }
     }
 
@@ -114,6 +135,7 @@ impl<'a> Compiler<'a> {
             prologue: Vec::new(),
             body: Vec::new(),
             registers: vec![0.0; states + 1],
+            rows: Vec::new(),
             states,
             parameters: Vec::new(),
             initial: Vec::new(),

@@ -4,8 +4,9 @@ use super::task::Target;
 use engine::{Method, Routine, Setup, Stepper};
 use model::{Kind, Model, Node, NodeId};
 
-/// Equations of motion are integrated to this in the end, relative to the state.
-pub(crate) const TOLERANCE: f64 = 1e-9;
+/// The error of a step of equations of motion in the end, relative to the greatest value of each state; all steps together
+/// then stay below 1e-9.
+pub(crate) const TOLERANCE: f64 = 1e-10;
 /// And to this while the answer is still far away.
 pub(crate) const LOOSE: f64 = 1e-6;
 /// A solution that needs more evaluations of the equations is given up.
@@ -41,6 +42,8 @@ pub(crate) struct Curve {
     stepper: Option<Stepper>,
     start: Vec<f64>,
     zeros: Vec<f64>,
+    values: Vec<f64>,
+    row: Vec<f64>,
 }
 
 impl Curve {
@@ -97,13 +100,15 @@ impl Curve {
             parameters: parameters.to_vec(),
             method: if method == Method::Rosenbrock { method } else { Method::DormandPrince },
             step: if duration > 0.0 { duration / 100.0 } else { Setup::STEP },
-            tolerance: LOOSE,
+            tolerance: TOLERANCE,
             start: Some(vec![0.0; extended.states.len()]),
         };
-        let stepper =
-            if states == 0 { None } else { Some(Stepper::new(&extended, &setup).map_err(|error| error.message)?) };
+        let stepper = match states {
+            0 => None,
+            _ => Some(Stepper::new(&extended, &setup).map_err(|error| error.message)?),
+        };
         let all = extended.states.len();
-        Ok(Self {
+        let mut curve = Self {
             routine: Routine::compile(&extended, &roots),
             initial: Routine::compile(&extended, &initial_nodes),
             states,
@@ -113,25 +118,29 @@ impl Curve {
             stepper,
             start: vec![0.0; all],
             zeros: vec![0.0; all],
-        })
+            values: Vec::new(),
+            row: vec![0.0; roots.len()],
+        };
+        curve.set_tolerance(LOOSE);
+        Ok(curve)
     }
 
     /// Integrates to `tolerance` from here on.
     pub fn set_tolerance(&mut self, tolerance: f64) {
         if let Some(stepper) = &mut self.stepper {
-            stepper.set_tolerance(tolerance);
+            stepper.allow_of_peak(tolerance);
         }
     }
 
-    /// How many numbers [`Curve::follow`] gives at each time: for each observed expression its value, its derivatives
-    /// by each varied parameter in the order of the targets, and its derivative by the independent variable.
-    pub fn width(&self) -> usize {
-        self.observed * self.stride()
-    }
-
-    /// How many of them belong to one observed expression.
+    /// How many columns of [`Curve::values`] belong to one observed expression: its value, its derivatives by each varied
+    /// parameter in the order of the targets, and its derivative by the independent variable.
     pub fn stride(&self) -> usize {
         self.varied.len() + 2
+    }
+
+    /// Which of these columns holds the derivative by a varied parameter of the model.
+    pub fn place(&self, parameter: usize) -> usize {
+        1 + self.varied.iter().position(|varied| *varied == parameter).unwrap_or(0)
     }
 
     /// Whether all that is observed is linear in this parameter of the model, together with all others of which this says so;
@@ -145,22 +154,20 @@ impl Curve {
         self.states > 0
     }
 
-    /// Goes through the model's `times`, ascending and not before 0 where there are states, and hands the values at each
-    /// to `take`; false if the solution ends before the last.
-    pub fn follow(&mut self, parameters: &[f64], times: &[f64], mut take: impl FnMut(usize, &[f64])) -> bool {
-        let mut values = vec![0.0; self.width()];
+    /// Computes the observed expressions, [`Curve::stride`] columns for each, at the model's `times`, ascending and not before
+    /// 0 where there are states; [`Curve::values`] holds them. The result is how many rows the solution reaches.
+    pub fn follow(&mut self, parameters: &[f64], times: &[f64]) -> usize {
+        let rows = times.len();
+        self.values.resize(self.observed * self.stride() * rows, 0.0);
         let Some(stepper) = &mut self.stepper else {
             self.routine.prepare(parameters, &self.zeros);
-            for (row, &time) in times.iter().enumerate() {
-                self.routine.evaluate(time, &self.zeros, &mut values);
-                take(row, &values);
-            }
-            return true;
+            self.routine.evaluate_rows(times, &self.zeros, &mut self.values);
+            return rows;
         };
         self.initial.prepare(parameters, &self.zeros);
         self.initial.evaluate(0.0, &self.zeros, &mut self.start);
         if !self.start.iter().all(|value| value.is_finite()) {
-            return false;
+            return 0;
         }
         self.routine.prepare(parameters, &self.start);
         stepper.begin(parameters.to_vec(), &self.start);
@@ -169,12 +176,19 @@ impl Curve {
             if time > stepper.time()
                 && (stepper.advance_to(time).is_err() || stepper.evaluations() - before > MOST_EVALUATIONS)
             {
-                return false;
+                return row;
             }
-            self.routine.evaluate(time, stepper.state(), &mut values);
-            take(row, &values);
+            self.routine.evaluate(time, stepper.state(), &mut self.row);
+            for (column, value) in self.values.chunks_mut(rows).zip(&self.row) {
+                column[row] = *value;
+            }
         }
-        true
+        rows
+    }
+
+    /// The columns that the last [`Curve::follow`] computed, one after the other.
+    pub fn values(&self) -> &[f64] {
+        &self.values
     }
 }
 

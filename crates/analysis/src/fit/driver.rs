@@ -42,7 +42,7 @@ pub struct Fit {
     refined: bool,
     weighings: usize,
     trials: usize,
-    finished: bool,
+    pub(super) finished: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -75,7 +75,7 @@ impl Fit {
     const TOLERANCE: f64 = 1e-18;
     /// The same for equations of motion, whose solutions carry the error of the integration: integrated loosely at first,
     /// and as they should be in the end.
-    const TOLERANCE_OF_MOTION: [f64; 2] = [1e-8, 1e-13];
+    const TOLERANCE_OF_MOTION: [f64; 2] = [1e-8, 1e-12];
     /// Trials of one search.
     const TRIALS: usize = 400;
     /// Windows in which only the beginning of a motion is searched.

@@ -12,6 +12,7 @@ use super::search::Search;
 use super::statistics::{self, RunsTest};
 use super::task::Target;
 use model::Model;
+use std::sync::Arc;
 use units::Unit;
 
 /// The result of a fit. All numbers are SI; display units stand beside them.
@@ -131,7 +132,7 @@ pub(super) fn outcome(fit: &mut Fit) -> Option<Outcome> {
     let errors_given = fit.problem.task.errors_given();
     let values = fit.problem.independent_values();
     let covariance = fit.covariance(&best);
-    let observations = observations(&mut fit.problem, &best);
+    let observations = observations(fit, &best);
     let (parameters, derived) = estimates(&fit.problem, &fit.model, &best, &covariance);
     let names: Vec<String> = parameters.iter().map(|estimate| full_name(estimate, &fit.problem)).collect();
     let first: Vec<Vec<f64>> =
@@ -275,18 +276,30 @@ fn correlation(covariance: &[f64], size: usize) -> Vec<f64> {
 }
 
 /// Every observation beside the curve, in and outside the fitted part.
-fn observations(problem: &mut Problem, best: &Search) -> Vec<ObservationFit> {
-    let plans = problem.plan(|_| true);
+fn observations(fit: &mut Fit, best: &Search) -> Vec<ObservationFit> {
+    let whole = fit.problem.plan(|_| true);
+    let count = |plans: &[Plan]| plans.iter().map(|plan| plan.points.len()).sum::<usize>();
+    // Where nothing lies outside, the search has left all residuals.
+    let known = fit.finished && count(&whole) == count(&fit.problem.plans);
+    let plans = if known { fit.problem.plans.clone() } else { Arc::new(whole) };
+    let mut searched = best.residuals.as_slice();
     let mut fits = Vec::new();
     for (record, plan) in plans.iter().enumerate() {
-        let (residuals, known) = residuals_of(problem, record, plan, &best.x);
-        for (observation, one) in problem.task.records[record].observations.iter().enumerate() {
+        let residuals = match searched.split_at_checked(plan.points.len()).filter(|_| known) {
+            Some((own, rest)) => {
+                searched = rest;
+                own.to_vec()
+            }
+            None => residuals_of(&mut fit.problem, record, plan, &best.x),
+        };
+        let task = &fit.problem.task;
+        for (observation, one) in task.records[record].observations.iter().enumerate() {
             let mut fit = ObservationFit {
                 record,
                 observation,
                 name: one.name.clone(),
                 unit: one.observed.unit.clone(),
-                derived: witness(&problem.task.records[record], observation) != observation,
+                derived: witness(&task.records[record], observation) != observation,
                 times: Vec::new(),
                 measured: Vec::new(),
                 fitted: Vec::new(),
@@ -295,16 +308,14 @@ fn observations(problem: &mut Problem, best: &Search) -> Vec<ObservationFit> {
                 r2: 0.0,
                 outside: None,
             };
-            for (place, point) in plan.points.iter().enumerate().filter(|(_, point)| point.observation == observation) {
+            for (point, residual) in
+                plan.points.iter().zip(&residuals).filter(|(point, _)| point.observation == observation)
+            {
                 let time = plan.times[point.row];
                 fit.times.push(time);
                 fit.measured.push(point.value);
-                fit.fitted.push(if known > point.row {
-                    point.value + residuals[place] / point.weight
-                } else {
-                    f64::NAN
-                });
-                fit.inside.push(problem.task.covers(time));
+                fit.fitted.push(point.value + residual / point.weight);
+                fit.inside.push(task.covers(time));
             }
             fit.summarise();
             fits.push(fit);
@@ -313,15 +324,12 @@ fn observations(problem: &mut Problem, best: &Search) -> Vec<ObservationFit> {
     fits
 }
 
-/// The weighted residuals of a record, and up to which row the curve goes.
-fn residuals_of(problem: &mut Problem, record: usize, plan: &Plan, x: &[f64]) -> (Vec<f64>, usize) {
-    let rows = plan.points.len();
-    let mut residuals = vec![f64::NAN; rows];
-    let mut jacobian = Jacobian::new(rows, x.len());
+/// The weighted residuals of a record; NaN where the curve does not reach.
+fn residuals_of(problem: &mut Problem, record: usize, plan: &Plan, x: &[f64]) -> Vec<f64> {
+    let mut residuals = vec![f64::NAN; plan.points.len()];
+    let mut jacobian = Jacobian::new(residuals.len(), x.len());
     problem.record_residuals(record, plan, x, 0, &mut residuals, &mut jacobian);
-    let known = plan.points.iter().zip(&residuals).take_while(|(_, value)| value.is_finite()).last();
-    let rows = known.map_or(0, |(point, _)| point.row + 1);
-    (residuals, rows)
+    residuals
 }
 
 /// AICc and BIC from the likelihood of normal residuals: with the given errors, or with a variance of its own for each

@@ -2,7 +2,7 @@
 
 use super::curve::Curve;
 use super::linear::Jacobian;
-use super::plan::Plan;
+use super::plan::{Plan, Point};
 use super::search::Residuals;
 use super::task::{FitError, Record, Target, Task};
 use super::{MOST_VALUES, MOST_VARIED};
@@ -139,7 +139,6 @@ impl Problem {
 
     /// The residuals of all points of `plans`, model minus measured, times weight, with their derivatives.
     pub fn residuals(&mut self, plans: &[Plan], x: &[f64], residuals: &mut [f64], jacobian: &mut Jacobian) -> bool {
-        jacobian.values.fill(0.0);
         let mut base = 0;
         for (record, plan) in plans.iter().enumerate() {
             if !self.record_residuals(record, plan, x, base, residuals, jacobian) {
@@ -150,7 +149,8 @@ impl Problem {
         residuals.iter().all(|value| value.is_finite())
     }
 
-    /// Those of one record, from row `base` on.
+    /// Those of one record, from row `base` on. False if the solution does not reach all points; only those that it reaches
+    /// are then set.
     pub fn record_residuals(
         &mut self,
         record: usize,
@@ -167,40 +167,40 @@ impl Problem {
         let earliest = if self.curve.has_states() { 0.0 } else { f64::NEG_INFINITY };
         self.clock.clear();
         self.clock.extend(plan.times.iter().map(|time| (time - origin).max(earliest)));
-        let columns = &self.columns;
-        let rows = jacobian.rows;
-        let mut next = 0;
-        self.curve.follow(&parameters, &self.clock, |row, values| {
-            while let Some(point) = plan.points.get(next).filter(|point| point.row == row) {
-                let at = base + next;
-                let values = &values[plan.expressions[point.observation] * stride..][..stride];
-                let mut predicted = values[0];
-                let mut parameter = 0;
-                for (number, column) in columns.iter().enumerate() {
-                    let own = column.belongs_to(record);
-                    let slope = match column.target {
-                        Target::Parameter(_) => {
-                            // Columns of one target in several records stand together.
-                            let slope = values[1 + parameter];
-                            let last = columns.get(number + 1).is_none_or(|next| next.varied != column.varied);
-                            parameter += usize::from(last);
-                            slope
-                        }
-                        Target::Origin => -values[stride - 1],
-                        Target::Offset(observation) if observation == point.observation => {
-                            predicted += if own { x[number] } else { 0.0 };
-                            1.0
-                        }
-                        Target::Offset(_) => 0.0,
-                    };
-                    if own {
-                        jacobian.values[number * rows + at] = point.weight * slope;
+        let rows = self.clock.len();
+        let known = self.curve.follow(&parameters, &self.clock);
+        let points = &plan.points[..plan.points.partition_point(|point| point.row < known)];
+        let values = self.curve.values();
+        let place = |point: &Point, column| (plan.expressions[point.observation] * stride + column) * rows + point.row;
+        let residuals = &mut residuals[base..][..points.len()];
+        for (residual, point) in residuals.iter_mut().zip(points) {
+            *residual = values[place(point, 0)];
+        }
+        for (number, column) in self.columns.iter().enumerate() {
+            let slopes = &mut jacobian.column_mut(number)[base..][..points.len()];
+            let rows = slopes.iter_mut().zip(points);
+            match column.target {
+                _ if !column.belongs_to(record) => slopes.fill(0.0),
+                Target::Parameter(index) => {
+                    let of_parameter = self.curve.place(index);
+                    rows.for_each(|(slope, point)| *slope = point.weight * values[place(point, of_parameter)]);
+                }
+                Target::Origin => {
+                    rows.for_each(|(slope, point)| *slope = point.weight * -values[place(point, stride - 1)]);
+                }
+                Target::Offset(observation) => {
+                    for ((slope, point), residual) in rows.zip(residuals.iter_mut()) {
+                        let own = point.observation == observation;
+                        *slope = if own { point.weight } else { 0.0 };
+                        *residual += if own { x[number] } else { 0.0 };
                     }
                 }
-                residuals[at] = point.weight * (predicted - point.value);
-                next += 1;
             }
-        })
+        }
+        for (residual, point) in residuals.iter_mut().zip(points) {
+            *residual = point.weight * (*residual - point.value);
+        }
+        known == rows
     }
 
     /// The columns in which the residuals are linear, all of them together.

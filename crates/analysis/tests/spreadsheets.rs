@@ -70,10 +70,10 @@ fn libreoffice_opens_a_workbook() {
         Err(error) => eprintln!("skipped: LibreOffice does not run here: {error}"),
         Ok(output) => {
             let text = std::fs::read_to_string(directory.join("book.csv")).unwrap_or_else(|_| panic!("{output:?}"));
-            assert_eq!(
-                text.lines().map(str::trim_end).collect::<Vec<_>>(),
-                ["t [s],y [cm]", "0,-1.5E-09", "0.1,", "0.3,"]
-            );
+            // How a small number is written differs from one version to the next.
+            let text = text.replace("-0.0000000015", "-1.5E-09");
+            let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
+            assert_eq!(lines, ["t [s],y [cm]", "0,-1.5E-09", "0.1,", "0.3,"]);
         }
     }
     std::fs::remove_dir_all(&directory).expect("it is ours");

@@ -3,6 +3,7 @@
 mod bench;
 mod checks;
 mod golden;
+mod order;
 mod page;
 mod steps;
 mod tools;

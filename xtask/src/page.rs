@@ -1,8 +1,8 @@
 //! Builds the laboratory into one HTML file: template, styles, JavaScript glue, and the WebAssembly module as base64 of
 //! gzip. Nothing is fetched when the file is opened, so that it works from a disk, from any host and inside a frame.
 
-use crate::steps;
 use crate::wasm::{self, Host};
+use crate::{order, steps};
 use anyhow::{Context, Result, bail};
 use base64::Engine as _;
 use document::page::{Options, Source};
@@ -24,6 +24,7 @@ pub fn build() -> Result<PathBuf> {
     let glue = read(&directory.join("lab.js"))?;
     let module = directory.join("lab_bg.wasm");
     let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
+    let module = order::by_likeness(&module)?;
     let page = assemble(&glue, &module)?;
     let path = steps::page();
     write_whole(&path, page.as_bytes()).with_context(|| format!("cannot write {}", path.display()))?;

@@ -5,14 +5,14 @@ use crate::wasm::{self, Host};
 use crate::{order, steps};
 use anyhow::{Context, Result, bail};
 use base64::Engine as _;
-use document::page::{Options, Source};
+use document::page::{self, Source};
 use flate2::{Compression, write::GzEncoder};
 use std::io::Write as _;
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 
-/// The document that the laboratory opens with, and its translations.
-const DOCUMENTS: [&str; 2] = ["utube.md", "utube.es.md"];
+/// The document that the laboratory opens with.
+const FIRST: &str = "utube.md";
 
 /// The directories, below `simulations`, whose documents the laboratory can open without a file.
 const LIBRARY: [&str; 2] = ["theories", ""];
@@ -44,7 +44,7 @@ fn assemble(glue: &str, module: &[u8]) -> Result<String> {
     let style = read(&source.join("style.css"))?.replace("/*math-font*/", &base64(&font));
     let boot = read(&source.join("boot.js"))?;
     let module = base64(&squeeze(module)?);
-    let mut page = read(&source.join("index.html"))?;
+    let mut html = read(&source.join("index.html"))?;
     for (marker, text) in [
         ("<!--style-->", format!("<style>\n{style}</style>")),
         ("<!--glue-->", format!("<script>\n{}\n</script>", glue.replace("</script", "<\\/script"))),
@@ -52,21 +52,19 @@ fn assemble(glue: &str, module: &[u8]) -> Result<String> {
         ("<!--library-->", format!("<script type=\"application/json\" id=\"library\">{}</script>", library()?)),
         ("<!--boot-->", format!("<script>\n{boot}</script>")),
     ] {
-        if page.matches(marker).count() != 1 {
+        if html.matches(marker).count() != 1 {
             bail!("crates/lab/page/index.html must contain {marker} once");
         }
-        page = page.replace(marker, &text);
+        html = html.replace(marker, &text);
     }
-    let documents = DOCUMENTS.iter().map(|name| {
-        let text = read(&steps::root().join("simulations").join(name))?;
-        Ok(Source { name: (*name).to_owned(), text })
-    });
-    let documents = documents.collect::<Result<Vec<Source>>>()?;
-    document::page::embed(&page, &documents, &Options::default())
-        .with_context(|| format!("crates/lab/page/index.html must contain {}", document::page::MARKER))
+    // Its place stays empty: `meniscus export` puts documents there. Without any, the first of the library opens.
+    if html.matches(page::MARKER).count() != 1 {
+        bail!("crates/lab/page/index.html must contain {} once", page::MARKER);
+    }
+    Ok(html)
 }
 
-/// All documents that ship, each named by its path below `simulations`.
+/// All documents that ship, each named by its path below `simulations`; first what the laboratory opens with.
 fn library() -> Result<String> {
     let mut sources = Vec::new();
     for directory in LIBRARY {
@@ -83,7 +81,8 @@ fn library() -> Result<String> {
             sources.push(Source { name: format!("{directory}/{name}").trim_start_matches('/').to_owned(), text });
         }
     }
-    Ok(document::page::write_list(&sources))
+    sources.sort_by_key(|source| source.name != FIRST);
+    Ok(page::write_list(&sources))
 }
 
 fn read(path: &Path) -> Result<String> {

@@ -44,7 +44,7 @@ fn value<'a>(text: &'a str, key: &str) -> Option<&'a str> {
     lines.find_map(|line| line.strip_prefix(key)?.strip_prefix(':')).map(str::trim)
 }
 
-/// All entries: the theories, then the simulations.
+/// All entries, in the order in which the page carries them.
 pub fn entries() -> Vec<Entry> {
     let text = document_text("library");
     let mut entries: Vec<Entry> = Vec::new();
@@ -67,6 +67,11 @@ pub fn entries() -> Vec<Entry> {
 /// The theories among them.
 pub fn theories() -> Vec<Entry> {
     entries().into_iter().filter(|entry| entry.file().starts_with(THEORIES)).collect()
+}
+
+/// What the laboratory opens with unless the page was exported with documents of its own.
+pub fn first() -> Vec<Source> {
+    entries().into_iter().next().map_or_else(Vec::new, |entry| entry.files)
 }
 
 fn document_text(id: &str) -> String {

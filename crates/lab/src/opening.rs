@@ -2,7 +2,7 @@
 //! comes back with them.
 
 use crate::app::App;
-use crate::{browser, frame, measurements};
+use crate::{browser, frame, library, measurements};
 use document::page::{self, Source};
 use leptos::ev;
 use leptos::prelude::*;
@@ -13,12 +13,12 @@ use web_sys::{File, FileList};
 /// What was found in the files, each with the number of its file.
 pub type Findings = Vec<(usize, Diagnostic)>;
 
-/// Opens what the page carries.
+/// Opens what the page was exported with; a page that was not opens with the first document of the library.
 pub fn open_embedded(app: App) {
     let sources = document()
         .get_element_by_id("documents")
         .and_then(|element| page::read(&element.outer_html()))
-        .unwrap_or_default();
+        .unwrap_or_else(library::first);
     let fragment = window().location().hash().unwrap_or_default();
     open(app, sources, fragment.trim_start_matches('#'));
 }

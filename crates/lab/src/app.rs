@@ -64,6 +64,8 @@ pub struct App {
     pub record_refusal: RwSignal<Option<String>>,
     /// Which tab of the notebook is that of the measurements.
     pub measurements_tab: RwSignal<usize>,
+    /// Whether the list of documents has been asked for.
+    pub library_asked_for: RwSignal<bool>,
     /// The open tab of the notebook.
     pub tab: RwSignal<usize>,
 }
@@ -90,6 +92,7 @@ impl App {
             fit_record: RwSignal::new(None),
             record_refusal: RwSignal::new(None),
             measurements_tab: RwSignal::new(0),
+            library_asked_for: RwSignal::new(false),
             tab: RwSignal::new(0),
         }
     }

@@ -104,7 +104,7 @@ fn card(
                 <select id="fit-record" aria-label=words.fit_record on:change=move |event| {
                     app.fit_record.set(event_target_value(&event).parse().ok());
                 }>{options}</select>
-                <button type="button" class="quiet outlined" id="fit-theory" aria-haspopup="dialog" on:click=move |_| library::choose()>{words.fit_theory}</button>
+                <button type="button" class="quiet outlined" id="fit-theory" aria-haspopup="dialog" on:click=move |_| library::choose(app)>{words.fit_theory}</button>
             </div>
             <p class="note">{words.fit_intro}</p>
             <fieldset class="choices"><legend>{words.fit_vary}</legend>{choices}</fieldset>

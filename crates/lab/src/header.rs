@@ -16,7 +16,7 @@ pub fn view(app: App) -> impl IntoView {
             <p class="brand">{icons::mark()}<span>"Meniscus"</span></p>
             <h1>{title}</h1>
             <div class="head-tools">
-                <button type="button" class="quiet with-icon" id="browse" title=words.library_title aria-haspopup="dialog" on:click=move |_| library::choose()>
+                <button type="button" class="quiet with-icon" id="browse" title=words.library_title aria-haspopup="dialog" on:click=move |_| library::choose(app)>
                     {icons::books()}<span>{words.library}</span>
                 </button>
                 {open_button(app)}

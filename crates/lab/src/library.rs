@@ -86,40 +86,16 @@ pub fn open(app: App, file: &str) -> bool {
 }
 
 /// Opens the list.
-pub fn choose() {
+pub fn choose(app: App) {
+    app.library_asked_for.set(true);
     if let Some(dialog) = browser::by_id::<HtmlDialogElement>("library-list") {
         let _ = dialog.show_modal();
     }
 }
 
-/// The list of documents.
+/// The list of documents. It is made when it is first asked for: the page opens without reading them all for titles.
 pub fn dialog(app: App) -> AnyView {
     let words = app.words();
-    let close = || {
-        if let Some(dialog) = browser::by_id::<HtmlDialogElement>("library-list") {
-            dialog.close();
-        }
-    };
-    let language = app.language.get_untracked().tag();
-    let (theories, simulations): (Vec<Entry>, Vec<Entry>) =
-        entries().into_iter().partition(|entry| entry.file().starts_with(THEORIES));
-    let group = |title: &'static str, entries: Vec<Entry>| {
-        let items: Vec<AnyView> = entries
-            .into_iter()
-            .map(|entry| {
-                let (file, title) = (entry.file().to_owned(), entry.title(language));
-                view! {
-                    <li><button type="button" class="entry" on:click=move |_| {
-                        close();
-                        open(app, &file);
-                        browser::focus_later("browse".to_owned());
-                    }>{title}</button></li>
-                }
-                .into_any()
-            })
-            .collect();
-        view! { <h3>{title}</h3><ul class="entries">{items}</ul> }.into_any()
-    };
     view! {
         <dialog id="library-list" aria-labelledby="library-title">
             <div class="dialog-head">
@@ -127,9 +103,40 @@ pub fn dialog(app: App) -> AnyView {
                 <button type="button" class="icon" aria-label=words.close on:click=move |_| close()>{icons::cross()}</button>
             </div>
             <p>{words.library_intro}</p>
-            {group(words.library_simulations, simulations)}
-            {group(words.library_theories, theories)}
+            {move || app.library_asked_for.get().then(|| groups(app))}
         </dialog>
     }
     .into_any()
+}
+
+fn close() {
+    if let Some(dialog) = browser::by_id::<HtmlDialogElement>("library-list") {
+        dialog.close();
+    }
+}
+
+fn groups(app: App) -> Vec<AnyView> {
+    let words = app.words();
+    let (theories, simulations): (Vec<Entry>, Vec<Entry>) =
+        entries().into_iter().partition(|entry| entry.file().starts_with(THEORIES));
+    vec![group(app, words.library_simulations, simulations), group(app, words.library_theories, theories)]
+}
+
+fn group(app: App, title: &'static str, entries: Vec<Entry>) -> AnyView {
+    let language = app.language.get_untracked().tag();
+    let items: Vec<AnyView> = entries
+        .into_iter()
+        .map(|entry| {
+            let (file, title) = (entry.file().to_owned(), entry.title(language));
+            view! {
+                <li><button type="button" class="entry" on:click=move |_| {
+                    close();
+                    open(app, &file);
+                    browser::focus_later("browse".to_owned());
+                }>{title}</button></li>
+            }
+            .into_any()
+        })
+        .collect();
+    view! { <h3>{title}</h3><ul class="entries">{items}</ul> }.into_any()
 }

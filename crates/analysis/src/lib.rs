@@ -3,6 +3,7 @@
 
 pub mod csv;
 pub mod cycles;
+pub mod derivative;
 pub mod finding;
 pub mod fit;
 pub mod import;

@@ -6,14 +6,11 @@ mod text;
 use crate::arguments::{Cycles, CyclesFormat};
 use crate::data::{self, Measured, Observe};
 use crate::failure::Failure;
-use crate::load::Sources;
-use crate::output::Output;
+use crate::output;
 use crate::terminal::Terminal;
 use analysis::csv::{self, Dialect};
 use analysis::cycles;
 use serde_json::json;
-use std::io::Write;
-use std::path::Path;
 
 /// What was measured, and its cycles.
 #[derive(Debug)]
@@ -41,20 +38,7 @@ pub fn run(arguments: &Cycles, terminal: Terminal) -> Result<(), Failure> {
         CyclesFormat::Csv => as_csv(&record),
         CyclesFormat::Svg => figure::svg(&record),
     };
-    let mut output = match &arguments.output {
-        Some(path) => {
-            let same = |one: &Path, other: &Path| {
-                one.canonicalize().ok().is_some_and(|one| other.canonicalize().is_ok_and(|other| one == other))
-            };
-            if same(path, &arguments.data) {
-                return Err(Failure::request(format!("{} is the data; choose another output", path.display())));
-            }
-            Output::to(path, &Sources::of_text("", ""))?
-        }
-        None => Output::standard(),
-    };
-    output.write_all(text.as_bytes()).map_err(|error| output.failure(&error))?;
-    output.finish()?;
+    output::deliver(arguments.output.as_deref(), std::slice::from_ref(&arguments.data), text.as_bytes())?;
     // A table of numbers and a figure have no place for these.
     if matches!(format, CyclesFormat::Csv | CyclesFormat::Svg) {
         for finding in &data.findings {
@@ -169,26 +153,8 @@ fn as_json(record: &Record) -> String {
 }
 
 fn as_csv(record: &Record) -> String {
-    let unit = |unit: &str| if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
-    let (own, cycles) = (unit(&record.unit), &record.found.cycles);
-    type Of = fn(&cycles::Cycle) -> cycles::Measured;
-    let quantities: [(&str, &str, Of); 7] = [
-        ("t", " [s]", |cycle| cycle.time),
-        ("amplitude", &own, |cycle| cycle.amplitude),
-        ("period", " [s]", |cycle| cycle.period),
-        ("decrement", "", |cycle| cycle.decrement),
-        ("omega", " [rad/s]", |cycle| cycle.angular_frequency),
-        ("gamma", " [1/s]", |cycle| cycle.damping),
-        ("offset", &own, |cycle| cycle.offset),
-    ];
-    let mut headers = Vec::new();
-    let mut columns: Vec<Vec<f64>> = Vec::new();
-    for (name, unit, of) in quantities {
-        headers.extend([format!("{name}{unit}"), format!("{name}_stderr{unit}")]);
-        columns.push(cycles.iter().map(|cycle| of(cycle).value).collect());
-        columns.push(cycles.iter().map(|cycle| of(cycle).error).collect());
-    }
-    let headers: Vec<&str> = headers.iter().map(String::as_str).collect();
-    let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
+    let table = cycles::columns(&record.found.cycles, &record.unit, "s");
+    let headers: Vec<&str> = table.iter().map(|(head, _)| head.as_str()).collect();
+    let columns: Vec<&[f64]> = table.iter().map(|(_, column)| column.as_slice()).collect();
     csv::write(&headers, &columns, Dialect::Commas)
 }

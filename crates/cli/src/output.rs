@@ -119,3 +119,30 @@ impl Write for Output {
         }
     }
 }
+
+/// Writes into a file, which must not be one of the data, or prints where there is none.
+pub fn deliver(path: Option<&Path>, data: &[PathBuf], bytes: &[u8]) -> Result<(), Failure> {
+    match path {
+        Some(path) => file(path, data, bytes),
+        None => whole(Output::standard(), bytes),
+    }
+}
+
+/// Writes a whole file, which must not be one of the data.
+pub fn file(path: &Path, data: &[PathBuf], bytes: &[u8]) -> Result<(), Failure> {
+    let own = path.canonicalize().ok();
+    if own.is_some() && data.iter().any(|data| data.canonicalize().ok() == own) {
+        return Err(Failure::request(format!("{} is the data; choose another output", path.display())));
+    }
+    whole(Output::to(path, &Sources::of_text("", ""))?, bytes)
+}
+
+/// Prints to the standard output.
+pub fn print(text: &str) -> Result<(), Failure> {
+    whole(Output::standard(), text.as_bytes())
+}
+
+fn whole(mut output: Output, bytes: &[u8]) -> Result<(), Failure> {
+    output.write_all(bytes).map_err(|error| output.failure(&error))?;
+    output.finish()
+}

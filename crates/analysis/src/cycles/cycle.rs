@@ -2,6 +2,7 @@
 
 use super::damped::{Damped, Points};
 use super::estimate::{Estimate, estimate};
+use super::rows::without_gaps;
 use core::f64::consts::{PI, TAU};
 
 /// A value and its standard error.
@@ -55,14 +56,7 @@ const CLEAR: f64 = 4.0;
 /// thirds of their data; those three apart share none. `None` where there is no oscillation of at least three turning
 /// points.
 pub fn cycles(times: &[f64], values: &[f64]) -> Option<Cycles> {
-    let mut rows: Vec<(f64, f64)> = times
-        .iter()
-        .zip(values)
-        .filter(|(time, value)| time.is_finite() && value.is_finite())
-        .map(|(time, value)| (*time, *value))
-        .collect();
-    rows.sort_by(|one, other| one.0.total_cmp(&other.0));
-    let (times, values): (Vec<f64>, Vec<f64>) = rows.into_iter().unzip();
+    let (times, values): (Vec<f64>, Vec<f64>) = without_gaps(times, values).into_iter().unzip();
     let estimate = estimate(&times, &values)?;
     let (first, last) = (*times.first()?, *times.last()?);
     let mut result = Cycles { estimate, cycles: Vec::new(), lost: None };

@@ -2,6 +2,7 @@
 
 use super::damped::{Damped, Points};
 use super::lobes::{Swings, median, scatter, swings};
+use super::rows::without_gaps;
 
 /// `offset + amplitude exp(-damping (t - origin)) cos(angular_frequency (t - origin) + phase)`, near a record.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,15 +37,7 @@ impl Estimate {
 /// Newton bring them to the data. Where there are too few crossings, or that curve explains less than half of the
 /// scatter, all frequencies up to the sampling limit are tried.
 pub fn estimate(times: &[f64], values: &[f64]) -> Option<Estimate> {
-    let mut rows: Vec<(f64, f64)> = times
-        .iter()
-        .zip(values)
-        .filter(|(time, value)| time.is_finite() && value.is_finite())
-        .map(|(time, value)| (*time, *value))
-        .collect();
-    if !rows.is_sorted_by(|one, other| one.0 <= other.0) {
-        rows.sort_by(|one, other| one.0.total_cmp(&other.0));
-    }
+    let rows = without_gaps(times, values);
     let (first, last) = (rows.first()?.0, rows.last()?.0);
     let (low, high) =
         rows.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), row| (low.min(row.1), high.max(row.1)));

@@ -1,7 +1,7 @@
 //! The cycles drawn: the record, and each quantity against time and against amplitude.
 
 use super::Record;
-use analysis::cycles::{Cycle, Measured};
+use analysis::cycles::{Cycle, Measured, Quantity, well_known};
 use figure::{Axis, Interval, Palette, Plot, Series, Settings, Style, View, layout};
 use std::fmt::Write;
 
@@ -10,54 +10,50 @@ const WIDTH: f64 = 460.0;
 const HEIGHT: f64 = 250.0;
 
 /// A quantity of the cycles, as a column.
-struct Quantity {
+struct Column {
     label: &'static str,
     unit: String,
     values: Vec<f64>,
     errors: Vec<f64>,
+    limits: Vec<Interval>,
 }
 
-impl Quantity {
-    fn of(record: &Record, label: &'static str, unit: &str, of: fn(&Cycle) -> Measured) -> Self {
-        let cycles = record.found.cycles.iter().map(of);
-        let (values, errors) = cycles.map(|measured| (measured.value, measured.error)).unzip();
-        Self { label, unit: unit.to_owned(), values, errors }
+impl Column {
+    fn of(record: &Record, label: &'static str, unit: String, of: impl Fn(&Cycle) -> Measured) -> Self {
+        let measured: Vec<Measured> = record.found.cycles.iter().map(of).collect();
+        // Room for the bars at the ends.
+        let limits = well_known(&measured).map(|(low, high)| (low, high, 0.05 * (high - low)));
+        Self {
+            label,
+            unit,
+            values: measured.iter().map(|one| one.value).collect(),
+            errors: measured.iter().map(|one| one.error).collect(),
+            limits: limits
+                .map(|(low, high, room)| Interval { low: low - room, high: high + room })
+                .into_iter()
+                .collect(),
+        }
     }
 
     fn axis(&self) -> Axis<'_> {
         Axis { label: self.label, unit: &self.unit, include: None }
     }
-
-    /// What is drawn of it: all that is known to within four times the usual error. The last cycles, of which little is
-    /// known, must not make the others a line.
-    fn limits(&self) -> Vec<Interval> {
-        let mut errors = self.errors.clone();
-        errors.sort_by(f64::total_cmp);
-        let usual = errors.get(errors.len() / 2).copied().unwrap_or(0.0);
-        let known = self.values.iter().zip(&self.errors).filter(|(_, error)| **error <= 4.0 * usual);
-        let (low, high) = known.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (value, error)| {
-            (low.min(value - error), high.max(value + error))
-        });
-        let margin = 0.05 * (high - low);
-        if margin > 0.0 { vec![Interval { low: low - margin, high: high + margin }] } else { Vec::new() }
-    }
 }
 
 /// All panels in one picture.
 pub fn svg(record: &Record) -> String {
-    let time = Quantity::of(record, "t", "s", |cycle| cycle.time);
-    let amplitude = Quantity::of(record, "A", &record.unit, |cycle| cycle.amplitude);
-    let rest = [
-        Quantity::of(record, "T", "s", |cycle| cycle.period),
-        Quantity::of(record, "decrement", "", |cycle| cycle.decrement),
-        Quantity::of(record, "ω", "rad/s", |cycle| cycle.angular_frequency),
-        Quantity::of(record, "γ", "1/s", |cycle| cycle.damping),
-    ];
+    let time = Column::of(record, "t", "s".to_owned(), |cycle| cycle.time);
+    let of = |quantity: Quantity| {
+        let unit = quantity.unit(&record.unit, "s");
+        Column::of(record, quantity.symbol(false), unit, |cycle| quantity.of(cycle))
+    };
+    let amplitude = of(Quantity::Amplitude);
     let mut panels =
-        vec![measured(record, &time, &amplitude), panel(&time, &amplitude, "Amplitude against time", Vec::new())];
-    for (quantity, name) in rest.iter().zip(["Period", "Logarithmic decrement", "Angular frequency", "Damping"]) {
-        panels.push(panel(&time, quantity, &format!("{name} against time"), quantity.limits()));
-        panels.push(panel(&amplitude, quantity, &format!("{name} against amplitude"), quantity.limits()));
+        vec![measured(record, &time, &amplitude), panel(&time, &amplitude, "Amplitude against time", false)];
+    for quantity in Quantity::ALL.into_iter().filter(|quantity| *quantity != Quantity::Amplitude) {
+        let (column, name) = (of(quantity), capital(quantity.name(false)));
+        panels.push(panel(&time, &column, &format!("{name} against time"), true));
+        panels.push(panel(&amplitude, &column, &format!("{name} against amplitude"), true));
     }
     let rows = panels.len().div_ceil(2);
     let (width, height) = (2.0 * WIDTH, rows as f64 * HEIGHT);
@@ -73,7 +69,7 @@ pub fn svg(record: &Record) -> String {
 }
 
 /// The record with the amplitudes above and below its middle.
-fn measured(record: &Record, time: &Quantity, amplitude: &Quantity) -> String {
+fn measured(record: &Record, time: &Column, amplitude: &Column) -> String {
     let offsets = record.found.cycles.iter().map(|cycle| cycle.offset.value);
     let (above, below): (Vec<f64>, Vec<f64>) =
         offsets.zip(&amplitude.values).map(|(offset, size)| (offset + size, offset - size)).unzip();
@@ -91,8 +87,15 @@ fn measured(record: &Record, time: &Quantity, amplitude: &Quantity) -> String {
     })
 }
 
-/// One quantity against another, with error bars.
-fn panel(x: &Quantity, y: &Quantity, title: &str, limits: Vec<Interval>) -> String {
+/// `period` as `Period`.
+fn capital(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
+}
+
+/// One quantity against another, with error bars; perhaps only as far as it is well known.
+fn panel(x: &Column, y: &Column, title: &str, bounded: bool) -> String {
+    let limits = if bounded { y.limits.clone() } else { Vec::new() };
     let series = Series { style: Style::Points, x: &x.values, y: &y.values, spread: &y.errors, ..Series::default() };
     drawn(&Plot {
         title,

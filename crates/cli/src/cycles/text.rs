@@ -2,7 +2,7 @@
 
 use super::Record;
 use crate::rounded::rounded;
-use analysis::cycles::{Cycle, Measured};
+use analysis::cycles::{Constancy, Cycle, Measured, Quantity};
 
 /// The widest line of words.
 const WIDTH: usize = 96;
@@ -28,8 +28,9 @@ pub fn table(record: &Record) -> String {
          error. Rows next to each other share data; each third row is independent.",
     );
     out.push('\n');
-    wrapped(&mut out, "", &change(record, "angular frequency", "rad/s", |cycle| cycle.angular_frequency));
-    wrapped(&mut out, "", &change(record, "damping", "1/s", |cycle| cycle.damping));
+    for quantity in [Quantity::AngularFrequency, Quantity::Damping] {
+        wrapped(&mut out, "", &change(record, quantity));
+    }
     if let Some(lost) = record.found.lost {
         wrapped(&mut out, "", &format!("From {lost:.2} s on the noise hides the oscillation."));
     }
@@ -57,7 +58,7 @@ struct Block {
 }
 
 impl Block {
-    fn of(record: &Record, name: &str, unit: &str, of: fn(&Cycle) -> Measured) -> Self {
+    fn of(record: &Record, name: &str, unit: &str, of: impl Fn(&Cycle) -> Measured) -> Self {
         let heading = if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") };
         let cells = record.found.cycles.iter().map(|cycle| rounded(of(cycle).value, of(cycle).error)).collect();
         Self { heading, cells }
@@ -95,14 +96,12 @@ impl Block {
 
 fn rows(out: &mut String, record: &Record) {
     let kinds: Vec<&str> = record.found.cycles.iter().map(|cycle| if cycle.maximum { "max" } else { "min" }).collect();
-    let blocks = [
-        Block::of(record, "t", "s", |cycle| cycle.time).lines(false),
-        Block::of(record, "A", &record.unit, |cycle| cycle.amplitude).lines(true),
-        Block::of(record, "T", "s", |cycle| cycle.period).lines(true),
-        Block::of(record, "decrement", "", |cycle| cycle.decrement).lines(true),
-        Block::of(record, "ω", "rad/s", |cycle| cycle.angular_frequency).lines(true),
-        Block::of(record, "γ", "1/s", |cycle| cycle.damping).lines(true),
-    ];
+    let of = |quantity: Quantity| {
+        let unit = quantity.unit(&record.unit, "s");
+        Block::of(record, quantity.symbol(false), &unit, |cycle| quantity.of(cycle)).lines(true)
+    };
+    let time = Block::of(record, "t", "s", |cycle| cycle.time).lines(false);
+    let blocks: Vec<Vec<String>> = std::iter::once(time).chain(Quantity::ALL.map(of)).collect();
     for row in 0..=kinds.len() {
         let mut line = format!("  {:3}", if row == 0 { "" } else { kinds[row - 1] });
         for block in &blocks {
@@ -114,41 +113,17 @@ fn rows(out: &mut String, record: &Record) {
     }
 }
 
-/// Whether a quantity is the same in all cycles, by chi-square over rows that share no data.
-fn change(record: &Record, name: &str, unit: &str, of: fn(&Cycle) -> Measured) -> String {
-    let independent: Vec<Measured> =
-        record.found.cycles.iter().step_by(3).map(of).filter(|one| one.error > 0.0).collect();
-    let mean = mean(&independent);
+/// Whether a quantity is the same in all cycles.
+fn change(record: &Record, quantity: Quantity) -> String {
+    let unit = quantity.unit(&record.unit, "s");
     let written = |measured: Measured| {
         let (value, error) = rounded(measured.value, measured.error);
         format!("{value} ± {error} {unit}")
     };
-    let Some(freedom) = independent.len().checked_sub(1).filter(|freedom| *freedom > 0) else {
-        return format!("The {name} is {}; one cycle alone shows no change.", written(mean));
-    };
-    let chi_square: f64 = independent.iter().map(|one| (one.value - mean.value) / one.error).map(|off| off * off).sum();
-    let reduced = chi_square / freedom as f64;
-    // Two standard deviations of chi-square above its mean.
-    if reduced < 1.0 + 2.0 * (2.0 / freedom as f64).sqrt() {
-        return format!(
-            "The {name} is the same in all cycles within its errors, as in the linear theory: {} (chi-square {chi_square:.1} for {freedom} degrees of freedom).",
-            written(mean)
-        );
-    }
-    let third = independent.len().div_ceil(3);
-    let (early, late) = (self::mean(&independent[..third]), self::mean(&independent[independent.len() - third..]));
-    format!(
-        "The {name} changes by more than its errors explain (chi-square {chi_square:.1} for {freedom} degrees of freedom), which the linear theory does not allow: {} in the first third of the cycles, {} in the last.",
-        written(early),
-        written(late)
-    )
-}
-
-/// The mean, each value weighted by its error.
-fn mean(of: &[Measured]) -> Measured {
-    let weight = |one: &Measured| 1.0 / (one.error * one.error);
-    let sum: f64 = of.iter().map(weight).sum();
-    Measured { value: of.iter().map(|one| weight(one) * one.value).sum::<f64>() / sum, error: 1.0 / sum.sqrt() }
+    let constancy = Constancy::of(&record.found.cycles, quantity);
+    constancy
+        .map(|constancy| constancy.text(quantity, false, &written, &|value| format!("{value:.1}")))
+        .unwrap_or_default()
 }
 
 /// Words in lines of bounded width; the lines after the first are as far in as the first one's text.

@@ -5,13 +5,12 @@ use super::prepare::{self, Theory};
 use super::{json, text};
 use crate::data::{self, Measured};
 use crate::failure::Failure;
-use crate::output::Output;
+use crate::output;
 use crate::terminal::Terminal;
 use analysis::fit::{Fit, FitError, Interval, Outcome, Task, Trace, profile};
 use base64::Engine as _;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use report::Report;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -48,7 +47,7 @@ pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
         Form::Text => text::fit(&fitted, &notes),
         Form::Json => format!("{:#}\n", json::fit(&fitted)),
     };
-    print(&shown)
+    output::print(&shown)
 }
 
 /// Works on a fit to its end, with progress on a terminal if it takes long.
@@ -170,31 +169,13 @@ fn write(path: &Path, kind: FileKind, data: &[PathBuf], report: &Report) -> Resu
         FileKind::Csv => report::csv(report, false).into_bytes(),
         FileKind::Svg => report::figure(report, 0).unwrap_or_default().into_bytes(),
     };
-    write_file(path, data, &bytes)
+    output::file(path, data, &bytes)
 }
 
 /// A report with the laboratory's mathematical font in it: the machine on which it is read may have none.
 pub fn with_font(page: &str) -> Vec<u8> {
     const FONT: &[u8] = include_bytes!("../../../lab/page/math.woff2");
     report::with_math_font(page, &base64::engine::general_purpose::STANDARD.encode(FONT)).into_bytes()
-}
-
-/// Writes a whole file, which must not be one of the data.
-pub fn write_file(path: &Path, data: &[PathBuf], bytes: &[u8]) -> Result<(), Failure> {
-    let own = path.canonicalize().ok();
-    if own.is_some() && data.iter().any(|data| data.canonicalize().ok() == own) {
-        return Err(Failure::request(format!("{} is the data; choose another output", path.display())));
-    }
-    let mut output = Output::to(path, &crate::load::Sources::of_text("", ""))?;
-    output.write_all(bytes).map_err(|error| output.failure(&error))?;
-    output.finish()
-}
-
-/// Prints to the standard output.
-pub fn print(text: &str) -> Result<(), Failure> {
-    let mut output = Output::standard();
-    output.write_all(text.as_bytes()).map_err(|error| output.failure(&error))?;
-    output.finish()
 }
 
 /// Shown on a terminal after a moment; indicatif shows nothing where the standard error is none.

@@ -7,5 +7,5 @@ mod prepare;
 mod rank;
 mod text;
 
-pub use fit::{fit, print, write_file};
+pub use fit::fit;
 pub use rank::rank;

@@ -1,11 +1,12 @@
 //! `meniscus rank`: several theories of the same data, best first.
 
 use super::arguments::{Form, Rank as Arguments};
-use super::fit::{FileKind, Fitted, command, complete, kind, notes, print, with_font, write_file};
+use super::fit::{FileKind, Fitted, command, complete, kind, notes, with_font};
 use super::prepare;
 use super::text::{Columns, in_unit};
 use crate::data::{self, Measured};
 use crate::failure::Failure;
+use crate::output;
 use crate::settings::Reader;
 use crate::terminal::Terminal;
 use analysis::fit::{ObservationFit, Outside, Ranked, rank as order};
@@ -45,9 +46,9 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
             FileKind::Csv => report::ranking_csv(&ranking, false).into_bytes(),
             FileKind::Html | FileKind::Svg => with_font(&report::ranking_html(&ranking)),
         };
-        write_file(path, &arguments.data, &bytes)?;
+        output::file(path, &arguments.data, &bytes)?;
     }
-    print(&match arguments.common.format {
+    output::print(&match arguments.common.format {
         Form::Text => table(&contenders, &ranked, arguments),
         Form::Json => as_json(&contenders, &ranked),
     })

@@ -1,0 +1,118 @@
+//! Whether a quantity is the same in all cycles, as the linear theory has it.
+
+use super::cycle::{Cycle, Measured};
+use super::quantity::Quantity;
+
+/// What the cycles of a record say about one quantity, by chi-square over rows that share no data.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Constancy {
+    /// There is one independent cycle only.
+    Alone(Measured),
+    /// It is the same within its errors.
+    Same {
+        /// The weighted mean.
+        mean: Measured,
+        /// The sum of the squares of the deviations over their errors.
+        chi_square: f64,
+        /// Independent cycles less one.
+        freedom: usize,
+    },
+    /// It changes by more than the errors explain.
+    Changes {
+        /// The weighted mean of the first third of the independent cycles.
+        early: Measured,
+        /// That of the last third.
+        late: Measured,
+        /// The sum of the squares of the deviations over their errors.
+        chi_square: f64,
+        /// Independent cycles less one.
+        freedom: usize,
+    },
+}
+
+impl Constancy {
+    /// What the cycles say about a quantity; `None` where no error is known.
+    pub fn of(cycles: &[Cycle], quantity: Quantity) -> Option<Self> {
+        // Each third row shares no data with the one before.
+        let independent: Vec<Measured> =
+            cycles.iter().step_by(3).map(|cycle| quantity.of(cycle)).filter(|one| one.error > 0.0).collect();
+        let mean = mean(&independent)?;
+        let Some(freedom) = independent.len().checked_sub(1).filter(|freedom| *freedom > 0) else {
+            return Some(Self::Alone(mean));
+        };
+        let off = |one: &Measured| (one.value - mean.value) / one.error;
+        let chi_square: f64 = independent.iter().map(off).map(|off| off * off).sum();
+        // Two standard deviations of chi-square above its mean.
+        if chi_square / (freedom as f64) < 1.0 + 2.0 * (2.0 / freedom as f64).sqrt() {
+            return Some(Self::Same { mean, chi_square, freedom });
+        }
+        let third = independent.len().div_ceil(3);
+        let (early, late) = (independent.get(..third)?, independent.get(independent.len() - third..)?);
+        Some(Self::Changes { early: self::mean(early)?, late: self::mean(late)?, chi_square, freedom })
+    }
+
+    /// It in a sentence, in English or Spanish. `written` writes a value with its error and unit, `fixed` a number with one
+    /// decimal.
+    pub fn text(
+        &self,
+        quantity: Quantity,
+        spanish: bool,
+        written: &dyn Fn(Measured) -> String,
+        fixed: &dyn Fn(f64) -> String,
+    ) -> String {
+        let name = quantity.name(spanish);
+        let the = match (quantity, spanish) {
+            (_, false) => "The",
+            (Quantity::Amplitude | Quantity::AngularFrequency, true) => "La",
+            (_, true) => "El",
+        };
+        let test = |chi_square: f64, freedom: usize| {
+            if spanish {
+                format!("(ji cuadrado {} con {freedom} grados de libertad)", fixed(chi_square))
+            } else {
+                format!("(chi-square {} for {freedom} degrees of freedom)", fixed(chi_square))
+            }
+        };
+        match *self {
+            Self::Alone(mean) if spanish => {
+                format!("{the} {name} es {}; un solo ciclo no muestra ningún cambio.", written(mean))
+            }
+            Self::Alone(mean) => format!("{the} {name} is {}; one cycle alone shows no change.", written(mean)),
+            Self::Same { mean, chi_square, freedom } if spanish => {
+                let same = if the == "La" { "la misma" } else { "el mismo" };
+                format!(
+                    "{the} {name} es {same} en todos los ciclos dentro de sus errores, como en la teoría lineal: {} {}.",
+                    written(mean),
+                    test(chi_square, freedom)
+                )
+            }
+            Self::Same { mean, chi_square, freedom } => format!(
+                "{the} {name} is the same in all cycles within its errors, as in the linear theory: {} {}.",
+                written(mean),
+                test(chi_square, freedom)
+            ),
+            Self::Changes { early, late, chi_square, freedom } if spanish => format!(
+                "{the} {name} cambia más de lo que explican sus errores {}, lo que la teoría lineal no permite: {} en el \
+                 primer tercio de los ciclos, {} en el último.",
+                test(chi_square, freedom),
+                written(early),
+                written(late)
+            ),
+            Self::Changes { early, late, chi_square, freedom } => format!(
+                "{the} {name} changes by more than its errors explain {}, which the linear theory does not allow: {} in \
+                 the first third of the cycles, {} in the last.",
+                test(chi_square, freedom),
+                written(early),
+                written(late)
+            ),
+        }
+    }
+}
+
+/// The mean, each value weighted by its error; `None` without any, and where an error is not known.
+pub fn mean(of: &[Measured]) -> Option<Measured> {
+    let weight = |one: &Measured| 1.0 / (one.error * one.error);
+    let sum: f64 = of.iter().map(weight).sum();
+    let value = of.iter().map(|one| weight(one) * one.value).sum::<f64>() / sum;
+    value.is_finite().then(|| Measured { value, error: 1.0 / sum.sqrt() })
+}

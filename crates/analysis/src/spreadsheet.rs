@@ -3,7 +3,7 @@
 mod zip;
 
 use std::fmt::Write;
-use zip::Archive;
+pub use zip::Archive;
 
 /// A workbook.
 #[derive(Clone, Debug, Default, PartialEq)]

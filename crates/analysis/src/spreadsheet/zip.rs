@@ -9,7 +9,7 @@ const UTF8: u16 = 0x0800;
 
 /// An archive that grows.
 #[derive(Debug, Default)]
-pub(super) struct Archive {
+pub struct Archive {
     bytes: Vec<u8>,
     directory: Vec<u8>,
     files: u16,

@@ -32,9 +32,10 @@ impl Session {
             let shown = if record.shown { "shown" } else { "hidden" };
             let _ = writeln!(
                 saved,
-                "{}\n{kind} {shown} {}\n{}\n{}\n{}",
+                "{}\n{kind} {shown} {} {}\n{}\n{}\n{}",
                 record.name.replace(['\n', '\r'], " "),
                 record.text.len(),
+                record.saved_made(),
                 truth.join(";"),
                 chosen.join(";"),
                 record.text
@@ -74,7 +75,8 @@ impl Session {
         let (name, kind, truth, chosen, rest) =
             (lines.next()?, lines.next()?, lines.next()?, lines.next()?, lines.next()?);
         let mut kind = kind.split(' ');
-        let (kind, shown, length) = (kind.next()?, kind.next()?, kind.next()?.parse::<usize>().ok()?);
+        let (kind, shown, length, made) =
+            (kind.next()?, kind.next()?, kind.next()?.parse::<usize>().ok()?, kind.next().unwrap_or_default());
         let (text, rest) = (rest.get(..length)?, rest.get(length + 1..)?);
         let truth = truth.split(';').filter_map(|entry| {
             let (name, value) = entry.split_once('=')?;
@@ -84,6 +86,7 @@ impl Session {
         let id = self.insert_record(name, text.as_bytes(), (kind == "virtual").then_some(truth)).ok();
         if let Some(record) = self.data.records.iter_mut().find(|record| Some(record.id) == id) {
             record.shown = shown == "shown";
+            record.restore_made(made, &self.document);
             for entry in chosen.split(';') {
                 let mut parts = entry.splitn(4, ',');
                 let column = parts.next().and_then(|column| record.uses.get_mut(column.parse::<usize>().ok()?));

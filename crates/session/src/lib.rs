@@ -12,7 +12,8 @@
 //! | plots | [`Session::plots`], [`Session::show_plot`], [`Session::layout_plot`], [`Session::plot_figure`], [`Session::plot_svg`], [`Session::hover_plot`], [`Session::move_cursor`], [`Session::zoom_plot`], [`Session::pan_plot`], [`Session::zoom_plot_to`], [`Session::reset_plot`] |
 //! | runs | [`Session::keep`], [`Session::kept`], [`Session::show_kept`], [`Session::remove_kept`], [`Session::has_ghost`], [`Session::clear_ghost`] |
 //! | table | [`Session::table_header`], [`Session::table_length`], [`Session::table_rows`], [`Session::table_row_now`], [`Session::csv`], [`Session::workbook`] |
-//! | measured data | [`Session::records`], [`Session::record_cells`], [`Session::add_record`], [`Session::add_sample`], [`Session::sample_names`], [`Session::measure`], [`Session::measurement_form`], [`Session::measurement_units`], [`Session::show_record`], [`Session::remove_record`], [`Session::measurable`], [`Session::set_column_quantity`], [`Session::set_column_unit`], [`Session::set_column_fitted`], [`Session::has_points`], [`Session::ghost_follows`], [`Session::ghost_values`], [`Session::saved_records`], [`Session::restore_records`], [`Session::adopt_records`] |
+//! | measured data | [`Session::records`], [`Session::record_cells`], [`Session::add_record`], [`Session::add_sample`], [`Session::sample_names`], [`Session::measure`], [`Session::measurement_form`], [`Session::measurement_units`], [`Session::show_record`], [`Session::remove_record`], [`Session::measurable`], [`Session::set_column_quantity`], [`Session::set_column_unit`], [`Session::set_column_fitted`], [`Session::make_derivatives`], [`Session::forget_derivatives`], [`Session::has_points`], [`Session::ghost_follows`], [`Session::ghost_values`], [`Session::saved_records`], [`Session::restore_records`], [`Session::adopt_records`] |
+//! | cycle by cycle | [`Session::open_cycles`], [`Session::looks_at_cycles`], [`Session::cycle_columns`], [`Session::choose_cycles`], [`Session::cycle_quantities`], [`Session::show_cycles`], [`Session::cycles_against_amplitude`], [`Session::cycles`], [`Session::cycle_plot`], [`Session::export_cycles`] |
 //! | fits | [`Session::fit_choices`], [`Session::vary`], [`Session::fit_window`], [`Session::set_fit_window`], [`Session::begin_fit`], [`Session::begin_ranking`], [`Session::advance_fit`], [`Session::cancel_fit`], [`Session::fit_progress`], [`Session::fits`], [`Session::fit_detail`], [`Session::apply_fit`], [`Session::remove_fit`], [`Session::export_fit`], [`Session::export_ranking`] |
 //! | questions | [`Session::check_answer`], [`Session::reveal_answer`], [`Session::question_unit`], [`Session::question_setup`], [`Session::apply_question_setup`] |
 //! | method | [`Session::methods`], [`Session::set_method`], [`Session::step`], [`Session::step_text`], [`Session::set_step`], [`Session::set_step_text`] |
@@ -24,6 +25,9 @@
 
 mod announcement;
 mod course;
+mod cycle_plot;
+mod cycles;
+mod derived;
 mod drag;
 mod fitted;
 mod fitting;
@@ -40,11 +44,13 @@ mod plot;
 mod preset;
 mod problem;
 mod question;
+mod reading;
 mod readout;
 mod recognise;
 mod record;
 mod refusal;
 mod reporting;
+mod residual_plot;
 mod sample;
 mod session;
 mod share;
@@ -56,12 +62,14 @@ mod traces;
 mod transport;
 mod words;
 
+pub use analysis::derivative::Differentiation;
 pub use document;
 pub use engine;
 pub use figure;
 pub use model;
 
 pub use announcement::Announcement;
+pub use cycles::{CycleColumn, CyclesView};
 pub use fitted::{EstimateView, FitDetail, FitView, MOST_FITS};
 pub use fitting::{ChoiceView, FitProgress};
 pub use ghost::Follows;

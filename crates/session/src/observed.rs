@@ -41,6 +41,8 @@ pub(crate) struct Measured {
 /// Points of one curve of a plot, in the units of its axes.
 #[derive(Clone, Debug)]
 pub(crate) struct Points {
+    /// The record's id.
+    pub record: u32,
     /// Which curve.
     pub curve: usize,
     pub x: Vec<f64>,
@@ -68,6 +70,7 @@ impl Session {
         let model = &self.document.model;
         let independent = &model.independent.name;
         let autonomous = model.is_autonomous();
+        self.data.records.iter_mut().for_each(|record| record.settle_made(&self.document));
         let mut measured = Vec::new();
         for record in self.data.records.iter().filter(|record| record.shown) {
             let origin = record.origin(independent, autonomous);
@@ -101,6 +104,7 @@ impl Session {
         self.data.measured = measured;
         self.data.ghost = self.make_ghost();
         self.label_residuals();
+        self.find_cycles();
         self.revision.records += 1;
         self.revision.plots += 1;
     }
@@ -210,6 +214,7 @@ fn points(model: &model::Model, plot: &document::Plot, measured: &[Measured]) ->
             };
             let (x_unit, y_unit) = (&plot.x.value.unit, &unit);
             found.push(Points {
+                record: column.record,
                 curve: number,
                 x: x.into_iter().map(|value| x_unit.from_si(value)).collect(),
                 y: y.into_iter().map(|value| y_unit.from_si(value)).collect(),

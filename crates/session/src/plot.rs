@@ -18,28 +18,30 @@ pub struct PlotView {
     pub automatic: bool,
     /// Whether there is anything for it to show: residuals only where something is measured.
     pub offered: bool,
+    /// Whether it belongs to the cycles of a record and not among the others.
+    pub of_cycles: bool,
 }
 
 /// What is chosen for a plot, and what is kept of it from frame to frame.
 #[derive(Debug)]
 pub(crate) struct PlotState {
     pub shown: bool,
-    view: View,
+    pub view: View,
     figure: Figure,
     /// The row at which the keyboard reads.
     cursor: Option<usize>,
-    labels: Labels,
+    pub labels: Labels,
 }
 
 /// The texts of a plot in the session's language.
 #[derive(Debug, Default)]
-struct Labels {
-    title: String,
-    description: String,
-    x: (String, String),
+pub(crate) struct Labels {
+    pub title: String,
+    pub description: String,
+    pub x: (String, String),
     /// Name and unit of each axis.
-    axes: Vec<(String, String)>,
-    curves: Vec<String>,
+    pub axes: Vec<(String, String)>,
+    pub curves: Vec<String>,
 }
 
 impl Default for PlotState {
@@ -49,7 +51,7 @@ impl Default for PlotState {
 }
 
 /// The colour of the points of the first curve: none of a line, or nobody could see the line on its points.
-const MEASURED: u8 = 3;
+pub(crate) const MEASURED: u8 = 3;
 
 /// A plot against the independent variable begins with room for so many steps.
 const STEPS_AT_FIRST: f64 = 200.0;
@@ -62,7 +64,12 @@ impl Session {
             title: plot.labels.title.clone(),
             shown: plot.shown,
             automatic: plot.view.is_automatic(),
-            offered: index < self.document.plots.len() || self.has_points(),
+            offered: match index.checked_sub(self.document.plots.len()) {
+                None => true,
+                Some(0) => self.has_points(),
+                Some(_) => self.looking.found.as_ref().is_some_and(|found| found.cycles.is_some()),
+            },
+            of_cycles: index == self.cycle_plot(),
         };
         self.plots.iter().enumerate().map(view).collect()
     }
@@ -106,30 +113,41 @@ impl Session {
         self.titled_figure(index, settings).map_or_else(String::new, |figure| figure.svg(palette))
     }
 
-    /// What lies at a pixel of the last layout, on the present run and the kept ones. The keyboard's cursor moves there.
+    /// What lies at a pixel of the last layout, on the present run and the kept ones, and the measured points next to it.
+    /// The keyboard's cursor moves there.
     pub fn hover_plot(&mut self, index: usize, at: Point) -> Option<Readout> {
-        let readout = self.plot_figure(index)?.hover(&self.readable_plot(index)?, at)?;
+        let readout = self.plot_figure(index)?.hover(&self.readable_plot(index)?, at);
         let first = self.series_behind(index);
-        let sample = readout.samples.iter().find(|sample| sample.series >= first);
-        if let (Some(sample), Some(state)) = (sample, self.plots.get_mut(index)) {
-            state.cursor = Some(sample.row);
+        let sample = readout.iter().flat_map(|readout| &readout.samples).find(|sample| sample.series >= first);
+        let row = sample.map(|sample| sample.row);
+        if let (Some(row), Some(state)) = (row, self.plots.get_mut(index)) {
+            state.cursor = Some(row);
         }
-        Some(self.named(index, readout))
+        let readout = readout.map(|readout| self.named(index, readout));
+        self.with_points(index, at, readout)
     }
 
     /// Moves the keyboard's cursor by so many rows along the run (from the present row at first) and reads there.
     pub fn move_cursor(&mut self, index: usize, rows: isize) -> Option<Readout> {
         let present = self.course.rows_until_shown().saturating_sub(1);
         let row = self.plots.get(index)?.cursor.unwrap_or(present);
-        let series = self.series_behind(index);
-        let plot = self.readable_plot(index)?;
+        let (mut series, mut plot) = (self.series_behind(index), self.readable_plot(index)?);
+        if self.course.rows() < 2 && self.points_behind(index) > 0 {
+            // Before the run has gone anywhere the cursor goes along what was measured.
+            (series, plot) = (0, self.figure_of(index)?);
+        }
         let figure = self.plot_figure(index)?;
         let row = figure.step(&plot, series, row, rows)?;
         let readout = figure.readout(&plot, series, row)?;
         if let Some(state) = self.plots.get_mut(index) {
             state.cursor = Some(row);
         }
-        Some(self.named(index, readout))
+        let at = readout.samples.iter().find(|sample| sample.series == series).map(|sample| sample.at);
+        let readout = self.named(index, readout);
+        match at {
+            Some(at) => self.with_points(index, at, Some(readout)),
+            None => Some(readout),
+        }
     }
 
     /// Zooms by `factor` (2 shows half as much) about a pixel; about the centre without one.
@@ -195,6 +213,9 @@ impl Session {
 
     /// Says of samples of kept runs which run they are of.
     fn named(&self, index: usize, mut readout: Readout) -> Readout {
+        if index == self.cycle_plot() {
+            return self.with_errors(readout);
+        }
         let (points, first) = (self.points_behind(index), self.series_behind(index));
         let curves = self.plots.get(index).map_or(&[][..], |plot| &plot.labels.curves);
         let ghosts = if self.ghost.is_some() { curves.len() } else { 0 };
@@ -213,40 +234,12 @@ impl Session {
     }
 
     /// What is drawn in a plot of the document or in that of the residuals.
-    fn figure_of(&self, index: usize) -> Option<Plot<'_>> {
-        if index == self.document.plots.len() { self.residual_plot() } else { self.figure_plot(index) }
-    }
-
-    /// What measurements leave over beside the present run.
-    fn residual_plot(&self) -> Option<Plot<'_>> {
-        let state = self.plots.last()?;
-        let labels = &state.labels;
-        let unit = &self.model().independent.unit;
-        let mut axes: Vec<units::Dimension> = Vec::new();
-        let mut series = Vec::new();
-        let columns = self.data.measured.iter().zip(&self.data.residuals).zip(&labels.curves);
-        for (number, ((measured, residuals), label)) in columns.enumerate() {
-            let dimension = measured.observed.dimension();
-            let axis = axes.iter().position(|axis| *axis == dimension).unwrap_or_else(|| {
-                axes.push(dimension);
-                axes.len() - 1
-            });
-            let (colour, style) = (MEASURED + number as u8, Style::Points);
-            let (x, y) = (&residuals.x[..], &residuals.y[..]);
-            series.push(Series { label, axis, colour, style, x, y, ..Series::default() });
+    pub(crate) fn figure_of(&self, index: usize) -> Option<Plot<'_>> {
+        match index.checked_sub(self.document.plots.len()) {
+            None => self.figure_plot(index),
+            Some(0) => self.residual_plot(),
+            Some(_) => self.cycle_figure(self.plots.get(index)?),
         }
-        let ends = self.data.measured.iter().filter_map(|measured| measured.times.last());
-        let whole = Interval::new(0.0, unit.from_si(ends.fold(0.0, |end, time| time.max(end))));
-        Some(Plot {
-            title: &labels.title,
-            description: &labels.description,
-            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: Some(whole) },
-            y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, include: None }).collect(),
-            series,
-            marker: Some(unit.from_si(self.course.time())),
-            view: state.view.clone(),
-            ordered: true,
-        })
     }
 
     /// What is drawn: points, the ghost, then the kept runs, then the present run on top, in the same colours.
@@ -306,34 +299,8 @@ impl Session {
             }
         }
         self.label_residuals();
+        self.label_cycles();
         self.revision.plots += 1;
-    }
-
-    /// Writes the texts of the plot of the residuals.
-    pub(crate) fn label_residuals(&mut self) {
-        let (title, left_over) = self.tongue.residuals();
-        let independent = &self.model().independent;
-        let names: Vec<String> =
-            self.data.measured.iter().map(|measured| format!("Δ{}", symbol(&measured.name))).collect();
-        let mut axes: Vec<(String, &units::Unit)> = Vec::new();
-        for (measured, name) in self.data.measured.iter().zip(&names) {
-            let unit = &measured.observed.unit;
-            match axes.iter_mut().find(|(_, axis)| axis.dimension == unit.dimension) {
-                Some((label, _)) if label.split(", ").any(|one| one == name) => {}
-                Some((label, _)) => label.extend([", ", name]),
-                None => axes.push((name.clone(), unit)),
-            }
-        }
-        let labels = Labels {
-            title: title.to_owned(),
-            description: format!("{title}: {left_over}"),
-            x: (symbol(&independent.name), number::unit_text(&independent.unit.text)),
-            axes: axes.into_iter().map(|(label, unit)| (label, number::unit_text(&unit.text))).collect(),
-            curves: names,
-        };
-        if let Some(state) = self.plots.last_mut() {
-            state.labels = labels;
-        }
     }
 
     fn labels_of(&self, index: usize) -> Option<Labels> {

@@ -15,6 +15,13 @@ pub(crate) struct Meaning {
     pub unit: Unit,
 }
 
+impl Meaning {
+    /// That of a column that is not used and has no unit.
+    pub fn nothing() -> Self {
+        Self { quantity: String::new(), unit: Unit::dimensionless() }
+    }
+}
+
 /// What can be measured: the independent variable, what the document is about and its derivatives, the unknowns and
 /// theirs, and whatever else is a number that changes; each with its unit.
 pub(crate) fn measurable(document: &Document) -> Vec<(String, Unit)> {

@@ -1,6 +1,7 @@
 //! Records: measured data beside the model. A record belongs to no document; which of the document's quantities its
 //! columns measure is recognised anew for each.
 
+use crate::derived::Made;
 use crate::recognise::{Meaning, recognise};
 use crate::{Announcement, Refusal, Session, Tongue, number};
 use analysis::finding::Finding;
@@ -30,6 +31,8 @@ pub(crate) struct Record {
     pub findings: Vec<Finding>,
     /// Columns that were computed from others: which, and from which.
     pub computed: Vec<(usize, usize)>,
+    /// The last columns, which a person had made of others.
+    pub made: Vec<Made>,
     /// What each column is taken for.
     pub uses: Vec<Use>,
     /// Whether it is drawn.
@@ -88,6 +91,10 @@ pub struct ColumnView {
     pub fitted: bool,
     /// Whether a fit can follow it: it is used and no time.
     pub fittable: bool,
+    /// Whether it can be differentiated: it was read and is no time.
+    pub differentiable: bool,
+    /// How it was made of another column; empty for what the file holds.
+    pub made: String,
 }
 
 impl Session {
@@ -109,6 +116,10 @@ impl Session {
                 unit: number::unit_text(&used.meaning.unit.text),
                 fitted: used.fitted,
                 fittable: !used.meaning.quantity.is_empty() && used.meaning.quantity != *independent,
+                differentiable: index < record.read_columns()
+                    && column.independent != index
+                    && used.meaning.quantity != *independent,
+                made: record.how_made(index).map(|made| self.tongue.differentiation(made.how)).unwrap_or_default(),
             }
         };
         let spanish = self.tongue == Tongue::Spanish;
@@ -174,6 +185,7 @@ impl Session {
             table: import.table,
             findings: import.findings,
             computed: Vec::new(),
+            made: Vec::new(),
             shown: true,
             origin: None,
             truth,
@@ -266,6 +278,7 @@ impl Session {
         }
         self.fits.finished = std::mem::take(&mut other.fits.finished);
         self.fits.window = other.fits.window;
+        self.looking = std::mem::take(&mut other.looking);
         self.recognise_records();
     }
 
@@ -311,7 +324,10 @@ impl Record {
     /// Takes the columns for what they seem to measure, except where a person has said what they do.
     pub fn take_for(&mut self, document: &Document, labels: &dyn Fn(&str) -> Vec<String>) {
         let model = &document.model;
-        let meanings = recognise(&self.table, document, labels);
+        // What was made follows its source and takes no quantity from another column.
+        let made = self.table.columns.split_off(self.read_columns());
+        let mut meanings = recognise(&self.table, document, labels);
+        self.table.columns.extend(made);
         // The first column that is a witness of its own is what a fit follows.
         let witness = |(column, meaning): (usize, &Meaning)| {
             !meaning.quantity.is_empty()
@@ -319,11 +335,13 @@ impl Record {
                 && self.computed_from(column).is_none()
         };
         let witness = meanings.iter().enumerate().position(witness);
+        meanings.resize_with(self.table.columns.len(), Meaning::nothing);
         let fresh = meanings.into_iter().enumerate().map(|(column, meaning)| match self.uses.get(column) {
             Some(used) if used.chosen && used.fits(model) => used.clone(),
             _ => Use { meaning, fitted: Some(column) == witness, offset: 0.0, chosen: false },
         });
         self.uses = fresh.collect();
+        self.settle_made(document);
     }
 }
 

@@ -70,6 +70,10 @@ pub enum Refusal {
         /// Where and why, in the session's language.
         why: String,
     },
+    /// There is no smoothing polynomial of this window and degree.
+    NoSuchPolynomial,
+    /// No row of the column has the neighbours that a derivative needs.
+    NoDerivative,
     /// A fit cannot be made.
     Fit {
         /// Why, in the session's language.

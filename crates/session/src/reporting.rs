@@ -2,6 +2,8 @@
 
 use crate::Session;
 use crate::fitted::Fitted;
+use crate::number::Style;
+use analysis::csv::Dialect;
 use report::{Ranking, Report};
 
 /// A file to be saved.
@@ -48,7 +50,7 @@ impl Session {
             ExportKind::Workbook => report::workbook(&report),
             ExportKind::Csv => report::csv(&report, self.style.decimal_comma).into_bytes(),
         };
-        Some(self.export(fit, kind, bytes))
+        Some(export(stem(&fit.record_name), kind, bytes))
     }
 
     /// All fits of the values of a fit as one file, ranked.
@@ -63,7 +65,7 @@ impl Session {
             ExportKind::Workbook => report::ranking_workbook(&ranking),
             ExportKind::Csv => report::ranking_csv(&ranking, self.style.decimal_comma).into_bytes(),
         };
-        Some(self.export(fit, kind, bytes))
+        Some(export(stem(&fit.record_name), kind, bytes))
     }
 
     fn report<'a>(&'a self, fit: &'a Fitted, notes: &'a [Vec<String>], command: &'a str, date: &'a str) -> Report<'a> {
@@ -87,13 +89,22 @@ impl Session {
         let record = self.records().into_iter().find(|record| record.id == fit.record);
         vec![record.map(|record| record.findings).unwrap_or_default()]
     }
+}
 
-    /// `u3.xlsx` of a record in `u3.txt`.
-    fn export(&self, fit: &Fitted, kind: ExportKind, bytes: Vec<u8>) -> Export {
-        let (ending, kind) = kind.file();
-        let stem = fit.record_name.rsplit_once('.').map_or(fit.record_name.as_str(), |(stem, _)| stem);
-        let plain: String = stem.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
-        let name = if plain.is_empty() { "fit".to_owned() } else { plain.to_lowercase() };
-        Export { name: format!("{name}.{ending}"), bytes, kind }
-    }
+/// The name of a record without the ending of its file.
+pub(crate) fn stem(record: &str) -> &str {
+    record.rsplit_once('.').map_or(record, |(stem, _)| stem)
+}
+
+/// A file of this name, its letters made plain.
+pub(crate) fn export(name: &str, kind: ExportKind, bytes: Vec<u8>) -> Export {
+    let (ending, kind) = kind.file();
+    let plain: String = name.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
+    let name = if plain.is_empty() { "fit".to_owned() } else { plain.to_lowercase() };
+    Export { name: format!("{name}.{ending}"), bytes, kind }
+}
+
+/// The CSV that a spreadsheet opens correctly where numbers are written in this way.
+pub(crate) fn dialect(style: Style) -> Dialect {
+    if style.decimal_comma { Dialect::Semicolons } else { Dialect::Commas }
 }

@@ -2,6 +2,8 @@
 
 use crate::announcement::{Announcement, Announcements};
 use crate::course::Course;
+use crate::cycle_plot::CyclePlot;
+use crate::cycles::Looking;
 use crate::drag::Hold;
 use crate::fitting::Fits;
 use crate::kept::{Ghost, Kept};
@@ -66,6 +68,8 @@ pub struct Session {
     pub(crate) evaluators: Evaluators,
     pub(crate) data: Data,
     pub(crate) fits: Fits,
+    pub(crate) looking: Looking,
+    pub(crate) cycle_plot: CyclePlot,
     /// For each node of the model whether it is a count.
     pub(crate) whole: Vec<bool>,
     /// The greatest size that each state and then each quantity has shown in this run.
@@ -107,8 +111,8 @@ impl Session {
             whole: model.whole_numbers(),
             scales: vec![0.0; model.states.len() + model.quantities.len()],
             evaluators: Evaluators::new(&document, &language),
-            // One more for what measurements leave over.
-            plots: (0..=document.plots.len()).map(|_| PlotState::default()).collect(),
+            // Two more: for what measurements leave over, and for their cycles.
+            plots: (0..document.plots.len() + 2).map(|_| PlotState::default()).collect(),
             document,
             language,
             defaults,
@@ -126,6 +130,8 @@ impl Session {
             kept: Vec::new(),
             data: Data::default(),
             fits: Fits::default(),
+            looking: Looking::default(),
+            cycle_plot: CyclePlot::default(),
         };
         let vary = |index| session.document.vary.contains(&index);
         session.fits.varied = (0..session.document.model.parameters.len()).map(vary).collect();
@@ -206,6 +212,7 @@ impl Session {
     pub(crate) fn follow(&mut self) {
         self.traces.follow(&self.course, &mut self.columns, &self.present);
         self.follow_residuals();
+        self.follow_cycles();
     }
 
     /// Starts another run; the present one stays behind as a ghost if there is something to see of it.

@@ -191,6 +191,18 @@ impl Tongue {
             Refusal::UnreadableRecord { name, why } => {
                 self.pick(format!("{name} could not be read. {why}"), format!("No se pudo leer {name}. {why}"))
             }
+            Refusal::NoSuchPolynomial => self
+                .pick(
+                    "There is no such polynomial: the window is an odd number of rows, the degree is from 2 to 7 and below it.",
+                    "No existe tal polinomio: la ventana es un número impar de filas, y el grado va de 2 a 7 y es menor que ella.",
+                )
+                .to_owned(),
+            Refusal::NoDerivative => self
+                .pick(
+                    "No row has the neighbours that a derivative needs. Times must ascend; uneven ones can be smoothed by polynomials.",
+                    "Ninguna fila tiene los vecinos que necesita una derivada. Los tiempos deben crecer; los irregulares se pueden suavizar con polinomios.",
+                )
+                .to_owned(),
             Refusal::Fit { why } => why.clone(),
             Refusal::Unknown { name } => {
                 self.pick(format!("There is no “{name}” here."), format!("Aquí no hay «{name}»."))
@@ -255,6 +267,9 @@ impl Session {
             Announcement::Kept(name) => with("Run kept: {}", "Serie guardada: {}", name),
             Announcement::Removed(name) => with("Run removed: {}", "Serie quitada: {}", name),
             Announcement::RecordAdded(name) => with("Record read: {}", "Registro leído: {}", name),
+            Announcement::DerivativesMade(name) => {
+                with("Velocity and acceleration made: {}", "Velocidad y aceleración calculadas: {}", name)
+            }
             Announcement::RecordRemoved(name) => with("Record removed: {}", "Registro quitado: {}", name),
             Announcement::FitFinished => say("The fit is finished", "El ajuste ha terminado"),
             Announcement::FitFailed => say(

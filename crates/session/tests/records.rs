@@ -138,7 +138,7 @@ fn a_measurement_without_errors_leaves_nothing_over() {
     assert_eq!(record.rows, 121);
     // The velocities are the tracking program's, and that is seen.
     assert!(record.findings.iter().any(|finding| finding.contains("no second witness")), "{:?}", record.findings);
-    let residuals = session.plots().len() - 1;
+    let residuals = session.document().plots.len();
     assert!(session.plots()[residuals].offered);
     session.play();
     (0..40).for_each(|_| assert!(session.tick(0.05)));

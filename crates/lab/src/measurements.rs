@@ -1,7 +1,7 @@
 //! The tab of measured data: records come in, are looked at, and are fitted.
 
 use crate::app::App;
-use crate::{browser, fitting, icons, library, records, virtual_form};
+use crate::{browser, cycles, fitting, icons, library, records, virtual_form};
 use leptos::html;
 use leptos::prelude::*;
 use web_sys::{File, FileList, HtmlTextAreaElement};
@@ -15,6 +15,7 @@ pub fn view(app: App) -> AnyView {
             {intake(app)}
             <p class="refusal" role="alert" id="record-refusal">{move || app.record_refusal.get()}</p>
             {records::view(app)}
+            {cycles::view(app)}
             {fitting::view(app)}
             {virtual_form::view(app)}
         </div>

@@ -180,7 +180,8 @@ pub fn with_plot<T>(app: App, index: usize, work: impl FnOnce(&mut PlotNodes) ->
 /// All plots, and which of them are shown.
 pub fn view(app: App) -> impl IntoView {
     let words = app.words();
-    let plots = app.read(|session| session.plots());
+    let mut plots = app.read(|session| session.plots());
+    plots.retain(|plot| !plot.of_cycles);
     let shown = move |index: usize| {
         app.changes.plots.track();
         app.read(|session| session.plots().get(index).is_some_and(|plot| plot.shown && plot.offered))
@@ -205,7 +206,7 @@ pub fn view(app: App) -> impl IntoView {
             }
         })
         .collect_view();
-    let figures = plots.into_iter().map(|plot| figure(app, plot.index, plot.title, shown)).collect_view();
+    let figures = plots.into_iter().map(|plot| figure(app, plot.index, shown)).collect_view();
     view! {
         <section class="plots" aria-labelledby="plots-title" id="plots">
             <div class="plots-bar">
@@ -221,12 +222,8 @@ pub fn view(app: App) -> impl IntoView {
     }
 }
 
-fn figure(
-    app: App,
-    index: usize,
-    title: String,
-    shown: impl Fn(usize) -> bool + Copy + Send + Sync + 'static,
-) -> impl IntoView {
+/// A plot with its tools.
+pub fn figure(app: App, index: usize, shown: impl Fn(usize) -> bool + Copy + Send + Sync + 'static) -> impl IntoView {
     let words = app.words();
     let canvas = NodeRef::<html::Canvas>::new();
     let tip = NodeRef::<html::Div>::new();
@@ -239,7 +236,11 @@ fn figure(
         app.changes.plots.track();
         app.read(|session| session.plots().get(index).is_none_or(|plot| plot.automatic))
     };
-    let name = format!("{}: {title}", words.plot);
+    let title = move || {
+        app.changes.plots.track();
+        app.read(|session| session.plots().into_iter().nth(index).map(|plot| plot.title)).unwrap_or_default()
+    };
+    let name = move || format!("{}: {}", words.plot, title());
     let zoom = move |factor: f64| app.act(|session| session.zoom_plot(index, None, factor, figure::Direction::Both));
     view! {
         <figure class="plot" hidden=move || !shown(index) aria-labelledby=format!("plot-{index}")>

@@ -1,7 +1,7 @@
 //! The records: what is drawn of them, what their columns are taken for, what they hide.
 
 use crate::app::App;
-use crate::{browser, icons};
+use crate::{browser, derivatives, icons};
 use leptos::prelude::*;
 use session::{ColumnView, RecordView};
 
@@ -11,10 +11,11 @@ const ROWS: usize = 4;
 /// The list of records; nothing while there are none.
 pub fn view(app: App) -> impl IntoView {
     let words = app.words();
+    let choice = derivatives::Choice::new();
     move || {
         app.changes.records.track();
         let records = app.read(|session| session.records());
-        let items: Vec<AnyView> = records.into_iter().map(|record| item(app, record)).collect();
+        let items: Vec<AnyView> = records.into_iter().map(|record| item(app, record, choice)).collect();
         if items.is_empty() {
             return ().into_any();
         }
@@ -22,7 +23,7 @@ pub fn view(app: App) -> impl IntoView {
     }
 }
 
-fn item(app: App, record: RecordView) -> AnyView {
+fn item(app: App, record: RecordView, choice: derivatives::Choice) -> AnyView {
     let words = app.words();
     let id = record.id;
     let remove = format!("{}: {}", words.remove_record, record.name);
@@ -52,6 +53,7 @@ fn item(app: App, record: RecordView) -> AnyView {
                 }>{icons::cross()}</button>
             </div>
             {preview(app, &record)}
+            {derivatives::view(app, &record, choice)}
             {findings}
         </article>
     }
@@ -64,7 +66,8 @@ fn preview(app: App, record: &RecordView) -> AnyView {
     let measurable = app.read(|session| session.measurable());
     let columns = &record.columns;
     let each = |cell: &dyn Fn(&ColumnView) -> AnyView| columns.iter().map(cell).collect::<Vec<_>>();
-    let heads = each(&|column| view! { <th scope="col">{column.head.clone()}</th> }.into_any());
+    let made = |how: &str| (!how.is_empty()).then(|| view! { <span class="note made">{how.to_owned()}</span> });
+    let heads = each(&|column| view! { <th scope="col">{column.head.clone()}{made(&column.made)}</th> }.into_any());
     let quantities = each(&|column| quantity(app, id, column, &measurable));
     let units = each(&|column| unit(app, id, column));
     let fitted = each(&|column| fitted(app, id, column));

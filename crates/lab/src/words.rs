@@ -215,6 +215,30 @@ words! {
     virtual_measure: "Measure", "Medir";
     virtual_name: "virtual measurement", "medición virtual";
 
+    // Derivatives.
+    derivatives_title: "Velocity and acceleration", "Velocidad y aceleración";
+    derivatives_intro: "Made anew from a position, as two columns more. They are no second witness: a fit that follows the position learns nothing new from them. Gaps stay gaps.", "Calculadas de nuevo a partir de una posición, como dos columnas más. No son un segundo testigo: un ajuste que sigue la posición no aprende nada nuevo de ellas. Los huecos siguen siendo huecos.";
+    derivatives_of: "Of", "De";
+    derivatives_method: "By", "Con";
+    derivatives_central: "central differences", "diferencias centrales";
+    derivatives_smooth: "smoothing polynomials", "polinomios de suavizado";
+    derivatives_rows: "Rows", "Filas";
+    derivatives_degree: "Degree", "Grado";
+    derivatives_make: "Make columns", "Calcular columnas";
+    derivatives_forget: "Remove them", "Quitarlas";
+
+    // Cycle by cycle.
+    cycles_title: "Cycle by cycle", "Ciclo a ciclo";
+    cycles_intro: "Before any theory: what each swing is like by itself. In the linear theory period, decrement, frequency and damping are the same in every cycle, and only the amplitude falls.", "Antes de cualquier teoría: cómo es cada oscilación por sí misma. En la teoría lineal el periodo, el decremento, la frecuencia y el amortiguamiento son iguales en todos los ciclos, y solo disminuye la amplitud.";
+    cycles_column: "Column", "Columna";
+    cycles_quantity: "Drawn", "Se dibuja";
+    cycles_against: "against", "frente a";
+    cycles_time: "time", "el tiempo";
+    cycles_amplitude: "amplitude", "la amplitud";
+    cycles_turn: "Turning point", "Punto de retorno";
+    cycles_note: "Each row is a turning point with the half-cycles around it, after ± one standard error. Rows next to each other share data; each third row is independent.", "Cada fila es un punto de retorno con los semiciclos a su alrededor; tras ± figura un error estándar. Las filas vecinas comparten datos; una de cada tres es independiente.";
+    cycles_run: "The line of the simulation is drawn once the simulation stands still.", "La línea de la simulación se dibuja cuando la simulación está detenida.";
+
     // The library.
     library: "Documents", "Documentos";
     library_title: "Simulations and theories that this page carries", "Simulaciones y teorías que lleva esta página";

@@ -14,6 +14,9 @@ const FEW_ROWS: usize = 2000;
 /// So many rows a period are enough.
 const ROWS_PER_PERIOD: f64 = 32.0;
 
+/// Which of the plot's series is the measured one.
+pub(crate) const CYCLES_MEASURED: usize = 2;
+
 /// What is drawn of the cycles, in the units of the axes.
 #[derive(Debug, Default)]
 pub(crate) struct CyclePlot {
@@ -195,7 +198,7 @@ impl Session {
         let labels = self.plots.get(self.cycle_plot()).map(|state| &state.labels);
         let (name, unit) = labels.and_then(|labels| labels.axes.first().cloned()).unwrap_or_default();
         for sample in &mut readout.samples {
-            let error = errors.get(sample.row).copied().filter(|_| sample.series == 2);
+            let error = errors.get(sample.row).copied().filter(|_| sample.series == CYCLES_MEASURED);
             let Some(error) = error else { continue };
             let value = number::uncertain(sample.y, Some(error), self.style);
             sample.text = format!("{name} = {value} {unit}").trim_end().to_owned();

@@ -82,8 +82,7 @@ impl Record {
     fn take_made(&mut self, columns: [Vec<f64>; 2], of: usize, how: Differentiation) {
         for (order, values) in (1..).zip(columns) {
             let Some(source) = self.table.columns.get(of) else { return };
-            let name = if source.name.is_empty() { (of + 1).to_string() } else { source.name.clone() };
-            let column = Column { name: name + &"'".repeat(order), unit: None, values, ..source.clone() };
+            let column = Column { unit: None, values, ..source.clone() };
             self.computed.push((self.table.columns.len(), of));
             self.table.columns.push(column);
             self.uses.push(Use { meaning: Meaning::nothing(), fitted: false, offset: 0.0, chosen: false });
@@ -132,7 +131,14 @@ impl Record {
                 observed(&document.model, &name).is_some_and(|observed| observed.dimension() == unit.dimension)
             };
             let known = !source.meaning.quantity.is_empty() && unit.as_ref().is_some_and(same);
+            // Without a name in the file it is called by what it is.
+            let stem = match (own.name.is_empty(), source.meaning.quantity.is_empty()) {
+                (false, _) => own.name.clone(),
+                (true, false) => source.meaning.quantity.clone(),
+                (true, true) => (of + 1).to_string(),
+            };
             if let Some(column) = self.table.columns.get_mut(read + place) {
+                column.name = stem + &"'".repeat(order);
                 column.unit.clone_from(&unit);
             }
             if let Some(used) = self.uses.get_mut(read + place).filter(|used| !used.chosen) {

@@ -1,5 +1,6 @@
 //! The plots: figures of what has been recorded, zoomed, panned and read by pointer or keyboard.
 
+use crate::cycle_plot::CYCLES_MEASURED;
 use crate::symbol::symbol;
 use crate::{Session, number};
 use figure::{Axis, Direction, Figure, Interval, Palette, Plot, Point, Readout, Series, Settings, Style, View};
@@ -132,7 +133,9 @@ impl Session {
         let present = self.course.rows_until_shown().saturating_sub(1);
         let row = self.plots.get(index)?.cursor.unwrap_or(present);
         let (mut series, mut plot) = (self.series_behind(index), self.readable_plot(index)?);
-        if self.course.rows() < 2 && self.points_behind(index) > 0 {
+        if index == self.cycle_plot() {
+            series = CYCLES_MEASURED;
+        } else if self.course.rows() < 2 && self.points_behind(index) > 0 {
             // Before the run has gone anywhere the cursor goes along what was measured.
             (series, plot) = (0, self.figure_of(index)?);
         }

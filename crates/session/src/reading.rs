@@ -37,7 +37,10 @@ impl Session {
             let record = self.record(points.record).map_or("", |record| &record.name);
             sample.text = format!("{record}: {}, {}", readout.heading, sample.text);
             sample.series = number;
-            found.push(sample);
+            // A column that was made anew may hold the very same.
+            if !found.iter().any(|other| other.text == sample.text) {
+                found.push(sample);
+            }
         }
         if !plot.ordered {
             let distance = |sample: &Sample| (sample.at.x - at.x).powi(2) + (sample.at.y - at.y).powi(2);

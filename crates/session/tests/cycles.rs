@@ -133,6 +133,17 @@ fn the_plot_reads_values_with_errors_and_the_run_beside_them() {
     let run = beside.iter().find_map(|text| text.strip_prefix("simulation = ")).expect("the run has cycles");
     let run: f64 = run.split('\u{a0}').next().unwrap().parse().unwrap();
     assert!((run - omega).abs() < 0.05, "{run} is not {omega}");
+    // The keyboard's cursor goes from one turning point to the next.
+    for against_amplitude in [true, false] {
+        session.show_cycles(frequency, against_amplitude);
+        session.layout_plot(index, &Settings::default());
+        let at = |session: &mut Session| {
+            let readout = session.move_cursor(index, 1).expect("there is a next one");
+            assert!(readout.samples.iter().any(|sample| sample.text.contains(" ± ")), "{readout:?}");
+            readout.heading
+        };
+        assert_ne!(at(&mut session), at(&mut session));
+    }
     // Against the amplitude nothing is in the order of time.
     session.show_cycles(frequency, true);
     assert_eq!(session.plots()[index].title, "Angular frequency against amplitude");

@@ -71,7 +71,7 @@ fn what_was_made_follows_its_source_and_comes_back() {
     session.make_derivatives(id, 1, Differentiation::Forward).unwrap();
     session.set_column_unit(id, 1, "cm").unwrap();
     let made = |session: &Session| columns(session)[2].clone();
-    assert_eq!(made(&session), ("2' [cm/ms]".into(), "y'".into(), "forward differences".into()));
+    assert_eq!(made(&session), ("y' [cm/ms]".into(), "y'".into(), "forward differences".into()));
     let (saved, _) = session.saved_records();
     let mut later = utube();
     later.restore_records(&saved);

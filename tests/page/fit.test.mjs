@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { inflateRawSync } from "node:zlib";
-import { eventually, number, temporary, visit } from "./lab.mjs";
+import { drop, eventually, number, temporary, visit } from "./lab.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const measured = new URL("../../../shared/data/utube/U3.txt", import.meta.url);
@@ -23,16 +23,6 @@ function film() {
     rows.push(`${time.toFixed(5)};${level.toFixed(4)}`.replaceAll(".", ","));
   }
   return rows.join("\r\n");
-}
-
-/** Lets files fall on the page, as a hand does. */
-async function drop(lab, ...files) {
-  const transfer = await lab.page.evaluateHandle((files) => {
-    const transfer = new DataTransfer();
-    files.forEach(({ name, bytes }) => transfer.items.add(new File([new Uint8Array(bytes)], name)));
-    return transfer;
-  }, files.map(({ name, text }) => ({ name, bytes: [...Buffer.from(text)] })));
-  await lab.page.locator("#apparatus").dispatchEvent("drop", { dataTransfer: transfer });
 }
 
 /** Opens a document that the page carries. */

@@ -224,3 +224,13 @@ export function number(text) {
   const plain = text.replace(/\s/g, "").replace("−", "-").replace(",", ".");
   return parseFloat(plain.replace(/^[^0-9.+-]*(?=[-+.0-9])/, ""));
 }
+
+/** Lets files fall on the page, as a hand does. */
+export async function drop(lab, ...files) {
+  const transfer = await lab.page.evaluateHandle((files) => {
+    const transfer = new DataTransfer();
+    files.forEach(({ name, bytes }) => transfer.items.add(new File([new Uint8Array(bytes)], name)));
+    return transfer;
+  }, files.map(({ name, text }) => ({ name, bytes: [...Buffer.from(text)] })));
+  await lab.page.locator("#apparatus").dispatchEvent("drop", { dataTransfer: transfer });
+}

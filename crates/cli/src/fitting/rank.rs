@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::settings::Reader;
 use crate::terminal::Terminal;
-use analysis::fit::{ObservationFit, Outside, Ranked, rank as order};
+use analysis::fit::{Outside, Ranked, rank as order};
 use report::{Ranking, Report, plain};
 use serde_json::json;
 use std::fmt::Write;

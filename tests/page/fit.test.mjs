@@ -57,7 +57,7 @@ visit("a dropped file is recognised, drawn, and fitted by one button", async (la
   await drop(lab, { name: "film.csv", text: film() });
   await records(lab).waitFor();
   assert.equal(await lab.page.getByRole("tab", { name: "Measurements" }).getAttribute("aria-selected"), "true");
-  const taken = await records(lab).locator("select").evaluateAll((selects) => selects.map((select) => select.value));
+  const taken = await records(lab).locator(".table select").evaluateAll((selects) => selects.map((select) => select.value));
   assert.deepEqual(taken, ["t", "y"]);
   assert.equal(await lab.field("Unit, y [cm]").inputValue(), "cm");
   assert.ok(await lab.page.getByRole("checkbox", { name: "Fit it, y [cm]" }).isChecked());

@@ -8,7 +8,9 @@ use crate::words::Words;
 use analysis::fit::ObservationFit;
 use figure::{Axis, Figure, Interval, Palette, Plot, Series, Settings, Style, View, layout};
 
-const WIDTH: f64 = 700.0;
+/// The width of a figure, and of one of two side by side.
+pub const WIDTH: f64 = 700.0;
+pub const HALF: f64 = 345.0;
 const UPPER: f64 = 300.0;
 const LOWER: f64 = 190.0;
 const SLIM: f64 = 165.0;
@@ -90,9 +92,10 @@ pub fn panels(report: &Report<'_>, fit: &ObservationFit, title: &str) -> String 
     pieces.concat()
 }
 
-/// The residuals of one observation as an SVG, on an axis that shows as much as `reach` (SI) to either side.
-pub fn residuals(report: &Report<'_>, fit: &ObservationFit, title: &str, reach: f64) -> String {
-    draw(report, fit, &columns(report, fit, reach), title, SLIM, 0.0, Some(reach)).svg(&Palette::LIGHT)
+/// The residuals of one observation as an SVG of such a width, on an axis that shows as much as `reach` (SI) to either
+/// side.
+pub fn residuals(report: &Report<'_>, fit: &ObservationFit, title: &str, reach: f64, width: f64) -> String {
+    draw(report, fit, &columns(report, fit, reach), title, SLIM, WIDTH - width, Some(reach)).svg(&Palette::LIGHT)
 }
 
 /// One of the panels, told apart by its height, so much narrower than the page.

@@ -21,6 +21,7 @@ pub use export::{csv, workbook};
 pub use markup::with_math_font;
 pub use page::html;
 pub use ranking::{Ranking, ranking_csv, ranking_html, ranking_workbook};
+pub use results::once;
 pub use rounding::{plain, unit, with_error};
 
 /// A finished fit and where it comes from.

@@ -6,7 +6,7 @@ use crate::rounding::{fixed, plain};
 use crate::words::Words;
 use crate::{Report, drawing, page, results};
 use analysis::csv::{self, Dialect};
-use analysis::fit::{Ranked, rank};
+use analysis::fit::{ObservationFit, Ranked, rank};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
 
 /// Fits of several theories to the same data.
@@ -45,17 +45,12 @@ impl<'a> Ranking<'a> {
         let aicc: Vec<Option<f64>> = self.theories.iter().map(|report| report.outcome.aicc).collect();
         let row = |ranked: Ranked| {
             let report = self.theories.get(ranked.index)?;
-            let first = report.outcome.observations.iter().filter(|fit| fit.observation == 0);
-            let outside = first.filter_map(|fit| fit.outside);
-            let (count, squares) = outside.fold((0, 0.0), |(count, squares), part| {
-                (count + part.n, squares + part.n as f64 * part.rmse * part.rmse)
-            });
             Some(Row {
                 report,
                 ranked,
                 title: &report.document.edition(tag).title,
                 numbers: report.outcome.n.saturating_sub(report.outcome.dof),
-                predicted: (count > 0).then(|| (squares / count as f64).sqrt()),
+                predicted: report.outcome.predicted(),
             })
         };
         rank(&aicc).into_iter().filter_map(row).collect()
@@ -212,24 +207,45 @@ fn caution(page: &mut Page, words: Words, rows: &[Row<'_>]) {
     page.element("p class=\"note\"", &text);
 }
 
-/// The residuals of every theory on one scale.
+/// The residuals of every theory, those of one record on one scale.
 fn residuals(page: &mut Page, words: Words, rows: &[Row<'_>]) {
     page.heading(words.pick("What they leave over", "Lo que dejan sin explicar"));
-    let firsts = || rows.iter().filter_map(|row| Some((row, row.report.outcome.observations.first()?)));
-    let best = rows.first().map_or(0.0, |row| row.report.outcome.rmse);
-    // The scale is made for the theories that come near.
-    let near = firsts().filter(|(row, _)| row.report.outcome.rmse <= 2.0 * best);
-    let reach = near.map(|(_, fit)| 1.05 * drawing::greatest(fit)).fold(0.0, f64::max);
-    page.raw("<figure>\n");
-    for (row, fit) in firsts() {
-        page.raw(&drawing::residuals(row.report, fit, row.title, reach));
+    let records = rows.iter().map(|row| row.report.task.records.len()).max().unwrap_or(0);
+    for record in 0..records {
+        let of = |row: &Row<'_>| {
+            row.report.outcome.observations.iter().position(|fit| fit.record == record && fit.observation == 0)
+        };
+        let fits: Vec<(&Row<'_>, &ObservationFit)> =
+            rows.iter().filter_map(|row| Some((row, row.report.outcome.observations.get(of(row)?)?))).collect();
+        // The scale is made for the theories that come near.
+        let best = fits.iter().map(|(_, fit)| fit.rmse).fold(f64::INFINITY, f64::min);
+        let near = fits.iter().filter(|(_, fit)| fit.rmse <= 2.0 * best);
+        let reach = near.map(|(_, fit)| 1.05 * drawing::greatest(fit)).fold(0.0, f64::max);
+        let last = record + 1 == records;
+        if let Some((row, fit)) = fits.first().filter(|_| records > 1) {
+            page.element("h3", findings::record(row.report, fit));
+        }
+        page.raw(if records > 1 { "<figure class=\"small\">\n" } else { "<figure>\n" });
+        let width = if records > 1 { drawing::HALF } else { drawing::WIDTH };
+        for (row, fit) in fits {
+            page.raw(&drawing::residuals(row.report, fit, row.title, reach, width));
+        }
+        if last {
+            let caption = if records > 1 {
+                words.pick(
+                    "Measured minus fitted, those of one record on one scale. What lies beyond it is not drawn.",
+                    "Medido menos ajustado, los de un registro en la misma escala. Lo que queda fuera no se dibuja.",
+                )
+            } else {
+                words.pick(
+                    "Measured minus fitted, all on one scale. What lies beyond it is not drawn.",
+                    "Medido menos ajustado, todo en la misma escala. Lo que queda fuera no se dibuja.",
+                )
+            };
+            page.element("figcaption", caption);
+        }
+        page.raw("</figure>\n");
     }
-    let caption = words.pick(
-        "Measured minus fitted, all on one scale. What lies beyond it is not drawn.",
-        "Medido menos ajustado, todo en la misma escala. Lo que queda fuera no se dibuja.",
-    );
-    page.element("figcaption", caption);
-    page.raw("</figure>\n");
 }
 
 /// The table of theories with its header.

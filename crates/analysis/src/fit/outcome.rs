@@ -121,6 +121,15 @@ impl Outcome {
         self.parameters.iter().chain(&self.derived).find(|estimate| estimate.name == name)
     }
 
+    /// The root of the mean square of what was predicted of the first observation outside the fitted part, over all
+    /// records; `None` where all was fitted.
+    pub fn predicted(&self) -> Option<f64> {
+        let outside = self.observations.iter().filter(|one| one.observation == 0).filter_map(|one| one.outside);
+        let (count, squares) = outside
+            .fold((0, 0.0), |(count, squares), part| (count + part.n, squares + part.n as f64 * part.rmse * part.rmse));
+        (count > 0).then(|| (squares / count as f64).sqrt())
+    }
+
     /// The residuals of an observation in the fitted part, measured minus fitted.
     pub fn residuals(&self, observation: usize) -> Vec<f64> {
         self.observations.get(observation).map(ObservationFit::inside_residuals).unwrap_or_default()

@@ -6,7 +6,7 @@ use crate::sound::Sound;
 use crate::words::{Language, Words};
 use document::page::Source;
 use leptos::prelude::*;
-use session::{Announcement, Refusal, Revision, Session};
+use session::{Announcement, FitProgress, Refusal, Revision, Session};
 
 /// What the page holds for as long as it is open.
 #[derive(Default)]
@@ -21,6 +21,8 @@ pub struct Lab {
     pub stage: Stage,
     /// What is heard.
     pub sound: Sound,
+    /// Whether fits are being worked on.
+    pub fitting: bool,
     /// What the views have been told of.
     seen: Revision,
 }
@@ -58,8 +60,8 @@ pub struct App {
     pub spoken: RwSignal<String>,
     /// Whether single keys act.
     pub single_keys: RwSignal<bool>,
-    /// Which record a fit follows.
-    pub fit_record: RwSignal<Option<u32>>,
+    /// How far the fits have come that a person has begun.
+    pub fit_progress: RwSignal<Option<FitProgress>>,
     /// Why the last record could not be read.
     pub record_refusal: RwSignal<Option<String>>,
     /// Which tab of the notebook is that of the measurements.
@@ -89,7 +91,7 @@ impl App {
             language: RwSignal::new(language),
             spoken: RwSignal::new(String::new()),
             single_keys: RwSignal::new(single_keys),
-            fit_record: RwSignal::new(None),
+            fit_progress: RwSignal::new(None),
             record_refusal: RwSignal::new(None),
             measurements_tab: RwSignal::new(0),
             library_asked_for: RwSignal::new(false),

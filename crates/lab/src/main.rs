@@ -10,6 +10,8 @@ mod data;
 mod derivatives;
 mod diagnostics;
 mod drag;
+mod fit_results;
+mod fit_setup;
 mod fitting;
 mod frame;
 mod gestures;

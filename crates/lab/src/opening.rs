@@ -2,7 +2,7 @@
 //! comes back with them.
 
 use crate::app::App;
-use crate::{browser, frame, library, measurements};
+use crate::{browser, fitting, frame, library, measurements};
 use document::page::{self, Source};
 use leptos::ev;
 use leptos::prelude::*;
@@ -37,7 +37,10 @@ fn open(app: App, sources: Vec<Source>, state: &str) {
         let mut session = session;
         match (&mut lab.session, &mut session) {
             (Some(before), Some(session)) => session.adopt_records(before),
-            (None, Some(session)) => session.restore_records(&browser::remembered("records").unwrap_or_default()),
+            (None, Some(session)) => {
+                session.restore_records(&browser::remembered("records").unwrap_or_default());
+                session.restore_fits(&browser::remembered("fits").unwrap_or_default());
+            }
             (_, None) => {}
         }
         lab.session = session;
@@ -58,6 +61,9 @@ fn open(app: App, sources: Vec<Source>, state: &str) {
         }
     });
     app.rebuild();
+    if app.read(|session| session.has_fits_waiting()) {
+        fitting::go_on(app);
+    }
 }
 
 /// Opens a document of the library.
@@ -91,6 +97,7 @@ fn remember_now(app: App) {
     }
     let (records, _) = app.read(|session| session.saved_records());
     browser::remember("records", &records);
+    browser::remember("fits", &app.read(|session| session.saved_fits()));
 }
 
 /// Opens files that the user picked: a document with its translations, one exported page, or records.

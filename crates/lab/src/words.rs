@@ -251,6 +251,9 @@ words! {
     fit_record: "Record to be fitted", "Registro que se ajusta";
     fit_theory: "Choose a theory", "Elegir una teoría";
     fit_intro: "The document that is open is the theory. What is ticked is varied until the curve passes the points as closely as it can.", "El documento abierto es la teoría. Lo que está marcado varía hasta que la curva pasa lo más cerca posible de los puntos.";
+    fit_together: "Fitted together", "Se ajustan juntos";
+    fit_same: "one value for all", "un valor para todos";
+    fit_same_intro: "A number that all records have in common is found from all of them at once. What is not varied can be known of each record: take away its tick, and type the values.", "Un número que todos los registros tienen en común se halla de todos a la vez. Lo que no varía puede saberse de cada registro: quítale la marca y escribe los valores.";
     fit_vary: "Vary", "Varían";
     fit_part: "Part of the record", "Parte del registro";
     fit_from: "From", "Desde";
@@ -271,6 +274,7 @@ words! {
     fit_open: "Open", "Abrir";
     fit_remove: "Remove the fit", "Quitar el ajuste";
     fit_varied: "Found", "Hallado";
+    fit_all_records: "All records", "Todos los registros";
     save_report: "Report", "Informe";
     fit_all: "All of them", "Todos";
     fit_errors: "The uncertainties allow for residuals that resemble their neighbours.", "Las incertidumbres tienen en cuenta que los residuos vecinos se parecen.";

@@ -34,7 +34,7 @@ impl Fits {
                 errors: None,
                 derived_from: None,
             };
-            let record = Record { name: "record".to_owned(), observations: vec![observation], fixed: Vec::new() };
+            let record = Record { name: "record".to_owned(), observations: vec![observation], ..Record::default() };
             let task = Task {
                 parameters: document.model.parameters.iter().map(|parameter| parameter.value).collect(),
                 records: vec![record],

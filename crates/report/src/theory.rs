@@ -193,10 +193,19 @@ fn method(report: &Report<'_>) -> String {
             "; cada observación, ponderada por su propia dispersión",
         );
     }
-    if let Some(origin) = report.task.origin {
+    let mut origins: Vec<f64> = records.iter().filter_map(|record| record.origin).collect();
+    origins.dedup();
+    if !origins.is_empty() {
         let name = &report.document.model.independent.name;
-        let value = fixed(report.document.model.independent.unit.from_si(origin), 4, words.comma());
-        text.extend(["; ", name, words.pick(" is 0 at the reading ", " es 0 en la lectura "), &value]);
+        let clock = &report.document.model.independent.unit;
+        let values: Vec<String> =
+            origins.iter().map(|origin| fixed(clock.from_si(*origin), 4, words.comma())).collect();
+        let is_zero = if values.len() > 1 {
+            words.pick(" is 0 at the readings ", " es 0 en las lecturas ")
+        } else {
+            words.pick(" is 0 at the reading ", " es 0 en la lectura ")
+        };
+        text.extend(["; ", name, is_zero, &values.join("; ")]);
     }
     text
 }

@@ -44,8 +44,8 @@ pub enum Announcement {
     FitFailed,
     /// The fit was given up.
     FitCancelled,
-    /// What a fit has found stands in the sliders.
-    FitApplied,
+    /// What a fit has found stands in the sliders; of several records, what belongs to the one of this name.
+    FitApplied(String),
     /// The history is full.
     Full,
     /// The run cannot go on: see [`Session::problem`].

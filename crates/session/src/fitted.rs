@@ -1,10 +1,9 @@
-//! What has come of fits: kept side by side, ranked, written into the sliders.
+//! What has come of fits: kept side by side, ranked, looked at.
 
-use crate::fitting::Job;
-use crate::{Announcement, Session, number};
+use crate::fitting::{Definition, Job};
+use crate::{Session, number};
 use analysis::fit::{Estimate, Outcome, Task, Trace};
 use document::Document;
-use engine::Setup;
 use units::Unit;
 
 /// How many fits are kept.
@@ -14,19 +13,13 @@ pub const MOST_FITS: usize = 40;
 #[derive(Debug)]
 pub(crate) struct Fitted {
     pub id: u32,
-    /// The file of its theory; empty for the document that was open.
-    pub file: String,
+    pub definition: Definition,
     /// The theory.
     pub document: Document,
     /// What was asked for.
     pub task: Task,
     /// The fitted curves.
     pub traces: Vec<Trace>,
-    pub record: u32,
-    pub record_name: String,
-    /// What was fitted of it: fits of different values cannot be ranked together.
-    window: [Option<f64>; 2],
-    columns: Vec<String>,
     pub outcome: Outcome,
 }
 
@@ -35,12 +28,10 @@ pub(crate) struct Fitted {
 pub struct FitView {
     /// Names it as long as it exists.
     pub id: u32,
-    /// The file of its theory; empty for one that was open.
-    pub file: String,
     /// The title of its theory.
     pub theory: String,
-    /// The record's name.
-    pub record: String,
+    /// The names of its records.
+    pub records: Vec<String>,
     /// The number of values, and of numbers varied.
     pub counts: (usize, usize),
     /// The root of the mean square of the residuals, with its unit.
@@ -62,6 +53,8 @@ pub struct EstimateView {
     pub name: String,
     /// What it is called.
     pub label: String,
+    /// The name of the record that it belongs to; empty where it holds for all.
+    pub record: String,
     /// `0.387 ± 0.004`, rounded as the uncertainty asks.
     pub value: String,
     /// Its unit.
@@ -77,7 +70,7 @@ pub struct EstimateView {
 pub struct FitDetail {
     /// The title of its theory.
     pub theory: String,
-    /// What was varied, and what follows from it.
+    /// What was varied, and what follows from it: what holds for all records first, then record by record.
     pub estimates: Vec<EstimateView>,
     /// What the residuals say, and what the data do not determine, in sentences.
     pub sentences: Vec<String>,
@@ -88,26 +81,20 @@ pub struct FitDetail {
 impl Session {
     pub(crate) fn take_outcome(&mut self, job: Job, task: Task, outcome: Outcome, traces: Vec<Trace>) {
         let id = self.fits.finished.iter().map(|fit| fit.id + 1).max().unwrap_or(0);
-        let name = self.record(job.record).map(|record| record.name.clone()).unwrap_or_default();
+        let Job { definition, document, own, found } = job;
+        let fitted = Fitted { id, definition, document, task, traces, outcome };
+        let same = |fit: &Fitted| fit.is_same(&fitted);
+        // What is made again does not replace what has been made meanwhile.
+        if found.is_some() && self.fits.finished.iter().any(same) {
+            return;
+        }
+        // The same theory of the same values with the same numbers varied replaces the earlier fit.
+        self.fits.finished.retain(|fit| !same(fit));
         if self.fits.finished.len() >= MOST_FITS {
             self.fits.finished.remove(0);
         }
-        let fitted = Fitted {
-            id,
-            file: job.file,
-            document: job.document,
-            task,
-            traces,
-            record: job.record,
-            record_name: name,
-            window: self.fits.window,
-            columns: outcome.observations.iter().map(|one| one.name.clone()).collect(),
-            outcome,
-        };
-        // The same theory of the same values with the same numbers varied replaces the earlier fit.
-        self.fits.finished.retain(|fit| !fit.is_same(&fitted));
         self.fits.finished.push(fitted);
-        if job.own {
+        if own {
             self.apply_fit(id);
         }
     }
@@ -135,15 +122,13 @@ impl Session {
             let fit = group.get(place.index)?;
             let outcome = &fit.outcome;
             let size = |value: f64| self.with_unit(number::plain(unit.from_si(value), 3, self.style), unit);
-            let outside = outcome.observations.first().and_then(|one| one.outside);
             Some(FitView {
                 id: fit.id,
-                file: fit.file.clone(),
                 theory: self.title_of(fit),
-                record: fit.record_name.clone(),
+                records: fit.record_names(),
                 counts: (outcome.n, outcome.parameters.len()),
                 rmse: size(outcome.rmse),
-                predicted: outside.map(|outside| size(outside.rmse)).unwrap_or_default(),
+                predicted: outcome.predicted().map(size).unwrap_or_default(),
                 difference: known(place.difference, 1),
                 weight: if group.len() > 1 { format!("{} %", known(100.0 * place.weight, 1)) } else { String::new() },
                 applicable: self.is_applicable(fit),
@@ -156,7 +141,7 @@ impl Session {
         fit.document.edition(&self.language).title.clone()
     }
 
-    fn is_applicable(&self, fit: &Fitted) -> bool {
+    pub(crate) fn is_applicable(&self, fit: &Fitted) -> bool {
         fit.document.title == self.document.title
             && fit.outcome.settings.first().is_some_and(|all| all.len() == self.model().parameters.len())
     }
@@ -165,9 +150,6 @@ impl Session {
     pub fn fit_detail(&self, id: u32) -> Option<FitDetail> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
         let outcome = &fit.outcome;
-        let truth = self.record(fit.record).and_then(|record| record.truth.as_deref());
-        let (varied, derived) = (outcome.parameters.iter(), outcome.derived.iter());
-        let estimates = varied.map(|one| (one, false)).chain(derived.map(|one| (one, true)));
         let plain = |value: f64, digits: usize| number::plain(value, digits, self.style);
         let spanish = self.tongue == crate::Tongue::Spanish;
         let mut sentences = vec![outcome.verdict_text(spanish)];
@@ -177,7 +159,7 @@ impl Session {
         }
         Some(FitDetail {
             theory: self.title_of(fit),
-            estimates: estimates.map(|(one, derived)| self.estimate_view(fit, one, derived, truth)).collect(),
+            estimates: self.estimate_views(fit),
             sentences,
             statistics: vec![
                 ("R²", plain(outcome.r2, 6)),
@@ -188,32 +170,41 @@ impl Session {
         })
     }
 
-    fn estimate_view(
-        &self,
-        fit: &Fitted,
-        one: &Estimate,
-        derived: bool,
-        truth: Option<&[(String, f64)]>,
-    ) -> EstimateView {
+    /// What holds for all records first, then record by record; of each what was varied first.
+    fn estimate_views(&self, fit: &Fitted) -> Vec<EstimateView> {
+        let several = fit.task.records.len() > 1;
+        let derived = report::once(&fit.outcome.derived);
+        let all = || {
+            let varied = fit.outcome.parameters.iter().map(|one| (one, false));
+            varied.chain(derived.iter().map(|one| (one, true)))
+        };
+        let place = |one: &Estimate| one.record.filter(|_| several);
+        let groups = std::iter::once(None).chain((0..fit.task.records.len()).map(Some));
+        let of = |group| all().filter(move |(one, _)| place(one) == group);
+        groups.flat_map(of).map(|(one, derived)| self.estimate_view(fit, one, derived)).collect()
+    }
+
+    fn estimate_view(&self, fit: &Fitted, one: &Estimate, derived: bool) -> EstimateView {
         // The robust error, where there is one: residuals of films know of each other.
         let error = one.stderr_hac.or(one.stderr);
         let (value, spread) = (one.unit.from_si(one.value), error.map(|error| one.unit.from_si(error).abs()));
-        let known = truth.and_then(|truth| truth.iter().find(|(name, _)| *name == one.name));
         let remark = if !one.determined {
             self.tongue.undetermined().to_owned()
         } else if one.at_bound {
             self.tongue.at_bound().to_owned()
-        } else if let Some((_, value)) = known {
+        } else if let Some(value) = self.truth(fit, one) {
             let off = error.filter(|error| *error > 0.0).map(|error| (one.value - value) / error);
-            let truth = self.quantity_text(*value, &one.unit);
+            let truth = self.quantity_text(value, &one.unit);
             self.tongue.truth_is(&truth, off.map(|off| number::fixed(off, 1, self.style)).as_deref())
         } else {
             String::new()
         };
+        let record = one.record.filter(|_| fit.task.records.len() > 1).and_then(|record| fit.task.records.get(record));
         let label = one.label.as_ref().map(|label| fit.document.text(&self.language, label).to_owned());
         EstimateView {
             name: one.name.clone(),
             label: label.unwrap_or_else(|| crate::symbol(&one.name)),
+            record: record.map(|record| record.name.clone()).unwrap_or_default(),
             value: if one.determined { number::uncertain(value, spread, self.style) } else { number::DASH.to_owned() },
             unit: number::unit_text(&one.unit.text),
             remark,
@@ -221,37 +212,27 @@ impl Session {
         }
     }
 
-    /// Writes what a fit has found into the sliders and runs through the record.
-    pub fn apply_fit(&mut self, id: u32) {
-        let Some(fit) = self.fits.finished.iter().find(|fit| fit.id == id && self.is_applicable(fit)) else { return };
-        let Some(parameters) = fit.outcome.settings.first().cloned() else { return };
-        let found = |ending: &str| {
-            fit.outcome
-                .parameters
-                .iter()
-                .find(|one| one.parameter.is_none() && one.name.ends_with(ending))
-                .map(|one| one.value)
+    /// The true value of an estimate, where nobody measured its records and they agree about it.
+    fn truth(&self, fit: &Fitted, one: &Estimate) -> Option<f64> {
+        let of = |place: usize| {
+            let record = self.record(fit.definition.parts.get(place)?.record)?;
+            record.truth.as_ref()?.iter().find(|(name, _)| *name == one.name).map(|(_, value)| *value)
         };
-        let (origin, offset, record) = (found("_origin"), found("_offset"), fit.record);
-        let followed = fit.columns.first().cloned();
-        let last = fit.outcome.observations.first().and_then(|one| one.times.last().copied()).unwrap_or_default();
-        if let Some(record) = self.data.records.iter_mut().find(|one| one.id == record) {
-            record.origin = origin;
-            for used in &mut record.uses {
-                let is = used.fitted && Some(&used.meaning.quantity) == followed.as_ref();
-                used.offset = offset.filter(|_| is).unwrap_or(0.0);
-            }
-        }
-        self.records_changed();
-        let name = self.model().independent.name.clone();
-        let autonomous = self.model().is_autonomous();
-        let begins = self.record(record).map_or(0.0, |record| record.origin(&name, autonomous));
-        self.playing = false;
-        let setup = Setup { parameters, start: None, ..self.course.begun().clone() };
-        self.restart(setup);
-        self.clear_ghost();
-        self.run_through(last - begins);
-        self.announce(Announcement::FitApplied);
+        let Some(place) = one.record else {
+            let first = of(0)?;
+            return (1..fit.definition.parts.len()).all(|place| of(place) == Some(first)).then_some(first);
+        };
+        of(place)
+    }
+
+    /// The theory of a fit, to be opened: the document and its translations, each with the name of its file.
+    pub fn fit_texts(&self, id: u32) -> Vec<(String, String)> {
+        let Some(fit) = self.fits.finished.iter().find(|fit| fit.id == id) else { return Vec::new() };
+        let (document, file) = (&fit.document, &fit.definition.file);
+        let stem = file.trim_end_matches(".md");
+        let translations = document.translations.iter().zip(document.languages().skip(1));
+        let translations = translations.map(|(text, language)| (format!("{stem}.{language}.md"), text.clone()));
+        std::iter::once((file.clone(), document.source.clone())).chain(translations).collect()
     }
 
     /// Forgets a fit.
@@ -279,7 +260,17 @@ impl Fitted {
         self.same_values(other) && self.document.title == other.document.title && varied(self) == varied(other)
     }
 
+    /// Whether two fits are of the same values, so that they can be ranked.
     pub fn same_values(&self, other: &Self) -> bool {
-        (self.record, self.window, &self.columns) == (other.record, other.window, &other.columns)
+        let values = |fit: &Self| {
+            let records: Vec<u32> = fit.definition.parts.iter().map(|part| part.record).collect();
+            let columns = fit.outcome.observations.iter().map(|one| (one.record, one.name.clone()));
+            (records, fit.definition.window, columns.collect::<Vec<_>>())
+        };
+        values(self) == values(other)
+    }
+
+    pub fn record_names(&self) -> Vec<String> {
+        self.definition.parts.iter().map(|part| part.name.clone()).collect()
     }
 }

@@ -1,25 +1,15 @@
-//! Fits: what is varied, the work in slices, the theories in a queue.
+//! Fits: the work in slices, the theories in a queue.
 
+use crate::fit_setup::Setup;
 use crate::fitted::Fitted;
 use crate::recognise::observed;
-use crate::record::Record;
-use crate::{Announcement, Refusal, Session, number};
-use analysis::fit::{Fit, FitError, Observation, Target, Task, Varied};
+use crate::record::{Record, Use};
+use crate::remaking::Waiting;
+use crate::{Announcement, Refusal, Session};
+use analysis::fit::{Fit, FitError, Observation, Task, Varied};
 use document::Document;
 use engine::Method;
-
-/// Something that a fit can vary.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ChoiceView {
-    /// Its place in the list, for [`Session::vary`].
-    pub index: usize,
-    /// Its name in the document; empty for the zeros of clock and scale.
-    pub name: String,
-    /// What it is called.
-    pub label: String,
-    /// Whether it is varied.
-    pub varied: bool,
-}
+use std::collections::VecDeque;
 
 /// How far the fits have come.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,30 +27,55 @@ pub struct FitProgress {
 /// What fits are asked for, and what has come of them.
 #[derive(Debug, Default)]
 pub(crate) struct Fits {
-    /// Whether each parameter of the document is varied.
-    pub varied: Vec<bool>,
-    /// Whether the zero of the clock and that of the scale are.
-    pub zeros: [bool; 2],
-    /// What part of the record is fitted: readings of its clock, SI.
-    pub window: [Option<f64>; 2],
+    pub setup: Setup,
     pub finished: Vec<Fitted>,
+    /// The fit whose numbers stand in the sliders.
+    pub applied: Option<u32>,
+    /// Fits of an earlier visit, to be made again.
+    pub waiting: VecDeque<Waiting>,
     queue: Vec<Job>,
     /// How many there were when the queue began.
     total: usize,
     running: Option<Running>,
 }
 
-/// A theory and the record that it is to be fitted to.
+/// What a fit is made of, besides its theory and the numbers of the records.
+#[derive(Clone, Debug)]
+pub(crate) struct Definition {
+    /// The file of its theory.
+    pub file: String,
+    /// The records, in the order of the task.
+    pub parts: Vec<Part>,
+    pub varied: Vec<Varied>,
+    /// All parameters where they are not varied, SI.
+    pub parameters: Vec<f64>,
+    /// What part of the records is fitted: readings of their clocks, SI.
+    pub window: [Option<f64>; 2],
+}
+
+/// What a fit follows of a record.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Part {
+    pub record: u32,
+    /// The record's name.
+    pub name: String,
+    /// What its columns are taken for.
+    pub uses: Vec<Use>,
+    /// The reading of its clock at which the model begins, SI.
+    pub origin: f64,
+    /// Parameters that have a value of their own in it.
+    pub fixed: Vec<(usize, f64)>,
+}
+
+/// A fit to be made.
 #[derive(Debug)]
 pub(crate) struct Job {
-    /// Its file.
-    pub file: String,
+    pub definition: Definition,
     pub document: Document,
-    /// Whether it is the document that is open.
+    /// Whether it is the document that is open: what is found is shown.
     pub own: bool,
-    pub record: u32,
-    pub varied: Vec<Varied>,
-    pub parameters: Vec<f64>,
+    /// What an earlier visit has found.
+    pub found: Option<Vec<f64>>,
 }
 
 /// So many points of a fitted curve are drawn in a report.
@@ -73,167 +88,191 @@ struct Running {
     fit: Fit,
 }
 
+impl Fits {
+    /// Takes over from a session that had another document open what does not depend on the document.
+    pub fn adopt(&mut self, other: &mut Self) {
+        self.finished = std::mem::take(&mut other.finished);
+        self.waiting = std::mem::take(&mut other.waiting);
+        if let Some(Running { job, .. }) = other.running.take() {
+            self.waiting.extend(Waiting::of(job));
+        }
+        let (setup, before) = (&mut self.setup, &mut other.setup);
+        setup.window = before.window;
+        setup.chosen = before.chosen;
+        setup.others = std::mem::take(&mut before.others);
+        setup.same = std::mem::take(&mut before.same);
+    }
+}
+
 impl Session {
-    /// What a fit can vary: the parameters, the zero of the clock, the zero of the scale.
-    pub fn fit_choices(&self) -> Vec<ChoiceView> {
-        let parameters = self.model().parameters.iter().enumerate().map(|(index, parameter)| ChoiceView {
-            index,
-            name: parameter.name.clone(),
-            label: self.parameter_label(index).to_owned(),
-            varied: self.fits.varied.get(index).copied().unwrap_or(false),
-        });
-        let count = self.model().parameters.len();
-        let zeros = self.tongue.zeros().into_iter().zip(self.fits.zeros).enumerate();
-        let zeros = zeros.map(|(place, (label, varied))| ChoiceView {
-            index: count + place,
-            name: String::new(),
-            label: label.to_owned(),
-            varied,
-        });
-        parameters.chain(zeros).collect()
-    }
-
-    /// Lets a fit vary something or not.
-    pub fn vary(&mut self, choice: usize, varied: bool) {
-        let parameters = self.model().parameters.len();
-        let place = match choice.checked_sub(parameters) {
-            Some(zero) => self.fits.zeros.get_mut(zero),
-            None => self.fits.varied.get_mut(choice),
-        };
-        if let Some(place) = place {
-            *place = varied;
-            self.revision.fits += 1;
-        }
-    }
-
-    /// What part of the record is fitted, as its fields show it.
-    pub fn fit_window(&self) -> [String; 2] {
-        let unit = &self.model().independent.unit;
-        self.fits.window.map(|end| end.map_or_else(String::new, |end| number::plain(unit.from_si(end), 6, self.style)))
-    }
-
-    /// Sets an end of that part from what was typed, 0 where it begins and 1 where it ends; nothing typed is no end.
-    ///
-    /// # Errors
-    /// What is no time.
-    pub fn set_fit_window(&mut self, end: usize, typed: &str) -> Result<(), Refusal> {
-        let value = match typed.trim() {
-            "" => None,
-            typed => Some(self.read_value(typed, &self.model().independent.unit)?),
-        };
-        if let Some(place) = self.fits.window.get_mut(end) {
-            *place = value;
-        }
-        self.revision.fits += 1;
-        Ok(())
-    }
-
-    /// Begins to fit the document that is open to a record.
+    /// Begins to fit the document that is open, which has this file, to the records that take part.
     ///
     /// # Errors
     /// Nothing to vary or to follow.
-    pub fn begin_fit(&mut self, record: u32) -> Result<(), Refusal> {
-        let mut varied: Vec<Varied> = self
-            .fits
-            .varied
-            .iter()
-            .enumerate()
-            .filter(|(_, varied)| **varied)
-            .map(|(index, _)| Varied::parameter(index))
-            .collect();
-        let zero = |target| Varied { target, shared: false, start: None, bounds: None };
-        let [clock, scale] = self.fits.zeros;
-        varied.extend(clock.then(|| zero(Target::Origin)));
-        varied.extend(scale.then(|| zero(Target::Offset(0))));
-        let job = Job {
-            file: String::new(),
-            document: self.document.clone(),
-            own: true,
-            record,
+    pub fn begin_fit(&mut self, file: &str) -> Result<(), Refusal> {
+        let varied = self.varied();
+        let definition = Definition {
+            file: file.to_owned(),
+            parts: self.parts(&self.document, &varied, true),
             varied,
             parameters: self.course.parameters().to_vec(),
+            window: self.fits.setup.window,
         };
-        // A slider is where the search begins.
+        let job = Job { definition, document: self.document.clone(), own: true, found: None };
         self.start_queue(vec![job])
     }
 
-    /// Begins to fit each of these documents, with what it says is varied, to a record.
+    /// Begins to fit each of these documents, with what it says is varied, to the records that take part. What a person
+    /// has said to be one number for all records, or held at each record's own value, is so in every theory that has it.
     ///
     /// # Errors
     /// Nothing to follow.
-    pub fn begin_ranking(&mut self, record: u32, theories: Vec<(String, Document)>) -> Result<(), Refusal> {
-        let job = |(file, document): (String, Document)| Job {
-            file,
-            own: false,
-            record,
-            varied: document.vary.iter().map(|&index| Varied::parameter(index)).collect(),
-            parameters: document.model.parameters.iter().map(|parameter| parameter.value).collect(),
-            document,
+    pub fn begin_ranking(&mut self, theories: Vec<(String, Document)>) -> Result<(), Refusal> {
+        let job = |(file, document): (String, Document)| {
+            let parameters = &document.model.parameters;
+            let shared = |index: usize| {
+                parameters.get(index).is_some_and(|parameter| self.fits.setup.is_same(&parameter.name, true))
+            };
+            let varied =
+                document.vary.iter().map(|&index| Varied { shared: shared(index), ..Varied::parameter(index) });
+            let varied: Vec<Varied> = varied.collect();
+            let definition = Definition {
+                file,
+                parts: self.parts(&document, &varied, false),
+                varied,
+                parameters: parameters.iter().map(|parameter| parameter.value).collect(),
+                window: self.fits.setup.window,
+            };
+            Job { definition, document, own: false, found: None }
         };
-        self.start_queue(theories.into_iter().map(job).collect())
+        let jobs = theories.into_iter().map(job).collect();
+        self.start_queue(jobs)
+    }
+
+    /// What a fit of a document follows of the records that take part.
+    fn parts(&self, document: &Document, varied: &[Varied], own: bool) -> Vec<Part> {
+        let model = &document.model;
+        let independent = &model.independent.name;
+        let labels = |label: &str| {
+            let languages = document.languages();
+            languages.map(|language| document.text(language, label).to_lowercase()).collect()
+        };
+        let taking_part = self.taking_part();
+        let part = |record: &Record| {
+            let (uses, origin) = if own {
+                (record.uses.clone(), record.origin(independent, model.is_autonomous()))
+            } else {
+                let mut record = record.clone();
+                record.take_for(document, &labels);
+                let origin = record.beginning(&record.uses, independent, model.is_autonomous());
+                (record.uses, origin)
+            };
+            let fixed = match taking_part.len() {
+                1 => Vec::new(),
+                _ => self.fits.setup.fixed(model, varied, record),
+            };
+            Part { record: record.id, name: record.name.clone(), uses, origin, fixed }
+        };
+        taking_part.iter().filter_map(|id| self.record(*id)).map(part).collect()
     }
 
     fn start_queue(&mut self, mut jobs: Vec<Job>) -> Result<(), Refusal> {
+        self.set_aside();
         jobs.reverse();
         self.fits.total = jobs.len();
         self.fits.queue = jobs;
-        self.fits.running = None;
         self.revision.fits += 1;
         self.next_fit()
     }
 
-    /// Takes the next theory of the queue. Of several, one that cannot be fitted is passed over.
+    /// Puts back what is being made again, and gives up what is being fitted.
+    fn set_aside(&mut self) {
+        if let Some(Running { job, .. }) = self.fits.running.take()
+            && let Some(waiting) = Waiting::of(job)
+        {
+            self.fits.waiting.push_front(waiting);
+        }
+    }
+
+    /// Takes the next theory of the queue, and after those what an earlier visit has left. Of several, one that cannot be
+    /// fitted is passed over.
     fn next_fit(&mut self) -> Result<(), Refusal> {
         let alone = self.fits.total == 1;
         while let Some(job) = self.fits.queue.pop() {
-            match self.task(&job).map(|task| (Fit::new(&job.document.model, task.clone()), task)) {
-                Ok((Ok(fit), task)) => {
-                    self.fits.running = Some(Running { job, task, fit });
+            match self.ready(job) {
+                Ok(running) => {
+                    self.fits.running = Some(running);
                     return Ok(());
                 }
-                Ok((Err(error), _)) if alone => return Err(Refusal::Fit { why: self.tongue.fit_error(&error) }),
                 Err(refusal) if alone => return Err(refusal),
-                _ => {}
+                Err(_) => {}
+            }
+        }
+        while let Some(waiting) = self.fits.waiting.pop_front() {
+            // What no longer can be made is no fit any more.
+            let running = waiting.job().and_then(|job| self.ready(job).ok());
+            if running.is_some() {
+                self.fits.running = running;
+                break;
             }
         }
         Ok(())
     }
 
+    fn ready(&self, job: Job) -> Result<Running, Refusal> {
+        let task = self.task(&job)?;
+        let model = &job.document.model;
+        let fit = match &job.found {
+            Some(found) => Fit::again(model, task.clone(), found),
+            None => Fit::new(model, task.clone()),
+        };
+        match fit {
+            Ok(fit) => Ok(Running { job, task, fit }),
+            Err(error) => Err(Refusal::Fit { why: self.tongue.fit_error(&error) }),
+        }
+    }
+
     /// Makes one trial. Whether there is more to do.
     pub fn advance_fit(&mut self) -> bool {
-        let Some(running) = &mut self.fits.running else { return false };
+        let Some(running) = &mut self.fits.running else {
+            let _ = self.next_fit();
+            return self.fits.running.is_some();
+        };
         if !running.fit.advance() {
             return true;
         }
         if let Some(Running { job, task, mut fit }) = self.fits.running.take() {
+            let again = job.found.is_some();
             match fit.outcome() {
                 Some(outcome) => {
                     let traces = fit.traces(POINTS_OF_A_CURVE);
                     self.take_outcome(job, task, outcome, traces);
                 }
+                None if again => {}
                 None => self.announce(Announcement::FitFailed),
             }
+            let _ = self.next_fit();
+            if !again && self.fit_progress().is_none() {
+                self.announce(Announcement::FitFinished);
+            }
         }
-        let _ = self.next_fit();
         self.revision.fits += 1;
-        if self.fits.running.is_none() {
-            self.announce(Announcement::FitFinished);
-        }
         self.fits.running.is_some()
     }
 
-    /// Gives up what is being fitted.
+    /// Gives up what a person has begun to fit.
     pub fn cancel_fit(&mut self) {
-        if self.fits.running.take().is_some() {
+        if self.fit_progress().is_some() {
+            self.fits.running = None;
             self.fits.queue.clear();
             self.revision.fits += 1;
             self.announce(Announcement::FitCancelled);
         }
     }
 
-    /// How far the fits have come; none while nothing is fitted.
+    /// How far the fits have come that a person has begun; none while nothing is fitted.
     pub fn fit_progress(&self) -> Option<FitProgress> {
-        let Running { job, fit, .. } = self.fits.running.as_ref()?;
+        let Running { job, fit, .. } = self.fits.running.as_ref().filter(|running| running.job.found.is_none())?;
         Some(FitProgress {
             theory: job.document.edition(&self.language).title.clone(),
             trials: fit.trials(),
@@ -242,42 +281,45 @@ impl Session {
         })
     }
 
+    /// What is being made again, if anything is.
+    pub(crate) fn being_remade(&self) -> Option<&Job> {
+        self.fits.running.as_ref().map(|running| &running.job).filter(|job| job.found.is_some())
+    }
+
     /// The task of a job.
     fn task(&self, job: &Job) -> Result<Task, Refusal> {
         let unknown = || Refusal::Unknown { name: self.tongue.record().to_owned() };
-        let mut record = self.record(job.record).ok_or_else(unknown)?.clone();
-        let model = &job.document.model;
-        if !job.own {
-            let labels = |label: &str| {
-                let languages = job.document.languages();
-                languages.map(|language| job.document.text(language, label).to_lowercase()).collect()
-            };
-            record.origin = None;
-            record.take_for(&job.document, &labels);
+        let (document, definition) = (&job.document, &job.definition);
+        let model = &document.model;
+        let mut records = Vec::with_capacity(definition.parts.len());
+        for part in &definition.parts {
+            let record = self.record(part.record).ok_or_else(unknown)?;
+            let observations = observations(record, &part.uses, model);
+            if observations.is_empty() && definition.parts.len() > 1 {
+                let why = format!("{}: {}", record.name, self.tongue.fit_error(&FitError::NothingObserved));
+                return Err(Refusal::Fit { why });
+            }
+            let (fixed, origin) = (part.fixed.clone(), Some(part.origin));
+            records.push(analysis::fit::Record { name: part.name.clone(), observations, fixed, origin });
         }
-        let method = job.document.method.as_deref().and_then(|name| name.parse::<Method>().ok()).unwrap_or_default();
+        let method = document.method.as_deref().and_then(|name| name.parse::<Method>().ok()).unwrap_or_default();
         Ok(Task {
-            parameters: job.parameters.clone(),
+            parameters: definition.parameters.clone(),
             method,
-            origin: Some(record.origin(&model.independent.name, model.is_autonomous())),
-            records: vec![analysis::fit::Record {
-                name: record.name.clone(),
-                observations: observations(&record, model),
-                fixed: Vec::new(),
-            }],
-            varied: job.varied.clone(),
-            from: self.fits.window[0],
-            until: self.fits.window[1],
+            records,
+            varied: definition.varied.clone(),
+            from: definition.window[0],
+            until: definition.window[1],
         })
     }
 }
 
 /// The columns that a fit follows.
-fn observations(record: &Record, model: &model::Model) -> Vec<Observation> {
+fn observations(record: &Record, uses: &[Use], model: &model::Model) -> Vec<Observation> {
     let independent = &model.independent.name;
     let mut followed: Vec<usize> = Vec::new();
     let mut observations = Vec::new();
-    for (column, used) in record.uses.iter().enumerate().filter(|(_, used)| used.fitted) {
+    for (column, used) in uses.iter().enumerate().filter(|(_, used)| used.fitted) {
         let name = &used.meaning.quantity;
         let Some(observed) = observed(model, name).filter(|_| !name.is_empty() && name != independent) else {
             continue;
@@ -285,39 +327,11 @@ fn observations(record: &Record, model: &model::Model) -> Vec<Observation> {
         if observed.dimension() != used.meaning.unit.dimension {
             continue;
         }
-        let Some((times, values)) = record.series(column, independent) else { continue };
+        let Some((times, values)) = record.series_as(uses, column, independent) else { continue };
         let derived_from =
             record.computed_from(column).and_then(|source| followed.iter().position(|&own| own == source));
         followed.push(column);
         observations.push(Observation { name: name.clone(), observed, times, values, errors: None, derived_from });
     }
     observations
-}
-
-impl crate::words::Tongue {
-    /// Why a fit cannot be made.
-    pub(crate) fn fit_error(self, error: &FitError) -> String {
-        let text = match error {
-            FitError::NothingVaried => self.pick("Tick what is to be varied.", "Marca lo que debe variar."),
-            FitError::NothingObserved => self.pick(
-                "No column is ticked for the fit, or none of its values lies between the two times.",
-                "Ninguna columna está marcada para el ajuste, o ninguno de sus valores cae entre los dos tiempos.",
-            ),
-            FitError::TooFew { values, varied } => {
-                return self.pick(
-                    format!("{values} values cannot determine {varied} numbers."),
-                    format!("{values} valores no pueden determinar {varied} números."),
-                );
-            }
-            FitError::TooLarge => self.pick(
-                "There are too many values or too many varied numbers.",
-                "Hay demasiados valores o demasiados números que varían.",
-            ),
-            FitError::VariedTwice(_) | FitError::BadBounds(_) => {
-                self.pick("The ranges leave no room.", "Los intervalos no dejan sitio.")
-            }
-            FitError::Model(message) => return message.clone(),
-        };
-        text.to_owned()
-    }
 }

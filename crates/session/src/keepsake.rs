@@ -21,23 +21,20 @@ impl Session {
                 missing += 1;
                 continue;
             }
-            let truth = record.truth.iter().flatten().map(|(name, value)| format!("{name}={value:e}"));
-            let truth: Vec<String> = truth.collect();
+            let truth = record.truth.iter().flatten().map(|(name, value)| (name.as_str(), *value));
+            let known = record.known.iter().map(|(name, value)| (name.as_str(), *value));
             let chosen = record.uses.iter().enumerate().filter(|(_, used)| used.chosen);
-            let chosen = chosen.map(|(column, Use { meaning, fitted, .. })| {
-                format!("{column},{},{},{}", u8::from(*fitted), meaning.quantity, meaning.unit.text)
-            });
-            let chosen: Vec<String> = chosen.collect();
             let kind = if record.truth.is_some() { "virtual" } else { "measured" };
             let shown = if record.shown { "shown" } else { "hidden" };
             let _ = writeln!(
                 saved,
-                "{}\n{kind} {shown} {} {}\n{}\n{}\n{}",
-                record.name.replace(['\n', '\r'], " "),
+                "{}\n{kind} {shown} {} {} {}\n{}\n{}\n{}",
+                line(&record.name),
                 record.text.len(),
                 record.saved_made(),
-                truth.join(";"),
-                chosen.join(";"),
+                write_values(known),
+                write_values(truth),
+                write_uses(chosen),
                 record.text
             );
         }
@@ -75,31 +72,58 @@ impl Session {
         let (name, kind, truth, chosen, rest) =
             (lines.next()?, lines.next()?, lines.next()?, lines.next()?, lines.next()?);
         let mut kind = kind.split(' ');
-        let (kind, shown, length, made) =
-            (kind.next()?, kind.next()?, kind.next()?.parse::<usize>().ok()?, kind.next().unwrap_or_default());
+        let (what, shown, length) = (kind.next()?, kind.next()?, kind.next()?.parse::<usize>().ok()?);
+        let (made, known) = (kind.next().unwrap_or_default(), kind.next().unwrap_or_default());
         let (text, rest) = (rest.get(..length)?, rest.get(length + 1..)?);
-        let truth = truth.split(';').filter_map(|entry| {
-            let (name, value) = entry.split_once('=')?;
-            Some((name.to_owned(), value.parse().ok()?))
-        });
-        let truth: Vec<(String, f64)> = truth.collect();
-        let id = self.insert_record(name, text.as_bytes(), (kind == "virtual").then_some(truth)).ok();
+        let truth: Vec<(String, f64)> = read_values(truth).map(|(name, value)| (name.to_owned(), value)).collect();
+        let id = self.insert_record(name, text.as_bytes(), (what == "virtual").then_some(truth)).ok();
         if let Some(record) = self.data.records.iter_mut().find(|record| Some(record.id) == id) {
             record.shown = shown == "shown";
             record.restore_made(made, &self.document);
-            for entry in chosen.split(';') {
-                let mut parts = entry.splitn(4, ',');
-                let column = parts.next().and_then(|column| record.uses.get_mut(column.parse::<usize>().ok()?));
-                let (Some(used), Some(fitted), Some(quantity), Some(unit)) =
-                    (column, parts.next(), parts.next(), parts.next().and_then(|unit| Unit::parse(unit).ok()))
-                else {
-                    continue;
-                };
-                let meaning = Meaning { quantity: quantity.to_owned(), unit };
-                *used = Use { meaning, fitted: fitted == "1", offset: 0.0, chosen: true };
+            record.known = read_values(known).map(|(name, value)| (name.to_owned(), value)).collect();
+            for (column, used) in read_uses(chosen) {
+                if let Some(place) = record.uses.get_mut(column) {
+                    *place = used;
+                }
             }
         }
         self.records_changed();
         Some(rest)
     }
+}
+
+/// A name without what would end its line.
+pub(crate) fn line(name: &str) -> String {
+    name.replace(['\n', '\r'], " ")
+}
+
+/// `L=2e-1;gamma=4e-1`
+pub(crate) fn write_values<'a>(values: impl Iterator<Item = (&'a str, f64)>) -> String {
+    values.map(|(name, value)| format!("{name}={value:e}")).collect::<Vec<_>>().join(";")
+}
+
+/// What [`write_values`] has written; what cannot be read is left out.
+pub(crate) fn read_values(text: &str) -> impl Iterator<Item = (&str, f64)> {
+    text.split(';').filter_map(|entry| {
+        let (name, value) = entry.split_once('=')?;
+        Some((name, value.parse().ok()?))
+    })
+}
+
+/// What columns are taken for: `1,1,y,cm;2,0,y',cm/s`.
+pub(crate) fn write_uses<'a>(uses: impl Iterator<Item = (usize, &'a Use)>) -> String {
+    let entry = |(column, Use { meaning, fitted, .. }): (usize, &Use)| {
+        format!("{column},{},{},{}", u8::from(*fitted), meaning.quantity, meaning.unit.text)
+    };
+    uses.map(entry).collect::<Vec<_>>().join(";")
+}
+
+/// What [`write_uses`] has written, with the numbers of the columns; what cannot be read is left out.
+pub(crate) fn read_uses(text: &str) -> impl Iterator<Item = (usize, Use)> {
+    text.split(';').filter_map(|entry| {
+        let mut parts = entry.splitn(4, ',');
+        let (column, fitted) = (parts.next()?.parse().ok()?, parts.next()?);
+        let (quantity, unit) = (parts.next()?.to_owned(), Unit::parse(parts.next()?).ok()?);
+        Some((column, Use { meaning: Meaning { quantity, unit }, fitted: fitted == "1", offset: 0.0, chosen: true }))
+    })
 }

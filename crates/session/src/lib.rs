@@ -14,7 +14,7 @@
 //! | table | [`Session::table_header`], [`Session::table_length`], [`Session::table_rows`], [`Session::table_row_now`], [`Session::csv`], [`Session::workbook`] |
 //! | measured data | [`Session::records`], [`Session::record_cells`], [`Session::add_record`], [`Session::add_sample`], [`Session::sample_names`], [`Session::measure`], [`Session::measurement_form`], [`Session::measurement_units`], [`Session::show_record`], [`Session::remove_record`], [`Session::measurable`], [`Session::set_column_quantity`], [`Session::set_column_unit`], [`Session::set_column_fitted`], [`Session::make_derivatives`], [`Session::forget_derivatives`], [`Session::has_points`], [`Session::ghost_follows`], [`Session::ghost_values`], [`Session::saved_records`], [`Session::restore_records`], [`Session::adopt_records`] |
 //! | cycle by cycle | [`Session::open_cycles`], [`Session::looks_at_cycles`], [`Session::cycle_columns`], [`Session::choose_cycles`], [`Session::cycle_quantities`], [`Session::show_cycles`], [`Session::cycles_against_amplitude`], [`Session::cycles`], [`Session::cycle_plot`], [`Session::export_cycles`] |
-//! | fits | [`Session::fit_choices`], [`Session::vary`], [`Session::fit_window`], [`Session::set_fit_window`], [`Session::begin_fit`], [`Session::begin_ranking`], [`Session::advance_fit`], [`Session::cancel_fit`], [`Session::fit_progress`], [`Session::fits`], [`Session::fit_detail`], [`Session::apply_fit`], [`Session::remove_fit`], [`Session::export_fit`], [`Session::export_ranking`] |
+//! | fits | [`Session::fit_records`], [`Session::fit_with`], [`Session::chosen_record`], [`Session::choose_record`], [`Session::fit_choices`], [`Session::vary`], [`Session::set_same`], [`Session::set_known`], [`Session::fit_window`], [`Session::set_fit_window`], [`Session::begin_fit`], [`Session::begin_ranking`], [`Session::advance_fit`], [`Session::cancel_fit`], [`Session::fit_progress`], [`Session::fits`], [`Session::fit_detail`], [`Session::fit_texts`], [`Session::apply_fit`], [`Session::remove_fit`], [`Session::export_fit`], [`Session::export_ranking`], [`Session::saved_fits`], [`Session::restore_fits`], [`Session::has_fits_waiting`] |
 //! | questions | [`Session::check_answer`], [`Session::reveal_answer`], [`Session::question_unit`], [`Session::question_setup`], [`Session::apply_question_setup`] |
 //! | method | [`Session::methods`], [`Session::set_method`], [`Session::step`], [`Session::step_text`], [`Session::set_step`], [`Session::set_step_text`] |
 //! | sharing | [`Session::share`], [`Session::restore`] |
@@ -29,6 +29,7 @@ mod cycle_plot;
 mod cycles;
 mod derived;
 mod drag;
+mod fit_setup;
 mod fitted;
 mod fitting;
 mod ghost;
@@ -49,11 +50,13 @@ mod readout;
 mod recognise;
 mod record;
 mod refusal;
+mod remaking;
 mod reporting;
 mod residual_plot;
 mod sample;
 mod session;
 mod share;
+mod showing;
 mod slider;
 mod state;
 mod symbol;
@@ -70,8 +73,9 @@ pub use model;
 
 pub use announcement::Announcement;
 pub use cycles::{CycleColumn, CyclesView};
+pub use fit_setup::{ChoiceView, FitRecordView, KnownView};
 pub use fitted::{EstimateView, FitDetail, FitView, MOST_FITS};
-pub use fitting::{ChoiceView, FitProgress};
+pub use fitting::FitProgress;
 pub use ghost::Follows;
 pub use kept::{KeptView, MOST_KEPT};
 pub use measurement::{MEASUREMENT_FIELDS, MeasurementForm};
@@ -84,7 +88,7 @@ pub use question::{Grade, Verdict};
 pub use readout::{Readout, ReadoutKind};
 pub use record::{ColumnView, LONGEST_RECORD, MOST_RECORDS, RecordView};
 pub use refusal::Refusal;
-pub use reporting::{Export, ExportKind};
+pub use reporting::{Export, ExportKind, Imprint};
 pub use sample::{SAMPLES, Sample};
 pub use session::{Revision, Session};
 pub use slider::Slider;

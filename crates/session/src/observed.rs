@@ -3,7 +3,7 @@
 use crate::Session;
 use crate::ghost::Ghost;
 use crate::recognise::observed;
-use crate::record::Record;
+use crate::record::{Record, Use};
 use document::Curve;
 use engine::Readings;
 use model::{Compiled, Node};
@@ -13,6 +13,8 @@ use model::{Compiled, Node};
 pub(crate) struct Data {
     /// Oldest first.
     pub records: Vec<Record>,
+    /// How many ids records have been given: none is given twice, because fits call records by them.
+    pub issued: u32,
     /// The columns in use of those that are drawn.
     pub measured: Vec<Measured>,
     /// The columns as points, for each plot.
@@ -156,28 +158,35 @@ impl Measured {
 impl Record {
     /// The reading of the clock, SI, at which the model begins.
     pub fn origin(&self, independent: &str, autonomous: bool) -> f64 {
-        if let Some(origin) = self.origin {
-            return origin;
-        }
-        let columns = (0..self.uses.len()).filter(|&column| {
-            self.uses.get(column).is_some_and(|used| {
+        self.origin.unwrap_or_else(|| self.beginning(&self.uses, independent, autonomous))
+    }
+
+    /// The same as it is before any fit, with these uses of its columns.
+    pub fn beginning(&self, uses: &[Use], independent: &str, autonomous: bool) -> f64 {
+        let columns = (0..uses.len()).filter(|&column| {
+            uses.get(column).is_some_and(|used| {
                 let quantity = &used.meaning.quantity;
                 !quantity.is_empty() && quantity != independent
             })
         });
-        let first = |column| self.series(column, independent)?.0.first().copied();
+        let first = |column| self.series_as(uses, column, independent)?.0.first().copied();
         let first = columns.filter_map(first).fold(f64::INFINITY, f64::min);
         if autonomous && first.is_finite() { first } else { 0.0 }
     }
 
     /// Times and values of a column, SI, without gaps, in the order of time.
     pub fn series(&self, column: usize, independent: &str) -> Option<(Vec<f64>, Vec<f64>)> {
+        self.series_as(&self.uses, column, independent)
+    }
+
+    /// The same with these uses of its columns.
+    pub fn series_as(&self, uses: &[Use], column: usize, independent: &str) -> Option<(Vec<f64>, Vec<f64>)> {
         let own = self.table.columns.get(column)?;
-        let value_unit = &self.uses.get(column)?.meaning.unit;
+        let value_unit = &uses.get(column)?.meaning.unit;
         // A column that was taken for the time by hand counts before the one that the file suggests.
-        let is_time = |index: &usize| self.uses.get(*index).is_some_and(|used| used.meaning.quantity == independent);
-        let clock = Some(own.independent).filter(is_time).or_else(|| (0..self.uses.len()).find(is_time))?;
-        let (times, time_unit) = (&self.table.columns.get(clock)?.values, &self.uses.get(clock)?.meaning.unit);
+        let is_time = |index: &usize| uses.get(*index).is_some_and(|used| used.meaning.quantity == independent);
+        let clock = Some(own.independent).filter(is_time).or_else(|| (0..uses.len()).find(is_time))?;
+        let (times, time_unit) = (&self.table.columns.get(clock)?.values, &uses.get(clock)?.meaning.unit);
         let rows = times.iter().zip(&own.values).filter(|(time, value)| time.is_finite() && value.is_finite());
         let mut rows: Vec<(f64, f64)> =
             rows.map(|(time, value)| (time_unit.to_si(*time), value_unit.to_si(*value))).collect();

@@ -8,6 +8,7 @@ use analysis::finding::Finding;
 use analysis::table::Table;
 use document::Document;
 use model::Model;
+use std::collections::BTreeMap;
 use units::Unit;
 
 /// How many records there can be.
@@ -39,6 +40,8 @@ pub(crate) struct Record {
     pub shown: bool,
     /// The reading of its clock at which the model begins, SI, as a fit has found it.
     pub origin: Option<f64>,
+    /// Values that parameters have in this record, by name and SI, for fits of several.
+    pub known: BTreeMap<String, f64>,
     /// The true values of parameters, by name and SI, if nobody measured it.
     pub truth: Option<Vec<(String, f64)>>,
 }
@@ -176,7 +179,8 @@ impl Session {
             name: name.to_owned(),
             why: format!("{} {}", sentence(&error.message(spanish)), sentence(error.hint(spanish))),
         })?;
-        let id = self.data.records.iter().map(|record| record.id + 1).max().unwrap_or(0);
+        let id = self.data.issued;
+        self.data.issued += 1;
         let mut record = Record {
             id,
             name: name.chars().take(80).collect(),
@@ -188,6 +192,7 @@ impl Session {
             made: Vec::new(),
             shown: true,
             origin: None,
+            known: BTreeMap::new(),
             truth,
         };
         record.examine();
@@ -272,12 +277,12 @@ impl Session {
     /// Takes the records of another session, which had another document open.
     pub fn adopt_records(&mut self, other: &mut Session) {
         self.data.records = std::mem::take(&mut other.data.records);
+        self.data.issued = other.data.issued;
         for record in &mut self.data.records {
             record.origin = None;
             record.uses.iter_mut().for_each(|used| used.offset = 0.0);
         }
-        self.fits.finished = std::mem::take(&mut other.fits.finished);
-        self.fits.window = other.fits.window;
+        self.fits.adopt(&mut other.fits);
         self.looking = std::mem::take(&mut other.looking);
         self.recognise_records();
     }
@@ -296,7 +301,7 @@ impl Session {
         self.data.records.iter().find(|record| record.id == id)
     }
 
-    fn record_mut(&mut self, id: u32) -> Option<&mut Record> {
+    pub(crate) fn record_mut(&mut self, id: u32) -> Option<&mut Record> {
         self.data.records.iter_mut().find(|record| record.id == id)
     }
 }

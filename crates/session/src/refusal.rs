@@ -1,5 +1,8 @@
 //! Why input was not taken.
 
+use crate::words::Tongue;
+use analysis::fit::FitError;
+
 /// Why input was not taken; nothing has changed then, except as [`Refusal::PartlyRestored`] says.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
@@ -91,4 +94,32 @@ pub enum Refusal {
         /// Which, as written in it.
         left_out: Vec<String>,
     },
+}
+
+impl Tongue {
+    /// Why a fit cannot be made.
+    pub(crate) fn fit_error(self, error: &FitError) -> String {
+        let text = match error {
+            FitError::NothingVaried => self.pick("Tick what is to be varied.", "Marca lo que debe variar."),
+            FitError::NothingObserved => self.pick(
+                "No column is ticked for the fit, or none of its values lies between the two times.",
+                "Ninguna columna está marcada para el ajuste, o ninguno de sus valores cae entre los dos tiempos.",
+            ),
+            FitError::TooFew { values, varied } => {
+                return self.pick(
+                    format!("{values} values cannot determine {varied} numbers."),
+                    format!("{values} valores no pueden determinar {varied} números."),
+                );
+            }
+            FitError::TooLarge => self.pick(
+                "There are too many values or too many varied numbers.",
+                "Hay demasiados valores o demasiados números que varían.",
+            ),
+            FitError::VariedTwice(_) | FitError::BadBounds(_) => {
+                self.pick("The ranges leave no room.", "Los intervalos no dejan sitio.")
+            }
+            FitError::Model(message) => return message.clone(),
+        };
+        text.to_owned()
+    }
 }

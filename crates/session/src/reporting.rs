@@ -17,6 +17,9 @@ pub struct Export {
     pub kind: &'static str,
 }
 
+/// The names of files are not longer than this, without their ending.
+const LONGEST_NAME: usize = 60;
+
 /// What can be exported of fits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ExportKind {
@@ -26,6 +29,25 @@ pub enum ExportKind {
     Workbook,
     /// Values separated by commas; by semicolons where commas are decimal signs.
     Csv,
+}
+
+/// What a report has from the shell.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Imprint<'a> {
+    /// When it is made, as it is to be read; may be empty.
+    pub date: &'a str,
+    /// The font of its equations, WOFF2 in base64; empty where there is none.
+    pub math_font: &'a str,
+}
+
+impl Imprint<'_> {
+    /// A page with the font in it.
+    fn page(self, page: &str) -> Vec<u8> {
+        if self.math_font.is_empty() {
+            return page.to_owned().into_bytes();
+        }
+        report::with_math_font(page, self.math_font).into_bytes()
+    }
 }
 
 impl ExportKind {
@@ -40,38 +62,40 @@ impl ExportKind {
 }
 
 impl Session {
-    /// A fit as a file. `date` is when it is made, as it is to be read.
-    pub fn export_fit(&self, id: u32, kind: ExportKind, date: &str) -> Option<Export> {
+    /// A fit as a file.
+    pub fn export_fit(&self, id: u32, kind: ExportKind, imprint: Imprint<'_>) -> Option<Export> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
-        let (command, notes) = (self.tongue.how_to_repeat(), self.notes(fit));
-        let report = self.report(fit, &notes, command, date);
+        let (command, notes) = (self.how_to_repeat(fit), self.notes(fit));
+        let report = self.report(fit, &notes, command, imprint.date);
         let bytes = match kind {
-            ExportKind::Report => report::html(&report).into_bytes(),
+            ExportKind::Report => imprint.page(&report::html(&report)),
             ExportKind::Workbook => report::workbook(&report),
             ExportKind::Csv => report::csv(&report, self.style.decimal_comma).into_bytes(),
         };
-        Some(export(stem(&fit.record_name), kind, bytes))
+        Some(export(&name(fit), kind, bytes))
     }
 
     /// All fits of the values of a fit as one file, ranked.
-    pub fn export_ranking(&self, id: u32, kind: ExportKind, date: &str) -> Option<Export> {
+    pub fn export_ranking(&self, id: u32, kind: ExportKind, imprint: Imprint<'_>) -> Option<Export> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
         let group: Vec<&Fitted> = self.fits.finished.iter().filter(|other| other.same_values(fit)).collect();
-        let (command, notes) = (self.tongue.how_to_repeat(), self.notes(fit));
+        let (command, notes) = (self.how_to_repeat(fit), self.notes(fit));
+        let date = imprint.date;
         let theories: Vec<Report<'_>> = group.iter().map(|fit| self.report(fit, &notes, command, date)).collect();
         let ranking = Ranking { theories: &theories, command };
         let bytes = match kind {
-            ExportKind::Report => report::ranking_html(&ranking).into_bytes(),
+            ExportKind::Report => imprint.page(&report::ranking_html(&ranking)),
             ExportKind::Workbook => report::ranking_workbook(&ranking),
             ExportKind::Csv => report::ranking_csv(&ranking, self.style.decimal_comma).into_bytes(),
         };
-        Some(export(stem(&fit.record_name), kind, bytes))
+        Some(export(&name(fit), kind, bytes))
     }
 
     fn report<'a>(&'a self, fit: &'a Fitted, notes: &'a [Vec<String>], command: &'a str, date: &'a str) -> Report<'a> {
+        let file = fit.definition.file.rsplit('/').next();
         Report {
             document: &fit.document,
-            document_name: fit.file.rsplit('/').next().filter(|name| !name.is_empty()).unwrap_or(&fit.document.title),
+            document_name: file.filter(|name| !name.is_empty()).unwrap_or(&fit.document.title),
             language: &self.language,
             task: &fit.task,
             outcome: &fit.outcome,
@@ -84,11 +108,22 @@ impl Session {
         }
     }
 
-    /// What was noticed about the data of a fit.
-    fn notes(&self, fit: &Fitted) -> Vec<Vec<String>> {
-        let record = self.records().into_iter().find(|record| record.id == fit.record);
-        vec![record.map(|record| record.findings).unwrap_or_default()]
+    fn how_to_repeat(&self, fit: &Fitted) -> &'static str {
+        self.tongue.how_to_repeat(fit.definition.parts.len() > 1)
     }
+
+    /// What was noticed about the data of a fit, record by record.
+    fn notes(&self, fit: &Fitted) -> Vec<Vec<String>> {
+        let records = self.records();
+        let of = |id: u32| records.iter().find(|record| record.id == id).map(|record| record.findings.clone());
+        fit.definition.parts.iter().map(|part| of(part.record).unwrap_or_default()).collect()
+    }
+}
+
+/// `u3` of a record in `u3.txt`, `u1-u2` of two.
+fn name(fit: &Fitted) -> String {
+    let stems: Vec<&str> = fit.definition.parts.iter().map(|part| stem(&part.name)).collect();
+    stems.join("-").chars().take(LONGEST_NAME).collect()
 }
 
 /// The name of a record without the ending of its file.

@@ -134,7 +134,7 @@ impl Session {
             cycle_plot: CyclePlot::default(),
         };
         let vary = |index| session.document.vary.contains(&index);
-        session.fits.varied = (0..session.document.model.parameters.len()).map(vary).collect();
+        session.fits.setup.varied = (0..session.document.model.parameters.len()).map(vary).collect();
         session.label_plots();
         session.frame_changed();
         session

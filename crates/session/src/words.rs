@@ -73,8 +73,14 @@ impl Tongue {
         self.pick(["Zero of the clock", "Zero of the scale"], ["Cero del reloj", "Cero de la escala"])
     }
 
-    /// How a fit of the page is made again.
-    pub(crate) fn how_to_repeat(self) -> &'static str {
+    /// How a fit of the page is made again, of one record or several.
+    pub(crate) fn how_to_repeat(self, several: bool) -> &'static str {
+        if several {
+            return self.pick(
+                "Made in the laboratory's page: open the document, drop the records, tick those to be fitted together, press Fit.",
+                "Hecho en la página del laboratorio: abre el documento, suelta los registros, marca los que se ajustan juntos y pulsa Ajustar.",
+            );
+        }
         self.pick(
             "Made in the laboratory's page: open the document, drop the record, press Fit.",
             "Hecho en la página del laboratorio: abre el documento, suelta el registro y pulsa Ajustar.",
@@ -277,9 +283,14 @@ impl Session {
                 "El modelo no tiene una curva finita desde ningún comienzo: no se encontró nada",
             ),
             Announcement::FitCancelled => say("Fit cancelled", "Ajuste cancelado"),
-            Announcement::FitApplied => {
+            Announcement::FitApplied(record) if record.is_empty() => {
                 say("The parameters have the fitted values", "Los parámetros tienen los valores ajustados")
             }
+            Announcement::FitApplied(record) => with(
+                "The parameters have the fitted values of {}",
+                "Los parámetros tienen los valores ajustados de {}",
+                record,
+            ),
             Announcement::Full => say("Paused: the recording is full", "En pausa: el registro está lleno"),
             Announcement::Failed => self.problem().map_or_else(String::new, |problem| problem.message),
             Announcement::Method(method) => with("Method: {}", "Método: {}", self.tongue.method(*method)),

@@ -231,7 +231,8 @@ fn samples_are_made_and_fitted() {
     }
     let records = session.records();
     assert!(records.iter().all(|record| record.synthetic && record.rows == 241));
-    session.begin_fit(records[1].id).unwrap();
+    session.choose_record(records[1].id);
+    session.begin_fit("theories/linear.md").unwrap();
     while session.advance_fit() {}
     let fit = session.fits().remove(0);
     let detail = session.fit_detail(fit.id).unwrap();
@@ -250,12 +251,13 @@ fn theories_are_ranked() {
     session.add_sample(0, theory("linear")).unwrap();
     let names = ["quadratic", "linear", "cosine"];
     let theories = names.map(|name| (format!("theories/{name}.md"), theory(name)));
-    session.begin_ranking(0, theories.to_vec()).unwrap();
+    session.begin_ranking(theories.to_vec()).unwrap();
     assert_eq!(session.fit_progress().unwrap().finished, (0, 3));
     while session.advance_fit() {}
     let fits = session.fits();
     assert_eq!(fits.len(), 3);
-    assert_eq!(fits[0].file, "theories/linear.md");
+    assert_eq!(fits[0].theory, theory("linear").title);
+    assert_eq!(session.fit_texts(fits[0].id)[0].0, "theories/linear.md");
     assert_eq!(fits[0].difference, "0.0");
     assert!(fits.iter().all(|fit| !fit.applicable), "another document is open");
     // Opened, it can be shown.
@@ -265,7 +267,7 @@ fn theories_are_ranked() {
     opened.apply_fit(fits[0].id);
     assert!((opened.parameter_values()[0] - 0.18).abs() < 0.003);
     // A fit is given up when asked.
-    opened.begin_fit(0).unwrap();
+    opened.begin_fit("theories/linear.md").unwrap();
     opened.cancel_fit();
     assert!(!opened.advance_fit());
     assert_eq!(opened.fit_progress(), None);
@@ -274,9 +276,9 @@ fn theories_are_ranked() {
 #[test]
 fn what_cannot_be_fitted_is_said() {
     let mut session = utube();
-    let id = session.add_record("a", THREE.as_bytes()).unwrap();
+    session.add_record("a", THREE.as_bytes()).unwrap();
     let said = |session: &mut Session| {
-        let refusal = session.begin_fit(id).unwrap_err();
+        let refusal = session.begin_fit("utube.md").unwrap_err();
         session.refusal_text(&refusal)
     };
     assert_eq!(said(&mut session), "Tick what is to be varied.");

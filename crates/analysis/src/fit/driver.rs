@@ -104,9 +104,44 @@ impl Fit {
     /// # Errors
     /// Nothing varied or measured, too little or too much of it, a model that cannot be treated.
     pub fn new(model: &Model, task: Task) -> Result<Self, FitError> {
+        let mut fit = Self::prepared(model, task)?;
+        let own = fit.search(&fit.own.clone(), &fit.problem.plans.clone(), Self::TRIALS);
+        fit.flat = flat(&own);
+        let explains = own.sum < fit.total || fit.estimates.iter().all(Option::is_none);
+        let own = Stage::Own(Box::new(own));
+        fit.stages = match (explains, fit.problem.curve.has_states()) {
+            (true, _) => vec![Stage::Spread, Stage::Windows, Stage::Estimated, own],
+            (false, true) => vec![Stage::Spread, own, Stage::Windows],
+            (false, false) => vec![Stage::Spread, Stage::Windows, own, Stage::Estimated],
+        };
+        fit.begin();
+        Ok(fit)
+    }
+
+    /// Makes a fit again of which the answer is known: `found` are the values of [`Outcome::parameters`], in their order.
+    /// The search goes on from there and from nowhere else. Where they are not as many as the task asks for, nothing is
+    /// known, and it begins as [`Fit::new`] does.
+    ///
+    /// # Errors
+    /// As for [`Fit::new`].
+    pub fn again(model: &Model, task: Task, found: &[f64]) -> Result<Self, FitError> {
+        let mut fit = Self::prepared(model, task)?;
+        if found.len() != fit.own.len() {
+            return Self::new(model, fit.problem.task);
+        }
+        found.clone_into(&mut fit.own);
+        fit.refined = true;
+        fit.problem.curve.set_tolerance(curve::TOLERANCE);
+        let search = fit.search(found, &fit.problem.plans.clone(), Self::TRIALS);
+        fit.search_whole(search);
+        Ok(fit)
+    }
+
+    /// Ready to begin.
+    fn prepared(model: &Model, task: Task) -> Result<Self, FitError> {
         let mut problem = Problem::new(model, task)?;
         problem.weigh(&problem.spread());
-        let mut fit = Self {
+        Ok(Self {
             model: curve::bare(model),
             bounds: bounds(model, &problem),
             moving: moving(model, &problem),
@@ -123,18 +158,7 @@ impl Fit {
             weighings: 0,
             trials: 0,
             finished: false,
-        };
-        let own = fit.search(&fit.own.clone(), &fit.problem.plans.clone(), Self::TRIALS);
-        fit.flat = flat(&own);
-        let explains = own.sum < fit.total || fit.estimates.iter().all(Option::is_none);
-        let own = Stage::Own(Box::new(own));
-        fit.stages = match (explains, fit.problem.curve.has_states()) {
-            (true, _) => vec![Stage::Spread, Stage::Windows, Stage::Estimated, own],
-            (false, true) => vec![Stage::Spread, own, Stage::Windows],
-            (false, false) => vec![Stage::Spread, Stage::Windows, own, Stage::Estimated],
-        };
-        fit.begin();
-        Ok(fit)
+        })
     }
 
     /// Makes one trial; whether the fit is finished.

@@ -49,7 +49,7 @@ impl Problem {
     fn fixed_origin(&self, record: &Record) -> f64 {
         let times = record.observations.iter().flat_map(|observation| &observation.times);
         let first = times.copied().filter(|time| time.is_finite()).fold(f64::INFINITY, f64::min);
-        match self.task.origin {
+        match record.origin {
             Some(origin) => origin,
             None if self.autonomous && first.is_finite() => first,
             None => 0.0,

@@ -30,6 +30,10 @@ pub struct Record {
     pub observations: Vec<Observation>,
     /// Parameters that have a value of their own in this run: which of the model's, and the value.
     pub fixed: Vec<(usize, f64)>,
+    /// The reading of its clock at which the model's independent variable is 0, where it is not varied. Without it: the
+    /// first row for equations of motion in which the independent variable does not occur, so that initial values hold
+    /// there; otherwise 0.
+    pub origin: Option<f64>,
 }
 
 /// What a varied number is.
@@ -76,10 +80,6 @@ pub struct Task {
     pub records: Vec<Record>,
     /// What is varied.
     pub varied: Vec<Varied>,
-    /// The reading of the clock at which the model's independent variable is 0, where it is not varied. Without it: the
-    /// first row of a record for equations of motion in which the independent variable does not occur, so that initial
-    /// values hold there; otherwise 0.
-    pub origin: Option<f64>,
     /// The fitted part begins here.
     pub from: Option<f64>,
     /// The fitted part ends here.

@@ -2,7 +2,7 @@
 
 use crate::noise::Noise;
 use crate::support::{fitted, model, observation, parameter, record, task, value};
-use analysis::fit::{Outcome, Record, Undetermined, Varied, Verdict};
+use analysis::fit::{Fit, Outcome, Record, Undetermined, Varied, Verdict};
 use analysis::virtual_record::tracked_velocities;
 use engine::Method;
 use model::Model;
@@ -156,6 +156,53 @@ fn records_share_what_is_common() {
     let gain = alone.estimate("g").unwrap().stderr.unwrap() / outcome.estimate("g").unwrap().stderr.unwrap();
     assert!((1.5..2.0).contains(&gain), "{gain}");
     assert_eq!((outcome.n, outcome.dof), (120, 116));
+}
+
+/// Of three columns of different lengths with one friction: what was found is found again at once, from there alone.
+#[test]
+fn a_known_answer_is_found_again() {
+    let column = model(
+        "
+parameter L = 0.2 [m] in 0.01..10
+parameter gamma = 0.3 [1/s] in 0..20
+parameter x_0 = 0.04 [m]
+x'' = -2*gamma*x' - 2*(9.8 [m/s^2])/L*x
+x(0) = x_0
+x'(0) = 0
+",
+    );
+    let times = frames(30.0, 150);
+    let swing = |length: f64| {
+        let omega = libm::sqrt(19.6 / length - 0.16);
+        move |t: f64| 0.05 * libm::exp(-0.4 * t) * (libm::cos(omega * t) + 0.4 / omega * libm::sin(omega * t))
+    };
+    let records = [0.18, 0.24, 0.3].into_iter().zip(1..).map(|(length, seed)| {
+        // Each film has a clock of its own.
+        let clock: Vec<f64> = times.iter().map(|time| time + seed as f64).collect();
+        let values = noisy(&times, 5e-4, seed, swing(length));
+        record(vec![observation(&column, "x", 0, &clock, &values)])
+    });
+    let mut together = task(&column, Record::default(), &["L", "x_0"]);
+    together.records = records.collect();
+    together.varied.push(Varied { shared: true, ..Varied::parameter(parameter(&column, "gamma")) });
+    let first = fitted(&column, together.clone());
+    let found: Vec<f64> = first.parameters.iter().map(|estimate| estimate.value).collect();
+    for (value, truth) in found.iter().zip([0.18, 0.24, 0.3, 0.05, 0.05, 0.05, 0.4]) {
+        assert!((value / truth - 1.0).abs() < 0.02, "{found:?}");
+    }
+    let mut again = Fit::again(&column, together.clone(), &found).unwrap();
+    again.complete();
+    assert!(again.trials() < 10, "{}", again.trials());
+    let second = again.outcome().unwrap();
+    assert!(second.converged);
+    assert!((second.chi2 / first.chi2 - 1.0).abs() < 1e-9);
+    for (one, other) in first.parameters.iter().zip(&second.parameters) {
+        assert!((one.value - other.value).abs() < 1e-4 * one.stderr.unwrap(), "{one:?} {other:?}");
+    }
+    // Values that belong to another task are none to begin from.
+    let mut anew = Fit::again(&column, together, &found[..2]).unwrap();
+    anew.complete();
+    assert!((anew.outcome().unwrap().chi2 / first.chi2 - 1.0).abs() < 1e-9);
 }
 
 /// Velocities that are differences of the positions add nothing; those that were measured by themselves do.

@@ -25,7 +25,7 @@ pub fn observation(model: &Model, name: &str, order: u32, times: &[f64], values:
 }
 
 pub fn record(observations: Vec<Observation>) -> Record {
-    Record { name: "record".to_owned(), observations, fixed: Vec::new() }
+    Record { name: "record".to_owned(), observations, ..Record::default() }
 }
 
 /// Index of the parameter called `name`.

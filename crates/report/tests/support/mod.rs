@@ -93,5 +93,5 @@ impl Fitted {
 
 /// A record of one observation of `y`.
 pub fn record(document: &mut Document, name: &str, times: &[f64], values: &[f64]) -> Record {
-    Record { name: name.to_owned(), observations: vec![observed(document, "y", times, values)], fixed: Vec::new() }
+    Record { name: name.to_owned(), observations: vec![observed(document, "y", times, values)], ..Record::default() }
 }

@@ -1,0 +1,265 @@
+//! Fits as a text, for the next visit: what each was asked for and the numbers that it found. From those it is made again
+//! in a few trials, so that nothing of its outcome has to be kept.
+
+use crate::Session;
+use crate::fitting::{Definition, Job, Part};
+use crate::keepsake::{line, read_uses, write_uses};
+use crate::record::Record;
+use analysis::fit::{Target, Varied};
+use document::Document;
+use std::fmt::Write as _;
+
+/// What the text begins with.
+const VERSION: &str = "meniscus fits 1\n";
+
+/// The longest text: the records need their room too.
+const LONGEST: usize = 1 << 20;
+
+/// A fit of an earlier visit.
+#[derive(Clone, Debug)]
+pub(crate) struct Waiting {
+    definition: Definition,
+    /// The document and its translations.
+    texts: Vec<String>,
+    /// The numbers that it found, in the order of the search.
+    found: Vec<f64>,
+}
+
+impl Waiting {
+    /// Back from being made, if it was such a fit.
+    pub fn of(job: Job) -> Option<Self> {
+        Some(Self { texts: texts(&job.document), definition: job.definition, found: job.found? })
+    }
+
+    /// What is to be made, if the document can still be opened.
+    pub fn job(self) -> Option<Job> {
+        let (source, translations) = self.texts.split_first()?;
+        let translations: Vec<&str> = translations.iter().map(String::as_str).collect();
+        let document = document::open(source, &translations).document?;
+        let parameters = document.model.parameters.len();
+        let exists = |varied: &Varied| !matches!(varied.target, Target::Parameter(index) if index >= parameters);
+        let fits = self.definition.parameters.len() == parameters && self.definition.varied.iter().all(exists);
+        fits.then_some(Job { definition: self.definition, document, own: false, found: Some(self.found) })
+    }
+}
+
+impl Session {
+    /// The fits as a text that [`Session::restore_fits`] reads; those whose records will not be there are left out.
+    pub fn saved_fits(&self) -> String {
+        let lasting: Vec<u32> =
+            self.data.records.iter().map(|record| record.id).filter(|id| self.is_lasting(*id)).collect();
+        let mut book = Book { lasting, documents: Vec::new(), fits: String::new(), length: 0 };
+        for fit in &self.fits.finished {
+            let found: Vec<f64> = fit.outcome.parameters.iter().map(|estimate| estimate.value).collect();
+            book.write(&fit.definition, texts(&fit.document), &found);
+        }
+        if let Some(job) = self.being_remade()
+            && let Some(found) = &job.found
+        {
+            book.write(&job.definition, texts(&job.document), found);
+        }
+        for Waiting { definition, texts, found } in &self.fits.waiting {
+            book.write(definition, texts.clone(), found);
+        }
+        book.text()
+    }
+
+    /// Brings back fits of the records that are there, to be made again by [`Session::advance_fit`]. What cannot be read is
+    /// left out.
+    pub fn restore_fits(&mut self, saved: &str) {
+        let Some(text) = saved.strip_prefix(VERSION) else { return };
+        let mut pages = Pages { rest: text, documents: Vec::new() };
+        while let Some(waiting) = pages.next(&self.data.records) {
+            self.fits.waiting.extend(waiting);
+        }
+        // Those that were fitted together last probably will be again.
+        if let Some(last) = self.fits.waiting.back() {
+            self.fits.setup.others = last.definition.parts.iter().map(|part| part.record).collect();
+            self.fits.setup.chosen = last.definition.parts.last().map(|part| part.record);
+        }
+    }
+
+    /// Whether fits are waiting to be made again.
+    pub fn has_fits_waiting(&self) -> bool {
+        !self.fits.waiting.is_empty()
+    }
+}
+
+fn texts(document: &Document) -> Vec<String> {
+    std::iter::once(&document.source).chain(&document.translations).cloned().collect()
+}
+
+/// What is being written.
+struct Book {
+    /// The records that will be there, in their order.
+    lasting: Vec<u32>,
+    /// Each document once: many fits have the same.
+    documents: Vec<Vec<String>>,
+    fits: String,
+    length: usize,
+}
+
+impl Book {
+    /// Writes a fit, unless there is no room for it.
+    fn write(&mut self, definition: &Definition, texts: Vec<String>, found: &[f64]) {
+        let known = self.documents.iter().position(|known| *known == texts);
+        let number = known.unwrap_or(self.documents.len());
+        let Some(fit) = self.fit(definition, number, found) else { return };
+        let new = known.map_or_else(|| texts.iter().map(String::len).sum(), |_| 0);
+        if self.length + fit.len() + new > LONGEST {
+            return;
+        }
+        self.length += fit.len() + new;
+        self.fits.push_str(&fit);
+        if known.is_none() {
+            self.documents.push(texts);
+        }
+    }
+
+    fn fit(&self, definition: &Definition, document: usize, found: &[f64]) -> Option<String> {
+        let mut text = format!("fit {document} {}\n", line(&definition.file));
+        let window = definition.window.map(|end| end.map_or_else(|| "-".to_owned(), |end| format!("{end:e}")));
+        let varied: Vec<String> = definition.varied.iter().map(write_varied).collect();
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "window {}", window.join(" "));
+        let _ = writeln!(text, "values {}", write_numbers(&definition.parameters));
+        let _ = writeln!(text, "varied {}", varied.join(" "));
+        let _ = writeln!(text, "found {}", write_numbers(found));
+        for part in &definition.parts {
+            let place = self.lasting.iter().position(|id| *id == part.record)?;
+            let uses = write_uses(part.uses.iter().enumerate());
+            let fixed: Vec<String> = part.fixed.iter().map(|(index, value)| format!("{index}={value:e}")).collect();
+            let _ = writeln!(text, "record {place} {:e} {} {}", part.origin, fixed.join(";"), line(&part.name));
+            let _ = writeln!(text, "uses {uses}");
+        }
+        text.push_str("end\n");
+        Some(text)
+    }
+
+    fn text(self) -> String {
+        if self.fits.is_empty() {
+            return String::new();
+        }
+        let mut text = VERSION.to_owned();
+        for document in &self.documents {
+            let lengths: Vec<String> = document.iter().map(|text| text.len().to_string()).collect();
+            let _ = writeln!(text, "document {}", lengths.join(" "));
+            document.iter().for_each(|one| text.push_str(one));
+            text.push('\n');
+        }
+        text + &self.fits
+    }
+}
+
+/// What is being read.
+struct Pages<'a> {
+    rest: &'a str,
+    documents: Vec<Vec<String>>,
+}
+
+impl<'a> Pages<'a> {
+    /// The next fit, or nothing where it cannot be read; `None` at the end.
+    fn next(&mut self, records: &[Record]) -> Option<Option<Waiting>> {
+        loop {
+            let line = self.line()?;
+            if let Some(lengths) = line.strip_prefix("document ") {
+                self.document(lengths)?;
+            } else if let Some(head) = line.strip_prefix("fit ") {
+                let mut lines = Vec::new();
+                loop {
+                    match self.line()? {
+                        "end" => return Some(self.fit(head, &lines, records)),
+                        line => lines.push(line),
+                    }
+                }
+            } else {
+                return None;
+            }
+        }
+    }
+
+    fn line(&mut self) -> Option<&'a str> {
+        let (line, rest) = self.rest.split_once('\n')?;
+        self.rest = rest;
+        Some(line)
+    }
+
+    fn document(&mut self, lengths: &str) -> Option<()> {
+        let mut texts = Vec::new();
+        for length in lengths.split(' ') {
+            let length: usize = length.parse().ok()?;
+            texts.push(self.rest.get(..length)?.to_owned());
+            self.rest = self.rest.get(length..)?;
+        }
+        self.documents.push(texts);
+        self.line().map(|_| ())
+    }
+
+    fn fit(&self, head: &str, lines: &[&str], records: &[Record]) -> Option<Waiting> {
+        let (document, file) = head.split_once(' ')?;
+        let texts = self.documents.get(document.parse::<usize>().ok()?)?.clone();
+        let value = |key: &str| lines.iter().find_map(|line| line.strip_prefix(key)?.strip_prefix(' '));
+        let end = |text: &str| if text == "-" { Some(None) } else { text.parse().ok().map(Some) };
+        let (from, until) = value("window")?.split_once(' ')?;
+        let mut parts = Vec::new();
+        for (place, line) in lines.iter().enumerate() {
+            if let Some(head) = line.strip_prefix("record ") {
+                let uses = lines.get(place + 1)?.strip_prefix("uses ")?;
+                parts.push(part(head, uses, records)?);
+            }
+        }
+        let definition = Definition {
+            file: file.to_owned(),
+            parts,
+            varied: value("varied")?.split(' ').map(read_varied).collect::<Option<_>>()?,
+            parameters: read_numbers(value("values")?)?,
+            window: [end(from)?, end(until)?],
+        };
+        Some(Waiting { definition, texts, found: read_numbers(value("found")?)? })
+    }
+}
+
+/// A part of a fit, if its record is there: the one in the same place, of the same name.
+fn part(head: &str, uses: &str, records: &[Record]) -> Option<Part> {
+    let mut fields = head.splitn(4, ' ');
+    let (place, origin) = (fields.next()?.parse::<usize>().ok()?, fields.next()?.parse().ok()?);
+    let (fixed, name) = (fields.next()?, fields.next()?);
+    let record = records.get(place).filter(|record| line(&record.name) == name)?;
+    let fixed = fixed.split(';').filter_map(|entry| {
+        let (index, value) = entry.split_once('=')?;
+        Some((index.parse().ok()?, value.parse().ok()?))
+    });
+    let mut taken = record.uses.clone();
+    for (column, used) in read_uses(uses) {
+        *taken.get_mut(column)? = used;
+    }
+    Some(Part { record: record.id, name: record.name.clone(), uses: taken, origin, fixed: fixed.collect() })
+}
+
+/// `3` for the parameter of this number, `clock`, `scale0`; with a star where it is one number for all records.
+fn write_varied(varied: &Varied) -> String {
+    let star = if varied.shared { "*" } else { "" };
+    match varied.target {
+        Target::Parameter(index) => format!("{index}{star}"),
+        Target::Origin => format!("clock{star}"),
+        Target::Offset(place) => format!("scale{place}{star}"),
+    }
+}
+
+fn read_varied(text: &str) -> Option<Varied> {
+    let name = text.trim_end_matches('*');
+    let target = match (name, name.strip_prefix("scale")) {
+        ("clock", _) => Target::Origin,
+        (_, Some(place)) => Target::Offset(place.parse().ok()?),
+        (index, None) => Target::Parameter(index.parse().ok()?),
+    };
+    Some(Varied { target, shared: name.len() < text.len(), ..Varied::parameter(0) })
+}
+
+fn write_numbers(numbers: &[f64]) -> String {
+    numbers.iter().map(|number| format!("{number:e}")).collect::<Vec<_>>().join(" ")
+}
+
+fn read_numbers(text: &str) -> Option<Vec<f64>> {
+    text.split(' ').filter(|number| !number.is_empty()).map(|number| number.parse().ok()).collect()
+}

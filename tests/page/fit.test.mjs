@@ -104,8 +104,9 @@ visit("the sample with a contact line is told from the others", async (lab) => {
   // One of them is opened with what was found.
   await lab.page.getByRole("button", { name: /^Open: / }).first().click();
   await eventually(async () => assert.notEqual(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Oscillations of a liquid in a U-tube"));
-  assert.equal(await lab.page.locator(".fits tbody tr").count(), before);
   await eventually(async () => assert.match(await lab.told(), /fitted values/));
+  await lab.tab("Measurements");
+  assert.equal(await lab.page.locator(".fits tbody tr").count(), before);
 });
 
 visit("what cannot be read says where and why, and nothing is lost", async (lab) => {

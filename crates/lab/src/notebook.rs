@@ -6,22 +6,28 @@ use document::{Block, Section};
 use leptos::prelude::*;
 use web_sys::KeyboardEvent;
 
-/// A tab: its title and what it holds.
+/// A tab: its title and what it holds, which is built when it is first looked at.
 struct Tab {
     title: String,
-    content: AnyView,
+    content: Box<dyn Fn() -> AnyView + Send>,
+}
+
+impl Tab {
+    fn new(title: &str, content: impl Fn() -> AnyView + Send + 'static) -> Self {
+        Self { title: title.to_owned(), content: Box::new(content) }
+    }
 }
 
 /// The notebook.
 pub fn view(app: App) -> impl IntoView {
     let words = app.words();
     let mut tabs = prose(app);
-    tabs.push(Tab { title: words.equations.to_owned(), content: equations(app) });
+    tabs.push(Tab::new(words.equations, move || equations(app)));
     let number = tabs.len();
-    tabs.push(Tab { title: words.data.to_owned(), content: data::view(app, number) });
+    tabs.push(Tab::new(words.data, move || data::view(app, number)));
     app.measurements_tab.set(tabs.len());
-    tabs.push(Tab { title: words.measurements.to_owned(), content: measurements::view(app) });
-    tabs.push(Tab { title: words.source.to_owned(), content: source(app) });
+    tabs.push(Tab::new(words.measurements, move || measurements::view(app)));
+    tabs.push(Tab::new(words.source, move || source(app)));
     let count = tabs.len();
     if app.tab.get_untracked() >= count {
         app.tab.set(0);
@@ -36,9 +42,12 @@ pub fn view(app: App) -> impl IntoView {
                 on:click=move |_| app.tab.set(number)
                 on:keydown=move |event| turn(app, count, &event)>{tab.title}</button>
         });
+        let seen = Memo::new(move |before: Option<&bool>| before == Some(&true) || selected());
+        let content = tab.content;
+        let content = move || if seen.get() { untrack(&content) } else { ().into_any() };
         panels.push(view! {
             <div role="tabpanel" id=format!("panel-{number}") aria-labelledby=format!("tab-{number}") tabindex="0" hidden=move || !selected()>
-                {tab.content}
+                {content}
             </div>
         });
     }
@@ -93,10 +102,11 @@ fn prose(app: App) -> Vec<Tab> {
     }
     tabs.into_iter()
         .map(|(title, _, members)| {
-            let contents = contents(app, &members, top);
-            let parts = members.into_iter().map(|section| self::section(app, section, top)).collect_view();
-            let content = view! { <div class="reading">{contents}<div class="prose" lang=language>{parts}</div></div> };
-            Tab { title, content: content.into_any() }
+            Tab::new(&title, move || {
+                let contents = contents(app, &members, top);
+                let parts = members.iter().map(|section| self::section(app, section, top)).collect_view();
+                view! { <div class="reading">{contents}<div class="prose" lang=language>{parts}</div></div> }.into_any()
+            })
         })
         .collect()
 }
@@ -115,23 +125,24 @@ fn contents(app: App, sections: &[Section], top: u8) -> AnyView {
     view! { <nav class="contents" aria-label=app.words().contents><ol>{links}</ol></nav> }.into_any()
 }
 
-fn section(app: App, section: Section, top: u8) -> impl IntoView {
-    let heading = if section.heading.is_empty() {
+fn section(app: App, section: &Section, top: u8) -> impl IntoView + use<> {
+    let (id, heading) = (section.id.clone(), section.heading.clone());
+    let heading = if heading.is_empty() {
         ().into_any()
     } else if section.level <= top {
-        view! { <h3 id=section.id.clone() inner_html=section.heading></h3> }.into_any()
+        view! { <h3 id=id inner_html=heading></h3> }.into_any()
     } else if section.level == top + 1 {
-        view! { <h4 id=section.id.clone() inner_html=section.heading></h4> }.into_any()
+        view! { <h4 id=id inner_html=heading></h4> }.into_any()
     } else {
-        view! { <h5 id=section.id.clone() inner_html=section.heading></h5> }.into_any()
+        view! { <h5 id=id inner_html=heading></h5> }.into_any()
     };
     let blocks = section
         .blocks
-        .into_iter()
+        .iter()
         .map(|block| match block {
             // The document has made it safe.
-            Block::Html(html) => view! { <div inner_html=html></div> }.into_any(),
-            Block::Question(index) => question::view(app, index),
+            Block::Html(html) => view! { <div inner_html=html.clone()></div> }.into_any(),
+            Block::Question(index) => question::view(app, *index),
         })
         .collect_view();
     view! { {heading} {blocks} }

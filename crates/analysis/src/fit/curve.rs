@@ -4,11 +4,9 @@ use super::task::Target;
 use engine::{Method, Routine, Setup, Stepper};
 use model::{Kind, Model, Node, NodeId};
 
-/// The error of a step of equations of motion in the end, relative to the greatest value of each state; all steps together
-/// then stay below 1e-9.
-pub(crate) const TOLERANCE: f64 = 1e-10;
-/// And to this while the answer is still far away.
-pub(crate) const LOOSE: f64 = 1e-6;
+/// The errors of a step of equations of motion, relative to the greatest value of each state: while the answer is still far
+/// away, when it is near, and in the end. All steps together then stay below 1e-9.
+pub(crate) const TOLERANCES: [f64; 3] = [1e-6, 1e-8, 1e-10];
 /// A solution that needs more evaluations of the equations is given up.
 const MOST_EVALUATIONS: u64 = 2_000_000;
 
@@ -49,7 +47,7 @@ pub(crate) struct Curve {
 impl Curve {
     /// Compiles `observed` expressions of `model` with derivatives by those of `targets` that are parameters, for runs that
     /// last about `duration`. Of the methods, the one for stiff equations is kept; all others give way to Dormand and
-    /// Prince's, which reaches [`TOLERANCE`].
+    /// Prince's, which reaches all [`TOLERANCES`].
     pub fn new(
         model: &Model,
         observed: &[NodeId],
@@ -100,7 +98,7 @@ impl Curve {
             parameters: parameters.to_vec(),
             method: if method == Method::Rosenbrock { method } else { Method::DormandPrince },
             step: if duration > 0.0 { duration / 100.0 } else { Setup::STEP },
-            tolerance: TOLERANCE,
+            tolerance: TOLERANCES[0],
             start: Some(vec![0.0; extended.states.len()]),
         };
         let stepper = match states {
@@ -121,7 +119,7 @@ impl Curve {
             values: Vec::new(),
             row: vec![0.0; roots.len()],
         };
-        curve.set_tolerance(LOOSE);
+        curve.set_tolerance(TOLERANCES[0]);
         Ok(curve)
     }
 

@@ -7,11 +7,11 @@ use super::outcome::{self, Outcome};
 use super::plan::Plan;
 use super::problem::{Problem, Window};
 use super::search::{Search, Status};
+use super::stages::{Current, Stage};
 use super::task::{FitError, Target, Task};
 use super::{start, symmetry};
 use crate::cycles::Estimate;
 use model::Model;
-use std::sync::Arc;
 
 /// A fit that goes on one trial at a time.
 ///
@@ -26,70 +26,35 @@ pub struct Fit {
     pub(super) best: Option<Search>,
     /// Whether the best search has come to its end.
     pub(super) converged: bool,
-    bounds: Vec<(f64, f64)>,
+    pub(super) bounds: Vec<(f64, f64)>,
     /// By number of the search: whether equations of motion themselves depend on it, not only how they begin.
-    moving: Vec<bool>,
-    own: Vec<f64>,
-    estimates: Vec<Option<Estimate>>,
+    pub(super) moving: Vec<bool>,
+    pub(super) own: Vec<f64>,
+    pub(super) estimates: Vec<Option<Estimate>>,
     /// What is still to be tried, the last one first.
-    stages: Vec<Stage>,
-    current: Option<Current>,
+    pub(super) stages: Vec<Stage>,
+    pub(super) current: Option<Current>,
     /// The weighted sum of squares about the mean of each observation.
     pub(super) total: f64,
     /// In how many directions the curve does not change at the own values.
     flat: usize,
-    /// Whether equations of motion are integrated as they should be in the end.
+    /// Which of [`curve::TOLERANCES`] holds for equations of motion.
+    precision: usize,
+    /// Whether all starts have been tried, and the best one is gone on with.
     refined: bool,
     weighings: usize,
     trials: usize,
     pub(super) finished: bool,
 }
 
-#[derive(Clone, Debug)]
-enum Stage {
-    Own(Box<Search>),
-    Estimated,
-    Windows,
-    Spread,
-    From(Vec<f64>),
-}
-
-/// A part of the records, from the beginning.
-#[derive(Clone, Copy, Debug)]
-struct Span {
-    duration: f64,
-    /// Whether what the motion itself depends on is held meanwhile, and only initial values and scales are searched.
-    held: bool,
-}
-
-#[derive(Clone, Debug)]
-struct Current {
-    search: Search,
-    plans: Arc<Vec<Plan>>,
-    /// Windows still to come, the last one first; the search is of the whole where there are none.
-    windows: Vec<Span>,
-}
-
 impl Fit {
     /// The part of the sum of squares that may be left to gain, for formulas.
     const TOLERANCE: f64 = 1e-18;
-    /// The same for equations of motion, whose solutions carry the error of the integration: integrated loosely at first,
-    /// and as they should be in the end.
-    const TOLERANCE_OF_MOTION: [f64; 2] = [1e-8, 1e-12];
+    /// The same for equations of motion, whose solutions carry the error of the integration: with each of the tolerances of the
+    /// curve.
+    const TOLERANCES_OF_MOTION: [f64; curve::TOLERANCES.len()] = [1e-8, 1e-10, 1e-12];
     /// Trials of one search.
-    const TRIALS: usize = 400;
-    /// Windows in which only the beginning of a motion is searched.
-    const HELD: usize = 2;
-    /// Trials in a window that is not yet the whole.
-    const WINDOW_TRIALS: usize = 15;
-    /// Starts spread over the ranges.
-    const SPREAD: usize = 12;
-    /// Trials from each of them, for equations of motion: what has not found its way by then does not.
-    const SPREAD_TRIALS: usize = 40;
-    /// Starts that are looked at, for formulas.
-    const SCREENED: usize = 240;
-    /// How many of these are searched from.
-    const CHOSEN: usize = 10;
+    pub(super) const TRIALS: usize = 400;
     /// A direction in which the curve changes by less than this part of the greatest change is no direction to search in.
     const FLAT: f64 = 1e-8;
     /// A later start wins only if it lowers the sum of squares by more than this part.
@@ -131,7 +96,7 @@ impl Fit {
         }
         found.clone_into(&mut fit.own);
         fit.refined = true;
-        fit.problem.curve.set_tolerance(curve::TOLERANCE);
+        fit.integrate_to(curve::TOLERANCES.len() - 1);
         let search = fit.search(found, &fit.problem.plans.clone(), Self::TRIALS);
         fit.search_whole(search);
         Ok(fit)
@@ -154,6 +119,7 @@ impl Fit {
             stages: Vec::new(),
             current: None,
             flat: 0,
+            precision: 0,
             refined: false,
             weighings: 0,
             trials: 0,
@@ -214,7 +180,7 @@ impl Fit {
     pub(super) fn search(&mut self, start: &[f64], plans: &[Plan], limit: usize) -> Search {
         let rows = plans.iter().map(|plan| plan.points.len()).sum();
         let tolerance = match self.problem.curve.has_states() {
-            true => Self::TOLERANCE_OF_MOTION[usize::from(self.refined)],
+            true => Self::TOLERANCES_OF_MOTION[self.precision],
             false => Self::TOLERANCE,
         };
         let mut window = Window { problem: &mut self.problem, plans };
@@ -240,92 +206,16 @@ impl Fit {
         Some(search)
     }
 
-    fn window(&mut self, start: &[f64], span: Span, windows: Vec<Span>) -> Current {
-        let plans = Arc::new(start::cut(&self.problem.plans, span.duration));
-        let limit = if windows.is_empty() { Self::TRIALS } else { Self::WINDOW_TRIALS };
-        let bounds = self.bounds.clone();
-        if span.held {
-            for (number, bounds) in self.bounds.iter_mut().enumerate().filter(|(number, _)| self.moving[*number]) {
-                *bounds = (start[number], start[number]);
-            }
-        }
-        let search = self.search(start, &plans, limit);
-        self.bounds = bounds;
-        Current { search, plans, windows }
-    }
-
-    /// The windows of the records, the last one first. In the first ones the motion is held: as long as it is not known where
-    /// it began, it would be bent to make up for that.
-    fn windows(&self) -> Vec<Span> {
-        let held = if self.moving.contains(&false) { Self::HELD } else { 0 };
-        let durations = start::windows(&self.problem, &self.estimates);
-        let spans = durations.into_iter().enumerate();
-        spans.map(|(place, duration)| Span { duration, held: place < held && duration.is_finite() }).rev().collect()
-    }
-
     /// Whether no other start is needed: much is explained by a search that came to its end in a place as definite as where it
     /// began. Where terms have become one, or a number has run away to the end of its range, it is in none.
-    fn is_enough(&self) -> bool {
+    pub(super) fn is_enough(&self) -> bool {
         let definite =
             |best: &Search| flat(best) <= self.flat && (0..best.x.len()).all(|column| !best.at_bound(column));
         self.converged && self.explained() >= Self::EXPLAINED && self.best.as_ref().is_some_and(definite)
     }
 
-    /// Starts spread over the ranges. Those of a formula are cheap enough to look at many, and to begin with the best.
-    fn spread(&mut self) -> Vec<Vec<f64>> {
-        let start = |index| start::spread(&self.own, &self.bounds, index);
-        if self.problem.curve.has_states() {
-            return (0..Self::SPREAD).map(start).collect();
-        }
-        let plans: Vec<Plan> = self.problem.plans.iter().map(start::thinned).collect();
-        let points: usize = plans.iter().map(|plan| plan.points.len()).sum();
-        // The more points, the fewer: nothing else goes on meanwhile.
-        let count = (Self::SCREENED * start::ROWS / points.max(start::ROWS)).max(Self::CHOSEN);
-        let candidates: Vec<Vec<f64>> = (0..count).map(start).collect();
-        let mut looked: Vec<Search> = candidates.iter().map(|start| self.look(start, &plans)).collect();
-        looked.sort_by(|one, other| one.sum.total_cmp(&other.sum));
-        looked.into_iter().filter(|one| one.sum.is_finite()).take(Self::CHOSEN).map(|one| one.x).collect()
-    }
-
-    /// Begins the next stage, or ends.
-    fn begin(&mut self) {
-        let Some(stage) = self.stages.pop().filter(|_| !self.is_enough()) else {
-            self.conclude();
-            return;
-        };
-        let far = matches!(stage, Stage::From(_));
-        let start = match stage {
-            Stage::Own(search) => {
-                self.search_whole(*search);
-                return;
-            }
-            Stage::From(start) => start,
-            Stage::Spread => {
-                let starts = self.spread();
-                self.stages.extend(starts.into_iter().rev().map(Stage::From));
-                return;
-            }
-            Stage::Estimated => {
-                match start::from_estimates(&mut self.problem, &self.model, &self.estimates, &self.own) {
-                    Some(start) => start,
-                    None => return,
-                }
-            }
-            Stage::Windows => {
-                let mut windows = self.windows();
-                if let Some(first) = windows.pop().filter(|first| first.duration.is_finite()) {
-                    self.current = Some(self.window(&self.own.clone(), first, windows));
-                }
-                return;
-            }
-        };
-        let limit = if far && self.problem.curve.has_states() { Self::SPREAD_TRIALS } else { Self::TRIALS };
-        let search = self.search(&start, &self.problem.plans.clone(), limit);
-        self.search_whole(search);
-    }
-
     /// Goes on with a search of the whole fitted part.
-    fn search_whole(&mut self, search: Search) {
+    pub(super) fn search_whole(&mut self, search: Search) {
         self.current = Some(Current { search, plans: self.problem.plans.clone(), windows: Vec::new() });
     }
 
@@ -346,32 +236,43 @@ impl Fit {
         }
     }
 
-    /// Integrates as it should be, weighs several observations by their own scatter until that no longer changes, and ends.
-    fn conclude(&mut self) {
-        let Some(best) = self.best.clone() else {
+    /// Goes on from the best found so far, or ends.
+    pub(super) fn conclude(&mut self) {
+        let best = self.best.take();
+        let start = best.as_ref().and_then(|best| self.continuation(best));
+        self.best = best;
+        let Some(start) = start else {
             self.finished = true;
             return;
         };
-        let refine = !self.refined && self.problem.curve.has_states();
-        let symmetric = match self.refined || refine {
-            true => None,
-            false => symmetry::like_start(self, &best, &self.own.clone()),
-        };
-        self.refined = true;
-        let mut start = best.x.clone();
-        if refine {
-            self.problem.curve.set_tolerance(curve::TOLERANCE);
-        } else if let Some(like) = symmetric {
-            start = like;
-        } else if self.weighings < Self::WEIGHINGS && self.problem.reweigh(&best.residuals) {
-            self.weighings += 1;
-            self.total = self.problem.spread_sum();
-        } else {
-            self.finished = true;
-            return;
-        }
         let search = self.search(&start, &self.problem.plans.clone(), Self::TRIALS);
         self.search_whole(search);
+    }
+
+    fn integrate_to(&mut self, precision: usize) {
+        self.precision = precision;
+        self.problem.curve.set_tolerance(curve::TOLERANCES[precision]);
+    }
+
+    /// Where to search once more: from the best itself where equations are now integrated more exactly, or several
+    /// observations weighed anew by their own scatter, until that no longer changes; or from its like among those that fit
+    /// as well.
+    fn continuation(&mut self, best: &Search) -> Option<Vec<f64>> {
+        let first = !std::mem::replace(&mut self.refined, true);
+        if self.problem.curve.has_states() {
+            if self.precision + 1 < curve::TOLERANCES.len() {
+                self.integrate_to(self.precision + 1);
+                return Some(best.x.clone());
+            }
+        } else if first && let Some(like) = symmetry::like_start(self, best, &self.own.clone()) {
+            return Some(like);
+        }
+        if self.weighings < Self::WEIGHINGS && self.problem.reweigh(&best.residuals) {
+            self.weighings += 1;
+            self.total = self.problem.spread_sum();
+            return Some(best.x.clone());
+        }
+        None
     }
 }
 

@@ -14,6 +14,7 @@ mod problem;
 mod profile;
 mod rank;
 mod search;
+mod stages;
 mod start;
 mod statistics;
 mod symmetry;

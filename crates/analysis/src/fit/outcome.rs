@@ -137,12 +137,18 @@ impl Outcome {
 }
 
 pub(super) fn outcome(fit: &mut Fit) -> Option<Outcome> {
-    let best = fit.best.clone()?;
+    let best = fit.best.take()?;
+    let outcome = outcome_of(fit, &best);
+    fit.best = Some(best);
+    Some(outcome)
+}
+
+fn outcome_of(fit: &mut Fit, best: &Search) -> Outcome {
     let errors_given = fit.problem.task.errors_given();
     let values = fit.problem.independent_values();
-    let covariance = fit.covariance(&best);
-    let observations = observations(fit, &best);
-    let (parameters, derived) = estimates(&fit.problem, &fit.model, &best, &covariance);
+    let covariance = fit.covariance(best);
+    let observations = observations(fit, best);
+    let (parameters, derived) = estimates(&fit.problem, &fit.model, best, &covariance);
     let names: Vec<String> = parameters.iter().map(|estimate| full_name(estimate, &fit.problem)).collect();
     let first: Vec<Vec<f64>> =
         observations.iter().filter(|one| one.observation == 0).map(ObservationFit::inside_residuals).collect();
@@ -150,8 +156,8 @@ pub(super) fn outcome(fit: &mut Fit) -> Option<Outcome> {
     let count: usize = first.iter().map(|residuals| residuals.len()).sum();
     let squares: f64 = first.iter().flat_map(|residuals| residuals.iter()).map(|value| value * value).sum();
     let total = fit.problem.spread_sum();
-    let (aicc, bic) = criteria(&fit.problem, &observations, &best, &covariance, errors_given, values);
-    Some(Outcome {
+    let (aicc, bic) = criteria(&fit.problem, &observations, best, &covariance, errors_given, values);
+    Outcome {
         converged: fit.converged,
         n: values as usize,
         dof: covariance.dof.max(0.0) as usize,
@@ -171,7 +177,7 @@ pub(super) fn outcome(fit: &mut Fit) -> Option<Outcome> {
         parameters,
         derived,
         observations,
-    })
+    }
 }
 
 /// A name that tells the record as well, where the number has a value in each.
@@ -309,10 +315,10 @@ fn observations(fit: &mut Fit, best: &Search) -> Vec<ObservationFit> {
                 name: one.name.clone(),
                 unit: one.observed.unit.clone(),
                 derived: witness(&task.records[record], observation) != observation,
-                times: Vec::new(),
-                measured: Vec::new(),
-                fitted: Vec::new(),
-                inside: Vec::new(),
+                times: Vec::with_capacity(one.times.len()),
+                measured: Vec::with_capacity(one.times.len()),
+                fitted: Vec::with_capacity(one.times.len()),
+                inside: Vec::with_capacity(one.times.len()),
                 rmse: 0.0,
                 r2: 0.0,
                 outside: None,

@@ -39,13 +39,16 @@ struct Columns {
 }
 
 /// See [`crate::figure`].
-pub fn figure(report: &Report<'_>, observation: usize) -> Option<String> {
-    let fit = report.outcome.observations.get(observation)?;
+pub fn figure(report: &Report<'_>) -> String {
     let words = Words::of(report.language);
     let title = report.document.edition(words.tag()).title.as_str();
-    let record = report.task.records.get(fit.record).map_or("", |record| record.name.as_str());
-    let title = if record.is_empty() { title.to_owned() } else { [title, " · ", record].concat() };
-    Some(panels(report, fit, &title))
+    let (mut parts, mut height) = (String::new(), 0.0);
+    for fit in &report.outcome.observations {
+        let record = report.task.records.get(fit.record).map_or("", |record| record.name.as_str());
+        let title = if record.is_empty() { title.to_owned() } else { [title, " · ", record].concat() };
+        height = add_panels(&mut parts, report, fit, &title, height);
+    }
+    svg(&parts, height)
 }
 
 /// How many values stand for one that is drawn.
@@ -53,22 +56,32 @@ pub fn thinned(fit: &ObservationFit) -> usize {
     fit.times.len().div_ceil(MOST_POINTS).max(1)
 }
 
-/// Both panels of one observation as one SVG; `title` may be empty.
-pub fn panels(report: &Report<'_>, fit: &ObservationFit, title: &str) -> String {
+/// Both panels of one observation as one SVG, without a title.
+pub fn panels(report: &Report<'_>, fit: &ObservationFit) -> String {
+    let mut parts = String::new();
+    let height = add_panels(&mut parts, report, fit, "", 0.0);
+    svg(&parts, height)
+}
+
+/// Adds both panels of one observation from `top` on; the result is where they end. `title` may be empty.
+fn add_panels(parts: &mut String, report: &Report<'_>, fit: &ObservationFit, title: &str, mut top: f64) -> f64 {
     let columns = columns(report, fit, greatest(fit));
     let drawn = [(UPPER, title), (LOWER, "")]
         .map(|(height, title)| (draw(report, fit, &columns, title, height, 0.0, None), height, title));
     // One axis of time for both: the panel with the narrower numbers begins further right and is as much narrower.
     let left = drawn.iter().map(|(figure, ..)| figure.panel.x).fold(0.0, f32::max);
-    let mut top = 0.0;
-    let mut parts = String::new();
     for (figure, height, title) in drawn {
         let shift = f64::from(left - figure.panel.x);
         let figure = if shift > 0.0 { draw(report, fit, &columns, title, height, shift, None) } else { figure };
-        place(&mut parts, &figure, shift, top);
+        place(parts, &figure, shift, top);
         top += height;
     }
-    let (width, height) = (WIDTH.to_string(), top.to_string());
+    top
+}
+
+/// An SVG of this height around its parts.
+fn svg(parts: &str, height: f64) -> String {
+    let (width, height) = (WIDTH.to_string(), height.to_string());
     let ground = Palette::LIGHT.ground.to_string();
     let pieces = [
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"",
@@ -86,7 +99,7 @@ pub fn panels(report: &Report<'_>, fit: &ObservationFit, title: &str) -> String 
         "\" fill=\"",
         &ground,
         "\"/>\n",
-        &parts,
+        parts,
         "</svg>\n",
     ];
     pieces.concat()

@@ -52,8 +52,8 @@ pub struct Report<'a> {
     pub date: &'a str,
 }
 
-/// The figure of one observation (its place in [`Outcome::observations`]) as a standalone SVG: the measured values over the
-/// fitted curve, and what is left over below. `None` if there is no such observation.
-pub fn figure(report: &Report<'_>, observation: usize) -> Option<String> {
-    drawing::figure(report, observation)
+/// The figures of all observations as one standalone SVG, one below the other: the measured values over the fitted curve, and
+/// what is left over below.
+pub fn figure(report: &Report<'_>) -> String {
+    drawing::figure(report)
 }

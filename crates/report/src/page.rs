@@ -64,7 +64,7 @@ fn figures(page: &mut Page, report: &Report<'_>) {
     let observations = &report.outcome.observations;
     for (number, fit) in observations.iter().take(FIGURES).enumerate() {
         page.raw("<figure>\n");
-        page.raw(&drawing::panels(report, fit, ""));
+        page.raw(&drawing::panels(report, fit));
         let mut caption = findings::record(report, fit).to_owned();
         if !caption.is_empty() {
             caption.push_str(". ");

@@ -167,7 +167,7 @@ fn write(path: &Path, kind: FileKind, data: &[PathBuf], report: &Report) -> Resu
         FileKind::Html => with_font(&report::html(report)),
         FileKind::Xlsx => report::workbook(report),
         FileKind::Csv => report::csv(report, false).into_bytes(),
-        FileKind::Svg => report::figure(report, 0).unwrap_or_default().into_bytes(),
+        FileKind::Svg => report::figure(report).into_bytes(),
     };
     output::file(path, data, &bytes)
 }

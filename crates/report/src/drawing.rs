@@ -183,8 +183,20 @@ fn place(out: &mut String, figure: &Figure, x: f64, y: f64) {
 }
 
 /// The greatest residual, SI.
-pub fn greatest(fit: &ObservationFit) -> f64 {
-    let residuals = fit.measured.iter().zip(&fit.fitted).map(|(measured, fitted)| (measured - fitted).abs());
+fn greatest(fit: &ObservationFit) -> f64 {
+    greatest_where(fit, |_| true)
+}
+
+/// The greatest residual that tells one theory from another, SI: of those outside the fitted part, what is more than three
+/// times as large as the greatest inside would only flatten the rest.
+pub fn telling(fit: &ObservationFit) -> f64 {
+    let fitted = greatest_where(fit, |inside| inside);
+    fitted.max(greatest(fit).min(3.0 * fitted))
+}
+
+fn greatest_where(fit: &ObservationFit, wanted: impl Fn(bool) -> bool) -> f64 {
+    let rows = fit.measured.iter().zip(&fit.fitted).zip(&fit.inside).filter(|(_, inside)| wanted(**inside));
+    let residuals = rows.map(|((measured, fitted), _)| (measured - fitted).abs());
     residuals.filter(|size| size.is_finite()).fold(0.0, f64::max)
 }
 

@@ -5,7 +5,7 @@ use crate::markup::{Page, cell, escaped, symbol};
 use crate::results::size;
 use crate::rounding::{fixed, plain, readable, share, significant};
 use crate::words::Words;
-use analysis::fit::{ObservationFit, Outcome, Verdict};
+use analysis::fit::{Estimate, ObservationFit, Outcome, Verdict};
 
 /// The numbers at the head of a report.
 pub fn numbers(page: &mut Page, report: &Report<'_>) {
@@ -58,13 +58,24 @@ pub fn warnings(page: &mut Page, report: &Report<'_>) {
         )));
     }
     sentences.extend(outcome.undetermined.iter().map(|one| escaped(&one.text(words.spanish))));
+    let named = |one: &Estimate| match one.record.and_then(|record| report.task.records.get(record)) {
+        Some(record) => [&symbol(&one.name), " (", &escaped(&record.name), ")"].concat(),
+        None => symbol(&one.name),
+    };
     let stopped: Vec<String> =
-        (outcome.parameters.iter()).filter(|one| one.at_bound && one.determined).map(|one| symbol(&one.name)).collect();
-    if !stopped.is_empty() {
-        let end = words.pick(
+        outcome.parameters.iter().filter(|one| one.at_bound && one.determined).map(named).collect();
+    let end = match stopped.len() {
+        0 => "",
+        1 => words.pick(
             " stopped at the end of its range. Such a number has no uncertainty, and those of the others suppose it to be right.",
             " se detuvo en el extremo de su intervalo. Un número así no tiene incertidumbre, y las de los demás lo dan por bueno.",
-        );
+        ),
+        _ => words.pick(
+            " stopped at the ends of their ranges. Such numbers have no uncertainty, and those of the others suppose them to be right.",
+            " se detuvieron en los extremos de sus intervalos. Números así no tienen incertidumbre, y las de los demás los dan por buenos.",
+        ),
+    };
+    if !stopped.is_empty() {
         sentences.push([&words.join(&stopped), end].concat());
     }
     if sentences.is_empty() {

@@ -220,7 +220,7 @@ fn residuals(page: &mut Page, words: Words, rows: &[Row<'_>]) {
         // The scale is made for the theories that come near.
         let best = fits.iter().map(|(_, fit)| fit.rmse).fold(f64::INFINITY, f64::min);
         let near = fits.iter().filter(|(_, fit)| fit.rmse <= 2.0 * best);
-        let reach = near.map(|(_, fit)| 1.05 * drawing::greatest(fit)).fold(0.0, f64::max);
+        let reach = near.map(|(_, fit)| 1.05 * drawing::telling(fit)).fold(0.0, f64::max);
         let last = record + 1 == records;
         if let Some((row, fit)) = fits.first().filter(|_| records > 1) {
             page.element("h3", findings::record(row.report, fit));

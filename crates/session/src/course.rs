@@ -230,12 +230,16 @@ impl Course {
 
     /// Gives up the rows after the step that the moment shown lies in, so that the run goes on from there with the
     /// parameters then in force.
-    pub fn resume(&mut self) {
+    pub fn resume(&mut self, model: &Model) {
         let Some(row) = self.resume_row() else { return };
-        if let Some(run) = &mut self.run {
+        self.changes.retain(|&(first, _)| first <= row);
+        self.front = self.time;
+        if self.begun.method.adaptive() {
+            // What such a method does next depends on the steps behind it. They are made again, so that the run stays one
+            // that can be repeated to the bit.
+            (*self, _) = Self::replay(model, &self.recipe(), self.overhead, usize::MAX);
+        } else if let Some(run) = &mut self.run {
             run.truncate(row);
-            self.changes.retain(|&(first, _)| first <= row);
-            self.front = self.time;
             self.error = None;
         }
     }

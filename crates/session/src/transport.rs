@@ -206,7 +206,7 @@ impl Session {
             return;
         }
         self.keep_ghost(self.course.rows_until_shown());
-        self.course.resume();
+        self.course.resume(&self.document.model);
         self.traces.truncate(self.course.rows());
         self.truncate_residuals(self.course.front());
         self.full = false;

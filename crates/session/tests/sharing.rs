@@ -68,6 +68,26 @@ fn everything_comes_back_with_the_same_bits() {
     assert_eq!(other.kept(), session.kept());
 }
 
+/// What an adaptive method does next depends on the steps behind it, also where the run went on from an earlier moment.
+#[test]
+fn a_run_that_goes_on_from_an_earlier_moment_comes_back_with_the_same_bits() {
+    for method in ["rk4", "dormand-prince", "rosenbrock"] {
+        for back in [0.0, 0.32, 0.5] {
+            let mut session = utube();
+            session.set_method(method).unwrap();
+            play(&mut session, [0.7]);
+            session.scrub(back);
+            session.step_forward();
+            set(&mut session, "b", 80.0);
+            session.step_forward();
+            session.step_forward();
+            session.scrub(back);
+            play(&mut session, [0.4]);
+            assert_eq!(bits(&reopened(&session)), bits(&session), "{method} from {back}");
+        }
+    }
+}
+
 #[test]
 fn a_change_that_has_not_acted_yet_is_shared() {
     let mut session = utube();

@@ -40,6 +40,15 @@ pub struct Outside {
     pub rmse: f64,
 }
 
+impl Outside {
+    /// Several parts taken together.
+    pub fn together(parts: impl Iterator<Item = Self>) -> Self {
+        let (n, squares) =
+            parts.fold((0, 0.0), |(n, squares), part| (n + part.n, squares + part.n as f64 * part.rmse * part.rmse));
+        Self { n, rmse: (squares / n.max(1) as f64).sqrt() }
+    }
+}
+
 impl ObservationFit {
     /// How many values there are in a part of the rows, and the root of the mean square of measured minus fitted there; `wanted`
     /// is told the time of a row, and whether it was in the fitted part.

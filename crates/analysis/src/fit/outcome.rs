@@ -5,7 +5,7 @@ use super::curve::Derived;
 use super::driver::Fit;
 use super::identify::{Undetermined, undetermined};
 use super::linear::Jacobian;
-use super::observed::ObservationFit;
+use super::observed::{ObservationFit, Outside};
 use super::plan::{Plan, alike, witness};
 use super::problem::Problem;
 use super::search::Search;
@@ -125,9 +125,7 @@ impl Outcome {
     /// records; `None` where all was fitted.
     pub fn predicted(&self) -> Option<f64> {
         let outside = self.observations.iter().filter(|one| one.observation == 0).filter_map(|one| one.outside);
-        let (count, squares) = outside
-            .fold((0, 0.0), |(count, squares), part| (count + part.n, squares + part.n as f64 * part.rmse * part.rmse));
-        (count > 0).then(|| (squares / count as f64).sqrt())
+        Some(Outside::together(outside)).filter(|all| all.n > 0).map(|all| all.rmse)
     }
 
     /// The residuals of an observation in the fitted part, measured minus fitted.

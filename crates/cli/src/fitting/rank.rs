@@ -76,7 +76,7 @@ fn contend(
     // What lies exactly at the moment is predicted.
     task.until = Some(moment - 1e-9 * moment.abs().max(1e-9));
     let predicted = complete(prepare::theory(path, terminal)?, task, false)?;
-    let (whole, after) = (fitted.task.clone(), |time| time >= moment);
+    let (whole, after) = (&fitted.task, |time| time >= moment);
     let before = error(&fitted, |time| whole.covers(time) && !after(time));
     let rest = |time| whole.covers(time) && after(time);
     let after = error(&fitted, rest);
@@ -90,15 +90,8 @@ fn contend(
 
 /// The root of the mean square of the first observation's residuals at some times, over all records.
 fn error(fitted: &Fitted, inside: impl Fn(f64) -> bool) -> Outside {
-    let parts = fitted
-        .outcome
-        .observations
-        .iter()
-        .filter(|one| one.observation == 0)
-        .map(|one| one.error_where(|time, _| inside(time)));
-    let (n, squares) =
-        parts.fold((0, 0.0), |(n, squares), part| (n + part.n, squares + part.n as f64 * part.rmse * part.rmse));
-    Outside { n, rmse: (squares / n.max(1) as f64).sqrt() }
+    let first = fitted.outcome.observations.iter().filter(|one| one.observation == 0);
+    Outside::together(first.map(|one| one.error_where(|time, _| inside(time))))
 }
 
 /// How many numbers the data determined.

@@ -72,13 +72,13 @@ impl ObservationFit {
 
     /// Computes from the columns what is told of them.
     pub(super) fn summarise(&mut self) {
-        let fitted = self.error_where(|_, inside| inside);
+        let residuals = self.inside_residuals();
+        let squares = residuals.iter().fold(0.0, |sum, residual| sum + residual * residual);
         let measured = || self.measured.iter().zip(&self.inside).filter(|(_, inside)| **inside).map(|(value, _)| value);
-        let count = fitted.n.max(1) as f64;
+        let count = residuals.len().max(1) as f64;
         let mean = measured().sum::<f64>() / count;
         let spread: f64 = measured().map(|value| (value - mean) * (value - mean)).sum();
-        let squares: f64 = self.inside_residuals().iter().map(|residual| residual * residual).sum();
-        self.rmse = fitted.rmse;
+        self.rmse = (squares / count).sqrt();
         self.r2 = if spread > 0.0 { 1.0 - squares / spread } else { f64::NAN };
         self.outside = Some(self.error_where(|_, inside| !inside)).filter(|part| part.n > 0);
     }

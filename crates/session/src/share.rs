@@ -14,10 +14,12 @@
 //! | `k` | (no value) a kept run: the fields up to the next `k` describe it and not the present one |
 //! | `x` | the speed |
 //! | `v` | plots not shown: `0,2` |
+//! | `z` | what a plot is zoomed to, once for each: the plot, then the limits of the horizontal axis (empty if automatic) and of each vertical one: `0,1:2.5,-3:3` |
 
 use crate::course::{Course, Recipe};
 use crate::{Announcement, Refusal, Session};
 use engine::{Method, Setup};
+use figure::{Interval, View};
 
 /// What the text begins with.
 const VERSION: &str = "1";
@@ -52,6 +54,12 @@ impl Session {
         if !hidden.is_empty() {
             fields.push(format!("v={}", hidden.join(",")));
         }
+        // Plots of what is measured come and go with the records, which are not in a link.
+        for (index, plot) in self.plots.iter().enumerate().take(self.document.plots.len()) {
+            if !plot.view.is_automatic() {
+                fields.push(format!("z={index},{}", limits(&plot.view)));
+            }
+        }
         for kept in &self.kept {
             fields.push("k".to_owned());
             self.write_recipe(&kept.recipe, &mut fields);
@@ -70,7 +78,9 @@ impl Session {
             return Err(Refusal::UnreadableState);
         }
         self.speed = 1.0;
-        self.plots.iter_mut().for_each(|plot| plot.shown = true);
+        for plot in &mut self.plots {
+            (plot.shown, plot.view) = (true, View::default());
+        }
         self.revision.plots += 1;
         let mut reader = Reader { session: self, left_out: Vec::new() };
         let fields: Vec<&str> = fields.collect();
@@ -200,6 +210,12 @@ impl Reader<'_> {
                     self.session.show_plot(index, false);
                 }
             }
+            "z" => {
+                let (index, limits) = value.split_once(',')?;
+                let index: usize = index.parse().ok()?;
+                let plot = self.session.plots.get_mut(index)?;
+                plot.view = view(limits).filter(|view| view.y.is_empty() || view.y.len() == plot.labels.axes.len())?;
+            }
             _ => return None,
         }
         Some(())
@@ -220,6 +236,25 @@ impl Reader<'_> {
         }
         parameters
     }
+}
+
+/// `1:2.5,-3:3`, or `,-3:3` where the horizontal axis is automatic.
+fn limits(view: &View) -> String {
+    let ends = |limits: &Interval| format!("{}:{}", exact(limits.low), exact(limits.high));
+    let horizontal = view.x.as_ref().map_or_else(String::new, ends);
+    std::iter::once(horizontal).chain(view.y.iter().map(ends)).collect::<Vec<_>>().join(",")
+}
+
+/// What [`limits`] has written, if every interval has a length.
+fn view(limits: &str) -> Option<View> {
+    let ends = |limits: &str| {
+        let (low, high) = limits.split_once(':')?;
+        Some(Interval { low: number(low)?, high: number(high)? }).filter(|limits| limits.low < limits.high)
+    };
+    let (horizontal, vertical) = limits.split_once(',').unwrap_or((limits, ""));
+    let x = if horizontal.is_empty() { None } else { Some(ends(horizontal)?) };
+    let y = vertical.split(',').filter(|limits| !limits.is_empty()).map(ends).collect::<Option<_>>()?;
+    Some(View { x, y })
 }
 
 /// The shorter of the two exact ways to write a number: `0.05`, `1e300`.

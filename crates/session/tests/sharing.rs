@@ -4,6 +4,7 @@
 
 mod support;
 
+use figure::{Direction, Palette, Point, Settings};
 use session::{Refusal, Session};
 use support::{bits, play, set, utube};
 
@@ -40,6 +41,30 @@ fn a_link_is_short_and_says_what_differs() {
     assert_eq!(bits(&other), bits(&session));
     assert_eq!((other.speed(), other.plots()[2].shown), (2.0, false));
     assert!(!other.is_playing());
+}
+
+#[test]
+fn what_plots_are_zoomed_to_comes_back() {
+    let mut session = utube();
+    play(&mut session, [5.0]);
+    let settings = Settings::default();
+    for plot in 0..3 {
+        session.layout_plot(plot, &settings);
+    }
+    let drawn = |session: &mut Session, plot| session.plot_svg(plot, &settings, &Palette::LIGHT);
+    let everything = drawn(&mut session, 1);
+    session.zoom_plot(0, None, 2.0, Direction::Horizontal);
+    session.zoom_plot(1, Some(Point { x: 200.0, y: 90.0 }), 3.0, Direction::Both);
+    session.pan_plot(2, 0.0, 17.0);
+    let mut other = reopened(&session);
+    for plot in 0..3 {
+        assert!(!other.plots()[plot].automatic);
+        assert_eq!(drawn(&mut other, plot), drawn(&mut session, plot));
+    }
+    assert_ne!(drawn(&mut other, 1), everything);
+    other.restore("1&t=5").unwrap();
+    assert!(other.plots().iter().all(|plot| plot.automatic));
+    assert_eq!(drawn(&mut other, 1), everything);
 }
 
 #[test]
@@ -135,6 +160,12 @@ fn what_does_not_fit_is_left_out_and_named() {
         ("1&c=10,b:3&c=5,b:3&t=3", "c=5,b:3"),
         ("1&c=99999999,b:3", "c"),
         ("1&v=7", "v=7"),
+        ("1&z=7,0:1", "z=7,0:1"),
+        ("1&z=0", "z=0"),
+        ("1&z=0,1:1", "z=0,1:1"),
+        ("1&z=0,2:1", "z=0,2:1"),
+        ("1&z=1,0:1,2:3,4:5", "z=1,0:1,2:3,4:5"),
+        ("1&z=1,0:NaN", "z=1,0:NaN"),
         ("1&zzz=1", "zzz=1"),
         ("1&&", ""),
         ("1&k&k&k&k&k&k&k", "k"),

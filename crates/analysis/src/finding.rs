@@ -190,7 +190,8 @@ impl Finding {
 }
 
 fn missing(gaps: &[Gap], unit: &str, spanish: bool) -> String {
-    let count: u64 = gaps.iter().map(|gap| gap.last - gap.first + 1).sum();
+    // Times that run back can leave the same frames out again and again.
+    let count: u128 = gaps.iter().map(|gap| u128::from(gap.last - gap.first) + 1).sum();
     let mut text = match (count, spanish) {
         (1, false) => "1 frame is missing: ".to_owned(),
         (1, true) => "falta 1 fotograma: ".to_owned(),

@@ -63,6 +63,9 @@ pub struct Gap {
 /// Beyond this part of a step the distances are uneven, and no frame can be told to be missing.
 const UNEVEN: f64 = 0.2;
 
+/// Beyond so many frames doubles do not count them one by one, and no clock has run so long.
+const MOST_FRAMES: f64 = 9_007_199_254_740_992.0;
+
 /// Finds the step of `times` (in seconds, NaN where there is none) and where it is not kept.
 pub fn examine(times: &[f64]) -> Sampling {
     let rows: Vec<(usize, f64)> = times.iter().copied().enumerate().filter(|(_, time)| time.is_finite()).collect();
@@ -93,7 +96,7 @@ pub fn examine(times: &[f64]) -> Sampling {
             sampling.backwards.push(pair[1].0);
         }
     }
-    if sampling.jitter > UNEVEN {
+    if sampling.jitter > UNEVEN || frames.iter().any(|frame| frame.abs() > MOST_FRAMES) {
         let forward: Vec<f64> = steps.iter().copied().filter(|step| *step > 0.0).collect();
         let mean = forward.iter().sum::<f64>() / forward.len() as f64;
         let variance = forward.iter().map(|step| (step - mean) * (step - mean)).sum::<f64>() / forward.len() as f64;

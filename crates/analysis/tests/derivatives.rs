@@ -101,6 +101,22 @@ fn frames_count_from_time_zero_where_they_can() {
     assert_eq!(found.missing, [Gap { first: 2, last: 3, after: 0.35, before: 0.65 }]);
 }
 
+/// A slip of the finger in one time makes a gap of more frames than a number can count.
+#[test]
+fn frames_without_end_are_not_counted() {
+    for wild in [1.7e65, -1e300, 1e16] {
+        let mut times: Vec<f64> = (0..100).map(|row| 0.1 * f64::from(row)).collect();
+        times[50] = wild;
+        let found = examine(&times);
+        assert!(found.missing.is_empty() && found.frames.is_empty(), "{wild}: {found:?}");
+        assert!(!found.findings(&times, "s").is_empty());
+    }
+    // There and back again so often that all gaps together are more than 64 bits hold.
+    let times: Vec<f64> = [0.0, 1.0, 2.0, 8e15].repeat(3000);
+    let findings = examine(&times).findings(&times, "s");
+    assert!(findings[0].text(false).contains("frames are missing"), "{findings:?}");
+}
+
 fn rounded(values: Vec<f64>, decimals: usize) -> Vec<f64> {
     values
         .into_iter()

@@ -1,7 +1,7 @@
 //! Every check of the project, in the order in which the quick ones fail first and nothing is built twice.
 
 use crate::steps::{cargo, run, step};
-use crate::{golden, page, steps, tools};
+use crate::{golden, page, steps, tools, wasm};
 use anyhow::Result;
 
 /// Runs all checks; stops at the first that fails.
@@ -19,8 +19,8 @@ fn lints() -> Result<()> {
     const STRICT: [&str; 3] = ["--", "-D", "warnings"];
     run(cargo(&["clippy", "--all-targets"]).args(STRICT))?;
     tools::wasm_target()?;
-    let browser = ["clippy", "--package", "lab", "--package", "probe", "--target", "wasm32-unknown-unknown"];
-    run(cargo(&browser).args(STRICT))
+    let browser = ["clippy", "--package", "lab", "--package", "probe", "--package", "unpack"];
+    run(cargo(&browser).args(["--target", wasm::TARGET]).args(STRICT))
 }
 
 fn browser() -> Result<()> {

@@ -4,6 +4,7 @@ mod bench;
 mod checks;
 mod golden;
 mod order;
+mod pack;
 mod page;
 mod steps;
 mod tools;

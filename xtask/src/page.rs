@@ -1,14 +1,14 @@
 //! Builds the laboratory into one HTML file: template, styles, JavaScript glue, and the WebAssembly module as base64 of
-//! gzip. Nothing is fetched when the file is opened, so that it works from a disk, from any host and inside a frame.
+//! LZMA, beside the small module that unpacks it. Nothing is fetched when the file is opened, so that it works from a disk,
+//! from any host and inside a frame.
 
 use crate::wasm::{self, Host};
-use crate::{order, steps};
+use crate::{order, pack, steps};
 use anyhow::{Context, Result, bail};
 use base64::Engine as _;
 use document::page::{self, Source};
 use flate2::{Compression, write::GzEncoder};
 use std::io::Write as _;
-use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 
 /// The document that the laboratory opens with.
@@ -17,40 +17,62 @@ const FIRST: &str = "utube.md";
 /// The directories, below `simulations`, whose documents the laboratory can open without a file.
 const LIBRARY: [&str; 2] = ["theories", ""];
 
+/// A WebAssembly module and the JavaScript around it.
+struct Part {
+    glue: String,
+    module: Vec<u8>,
+}
+
 /// Builds the page and returns where it is.
 pub fn build() -> Result<PathBuf> {
-    let directory = steps::target().join("page").join("parts");
-    wasm::bind(&wasm::build("lab")?, Host::Page, &directory)?;
-    let glue = read(&directory.join("lab.js"))?;
-    let module = directory.join("lab_bg.wasm");
-    let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
-    let module = order::by_likeness(&module)?;
-    let page = assemble(&glue, &module)?;
+    let mut laboratory = part("lab", "wasm_bindgen")?;
+    laboratory.module = order::by_likeness(&laboratory.module)?;
+    let unpacker = part("unpack", "unpacker")?;
+    let packed = pack::pack(&laboratory.module)?;
+    let page = assemble(&laboratory.glue, &packed, &unpacker)?;
     let path = steps::page();
     write_whole(&path, page.as_bytes()).with_context(|| format!("cannot write {}", path.display()))?;
-    for (part, bytes) in [("page", page.as_bytes()), ("module", &module), ("glue", glue.as_bytes())] {
-        let gzipped = gzip(bytes)?.len() as f64 / 1000.0;
-        println!("{part:8}{:8.1} kB, gzipped {gzipped:6.1} kB", bytes.len() as f64 / 1000.0);
+    let kilobytes = |bytes: usize| bytes as f64 / 1000.0;
+    for (name, bytes) in [
+        ("page", page.as_bytes()),
+        ("glue", laboratory.glue.as_bytes()),
+        ("unpacker", &unpacker.module),
+        ("its glue", unpacker.glue.as_bytes()),
+    ] {
+        println!("{name:10}{:8.1} kB, gzipped {:6.1} kB", kilobytes(bytes.len()), kilobytes(gzip(bytes)?.len()));
     }
+    println!("module    {:8.1} kB, packed  {:6.1} kB", kilobytes(laboratory.module.len()), kilobytes(packed.len()));
     Ok(path)
 }
 
+/// Builds a package of the workspace for the page, where its JavaScript defines a name.
+fn part(package: &str, name: &'static str) -> Result<Part> {
+    let directory = steps::target().join("page").join("parts");
+    wasm::bind(&wasm::build(package)?, Host::Page(name), &directory)?;
+    let module = directory.join(format!("{package}_bg.wasm"));
+    let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
+    Ok(Part { glue: read(&directory.join(format!("{package}.js")))?, module })
+}
+
 /// Puts the parts into the template's places.
-fn assemble(glue: &str, module: &[u8]) -> Result<String> {
+fn assemble(glue: &str, packed: &[u8], unpacker: &Part) -> Result<String> {
     let source = steps::root().join("crates").join("lab").join("page");
     let base64 = |bytes: &[u8]| base64::engine::general_purpose::STANDARD.encode(bytes);
     let font = source.join("math.woff2");
     let font = std::fs::read(&font).with_context(|| format!("cannot read {}", font.display()))?;
     let style = read(&source.join("style.css"))?.replace("/*math-font*/", &base64(&font));
-    let boot = read(&source.join("boot.js"))?;
-    let module = base64(&squeeze(module)?);
+    let boot = read(&source.join("boot.js"))?.replace("/*unpacker*/", unpacker.glue.trim_end());
+    let data = |id: &str, bytes: &[u8]| {
+        format!("<script type=\"application/octet-stream\" id=\"{id}\">{}</script>", base64(bytes))
+    };
     let mut html = read(&source.join("index.html"))?;
     for (marker, text) in [
         ("<!--style-->", format!("<style>\n{style}</style>")),
-        ("<!--glue-->", format!("<script>\n{}\n</script>", glue.replace("</script", "<\\/script"))),
-        ("<!--module-->", format!("<script type=\"application/octet-stream\" id=\"module\">{module}</script>")),
+        ("<!--glue-->", script(glue)),
+        ("<!--module-->", data("module", packed)),
+        ("<!--unpacker-->", data("unpacker", &gzip(&unpacker.module)?)),
         ("<!--library-->", format!("<script type=\"application/json\" id=\"library\">{}</script>", library()?)),
-        ("<!--boot-->", format!("<script>\n{boot}</script>")),
+        ("<!--boot-->", script(&boot)),
     ] {
         if html.matches(marker).count() != 1 {
             bail!("crates/lab/page/index.html must contain {marker} once");
@@ -62,6 +84,11 @@ fn assemble(glue: &str, module: &[u8]) -> Result<String> {
         bail!("crates/lab/page/index.html must contain {} once", page::MARKER);
     }
     Ok(html)
+}
+
+/// JavaScript as an element, which no text inside can close.
+fn script(text: &str) -> String {
+    format!("<script>\n{}\n</script>", text.trim_end().replace("</script", "<\\/script"))
 }
 
 /// All documents that ship, each named by its path below `simulations`; first what the laboratory opens with.
@@ -104,13 +131,4 @@ fn gzip(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
     let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
     encoder.write_all(bytes)?;
     encoder.finish()
-}
-
-/// The same format, a twentieth smaller, for half a minute's work.
-fn squeeze(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
-    const SEARCHES: NonZeroU64 = NonZeroU64::MIN.saturating_add(14);
-    let options = zopfli::Options { iteration_count: SEARCHES, ..zopfli::Options::default() };
-    let mut squeezed = Vec::new();
-    zopfli::compress(options, zopfli::Format::Gzip, bytes, &mut squeezed)?;
-    Ok(squeezed)
 }

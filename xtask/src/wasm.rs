@@ -14,8 +14,9 @@ pub const TARGET: &str = "wasm32-unknown-unknown";
 pub enum Host {
     /// Node, as CommonJS.
     Node,
-    /// A classic script inside a page: an inline script cannot import, and from `file://` nothing can be fetched.
-    Page,
+    /// A page, as a classic script that defines this name: an inline script cannot import, and from `file://` nothing can
+    /// be fetched.
+    Page(&'static str),
 }
 
 /// How the standard library is built for the page: for size, and with panics that end in a trap at once, without a text
@@ -48,9 +49,10 @@ pub fn bind(module: &Path, host: Host, directory: &Path) -> Result<()> {
     bindgen.input_path(module).typescript(false);
     match host {
         Host::Node => bindgen.nodejs(true),
-        Host::Page => {
-            bindgen.no_modules(true).map(|bindgen| bindgen.remove_name_section(true).remove_producers_section(true))
-        }
+        Host::Page(name) => bindgen
+            .no_modules(true)
+            .and_then(|bindgen| bindgen.no_modules_global(name))
+            .map(|bindgen| bindgen.remove_name_section(true).remove_producers_section(true)),
     }
     .and_then(|bindgen| bindgen.generate(directory))
     .with_context(|| format!("cannot make the JavaScript of {}", module.display()))

@@ -18,14 +18,23 @@ const stopped = (error) => {
 };
 addEventListener("error", (event) => stopped(event.error));
 addEventListener("unhandledrejection", (event) => stopped(event.reason));
-// Inflates the module that stands in this page and starts it. From a disk nothing can be fetched, hence the detour
-// over text; streaming compiles while it inflates.
+// Unpacks the module that stands in this page and starts it. From a disk nothing can be fetched, hence the detour over
+// text.
 (async () => {
-  const text = document.getElementById("module").textContent;
-  const bytes = Uint8Array.fromBase64?.(text) ?? Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  const response = new Response(stream, { headers: { "content-type": "application/wasm" } });
-  await wasm_bindgen({ module_or_path: response });
+  const decode = (id) => {
+    const text = document.getElementById(id).textContent;
+    return Uint8Array.fromBase64?.(text) ?? Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+  };
+  // Defines `unpacker`; here, so that its memory can be given back when it has done its work.
+  /*unpacker*/
+  const stream = new Blob([decode("unpacker")]).stream().pipeThrough(new DecompressionStream("gzip"));
+  await unpacker({ module_or_path: new Response(stream, { headers: { "content-type": "application/wasm" } }) });
+  const module = unpacker.unpack(decode("module"));
+  if (!module) {
+    tell("This file is damaged. Fetch it again.", "Este archivo está dañado. Vuelve a descargarlo.");
+    return;
+  }
+  await wasm_bindgen({ module_or_path: module });
 })().catch((error) => {
   if (error instanceof WebAssembly.RuntimeError) throw error;
   console.error(error);

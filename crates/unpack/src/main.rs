@@ -1,0 +1,13 @@
+//! The library as a WebAssembly module. It is a program without work of its own, since a library that is also linked into
+//! others is not optimized as a whole.
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// What an `.lzma` file holds; nothing if it is damaged.
+#[wasm_bindgen]
+#[must_use]
+pub fn unpack(packed: &[u8]) -> Option<Vec<u8>> {
+    unpack::unpack(packed)
+}
+
+fn main() {}

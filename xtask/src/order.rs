@@ -1,7 +1,8 @@
 //! The functions of a WebAssembly module in an order in which they compress well: each near those that resemble it.
 //!
-//! gzip finds repetitions only in the 32 kilobytes behind it, and wasm-bindgen writes the functions by their size, which
-//! says little about what is in them. In what order they stand changes nothing else.
+//! A repetition costs less the nearer it is, and what a compressor has learnt about the bytes just before fits best what
+//! resembles them; wasm-bindgen writes the functions by their size, which says little about what is in them. Packed, the
+//! module becomes a fortieth smaller. In what order they stand changes nothing else.
 
 use anyhow::{Context, Result};
 use std::collections::{HashMap, VecDeque};
@@ -10,12 +11,10 @@ use wasm_encoder::{CodeSection, FunctionSection, Module};
 use wasmparser::{CodeSectionReader, FunctionSectionReader, Parser, Payload, TypeRef};
 
 /// How many bytes are taken together where functions are compared.
-const SHINGLE: usize = 6;
-/// Of how many shingles one is looked at.
-const SAMPLE: u32 = 2;
-/// How many bytes of functions behind it a function is compared with: less than gzip's window, since a repetition
-/// costs less the nearer it is.
-const NEAR: usize = 12_000;
+const SHINGLE: usize = 5;
+/// How many bytes of functions behind it a function is compared with, at least one function: far less than the compressor
+/// sees, and what made the module smallest.
+const NEAR: usize = 4000;
 
 /// The module with its functions reordered.
 pub fn by_likeness(module: &[u8]) -> Result<Vec<u8>> {
@@ -119,14 +118,13 @@ fn order(bodies: &[&[u8]]) -> Vec<usize> {
     order
 }
 
-/// Hashes of a sample of the sequences of bytes in a function, each once.
+/// Hashes of the sequences of bytes in a function, each once.
 fn shingles(body: &[u8]) -> Vec<u32> {
     // FNV-1a.
     let hash = |bytes: &[u8]| {
         bytes.iter().fold(0x811c_9dc5, |hash: u32, &byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
     };
-    let mut shingles: Vec<u32> =
-        body.windows(SHINGLE).map(hash).filter(|hash| (hash >> 8).is_multiple_of(SAMPLE)).collect();
+    let mut shingles: Vec<u32> = body.windows(SHINGLE).map(hash).collect();
     shingles.sort_unstable();
     shingles.dedup();
     shingles

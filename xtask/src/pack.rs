@@ -1,15 +1,27 @@
-//! Packs what stands in the page, as `crates/unpack` unpacks it there.
+//! Packs the laboratory's module for the page, where `crates/unpack` unpacks it.
 
+use anyhow::{Result, bail};
 use lzma_rust2::{DICT_SIZE_MAX, DICT_SIZE_MIN, EncodeMode, LzmaOptions, LzmaWriter, MfType};
 use std::io::Write as _;
 
-/// An `.lzma` file of these bytes.
-pub fn pack(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
+/// The packed module; it is unpacked once to see that it comes out the same.
+pub fn pack(module: &[u8]) -> Result<Vec<u8>> {
+    let Some(streams) = unpack::streams::split(module) else { bail!("the module is larger than a module can be") };
+    let packed = compress(&streams)?;
+    if unpack::unpack(&packed).as_deref() != Some(module) {
+        bail!("the module does not come out of its packing as it went in: look into crates/unpack");
+    }
+    Ok(packed)
+}
+
+/// An `.lzma` file.
+fn compress(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
+    let size = u32::try_from(bytes.len()).unwrap_or(u32::MAX);
     let options = LzmaOptions {
-        // The whole of it is in sight, and memory for no more is taken in the page.
-        dict_size: u32::try_from(bytes.len()).unwrap_or(u32::MAX).clamp(DICT_SIZE_MIN, DICT_SIZE_MAX),
-        // A byte is told best by the higher half of the one before it, and not by its place: code has no alignment.
-        lc: 4,
+        // All of it is in sight, and the page takes no memory for more.
+        dict_size: size.clamp(DICT_SIZE_MIN, DICT_SIZE_MAX),
+        // What made the module smallest. Nothing in it is aligned, hence no bits of the place.
+        lc: 2,
         lp: 0,
         pb: 0,
         mode: EncodeMode::Normal,

@@ -3,7 +3,7 @@
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// What an `.lzma` file holds; nothing if it is damaged.
+/// The module; nothing if what it was packed into is damaged.
 #[wasm_bindgen]
 #[must_use]
 pub fn unpack(packed: &[u8]) -> Option<Vec<u8>> {

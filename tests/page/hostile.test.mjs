@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { beside, eventually, meniscus, temporary, visit } from "./lab.mjs";
 
 /** No script of the document has run, and nothing of it is in the page. */
@@ -55,6 +56,15 @@ visit("a hostile link changes nothing but settings", async (lab) => {
 visit("a page whose document was damaged says so", { file: damaged }, async (lab) => {
   await isHarmless(lab);
   assert.ok((await lab.page.locator(".broken").count()) === 1);
+});
+
+visit("a file that was damaged on its way says so", async (lab) => {
+  const whole = readFileSync(fileURLToPath(lab.address), "utf8");
+  const place = whole.indexOf('id="module"') + 300_000;
+  const file = temporary("damaged-module.html");
+  writeFileSync(file, whole.slice(0, place) + "A".repeat(100) + whole.slice(place + 100));
+  await lab.page.goto(pathToFileURL(file).href);
+  await lab.page.getByRole("alert").filter({ hasText: "This file is damaged" }).waitFor();
 });
 
 visit("a fault inside the module is told", async (lab) => {

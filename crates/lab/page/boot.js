@@ -31,7 +31,7 @@ addEventListener("unhandledrejection", (event) => stopped(event.reason));
   await unpacker({ module_or_path: new Response(stream, { headers: { "content-type": "application/wasm" } }) });
   const module = unpacker.unpack(decode("module"));
   if (!module) {
-    tell("This file is damaged. Fetch it again.", "Este archivo está dañado. Vuelve a descargarlo.");
+    tell("This file is damaged. Download it again.", "Este archivo está dañado. Vuelve a descargarlo.");
     return;
   }
   await wasm_bindgen({ module_or_path: module });

@@ -3,10 +3,13 @@
 use crate::frame::{self, Stage};
 use crate::opening::Findings;
 use crate::sound::Sound;
+use crate::views::*;
 use crate::words::{Language, Words};
 use document::page::Source;
-use leptos::prelude::*;
 use session::{Announcement, FitProgress, Refusal, Revision, Session};
+use std::cell::{RefCell, RefMut};
+use std::ops::Deref;
+use sycamore_reactive::{NodeHandle, batch, use_current_scope};
 
 /// What the page holds for as long as it is open.
 #[derive(Default)]
@@ -31,53 +34,69 @@ pub struct Lab {
 #[derive(Clone, Copy)]
 pub struct Changes {
     /// Another document, or the document in another language.
-    pub document: RwSignal<u64>,
+    pub document: Signal<u64>,
     /// Parameters, presets, method and step.
-    pub parameters: RwSignal<u64>,
+    pub parameters: Signal<u64>,
     /// Status, speed and problem.
-    pub transport: RwSignal<u64>,
+    pub transport: Signal<u64>,
     /// Kept runs.
-    pub runs: RwSignal<u64>,
+    pub runs: Signal<u64>,
     /// Which plots are shown, and whether they show everything.
-    pub plots: RwSignal<u64>,
+    pub plots: Signal<u64>,
     /// Records, and what their columns are taken for.
-    pub records: RwSignal<u64>,
+    pub records: Signal<u64>,
     /// Fits, what they vary and what has come of them.
-    pub fits: RwSignal<u64>,
+    pub fits: Signal<u64>,
     /// The time shown and the rows recorded; raised at most ten times a second while the run is playing.
-    pub values: RwSignal<u64>,
+    pub values: Signal<u64>,
 }
 
 /// The handle; copied freely.
 #[derive(Clone, Copy)]
-pub struct App {
-    lab: StoredValue<Lab, LocalStorage>,
+pub struct App(&'static Page);
+
+/// Everything that the handle leads to.
+pub struct Page {
+    lab: RefCell<Lab>,
+    /// Where signals live that live as long as the page.
+    scope: NodeHandle,
     /// What has changed.
     pub changes: Changes,
     /// The language of the interface.
-    pub language: RwSignal<Language>,
+    pub language: Signal<Language>,
     /// What the live region says.
-    pub spoken: RwSignal<String>,
+    pub spoken: Signal<String>,
     /// Whether single keys act.
-    pub single_keys: RwSignal<bool>,
+    pub single_keys: Signal<bool>,
     /// How far the fits have come that a person has begun.
-    pub fit_progress: RwSignal<Option<FitProgress>>,
+    pub fit_progress: Signal<Option<FitProgress>>,
     /// Why the last record could not be read.
-    pub record_refusal: RwSignal<Option<String>>,
+    pub record_refusal: Signal<Option<String>>,
     /// Which tab of the notebook is that of the measurements.
-    pub measurements_tab: RwSignal<usize>,
+    pub measurements_tab: Signal<usize>,
     /// Whether the list of documents has been asked for.
-    pub library_asked_for: RwSignal<bool>,
+    pub library_asked_for: Signal<bool>,
     /// The open tab of the notebook.
-    pub tab: RwSignal<usize>,
+    pub tab: Signal<usize>,
+    /// Whether method and step are shown.
+    pub numerics_open: Signal<bool>,
+}
+
+impl Deref for App {
+    type Target = Page;
+
+    fn deref(&self) -> &Page {
+        self.0
+    }
 }
 
 impl App {
-    /// An empty laboratory.
+    /// An empty laboratory, for as long as the page is open.
     pub fn new(language: Language, single_keys: bool) -> Self {
-        let counter = || RwSignal::new(0);
-        Self {
-            lab: StoredValue::new_local(Lab::default()),
+        let counter = || create_signal(0);
+        let page = Page {
+            lab: RefCell::default(),
+            scope: use_current_scope(),
             changes: Changes {
                 document: counter(),
                 parameters: counter(),
@@ -88,15 +107,17 @@ impl App {
                 fits: counter(),
                 values: counter(),
             },
-            language: RwSignal::new(language),
-            spoken: RwSignal::new(String::new()),
-            single_keys: RwSignal::new(single_keys),
-            fit_progress: RwSignal::new(None),
-            record_refusal: RwSignal::new(None),
-            measurements_tab: RwSignal::new(0),
-            library_asked_for: RwSignal::new(false),
-            tab: RwSignal::new(0),
-        }
+            language: create_signal(language),
+            spoken: create_signal(String::new()),
+            single_keys: create_signal(single_keys),
+            fit_progress: create_signal(None),
+            record_refusal: create_signal(None),
+            measurements_tab: create_signal(0),
+            library_asked_for: create_signal(false),
+            tab: create_signal(0),
+            numerics_open: create_signal(false),
+        };
+        Self(Box::leak(Box::new(page)))
     }
 
     /// The words of the interface, without tracking: whatever shows words is built anew for another language.
@@ -106,32 +127,44 @@ impl App {
 
     /// Works on everything the page holds. Must not be nested.
     pub fn with<T>(self, work: impl FnOnce(&mut Lab) -> T) -> Option<T> {
-        self.lab.try_update_value(work)
+        self.lab.try_borrow_mut().ok().map(|mut lab| work(&mut lab))
     }
 
     /// Reads something from the session; its default where no document is open.
     pub fn read<T: Default>(self, read: impl FnOnce(&mut Session) -> T) -> T {
-        self.with(|lab| lab.session.as_mut().map(read)).flatten().unwrap_or_default()
+        match self.session() {
+            Some(mut session) => read(&mut session),
+            None => T::default(),
+        }
+    }
+
+    /// The session, if a document is open.
+    #[inline(never)]
+    fn session(self) -> Option<RefMut<'static, Session>> {
+        RefMut::filter_map(self.0.lab.try_borrow_mut().ok()?, |lab| lab.session.as_mut()).ok()
     }
 
     /// Does something in the session, tells the views and draws.
     pub fn act<T: Default>(self, act: impl FnOnce(&mut Session) -> T) -> T {
         let result = self.read(act);
-        self.publish(true, false);
-        frame::wake(self);
+        self.acted(false);
         result
     }
 
     /// As [`App::act`], for a slider, which tells its value itself.
     pub fn slide(self, act: impl FnOnce(&mut Session)) {
         self.read(act);
-        self.publish(true, true);
-        frame::wake(self);
+        self.acted(true);
     }
 
     /// As [`App::act`], for what may be refused: the refusal in words.
     pub fn attempt(self, act: impl FnOnce(&mut Session) -> Result<(), Refusal>) -> Option<String> {
         self.act(|session| act(session).err().map(|refusal| session.refusal_text(&refusal)))
+    }
+
+    fn acted(self, by_slider: bool) {
+        self.publish(true, by_slider);
+        frame::wake(self);
     }
 
     /// Raises the counters of what has changed and says what is to be told. `values` says whether it is time to show
@@ -158,7 +191,12 @@ impl App {
         });
         let Some((before, now, told)) = news.flatten() else { return };
         let changes = self.changes;
-        for (changed, signal) in [
+        let raise = |(changed, counter): (bool, Signal<u64>)| {
+            if changed {
+                counter.update(|count| *count += 1);
+            }
+        };
+        let changed = [
             (before.parameters != now.parameters, changes.parameters),
             (before.transport != now.transport, changes.transport),
             (before.runs != now.runs, changes.runs),
@@ -166,11 +204,9 @@ impl App {
             (before.records != now.records, changes.records),
             (before.fits != now.fits, changes.fits),
             ((before.frame, before.rows) != (now.frame, now.rows), changes.values),
-        ] {
-            if changed {
-                signal.update(|count| *count += 1);
-            }
-        }
+        ];
+        // What reads several of them is built once.
+        self.scope.run_in(|| batch(|| changed.into_iter().for_each(raise)));
         if !told.is_empty() {
             self.say(told);
         }
@@ -187,8 +223,7 @@ impl App {
     /// Everything is built anew: for another document or language.
     pub fn rebuild(self) {
         self.changes.document.update(|count| *count += 1);
-        self.publish(true, false);
-        frame::wake(self);
+        self.acted(false);
     }
 
     /// Chooses the language of everything.

@@ -1,11 +1,11 @@
 //! The few things the laboratory asks of the browser that may fail: storage, clipboard, files. A refusal is an answer,
 //! never a panic; a page opened from `file://`, in private mode or inside a frame is refused many of them.
 
+use crate::views::{document, window};
 use js_sys::{Array, Function, Promise, Reflect, Uint8Array};
-use leptos::prelude::{document, window};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
-use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, HtmlElement, HtmlTextAreaElement, Url};
+use web_sys::{Blob, BlobPropertyBag, Event, HtmlAnchorElement, HtmlElement, HtmlTextAreaElement, Url};
 
 /// The element with this id, if it is of type `T`.
 pub fn by_id<T: JsCast>(id: &str) -> Option<T> {
@@ -21,7 +21,15 @@ pub fn focus(id: &str) {
 
 /// The same once what is being built anew is there.
 pub fn focus_later(id: String) {
-    leptos::prelude::request_animation_frame(move || focus(&id));
+    let focus = Closure::once_into_js(move || focus(&id));
+    let _ = window().request_animation_frame(focus.unchecked_ref());
+}
+
+/// Calls `react` whenever this happens in the window, as long as the page lives.
+pub fn listen<E: JsCast + 'static>(event: &str, mut react: impl FnMut(&E) + 'static) {
+    let closure = Closure::<dyn FnMut(Event)>::new(move |event: Event| react(event.unchecked_ref()));
+    let _ = window().add_event_listener_with_callback(event, closure.as_ref().unchecked_ref());
+    closure.forget();
 }
 
 /// Whether a media query matches now.
@@ -94,7 +102,7 @@ pub fn copy(text: &str, done: impl FnOnce(bool) + 'static) {
     }
     let text = text.to_owned();
     let promise: Promise = window().navigator().clipboard().write_text(&text);
-    leptos::task::spawn_local(async move {
+    wasm_bindgen_futures::spawn_local(async move {
         let allowed = wait(promise).await.is_ok();
         done(allowed || copy_by_selection(&text));
     });

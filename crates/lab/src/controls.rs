@@ -2,180 +2,176 @@
 
 use crate::app::App;
 use crate::parameters;
-use leptos::prelude::*;
-use session::Session;
+use crate::views::*;
+use session::{MethodView, PresetGroup, PresetView, Session, StateView};
+use web_sys::HtmlDetailsElement;
 
 /// A name typeset: `h_l` as MathML. Labels say the same in words, so readers of the screen need not hear it.
-pub fn symbol(name: &str) -> impl IntoView {
-    view! { <span class="symbol" aria-hidden="true" inner_html=model::typeset_name(name)></span> }
+pub fn symbol(name: &str) -> HtmlSpan {
+    span().class("symbol").attr("aria-hidden", "true").inner_html(model::typeset_name(name))
 }
 
 /// The controls.
-pub fn view(app: App) -> impl IntoView {
+pub fn view(app: App) -> HtmlSection {
     let words = app.words();
-    view! {
-        <section class="controls card" id="controls" aria-labelledby="controls-title">
-            <h2 id="controls-title" class="visually-hidden">{words.controls}</h2>
-            <div class="block">
-                <div class="block-head">
-                    <h3>{words.parameters}</h3>
-                    <button type="button" class="quiet" id="reset-parameters" on:click=move |_| app.act(Session::reset_parameters)>{words.reset_parameters}</button>
-                </div>
-                {parameters::view(app)}
-            </div>
-            {presets(app)}
-            {states(app)}
-            {numerics(app)}
-        </section>
-    }
+    let reset = button()
+        .class("quiet")
+        .id("reset-parameters")
+        .when(events::click, move |_| app.act(Session::reset_parameters))
+        .child(words.reset_parameters);
+    let parameters = div()
+        .class("block")
+        .child(div().class("block-head").child(h3().child(words.parameters)).child(reset))
+        .each(app.read(|session| session.parameters()), |first| parameters::control(app, first));
+    section()
+        .class("controls card")
+        .id("controls")
+        .attr("aria-labelledby", "controls-title")
+        .child(h2().id("controls-title").class("visually-hidden").child(words.controls))
+        .child(parameters)
+        .child(presets(app))
+        .child(states(app))
+        .child(numerics(app))
 }
 
-fn presets(app: App) -> impl IntoView {
+fn presets(app: App) -> View {
     let words = app.words();
-    let now = Memo::new(move |_| {
+    let now = memo(move || {
         app.changes.parameters.track();
         app.read(|session| session.presets())
     });
-    let groups = now.get_untracked();
+    let groups = now.get_clone_untracked();
     if groups.is_empty() {
-        return ().into_any();
+        return View::new();
     }
     let selected = move |index: usize| {
         now.with(|groups| {
             groups.iter().flat_map(|group| &group.presets).any(|preset| preset.index == index && preset.selected)
         })
     };
-    let refusal = RwSignal::new(None::<String>);
-    let groups = groups
-        .into_iter()
-        .enumerate()
-        .map(|(number, group)| {
-            let id = format!("presets-{number}");
-            let buttons = group
-                .presets
-                .into_iter()
-                .map(|preset| {
-                    let index = preset.index;
-                    view! {
-                        <button type="button" class="chip" title=preset.description aria-pressed=move || selected(index).to_string()
-                            on:click=move |_| refusal.set(app.attempt(|session| session.apply_preset(index)))>
-                            {preset.name}
-                        </button>
-                    }
-                })
-                .collect_view();
-            let name = if group.name.is_empty() { words.presets.to_owned() } else { group.name };
-            view! {
-                <div class="preset-group" role="group" aria-labelledby=id.clone()>
-                    <h4 id=id.clone()>{name}</h4>
-                    <div class="chips">{buttons}</div>
-                </div>
-            }
-        })
-        .collect_view();
-    view! {
-        <div class="block presets">
-            <h3 class="visually-hidden">{words.presets}</h3>
-            {groups}
-            <p class="refusal" role="alert">{move || refusal.get()}</p>
-        </div>
-    }
-    .into_any()
+    let refusal = create_signal(None::<String>);
+    let choose = |preset: PresetView| {
+        let index = preset.index;
+        button()
+            .class("chip")
+            .title(preset.description)
+            .attr("aria-pressed", move || selected(index).to_string())
+            .when(events::click, move |_| refusal.set(app.attempt(|session| session.apply_preset(index))))
+            .child(preset.name)
+    };
+    let group = |(number, group): (usize, PresetGroup)| {
+        let id = format!("presets-{number}");
+        let name = if group.name.is_empty() { words.presets.to_owned() } else { group.name };
+        div()
+            .class("preset-group")
+            .role("group")
+            .attr("aria-labelledby", id.clone())
+            .child(h4().id(id).child(name))
+            .child(div().class("chips").each(group.presets, choose))
+    };
+    div()
+        .class("block presets")
+        .child(h3().class("visually-hidden").child(words.presets))
+        .each(groups.into_iter().enumerate(), group)
+        .child(refusal_of(refusal))
+        .into()
 }
 
 /// The state, to be edited while the run stands still.
-fn states(app: App) -> impl IntoView {
+fn states(app: App) -> View {
     let words = app.words();
     let states = app.read(|session| session.states());
     if states.is_empty() {
-        return ().into_any();
+        return View::new();
     }
-    let fields = states
-        .into_iter()
-        .map(|state| {
-            let (index, id) = (state.index, format!("state-{}", state.index));
-            let view = move || {
-                app.changes.values.track();
-                app.changes.transport.track();
-                app.read(|session| session.states().into_iter().nth(index))
-            };
-            let editable = move || view().is_some_and(|state| state.editable);
-            let error = RwSignal::new(None::<String>);
-            let field = parameters::Field {
-                id: id.clone(),
-                text: Signal::derive(move || view().map(|state| state.text).unwrap_or_default()),
-                editable: Signal::derive(editable),
-                signed: true,
-                error,
-                commit: move |text: String| app.attempt(|session| session.set_state_text(index, &text)),
-                nudge: |_| (),
-            };
-            view! {
-                <div class="parameter">
-                    <label for=id.clone()><span>{state.label}</span>{symbol(&state.name)}</label>
-                    <span class="quantity">{field.view()}<span class="unit">{state.unit}</span></span>
-                    <p class="refusal" id=format!("{id}-error") role="alert">{move || error.get()}</p>
-                </div>
-            }
-        })
-        .collect_view();
-    view! {
-        <div class="block">
-            <div class="block-head"><h3>{words.state}</h3></div>
-            {fields}
-            <p class="note">{words.state_hint}</p>
-        </div>
-    }
-    .into_any()
+    let field = |state: StateView| {
+        let (index, id) = (state.index, format!("state-{}", state.index));
+        let view = move || {
+            app.changes.values.track();
+            app.changes.transport.track();
+            app.read(|session| session.states().into_iter().nth(index))
+        };
+        let error = create_signal(None::<String>);
+        let field = parameters::Field {
+            id: id.clone(),
+            text: memo(move || view().map(|state| state.text).unwrap_or_default()),
+            editable: memo(move || view().is_some_and(|state| state.editable)),
+            signed: true,
+            error,
+            commit: Box::new(move |text| app.attempt(|session| session.set_state_text(index, text))),
+            nudge: Box::new(|_| ()),
+        };
+        div()
+            .class("parameter")
+            .child(label().r#for(id.clone()).child(span().child(state.label)).child(symbol(&state.name)))
+            .child(span().class("quantity").child(field.view()).child(span().class("unit").child(state.unit)))
+            .child(refusal_of(error).id(format!("{id}-error")))
+    };
+    div()
+        .class("block")
+        .child(div().class("block-head").child(h3().child(words.state)))
+        .each(states, field)
+        .child(p().class("note").child(words.state_hint))
+        .into()
 }
 
 /// Method and step.
-fn numerics(app: App) -> impl IntoView {
+fn numerics(app: App) -> HtmlDetails {
     let words = app.words();
-    let refusal = RwSignal::new(None::<String>);
-    let error = RwSignal::new(None::<String>);
+    let refusal = create_signal(None::<String>);
+    let error = create_signal(None::<String>);
     let chosen = move |name: &'static str| {
         app.changes.parameters.track();
         app.read(|session| session.methods().iter().any(|method| method.name == name && method.selected))
     };
-    let options = app
-        .read(|session| session.methods())
-        .into_iter()
-        .map(|method| {
-            view! {
-                <option value=method.name disabled=!method.refused.is_empty() title=method.refused selected=move || chosen(method.name)>{method.label}</option>
-            }
-        })
-        .collect_view();
+    let method = |method: MethodView| {
+        option()
+            .value(method.name)
+            .disabled(!method.refused.is_empty())
+            .title(method.refused)
+            .selected(move || chosen(method.name))
+            .child(method.label)
+    };
     let step = move || {
         app.changes.parameters.track();
         app.read(|session| session.step_text())
     };
     let field = parameters::Field {
         id: "step-size".to_owned(),
-        text: Signal::derive(move || step().0),
-        editable: Signal::derive(|| true),
+        text: memo(move || step().0),
+        editable: memo(|| true),
         signed: false,
         error,
-        commit: move |text: String| app.attempt(|session| session.set_step_text(&text)),
-        nudge: |_| (),
+        commit: Box::new(move |text| app.attempt(|session| session.set_step_text(text))),
+        nudge: Box::new(|_| ()),
     };
-    view! {
-        <details class="block numerics">
-            <summary><h3>{words.numerics}</h3></summary>
-            <div class="parameter">
-                <label for="method"><span>{words.method}</span></label>
-                <select id="method" on:change=move |event| {
-                    let name = event_target_value(&event);
-                    refusal.set(app.attempt(|session| session.set_method(&name)));
-                }>{options}</select>
-                <p class="refusal" role="alert">{move || refusal.get()}</p>
-            </div>
-            <div class="parameter">
-                <label for="step-size"><span>{words.step}</span></label>
-                <span class="quantity">{field.view()}<span class="unit">{move || step().1}</span></span>
-                <p class="refusal" id="step-size-error" role="alert">{move || error.get()}</p>
-            </div>
-        </details>
-    }
+    let choose = select()
+        .id("method")
+        .when(events::change, move |event| {
+            let name = value_of(&event);
+            refusal.set(app.attempt(|session| session.set_method(&name)));
+        })
+        .each(app.read(|session| session.methods()), method);
+    let method = div()
+        .class("parameter")
+        .child(label().r#for("method").child(span().child(words.method)))
+        .child(choose)
+        .child(refusal_of(refusal));
+    let unit = span().class("unit").child(text(move || step().1));
+    let step = div()
+        .class("parameter")
+        .child(label().r#for("step-size").child(span().child(words.step)))
+        .child(span().class("quantity").child(field.view()).child(unit))
+        .child(refusal_of(error).id("step-size-error"));
+    let summary = summary().child(h3().child(words.numerics));
+    let mut details = details();
+    let node: HtmlDetailsElement = details.node();
+    // They stay open where all is built anew, in another language.
+    details
+        .class("block numerics")
+        .open(app.numerics_open.get_untracked())
+        .when(events::toggle, move |_| app.numerics_open.set(node.open()))
+        .child(summary)
+        .child(method)
+        .child(step)
 }

@@ -1,87 +1,86 @@
 //! An oscillation cycle by cycle: a choice of plots, the table, the words. Nothing is computed while it is closed.
 
 use crate::app::App;
+use crate::views::*;
 use crate::{browser, plots};
-use leptos::html;
-use leptos::prelude::*;
-use session::{CyclesView, ExportKind};
+use session::{CycleColumn, CyclesView, ExportKind};
+use web_sys::HtmlDetailsElement;
 
 /// The section; nothing while there is no record.
-pub fn view(app: App) -> impl IntoView {
-    let any = Memo::new(move |_| {
+pub fn view(app: App) -> View {
+    let any = memo(move || {
         app.changes.records.track();
         app.read(|session| !session.records().is_empty())
     });
-    move || if any.get() { card(app) } else { ().into_any() }
+    changing(move || if any.get() { card(app) } else { View::new() })
 }
 
-fn card(app: App) -> AnyView {
+fn card(app: App) -> View {
     let words = app.words();
-    let open = RwSignal::new(app.read(|session| session.looks_at_cycles()));
+    let open = create_signal(app.read(|session| session.looks_at_cycles()));
     // Raised whenever something else is looked at.
-    let looked = RwSignal::new(0_u32);
-    let details = NodeRef::<html::Details>::new();
+    let looked = create_signal(0_u32);
+    let mut details = details();
+    let node: HtmlDetailsElement = details.node();
     let toggled = move |_| {
-        let now = details.get_untracked().is_some_and(|details| details.open());
+        let now = node.open();
         if now != open.get_untracked() {
             app.act(|session| session.open_cycles(now));
             open.set(now);
         }
     };
-    view! {
-        <details node_ref=details class="cycles card" id="cycles" open=open.get_untracked() on:toggle=toggled>
-            <summary><h3>{words.cycles_title}</h3></summary>
-            {move || if open.get() { content(app, looked) } else { ().into_any() }}
-        </details>
-    }
-    .into_any()
+    details
+        .class("cycles card")
+        .id("cycles")
+        .open(open.get_untracked())
+        .when(events::toggle, toggled)
+        .child(summary().child(h3().child(words.cycles_title)))
+        .child(changing(move || if open.get() { content(app, looked) } else { View::new() }))
+        .into()
 }
 
-fn content(app: App, looked: RwSignal<u32>) -> AnyView {
+fn content(app: App, looked: Signal<u32>) -> View {
     let words = app.words();
     let index = app.read(|session| session.cycle_plot());
-    let shown = move |index: usize| {
-        app.changes.plots.track();
-        app.read(|session| session.plots().get(index).is_some_and(|plot| plot.offered))
-    };
-    let found = move || {
+    let shown = move || plots::now(app, index).is_some_and(|plot| plot.offered);
+    let found = memo(move || {
         looked.track();
         app.changes.records.track();
         app.read(|session| session.cycles())
-    };
+    });
     let sentences = move || {
-        let sentences = found().map(|found| found.sentences).unwrap_or_default();
-        sentences.into_iter().map(|sentence| view! { <p>{sentence}</p> }).collect_view()
+        let sentences = found.get_clone().map(|found| found.sentences).unwrap_or_default();
+        each(sentences, |sentence| p().child(sentence))
     };
-    view! {
-        <p class="note">{words.cycles_intro}</p>
-        {choices(app, looked)}
-        <div class="verdicts">{sentences}</div>
-        {plots::figure(app, index, shown)}
-        {move || found().filter(|found| !found.rows.is_empty()).map(|found| table(app, found))}
-    }
-    .into_any()
+    let found = move || match found.get_clone().filter(|found| !found.rows.is_empty()) {
+        Some(found) => table(app, found),
+        None => View::new(),
+    };
+    View::from((
+        p().class("note").child(words.cycles_intro),
+        choices(app, looked),
+        div().class("verdicts").child(changing(sentences)),
+        plots::figure(app, index, Box::new(shown)),
+        changing(found),
+    ))
 }
 
 /// Which column, which quantity, against what.
-fn choices(app: App, looked: RwSignal<u32>) -> AnyView {
+fn choices(app: App, looked: Signal<u32>) -> HtmlDiv {
     let words = app.words();
     let columns = move || {
         looked.track();
         app.changes.records.track();
         let columns = app.read(|session| session.cycle_columns());
-        let option = |column: session::CycleColumn| {
+        let choose = |column: CycleColumn| {
             let value = format!("{}-{}", column.record, column.column);
-            view! { <option value=value selected=column.selected>{column.label}</option> }
+            option().value(value).selected(column.selected).child(column.label)
         };
-        columns.into_iter().map(option).collect_view()
+        each(columns, choose)
     };
     let (names, drawn) = app.read(|session| session.cycle_quantities());
-    let options = names
-        .into_iter()
-        .enumerate()
-        .map(|(number, name)| view! { <option value=number.to_string() selected=number == drawn>{name}</option> })
-        .collect_view();
+    let quantity =
+        |(number, name): (usize, String)| option().value(number.to_string()).selected(number == drawn).child(name);
     let against = move || {
         looked.track();
         app.read(|session| session.cycles_against_amplitude())
@@ -101,57 +100,57 @@ fn choices(app: App, looked: RwSignal<u32>) -> AnyView {
         }
     };
     let side = move |label: &'static str, amplitude: bool| {
-        view! {
-            <button type="button" class="chip" aria-pressed=move || (against() == amplitude).to_string()
-                on:click=move |_| draw(None, Some(amplitude))>{label}</button>
-        }
+        button()
+            .class("chip")
+            .attr("aria-pressed", move || (against() == amplitude).to_string())
+            .when(events::click, move |_| draw(None, Some(amplitude)))
+            .child(label)
     };
-    view! {
-        <div class="looking">
-            <span class="quantity"><label for="cycles-column">{words.cycles_column}</label>
-                <select id="cycles-column" on:change=move |event| choose(event_target_value(&event))>{columns}</select></span>
-            <span class="quantity"><label for="cycles-quantity">{words.cycles_quantity}</label>
-                <select id="cycles-quantity" on:change=move |event| draw(event_target_value(&event).parse().ok(), None)>{options}</select></span>
-            <div class="chips" role="group" aria-label=words.cycles_against>
-                <span class="note" aria-hidden="true">{words.cycles_against}</span>
-                {side(words.cycles_time, false)}
-                {side(words.cycles_amplitude, true)}
-            </div>
-        </div>
-    }
-    .into_any()
+    let column = select()
+        .id("cycles-column")
+        .when(events::change, move |event| choose(value_of(&event)))
+        .child(changing(columns));
+    let quantity = select()
+        .id("cycles-quantity")
+        .when(events::change, move |event| draw(value_of(&event).parse().ok(), None))
+        .each(names.into_iter().enumerate(), quantity);
+    let against = div()
+        .class("chips")
+        .role("group")
+        .attr("aria-label", words.cycles_against)
+        .child(span().class("note").attr("aria-hidden", "true").child(words.cycles_against))
+        .child(side(words.cycles_time, false))
+        .child(side(words.cycles_amplitude, true));
+    let named =
+        |place: &'static str, name: &'static str| span().class("quantity").child(label().r#for(place).child(name));
+    div()
+        .class("looking")
+        .child(named("cycles-column", words.cycles_column).child(column))
+        .child(named("cycles-quantity", words.cycles_quantity).child(quantity))
+        .child(against)
 }
 
-fn table(app: App, found: CyclesView) -> AnyView {
+fn table(app: App, found: CyclesView) -> View {
     let words = app.words();
-    let heads = found.heads.into_iter().map(|head| view! { <th scope="col">{head}</th> }).collect_view();
-    let rows = found
-        .rows
-        .into_iter()
-        .map(|(kind, cells)| {
-            let cells = cells.into_iter().map(|cell| view! { <td>{cell}</td> }).collect_view();
-            view! { <tr><th scope="row">{kind}</th>{cells}</tr> }
-        })
-        .collect_view();
+    let head = |head: String| th().scope("col").child(head);
+    let row = |(kind, cells)| tr().child(th().scope("row").child(kind)).each(cells, |cell: String| td().child(cell));
     let save = move |kind: ExportKind| {
         if let Some(file) = app.read(|session| session.export_cycles(kind)) {
             browser::save_bytes(&file.name, file.kind, &file.bytes);
         }
     };
-    view! {
-        <p class="note">{words.cycles_run}</p>
-        <div class="table" tabindex="0" role="region" aria-label=words.cycles_title>
-            <table>
-                <caption class="visually-hidden">{words.cycles_title}</caption>
-                <thead><tr><th scope="col">{words.cycles_turn}</th>{heads}</tr></thead>
-                <tbody>{rows}</tbody>
-            </table>
-        </div>
-        <p class="note">{words.cycles_note}</p>
-        <div class="intake">
-            <button type="button" class="quiet" on:click=move |_| save(ExportKind::Csv)>"CSV"</button>
-            <button type="button" class="quiet" on:click=move |_| save(ExportKind::Workbook)>"XLSX"</button>
-        </div>
-    }
-    .into_any()
+    let save = |name: &'static str, kind: ExportKind| {
+        button().class("quiet").when(events::click, move |_| save(kind)).child(name)
+    };
+    let head = tr().child(th().scope("col").child(words.cycles_turn)).each(found.heads, head);
+    let table = tags::table()
+        .child(caption().class("visually-hidden").child(words.cycles_title))
+        .child(thead().child(head))
+        .child(tbody().each(found.rows, row));
+    View::from((
+        p().class("note").child(words.cycles_run),
+        div().class("table").tabindex("0").role("region").attr("aria-label", words.cycles_title).child(table),
+        p().class("note").child(words.cycles_note),
+        div().class("intake").child(save("CSV", ExportKind::Csv)).child(save("XLSX", ExportKind::Workbook)),
+    ))
 }

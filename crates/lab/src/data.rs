@@ -1,28 +1,27 @@
 //! The recorded run as a table, a window of rows at a time, and as CSV.
 
 use crate::app::App;
+use crate::views::*;
 use crate::{browser, notebook};
-use leptos::prelude::*;
 
 /// Rows in the window.
 const ROWS: usize = 20;
 
 /// The table and its tools, in the notebook's tab of this number. While another tab is open it costs nothing.
-pub fn view(app: App, tab: usize) -> AnyView {
+pub fn view(app: App, tab: usize) -> HtmlDiv {
     let words = app.words();
     let head = app.read(|session| session.table_header());
-    let head = head.into_iter().map(|cell| view! { <th scope="col">{cell}</th> }).collect_view();
-    let start = RwSignal::new(0_usize);
-    let follow = RwSignal::new(true);
+    let start = create_signal(0_usize);
+    let follow = create_signal(true);
     let length = move || {
         app.changes.values.track();
         app.read(|session| session.table_length())
     };
     let last_start = move || length().saturating_sub(ROWS);
-    let open = Memo::new(move |_| app.tab.get() == tab);
+    let open = memo(move || app.tab.get() == tab);
     let body = move || {
         if !open.get() {
-            return Vec::new();
+            return View::new();
         }
         app.changes.values.track();
         let now = app.read(|session| session.table_row_now());
@@ -31,16 +30,14 @@ pub fn view(app: App, tab: usize) -> AnyView {
         }
         let from = start.get().min(last_start());
         let rows = app.read(|session| session.table_rows(from..from + ROWS));
-        rows.into_iter()
-            .enumerate()
-            .map(|(number, cells)| {
-                let mut cells = cells.into_iter();
-                let first = cells.next();
-                let cells = cells.map(|cell| view! { <td>{cell}</td> }).collect_view();
-                let present = from + number == now;
-                view! { <tr aria-current=present.then_some("true")><th scope="row">{first}</th>{cells}</tr> }
-            })
-            .collect_view()
+        let row = |(number, cells): (usize, Vec<String>)| {
+            let present = from + number == now;
+            let mut cells = cells.into_iter();
+            tr().attr("aria-current", present.then_some("true"))
+                .child(th().scope("row").maybe(cells.next()))
+                .each(cells, |cell| td().child(cell))
+        };
+        each(rows.into_iter().enumerate(), row)
     };
     let go = move |to: usize| {
         follow.set(false);
@@ -48,36 +45,41 @@ pub fn view(app: App, tab: usize) -> AnyView {
     };
     let at = move || start.get().min(last_start());
     let range = move || format!("{}–{} / {} {}", at() + 1, (at() + ROWS).min(length()), length(), words.rows);
-    view! {
-        <div class="data">
-            <div class="data-bar">
-                <div class="pager" role="group" aria-label=words.rows>
-                    <button type="button" class="icon" aria-label=words.row_first title=words.row_first on:click=move |_| go(0)>"⇤"</button>
-                    <button type="button" class="icon" aria-label=words.row_previous title=words.row_previous on:click=move |_| go(at().saturating_sub(ROWS))>"←"</button>
-                    <span class="range">{range}</span>
-                    <button type="button" class="icon" aria-label=words.row_next title=words.row_next on:click=move |_| go(at() + ROWS)>"→"</button>
-                    <button type="button" class="icon" aria-label=words.row_last title=words.row_last on:click=move |_| go(usize::MAX)>"⇥"</button>
-                </div>
-                <label class="switch">
-                    <input type="checkbox" prop:checked=move || follow.get() on:change=move |event| follow.set(event_target_checked(&event)) />
-                    <span>{words.follow}</span>
-                </label>
-                <div class="actions">
-                    <button type="button" class="quiet" id="copy-csv" on:click=move |_| notebook::copy(app, &app.read(|session| session.csv()))>{words.copy_csv}</button>
-                    <button type="button" class="quiet" id="save-csv" on:click=move |_| save(app)>{words.save_csv}</button>
-                    <button type="button" class="quiet" id="save-xlsx" on:click=move |_| save_workbook(app)>{words.save_xlsx}</button>
-                </div>
-            </div>
-            <div class="table" tabindex="0" role="region" aria-label=words.table>
-                <table>
-                    <caption class="visually-hidden">{words.table}</caption>
-                    <thead><tr>{head}</tr></thead>
-                    <tbody>{body}</tbody>
-                </table>
-            </div>
-        </div>
-    }
-    .into_any()
+    let turn = |name: &'static str, arrow: &'static str, to: fn(usize) -> usize| {
+        button().class("icon").called(name).when(events::click, move |_| go(to(at()))).child(arrow)
+    };
+    let pager = div()
+        .class("pager")
+        .role("group")
+        .attr("aria-label", words.rows)
+        .child(turn(words.row_first, "⇤", |_| 0))
+        .child(turn(words.row_previous, "←", |at| at.saturating_sub(ROWS)))
+        .child(span().class("range").child(text(range)))
+        .child(turn(words.row_next, "→", |at| at + ROWS))
+        .child(turn(words.row_last, "⇥", |_| usize::MAX));
+    let tick = input()
+        .r#type("checkbox")
+        .prop("checked", move || follow.get())
+        .when(events::change, move |event| follow.set(is_checked(&event)));
+    let take = |id: &'static str, name: &'static str, take: fn(App)| {
+        button().class("quiet").id(id).when(events::click, move |_| take(app)).child(name)
+    };
+    let actions = div()
+        .class("actions")
+        .child(take("copy-csv", words.copy_csv, |app| notebook::copy(app, &app.read(|session| session.csv()))))
+        .child(take("save-csv", words.save_csv, save))
+        .child(take("save-xlsx", words.save_xlsx, save_workbook));
+    let bar = div()
+        .class("data-bar")
+        .child(pager)
+        .child(label().class("switch").child(tick).child(span().child(words.follow)))
+        .child(actions);
+    let table = table()
+        .child(caption().class("visually-hidden").child(words.table))
+        .child(thead().child(tr().each(head, |cell| th().scope("col").child(cell))))
+        .child(tbody().child(changing(body)));
+    let region = div().class("table").tabindex("0").role("region").attr("aria-label", words.table).child(table);
+    div().class("data").child(bar).child(region)
 }
 
 fn save(app: App) {

@@ -2,32 +2,33 @@
 
 use crate::app::App;
 use crate::browser;
-use leptos::prelude::*;
-use session::{Differentiation, RecordView};
+use crate::views::*;
+use session::{ColumnView, Differentiation, RecordView};
+use web_sys::HtmlDetailsElement;
 
 /// What was chosen last: the same for all records, as long as the page is open.
 #[derive(Clone, Copy)]
 pub struct Choice {
     /// The records whose form is open.
-    open: RwSignal<Vec<u32>>,
-    smooth: RwSignal<bool>,
-    window: RwSignal<String>,
-    degree: RwSignal<String>,
+    open: Signal<Vec<u32>>,
+    smooth: Signal<bool>,
+    window: Signal<String>,
+    degree: Signal<String>,
 }
 
 impl Choice {
     /// What a person meets at first.
     pub fn new() -> Self {
         Self {
-            open: RwSignal::new(Vec::new()),
-            smooth: RwSignal::new(false),
-            window: RwSignal::new("9".to_owned()),
-            degree: RwSignal::new("3".to_owned()),
+            open: create_signal(Vec::new()),
+            smooth: create_signal(false),
+            window: create_signal("9".to_owned()),
+            degree: create_signal("3".to_owned()),
         }
     }
 
     fn method(self) -> Differentiation {
-        let number = |text: RwSignal<String>| text.with_untracked(|text| text.trim().parse().unwrap_or_default());
+        let number = |text: Signal<String>| text.with_untracked(|text| text.trim().parse().unwrap_or_default());
         match self.smooth.get_untracked() {
             true => Differentiation::Smooth { window: number(self.window), degree: number(self.degree) },
             false => Differentiation::Central,
@@ -36,73 +37,85 @@ impl Choice {
 }
 
 /// The form, closed at first; nothing where no column can be differentiated.
-pub fn view(app: App, record: &RecordView, choice: Choice) -> AnyView {
+pub fn view(app: App, record: &RecordView, choice: Choice) -> View {
     let words = app.words();
     let id = record.id;
     let columns: Vec<_> = record.columns.iter().filter(|column| column.differentiable).collect();
-    let Some(first) = columns.first().map(|column| column.index) else { return ().into_any() };
+    let Some(first) = columns.first().map(|column| column.index) else { return View::new() };
     let any_made = record.columns.iter().any(|column| !column.made.is_empty());
     let of = columns.iter().find(|column| column.fitted).map_or(first, |column| column.index);
-    let column = RwSignal::new(of);
-    let options = columns
-        .into_iter()
-        .map(|column| {
-            view! { <option value=column.index.to_string() selected=column.index == of>{column.head.clone()}</option> }
-        })
-        .collect_view();
-    let button = format!("derive-{id}");
-    let again = button.clone();
+    let column = create_signal(of);
+    let choose = |column: &ColumnView| {
+        option().value(column.index.to_string()).selected(column.index == of).child(column.head.clone())
+    };
+    let place = format!("derive-{id}");
+    let again = place.clone();
     let make = move |_| {
         let refusal = app.attempt(|session| session.make_derivatives(id, column.get_untracked(), choice.method()));
         app.record_refusal.set(refusal);
         browser::focus_later(again.clone());
     };
-    let summary = format!("derivatives-{id}");
-    let forget_focus = button.clone();
-    view! {
-        <details class="derivatives" open=choice.open.with_untracked(|open| open.contains(&id))
-            on:toggle=move |event| {
-                let now = event_target::<web_sys::Element>(&event).has_attribute("open");
-                choice.open.update(|open| {
-                    open.retain(|other| *other != id);
-                    if now { open.push(id) }
-                });
-            }>
-            <summary id=summary>{words.derivatives_title}</summary>
-            <p class="note">{words.derivatives_intro}</p>
-            <div class="looking">
-                <span class="quantity"><label for=format!("derive-of-{id}")>{words.derivatives_of}</label>
-                    <select id=format!("derive-of-{id}") on:change=move |event| column.set(event_target_value(&event).parse().unwrap_or(of))>{options}</select></span>
-                <span class="quantity"><label for=format!("derive-how-{id}")>{words.derivatives_method}</label>
-                    <select id=format!("derive-how-{id}") on:change=move |event| choice.smooth.set(event_target_value(&event) == "smooth")>
-                        <option value="central" selected=!choice.smooth.get_untracked()>{words.derivatives_central}</option>
-                        <option value="smooth" selected=choice.smooth.get_untracked()>{words.derivatives_smooth}</option>
-                    </select></span>
-                {move || choice.smooth.get().then(|| polynomial(app, id, choice))}
-                <button type="button" class="quiet outlined" id=button on:click=make>{words.derivatives_make}</button>
-                {any_made.then(|| view! {
-                    <button type="button" class="quiet" on:click=move |_| {
-                        app.act(|session| session.forget_derivatives(id));
-                        browser::focus_later(forget_focus.clone());
-                    }>{words.derivatives_forget}</button>
-                })}
-            </div>
-        </details>
-    }
-    .into_any()
+    let forget_focus = place.clone();
+    let mut details = details();
+    let node: HtmlDetailsElement = details.node();
+    let toggled = move |_| {
+        let now = node.open();
+        choice.open.update(|open| {
+            open.retain(|other| *other != id);
+            if now {
+                open.push(id)
+            }
+        });
+    };
+    let forget = move |_| {
+        app.act(|session| session.forget_derivatives(id));
+        browser::focus_later(forget_focus.clone());
+    };
+    let of_what = select()
+        .id(format!("derive-of-{id}"))
+        .when(events::change, move |event| column.set(value_of(&event).parse().unwrap_or(of)))
+        .each(columns, choose);
+    let smooth = choice.smooth.get_untracked();
+    let how = select()
+        .id(format!("derive-how-{id}"))
+        .when(events::change, move |event| choice.smooth.set(value_of(&event) == "smooth"))
+        .child(option().value("central").selected(!smooth).child(words.derivatives_central))
+        .child(option().value("smooth").selected(smooth).child(words.derivatives_smooth));
+    let named = |place: String, name: &'static str| span().class("quantity").child(label().r#for(place).child(name));
+    let form = div()
+        .class("looking")
+        .child(named(format!("derive-of-{id}"), words.derivatives_of).child(of_what))
+        .child(named(format!("derive-how-{id}"), words.derivatives_method).child(how))
+        .child(changing(move || if choice.smooth.get() { polynomial(app, id, choice) } else { View::new() }))
+        .child(button().class("quiet outlined").id(place).when(events::click, make).child(words.derivatives_make))
+        .maybe(any_made.then(|| button().class("quiet").when(events::click, forget).child(words.derivatives_forget)));
+    details
+        .class("derivatives")
+        .open(choice.open.with_untracked(|open| open.contains(&id)))
+        .when(events::toggle, toggled)
+        .child(summary().id(format!("derivatives-{id}")).child(words.derivatives_title))
+        .child(p().class("note").child(words.derivatives_intro))
+        .child(form)
+        .into()
 }
 
 /// Rows and degree of the smoothing polynomials.
-fn polynomial(app: App, id: u32, choice: Choice) -> AnyView {
+fn polynomial(app: App, id: u32, choice: Choice) -> View {
     let words = app.words();
-    let field = move |name: &str, label: &'static str, text: RwSignal<String>| {
-        let id = format!("derive-{name}-{id}");
-        view! {
-            <span class="quantity"><label for=id.clone()>{label}</label>
-                <input type="text" class="number" id=id inputmode="numeric" autocomplete="off" prop:value=text.get_untracked()
-                    on:input=move |event| text.set(event_target_value(&event)) /></span>
-        }
+    let field = move |part: &str, name: &'static str, text: Signal<String>| {
+        let id = format!("derive-{part}-{id}");
+        let input = input()
+            .r#type("text")
+            .class("number")
+            .id(id.clone())
+            .inputmode("numeric")
+            .autocomplete("off")
+            .prop("value", text.get_clone_untracked())
+            .when(events::input, move |event| text.set(value_of(&event)));
+        span().class("quantity").child(label().r#for(id).child(name)).child(input)
     };
-    view! { {field("rows", words.derivatives_rows, choice.window)} {field("degree", words.derivatives_degree, choice.degree)} }
-        .into_any()
+    View::from((
+        field("rows", words.derivatives_rows, choice.window),
+        field("degree", words.derivatives_degree, choice.degree),
+    ))
 }

@@ -1,71 +1,54 @@
 //! What was found in a document, with its places in the text.
 
 use crate::app::App;
+use crate::views::*;
 use document::page::Source;
-use leptos::prelude::*;
 use model::{Diagnostic, Label, Severity};
 
 /// In place of the apparatus, for a document that does not run.
-pub fn view(app: App) -> AnyView {
+pub fn view(app: App) -> View {
     let words = app.words();
     let (sources, findings) = app.with(|lab| (lab.sources.clone(), lab.findings.clone())).unwrap_or_default();
     if sources.is_empty() {
-        return view! { <section class="broken"><h2>{words.nothing}</h2><p>{words.nothing_intro}</p></section> }
-            .into_any();
+        return section().class("broken").child(h2().child(words.nothing)).child(p().child(words.nothing_intro)).into();
     }
     let list = list(app, &sources, &findings);
-    view! { <section class="broken"><h2>{words.broken}</h2><p>{words.broken_intro}</p>{list}</section> }.into_any()
+    section().class("broken").child(h2().child(words.broken)).child(p().child(words.broken_intro)).child(list).into()
 }
 
 /// Remarks on a document that runs; nothing if there are none.
-pub fn remarks(app: App) -> AnyView {
+pub fn remarks(app: App) -> View {
     let words = app.words();
     let (sources, findings) = app.with(|lab| (lab.sources.clone(), lab.findings.clone())).unwrap_or_default();
     if findings.is_empty() {
-        return ().into_any();
+        return View::new();
     }
     let list = list(app, &sources, &findings);
-    view! { <section><h3>{words.warnings}</h3>{list}</section> }.into_any()
+    section().child(h3().child(words.warnings)).child(list).into()
 }
 
-fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)]) -> AnyView {
-    let items = findings
-        .iter()
-        .map(|(file, diagnostic)| {
-            let source = sources.get(*file);
-            view! { <li>{finding(app, source, diagnostic)}</li> }
-        })
-        .collect_view();
-    view! { <ol class="findings">{items}</ol> }.into_any()
+fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)]) -> HtmlOl {
+    let item = |(file, diagnostic): &(usize, Diagnostic)| li().child(finding(app, sources.get(*file), diagnostic));
+    ol().class("findings").each(findings, item)
 }
 
-fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic) -> AnyView {
+fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic) -> HtmlArticle {
     let words = app.words();
     let (kind, class) = match diagnostic.severity {
         Severity::Error => (words.error, "finding error"),
         Severity::Warning => (words.warning, "finding warning"),
     };
-    let places = source.map(|source| {
-        places(&source.text, &diagnostic.labels).into_iter().map(|place| place.view(app, &source.name)).collect_view()
-    });
-    let notes = diagnostic
-        .notes
-        .iter()
-        .map(|note| view! { <pre tabindex="0" class="reason">{note.clone()}</pre> })
-        .collect_view();
-    let hints = diagnostic
-        .hints
-        .iter()
-        .map(|hint| view! { <p class="remedy"><strong>{words.help}": "</strong>{hint.clone()}</p> })
-        .collect_view();
-    view! {
-        <article class=class>
-            <h3><span class="badge">{kind}</span>" "{diagnostic.message.clone()}</h3>
-            {places}{notes}{hints}
-            <p class="code">{diagnostic.code}</p>
-        </article>
-    }
-    .into_any()
+    let (text, name) = source.map_or(("", ""), |source| (&source.text, &source.name));
+    let places = if source.is_some() { places(text, &diagnostic.labels) } else { Vec::new() };
+    let note = |note: &String| pre().tabindex("0").class("reason").child(note.clone());
+    let hint = |hint: &String| p().class("remedy").child(strong().child(words.help).child(": ")).child(hint.clone());
+    article()
+        .class(class)
+        .child(h3().child(span().class("badge").child(kind)).child(" ").child(diagnostic.message.clone()))
+        .each(places, |place| place.view(app, name))
+        .each(&diagnostic.notes, note)
+        .each(&diagnostic.hints, hint)
+        .child(p().class("code").child(diagnostic.code))
 }
 
 /// A line of the source with what is marked in it.
@@ -126,23 +109,15 @@ impl Place {
         Self { number: text[..first].matches('\n').count() + 1, pieces, remarks }
     }
 
-    fn view(self, app: App, file: &str) -> AnyView {
+    fn view(self, app: App, file: &str) -> View {
         let head = format!("{file}, {} {}", app.words().line, self.number);
-        let line = self
-            .pieces
-            .into_iter()
-            .map(|(piece, marked)| if marked { view! { <mark>{piece}</mark> }.into_any() } else { piece.into_any() })
-            .collect_view();
-        let remarks = self
-            .remarks
-            .into_iter()
-            .map(|(marked, remark)| view! { <li><code>{marked}</code>" "{remark}</li> })
-            .collect_view();
-        view! {
-            <p class="place">{head}</p>
-            <pre tabindex="0"><code>{line}</code></pre>
-            <ul class="remarks">{remarks}</ul>
-        }
-        .into_any()
+        let piece =
+            |(piece, marked): (String, bool)| if marked { mark().child(piece).into() } else { View::from(piece) };
+        let remark = |(marked, remark): (String, String)| li().child(code().child(marked)).child(" ").child(remark);
+        View::from((
+            p().class("place").child(head),
+            pre().tabindex("0").child(code().each(self.pieces, piece)),
+            ul().class("remarks").each(self.remarks, remark),
+        ))
     }
 }

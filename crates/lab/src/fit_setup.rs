@@ -2,181 +2,168 @@
 
 use crate::app::App;
 use crate::controls::symbol;
+use crate::views::*;
 use crate::{browser, library};
-use leptos::prelude::*;
 use session::{ChoiceView, FitRecordView, KnownView};
 
 /// Why something typed was not taken.
-type Refusal = RwSignal<Option<String>>;
+type Refusal = Signal<Option<String>>;
+
+/// What can be varied, as it is now.
+type Choices = ReadSignal<Vec<ChoiceView>>;
 
 /// The setup. It is built anew only where it has changed, so that nobody is interrupted while typing.
-pub fn view(app: App, refusal: Refusal) -> AnyView {
+pub fn view(app: App, refusal: Refusal) -> View {
     let words = app.words();
-    let records = Memo::new(move |_| {
+    let records = memo(move || {
         app.changes.records.track();
         app.changes.fits.track();
         app.read(|session| session.fit_records())
     });
-    let choices = Memo::new(move |_| {
+    let choices = memo(move || {
         app.changes.parameters.track();
         records.track();
         app.changes.fits.track();
         app.read(|session| session.fit_choices())
     });
-    view! {
-        <div class="record-head">
-            <h3 id="fitting-title">{words.fit_title}</h3>
-            {move || records.with(|records| chooser(app, records))}
-            <button type="button" class="quiet outlined" id="fit-theory" aria-haspopup="dialog" on:click=move |_| library::choose(app)>{words.fit_theory}</button>
-        </div>
-        <p class="note">{words.fit_intro}</p>
-        {move || records.with(|records| (records.len() > 1).then(|| together(app, records)))}
-        {move || choices.with(|choices| vary(app, refusal, choices))}
-        {ends(app, refusal)}
-    }
-    .into_any()
+    // Without the known values, which a person may be typing.
+    let rows = memo(move || {
+        let mut rows = choices.get_clone();
+        rows.iter_mut().flat_map(|row| &mut row.values).for_each(|known| known.text.clear());
+        rows
+    });
+    let head = div()
+        .class("record-head")
+        .child(h3().id("fitting-title").child(words.fit_title))
+        .child(changing(move || chooser(app, records.get_clone())))
+        .child(
+            button()
+                .class("quiet outlined")
+                .id("fit-theory")
+                .attr("aria-haspopup", "dialog")
+                .when(events::click, move |_| library::choose(app))
+                .child(words.fit_theory),
+        );
+    View::from((
+        head,
+        p().class("note").child(words.fit_intro),
+        changing(move || together(app, records.get_clone())),
+        changing(move || vary(app, refusal, choices, rows.get_clone())),
+        ends(app, refusal),
+    ))
 }
 
 /// Which record is looked at.
-fn chooser(app: App, records: &[FitRecordView]) -> AnyView {
-    let option = |record: &FitRecordView| {
-        view! { <option value=record.id.to_string() selected=record.chosen>{record.name.clone()}</option> }.into_any()
+fn chooser(app: App, records: Vec<FitRecordView>) -> HtmlSelect {
+    let choose = move |event| {
+        if let Ok(id) = value_of(&event).parse() {
+            app.act(|session| session.choose_record(id));
+            browser::focus_later("fit-record".to_owned());
+        }
     };
-    let options: Vec<AnyView> = records.iter().map(option).collect();
-    view! {
-        <select id="fit-record" aria-label=app.words().fit_record on:change=move |event| {
-            if let Ok(id) = event_target_value(&event).parse() {
-                app.act(|session| session.choose_record(id));
-                browser::focus_later("fit-record".to_owned());
-            }
-        }>{options}</select>
-    }
-    .into_any()
+    select()
+        .id("fit-record")
+        .attr("aria-label", app.words().fit_record)
+        .when(events::change, choose)
+        .each(records, |record| option().value(record.id.to_string()).selected(record.chosen).child(record.name))
 }
 
-/// Which records take part.
-fn together(app: App, records: &[FitRecordView]) -> AnyView {
-    let words = app.words();
-    let tick = |record: &FitRecordView| {
-        let (id, place) = (record.id, format!("fit-with-{}", record.id));
-        let again = place.clone();
-        view! {
-            <label class="switch">
-                <input type="checkbox" id=place disabled=record.chosen prop:checked=record.taking_part on:change=move |event| {
-                    let takes_part = event_target_checked(&event);
-                    app.act(|session| session.fit_with(id, takes_part));
-                    browser::focus_later(again.clone());
-                } />
-                <span>{record.name.clone()}</span>
-            </label>
-        }
-        .into_any()
-    };
-    let ticks: Vec<AnyView> = records.iter().map(tick).collect();
-    let several = records.iter().filter(|record| record.taking_part).count() > 1;
-    view! {
-        <fieldset class="choices"><legend>{words.fit_together}</legend>{ticks}</fieldset>
-        {several.then(|| view! { <p class="note">{words.fit_same_intro}</p> })}
+/// Which records take part; nothing where there is but one.
+fn together(app: App, records: Vec<FitRecordView>) -> View {
+    if records.len() < 2 {
+        return View::new();
     }
-    .into_any()
+    let words = app.words();
+    let several = records.iter().filter(|record| record.taking_part).count() > 1;
+    let record = |record: FitRecordView| {
+        let (id, place) = (record.id, format!("fit-with-{}", record.id));
+        let tick =
+            tick(place, record.taking_part, move |takes_part| app.act(|session| session.fit_with(id, takes_part)));
+        label().class("switch").child(tick.disabled(record.chosen)).child(span().child(record.name))
+    };
+    View::from((
+        fieldset().class("choices").child(legend().child(words.fit_together)).each(records, record),
+        View::from(several.then(|| p().class("note").child(words.fit_same_intro).into())),
+    ))
 }
 
 /// What is varied, and what is one number for all records.
-fn vary(app: App, refusal: Refusal, choices: &[ChoiceView]) -> AnyView {
-    let several = choices.iter().any(|choice| choice.same.is_some());
-    let rows: Vec<AnyView> = choices.iter().map(|choice| row(app, refusal, choice, several)).collect();
+fn vary(app: App, refusal: Refusal, choices: Choices, rows: Vec<ChoiceView>) -> HtmlFieldset {
+    let several = rows.iter().any(|choice| choice.same.is_some());
     let class = if several { "choices several" } else { "choices" };
-    view! { <fieldset class=class><legend>{app.words().fit_vary}</legend>{rows}</fieldset> }.into_any()
+    let legend = legend().child(app.words().fit_vary);
+    fieldset().class(class).child(legend).each(rows, |choice| row(app, refusal, choices, choice, several))
 }
 
-fn row(app: App, refusal: Refusal, choice: &ChoiceView, several: bool) -> AnyView {
-    let (index, id) = (choice.index, format!("vary-{}", choice.index));
-    let again = id.clone();
-    let symbol = (!choice.name.is_empty()).then(|| symbol(&choice.name));
-    let varied = view! {
-        <label class="switch">
-            <input type="checkbox" id=id prop:checked=choice.varied on:change=move |event| {
-                let varied = event_target_checked(&event);
-                app.act(|session| session.vary(index, varied));
-                browser::focus_later(again.clone());
-            } />
-            <span>{choice.label.clone()}</span>{symbol}
-        </label>
-    }
-    .into_any();
+fn row(app: App, refusal: Refusal, choices: Choices, choice: ChoiceView, several: bool) -> View {
+    let index = choice.index;
+    let tick =
+        tick(format!("vary-{index}"), choice.varied, move |varied| app.act(|session| session.vary(index, varied)));
+    let varied = label()
+        .class("switch")
+        .child(tick)
+        .child(span().child(choice.label.clone()))
+        .maybe((!choice.name.is_empty()).then(|| symbol(&choice.name)));
     if !several {
-        return varied;
+        return varied.into();
     }
-    let known: Vec<AnyView> = choice.values.iter().map(|known| value(app, refusal, choice, known)).collect();
-    let known = (!known.is_empty()).then(|| view! { <div class="known">{known}</div> });
-    view! {
-        <div class="choice">
-            {varied}
-            {choice.same.map(|same| common(app, choice, same))}
-            {known}
-        </div>
-    }
-    .into_any()
+    let known = |known: &KnownView| value(app, refusal, choices, &choice, known);
+    let known = (!choice.values.is_empty()).then(|| div().class("known").each(&choice.values, known));
+    let same = choice.same.map(|same| common(app, &choice, same));
+    div().class("choice").child(varied).maybe(same).maybe(known).into()
 }
 
 /// Whether something is one number for all records.
-fn common(app: App, choice: &ChoiceView, same: bool) -> AnyView {
+fn common(app: App, choice: &ChoiceView, same: bool) -> HtmlLabel {
     let words = app.words();
-    let (index, id) = (choice.index, format!("same-{}", choice.index));
-    let again = id.clone();
-    view! {
-        <label class="switch same">
-            <input type="checkbox" id=id aria-label=format!("{}: {}", choice.label, words.fit_same) prop:checked=same
-                on:change=move |event| {
-                    let same = event_target_checked(&event);
-                    app.act(|session| session.set_same(index, same));
-                    browser::focus_later(again.clone());
-                } />
-            <span>{words.fit_same}</span>
-        </label>
-    }
-    .into_any()
+    let index = choice.index;
+    let tick = tick(format!("same-{index}"), same, move |same| app.act(|session| session.set_same(index, same)));
+    let tick = tick.attr("aria-label", format!("{}: {}", choice.label, words.fit_same));
+    label().class("switch same").child(tick).child(span().child(words.fit_same))
 }
 
 /// The field of a value that is known of a record.
-fn value(app: App, refusal: Refusal, choice: &ChoiceView, known: &KnownView) -> AnyView {
+fn value(app: App, refusal: Refusal, choices: Choices, choice: &ChoiceView, known: &KnownView) -> HtmlSpan {
     let (index, record, id) = (choice.index, known.record, format!("known-{}-{}", choice.index, known.record));
-    view! {
-        <span class="quantity">
-            <label for=id.clone()>{known.name.clone()}</label>
-            <input type="text" class="number" id=id aria-label=format!("{}, {}", choice.label, known.name) autocomplete="off"
-                spellcheck="false" enterkeyhint="done" prop:value=known.text.clone()
-                on:change=move |event| {
-                    let typed = event_target_value(&event);
-                    refusal.set(app.attempt(|session| session.set_known(index, record, &typed)));
-                } />
-            <span class="unit">{choice.unit.clone()}</span>
-        </span>
-    }
-    .into_any()
+    let text = memo(move || {
+        choices.with(|choices| {
+            let values = choices.iter().filter(|choice| choice.index == index).flat_map(|choice| &choice.values);
+            values.filter(|known| known.record == record).map(|known| known.text.clone()).collect::<String>()
+        })
+    });
+    let take = move |event| {
+        let typed = value_of(&event);
+        refusal.set(app.attempt(|session| session.set_known(index, record, &typed)));
+    };
+    let field = short_field(id.clone())
+        .attr("aria-label", format!("{}, {}", choice.label, known.name))
+        .enterkeyhint("done")
+        .prop("value", text)
+        .when(events::change, take);
+    span()
+        .class("quantity")
+        .child(label().r#for(id).child(known.name.clone()))
+        .child(field)
+        .child(span().class("unit").child(choice.unit.clone()))
 }
 
 /// What part of the records counts.
-fn ends(app: App, refusal: Refusal) -> AnyView {
+fn ends(app: App, refusal: Refusal) -> HtmlDiv {
     let words = app.words();
     let [from, until] = app.read(|session| session.fit_window());
     let unit = app.read(|session| session.measurement_units("")[1].clone());
-    let end = |(end, (label, value)): (usize, (&'static str, String))| {
+    let end = |(end, (name, value)): (usize, (&'static str, String))| {
         let id = format!("fit-end-{end}");
-        view! {
-            <span class="quantity">
-                <label for=id.clone()>{label}</label>
-                <input type="text" class="number" id=id autocomplete="off" spellcheck="false" prop:value=value
-                    on:change=move |event| {
-                        let typed = event_target_value(&event);
-                        refusal.set(app.attempt(|session| session.set_fit_window(end, &typed)));
-                    } />
-                <span class="unit">{unit.clone()}</span>
-            </span>
-        }
-        .into_any()
+        let take = move |event| {
+            let typed = value_of(&event);
+            refusal.set(app.attempt(|session| session.set_fit_window(end, &typed)));
+        };
+        span()
+            .class("quantity")
+            .child(label().r#for(id.clone()).child(name))
+            .child(short_field(id).prop("value", value).when(events::change, take))
+            .child(span().class("unit").child(unit.clone()))
     };
-    let ends: Vec<AnyView> =
-        [(words.fit_from, from), (words.fit_until, until)].into_iter().enumerate().map(end).collect();
-    view! { <div class="ends" role="group" aria-label=words.fit_part>{ends}</div> }.into_any()
+    let ends = [(words.fit_from, from), (words.fit_until, until)].into_iter().enumerate();
+    div().class("ends").role("group").attr("aria-label", words.fit_part).each(ends, end)
 }

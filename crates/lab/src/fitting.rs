@@ -1,8 +1,8 @@
 //! Fits in the page: begun by a button, made in slices between frames.
 
 use crate::app::App;
+use crate::views::*;
 use crate::{browser, fit_results, fit_setup, library};
-use leptos::prelude::*;
 use session::{FitProgress, Session};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
@@ -11,20 +11,20 @@ use wasm_bindgen::closure::Closure;
 const SLICE: f64 = 8.0;
 
 /// The part of the tab that fits; nothing while there is no record.
-pub fn view(app: App) -> impl IntoView {
-    let has_records = Memo::new(move |_| {
+pub fn view(app: App) -> View {
+    let has_records = memo(move || {
         app.changes.records.track();
         app.read(|session| !session.records().is_empty())
     });
-    move || if has_records.get() { card(app) } else { ().into_any() }
+    changing(move || if has_records.get() { card(app) } else { View::new() })
 }
 
-fn card(app: App) -> AnyView {
+fn card(app: App) -> View {
     let words = app.words();
-    let refusal = RwSignal::new(None::<String>);
-    let chosen = RwSignal::new(None::<u32>);
+    let refusal = create_signal(None::<String>);
+    let chosen = create_signal(None::<u32>);
     // What is shown of the results unless a person chooses: the best after a ranking, else the last.
-    let ranked = RwSignal::new(true);
+    let ranked = create_signal(true);
     let begin = move |rank: bool| {
         ranked.set(rank);
         chosen.set(None);
@@ -39,45 +39,52 @@ fn card(app: App) -> AnyView {
         }));
         go_on(app);
     };
-    let busy = move || app.fit_progress.with(Option::is_some);
-    view! {
-        <section class="fitting card" aria-labelledby="fitting-title">
-            {fit_setup::view(app, refusal)}
-            <div class="intake">
-                <button type="button" class="primary" id="fit" aria-disabled=move || busy().to_string() on:click=move |_| begin(false)>{words.fit_begin}</button>
-                <button type="button" class="quiet" id="rank" title=words.fit_rank_title aria-disabled=move || busy().to_string() on:click=move |_| begin(true)>{words.fit_rank}</button>
-                {move || busy().then(|| running(app))}
-            </div>
-            <p class="refusal" role="alert">{move || refusal.get()}</p>
-            {fit_results::view(app, chosen, ranked)}
-        </section>
-    }
-    .into_any()
+    let busy = memo(move || app.fit_progress.with(Option::is_some));
+    let begins = move |rank: bool| {
+        button().attr("aria-disabled", move || busy.get().to_string()).when(events::click, move |_| begin(rank))
+    };
+    let buttons = div()
+        .class("intake")
+        .child(begins(false).class("primary").id("fit").child(words.fit_begin))
+        .child(begins(true).class("quiet").id("rank").title(words.fit_rank_title).child(words.fit_rank))
+        .child(changing(move || if busy.get() { running(app) } else { View::new() }));
+    section()
+        .class("fitting card")
+        .attr("aria-labelledby", "fitting-title")
+        .child(fit_setup::view(app, refusal))
+        .child(buttons)
+        .child(refusal_of(refusal))
+        .child(fit_results::view(app, chosen, ranked))
+        .into()
 }
 
 /// The bar and the way out, while a fit is being made.
-fn running(app: App) -> AnyView {
+fn running(app: App) -> View {
     let words = app.words();
     let progress = app.fit_progress;
     let finished = move || progress.with(|now| now.as_ref().map_or((0, 1), |now| now.finished));
     let told = move || {
         progress.with(|now| {
-            let FitProgress { theory, trials, finished, .. } = now.clone()?;
+            let Some(FitProgress { theory, trials, finished, .. }) = now else { return String::new() };
             let place = if finished.1 > 1 { format!("{}/{}: ", finished.0 + 1, finished.1) } else { String::new() };
-            Some(format!("{place}{theory}, {trials} {}", words.fit_trials))
+            format!("{place}{theory}, {trials} {}", words.fit_trials)
         })
     };
-    view! {
-        <progress aria-label=words.fit_title max=move || finished().1.to_string()
-            value=move || { let (done, all) = finished(); (all > 1).then(|| done.to_string()) }></progress>
-        <span class="note">{told}</span>
-        <button type="button" class="quiet" id="cancel-fit" on:click=move |_| {
-            app.act(Session::cancel_fit);
-            progress.set(None);
-            browser::focus("fit");
-        }>{words.fit_cancel}</button>
-    }
-    .into_any()
+    // Where there is but one fit, nobody knows how much of it is done.
+    let part = move || {
+        let (done, all) = finished();
+        (all > 1).then(|| done.to_string())
+    };
+    let cancel = move |_| {
+        app.act(Session::cancel_fit);
+        progress.set(None);
+        browser::focus("fit");
+    };
+    View::from((
+        tags::progress().attr("aria-label", words.fit_title).max(move || finished().1.to_string()).value(part),
+        span().class("note").child(text(told)),
+        button().class("quiet").id("cancel-fit").when(events::click, cancel).child(words.fit_cancel),
+    ))
 }
 
 /// Works on what is to be fitted, and on what an earlier visit has left to be made again.

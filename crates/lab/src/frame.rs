@@ -7,7 +7,7 @@ use crate::plots::PlotNodes;
 use crate::scene::SceneNodes;
 use crate::theme::Colours;
 use crate::transport::TransportNodes;
-use leptos::prelude::window;
+use crate::views::window;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 

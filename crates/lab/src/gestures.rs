@@ -138,7 +138,7 @@ pub fn left(app: App, index: usize) {
 /// The wheel turned.
 pub fn wheel(app: App, index: usize, event: &WheelEvent) {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-    let focused = target.is_some() && target == leptos::prelude::document().active_element();
+    let focused = target.is_some() && target == crate::views::document().active_element();
     if !(focused || event.ctrl_key()) {
         return;
     }

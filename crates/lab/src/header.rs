@@ -2,34 +2,45 @@
 
 use crate::app::App;
 use crate::theme::Theme;
+use crate::views::*;
 use crate::words::Language;
 use crate::{browser, icons, keys, library, opening};
-use leptos::html;
-use leptos::prelude::*;
+use web_sys::HtmlInputElement;
 
 /// The head of the page.
-pub fn view(app: App) -> impl IntoView {
+pub fn view(app: App) -> HtmlHeader {
     let words = app.words();
     let title = title(app);
-    view! {
-        <header class="head">
-            <p class="brand">{icons::mark()}<span>"Meniscus"</span></p>
-            <h1>{title}</h1>
-            <div class="head-tools">
-                <button type="button" class="quiet with-icon" id="browse" title=words.library_title aria-haspopup="dialog" on:click=move |_| library::choose(app)>
-                    {icons::books()}<span>{words.library}</span>
-                </button>
-                {open_button(app)}
-                <button type="button" class="quiet with-icon" id="share" title=words.share_title on:click=move |_| share(app)>
-                    {icons::link()}<span>{words.share}</span>
-                </button>
-                <button type="button" class="icon" id="help" title=format!("{} (?)", words.keys_title) aria-label=words.keys_title aria-haspopup="dialog"
-                    on:click=move |_| keys::open()>{icons::keyboard()}</button>
-                {theme(app)}
-                {languages(app)}
-            </div>
-        </header>
-    }
+    let browse = labelled(icons::books(), words.library)
+        .id("browse")
+        .title(words.library_title)
+        .attr("aria-haspopup", "dialog")
+        .when(events::click, move |_| library::choose(app));
+    let share = labelled(icons::link(), words.share)
+        .id("share")
+        .title(words.share_title)
+        .when(events::click, move |_| share(app));
+    let help = button()
+        .class("icon")
+        .id("help")
+        .title(format!("{} (?)", words.keys_title))
+        .attr("aria-label", words.keys_title)
+        .attr("aria-haspopup", "dialog")
+        .when(events::click, move |_| keys::open())
+        .child(icons::keyboard());
+    let tools = div()
+        .class("head-tools")
+        .child(browse)
+        .child(open_button(app))
+        .child(share)
+        .child(help)
+        .child(theme(app))
+        .child(languages(app));
+    header()
+        .class("head")
+        .child(p().class("brand").child(icons::mark()).child(span().child("Meniscus")))
+        .child(h1().child(title))
+        .child(tools)
 }
 
 /// The document's title; the program's name where none is open.
@@ -40,29 +51,28 @@ pub fn title(app: App) -> String {
         .unwrap_or_else(|| "Meniscus".to_owned())
 }
 
-fn languages(app: App) -> impl IntoView {
+fn languages(app: App) -> HtmlDiv {
     let words = app.words();
-    let buttons = Language::ALL
-        .into_iter()
-        .map(|language| {
-            view! {
-                <button type="button" id=format!("language-{}", language.tag()) lang=language.tag() title=language.name()
-                    aria-label=format!("{} – {}", language.tag().to_uppercase(), language.name())
-                    aria-pressed=move || (app.language.get() == language).to_string()
-                    on:click=move |_| {
-                        app.set_language(language);
-                        // The page has been built anew, the button with it.
-                        browser::focus_later(format!("language-{}", language.tag()));
-                    }>{language.tag().to_uppercase()}</button>
-            }
-        })
-        .collect_view();
-    view! { <div class="segments" role="group" aria-label=words.language>{buttons}</div> }
+    let choose = |language: Language| {
+        button()
+            .id(format!("language-{}", language.tag()))
+            .lang(language.tag())
+            .title(language.name())
+            .attr("aria-label", format!("{} – {}", language.tag().to_uppercase(), language.name()))
+            .attr("aria-pressed", move || (app.language.get() == language).to_string())
+            .when(events::click, move |_| {
+                app.set_language(language);
+                // The page has been built anew, the button with it.
+                browser::focus_later(format!("language-{}", language.tag()));
+            })
+            .child(language.tag().to_uppercase())
+    };
+    div().class("segments").role("group").attr("aria-label", words.language).each(Language::ALL, choose)
 }
 
-fn theme(app: App) -> impl IntoView {
+fn theme(app: App) -> HtmlButton {
     let words = app.words();
-    let theme = RwSignal::new(Theme::remembered());
+    let theme = create_signal(Theme::remembered());
     let label = move || match theme.get() {
         Theme::System => words.theme_system,
         Theme::Light => words.theme_light,
@@ -73,22 +83,38 @@ fn theme(app: App) -> impl IntoView {
         theme.get_untracked().choose(app);
         app.say(label().to_owned());
     };
-    view! { <button type="button" class="icon" id="theme" title=label aria-label=label on:click=next>{icons::theme()}</button> }
+    button()
+        .class("icon")
+        .id("theme")
+        .title(label)
+        .attr("aria-label", label)
+        .when(events::click, next)
+        .child(icons::theme())
 }
 
-fn open_button(app: App) -> impl IntoView {
+fn open_button(app: App) -> View {
     let words = app.words();
-    let input = NodeRef::<html::Input>::new();
-    view! {
-        <button type="button" class="quiet with-icon" id="open" title=words.open_title on:click=move |_| if let Some(input) = input.get_untracked() { input.click() }>
-            {icons::folder()}<span>{words.open}</span>
-        </button>
-        <input node_ref=input type="file" id="open-file" hidden multiple accept=".md,.markdown,.html,.htm,text/markdown,text/html" aria-label=words.open_title
-            on:change=move |_| if let Some(input) = input.get_untracked() {
-                if let Some(files) = input.files() { opening::open_files(app, &files); }
-                input.set_value("");
-            } />
-    }
+    let mut input = input().r#type("file");
+    let node: HtmlInputElement = input.node();
+    let chosen = node.clone();
+    let read = move |_| {
+        if let Some(files) = chosen.files() {
+            opening::open_files(app, &files);
+        }
+        chosen.set_value("");
+    };
+    let open = labelled(icons::folder(), words.open)
+        .id("open")
+        .title(words.open_title)
+        .when(events::click, move |_| node.click());
+    let input = input
+        .id("open-file")
+        .hidden(true)
+        .multiple(true)
+        .accept(".md,.markdown,.html,.htm,text/markdown,text/html")
+        .attr("aria-label", words.open_title)
+        .when(events::change, read);
+    View::from((open, input))
 }
 
 /// Puts the state into the address bar and the clipboard.

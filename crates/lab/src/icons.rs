@@ -1,18 +1,22 @@
 //! The mark and the icons: one stroke, one size, in the colour of the text.
 
-use leptos::prelude::*;
+use crate::views::*;
+use sycamore_web::SvgGlobalAttributes;
 
-fn icon(path: &'static str) -> impl IntoView {
-    view! {
-        <svg class="glyph" viewBox="0 0 24 24" width="20" height="20" aria-hidden="true" focusable="false">
-            <path d=path></path>
-        </svg>
-    }
+fn icon(path: &'static str) -> SvgSvg {
+    svg()
+        .class("glyph")
+        .viewBox("0 0 24 24")
+        .width("20")
+        .height("20")
+        .attr("aria-hidden", "true")
+        .attr("focusable", "false")
+        .child(tags::path().d(path))
 }
 
 macro_rules! icons {
     ($($(#[$comment:meta])* $name:ident: $path:literal;)*) => {
-        $($(#[$comment])* pub fn $name() -> impl IntoView { icon($path) })*
+        $($(#[$comment])* pub fn $name() -> SvgSvg { icon($path) })*
     };
 }
 
@@ -54,11 +58,14 @@ icons! {
 }
 
 /// The mark: a tube, and the meniscus in it.
-pub fn mark() -> impl IntoView {
-    view! {
-        <svg class="mark" viewBox="0 0 32 32" width="32" height="32" aria-hidden="true" focusable="false">
-            <path class="mark-liquid" d="M8 12q8 8.5 16 0v9a8 8 0 0 1-16 0z"></path>
-            <path class="mark-glass" d="M8 4v17a8 8 0 0 0 16 0V4"></path>
-        </svg>
-    }
+pub fn mark() -> SvgSvg {
+    svg()
+        .class("mark")
+        .viewBox("0 0 32 32")
+        .width("32")
+        .height("32")
+        .attr("aria-hidden", "true")
+        .attr("focusable", "false")
+        .child(path().class("mark-liquid").d("M8 12q8 8.5 16 0v9a8 8 0 0 1-16 0z"))
+        .child(path().class("mark-glass").d("M8 4v17a8 8 0 0 0 16 0V4"))
 }

@@ -2,9 +2,8 @@
 //! switched off (WCAG 2.2, 2.1.4).
 
 use crate::app::App;
-use crate::browser;
-use leptos::ev;
-use leptos::prelude::*;
+use crate::views::*;
+use crate::{browser, views};
 use session::{SPEEDS, Session};
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlDialogElement, KeyboardEvent};
@@ -15,8 +14,7 @@ const TAKES_SPACE: &str = "button, a, summary, input, select, [role=tab]";
 
 /// Listens as long as the page lives.
 pub fn listen(app: App) {
-    let handle = window_event_listener(ev::keydown, move |event| pressed(app, &event));
-    on_cleanup(move || handle.remove());
+    browser::listen("keydown", move |event| pressed(app, event));
 }
 
 fn pressed(app: App, event: &KeyboardEvent) {
@@ -68,14 +66,8 @@ pub fn open() {
     }
 }
 
-fn close() {
-    if let Some(dialog) = browser::by_id::<HtmlDialogElement>("keys") {
-        dialog.close();
-    }
-}
-
 /// The list of keys, and their switch.
-pub fn dialog(app: App) -> impl IntoView {
+pub fn dialog(app: App) -> HtmlDialog {
     let words = app.words();
     let groups = [
         (
@@ -100,36 +92,21 @@ pub fn dialog(app: App) -> impl IntoView {
             ],
         ),
     ];
-    let groups = groups
-        .into_iter()
-        .map(|(title, keys)| {
-            let keys = keys
-                .into_iter()
-                .map(|(keys, meaning)| {
-                    let keys = keys.into_iter().map(|key| view! { <kbd>{key}</kbd> }).collect_view();
-                    view! { <div><dt>{keys}</dt><dd>{meaning}</dd></div> }
-                })
-                .collect_view();
-            view! { <h3>{title}</h3><dl>{keys}</dl> }
-        })
-        .collect_view();
-    view! {
-        <dialog id="keys" aria-labelledby="keys-title">
-            <div class="dialog-head">
-                <h2 id="keys-title">{words.keys_title}</h2>
-                <button type="button" class="icon" aria-label=words.close on:click=move |_| close()>{crate::icons::cross()}</button>
-            </div>
-            <label class="switch">
-                <input type="checkbox" id="single-keys" prop:checked=move || app.single_keys.get()
-                    on:change=move |event| {
-                        let on = event_target_checked(&event);
-                        app.single_keys.set(on);
-                        browser::remember("keys", if on { "" } else { "off" });
-                    } />
-                <span>{words.keys_switch}</span>
-            </label>
-            <p>{words.keys_where}</p>
-            {groups}
-        </dialog>
-    }
+    let line = |(keys, meaning): (Vec<&'static str>, &'static str)| {
+        div().child(dt().each(keys, |key| kbd().child(key))).child(dd().child(meaning))
+    };
+    let switch = move |event| {
+        let on = is_checked(&event);
+        app.single_keys.set(on);
+        browser::remember("keys", if on { "" } else { "off" });
+    };
+    let switch = input()
+        .r#type("checkbox")
+        .id("single-keys")
+        .prop("checked", move || app.single_keys.get())
+        .when(events::change, switch);
+    views::dialog("keys", "keys-title", words.keys_title, words.close)
+        .child(label().class("switch").child(switch).child(span().child(words.keys_switch)))
+        .child(p().child(words.keys_where))
+        .each(groups, |(title, keys)| View::from((h3().child(title), dl().each(keys, line))))
 }

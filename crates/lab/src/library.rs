@@ -2,10 +2,10 @@
 //! damped liquid column.
 
 use crate::app::App;
-use crate::{browser, icons, opening};
+use crate::views::*;
+use crate::{browser, opening, views};
 use document::Document;
 use document::page::{self, Source};
-use leptos::prelude::*;
 use web_sys::HtmlDialogElement;
 
 /// Where the theories stand.
@@ -75,7 +75,7 @@ pub fn first() -> Vec<Source> {
 }
 
 fn document_text(id: &str) -> String {
-    leptos::prelude::document().get_element_by_id(id).and_then(|element| element.text_content()).unwrap_or_default()
+    crate::views::document().get_element_by_id(id).and_then(|element| element.text_content()).unwrap_or_default()
 }
 
 /// Opens the entry of this file. Whether there is one.
@@ -94,19 +94,11 @@ pub fn choose(app: App) {
 }
 
 /// The list of documents. It is made when it is first asked for: the page opens without reading them all for titles.
-pub fn dialog(app: App) -> AnyView {
+pub fn dialog(app: App) -> HtmlDialog {
     let words = app.words();
-    view! {
-        <dialog id="library-list" aria-labelledby="library-title">
-            <div class="dialog-head">
-                <h2 id="library-title">{words.library}</h2>
-                <button type="button" class="icon" aria-label=words.close on:click=move |_| close()>{icons::cross()}</button>
-            </div>
-            <p>{words.library_intro}</p>
-            {move || app.library_asked_for.get().then(|| groups(app))}
-        </dialog>
-    }
-    .into_any()
+    views::dialog("library-list", "library-title", words.library, words.close)
+        .child(p().child(words.library_intro))
+        .child(changing(move || if app.library_asked_for.get() { groups(app) } else { View::new() }))
 }
 
 fn close() {
@@ -115,28 +107,23 @@ fn close() {
     }
 }
 
-fn groups(app: App) -> Vec<AnyView> {
+fn groups(app: App) -> View {
     let words = app.words();
     let (theories, simulations): (Vec<Entry>, Vec<Entry>) =
         entries().into_iter().partition(|entry| entry.file().starts_with(THEORIES));
-    vec![group(app, words.library_simulations, simulations), group(app, words.library_theories, theories)]
+    View::from((group(app, words.library_simulations, simulations), group(app, words.library_theories, theories)))
 }
 
-fn group(app: App, title: &'static str, entries: Vec<Entry>) -> AnyView {
+fn group(app: App, title: &'static str, entries: Vec<Entry>) -> View {
     let language = app.language.get_untracked().tag();
-    let items: Vec<AnyView> = entries
-        .into_iter()
-        .map(|entry| {
-            let (file, title) = (entry.file().to_owned(), entry.title(language));
-            view! {
-                <li><button type="button" class="entry" on:click=move |_| {
-                    close();
-                    open(app, &file);
-                    browser::focus_later("browse".to_owned());
-                }>{title}</button></li>
-            }
-            .into_any()
-        })
-        .collect();
-    view! { <h3>{title}</h3><ul class="entries">{items}</ul> }.into_any()
+    let item = |entry: Entry| {
+        let (file, title) = (entry.file().to_owned(), entry.title(language));
+        let choose = move |_| {
+            close();
+            open(app, &file);
+            browser::focus_later("browse".to_owned());
+        };
+        li().child(button().class("entry").when(events::click, choose).child(title))
+    };
+    View::from((h3().child(title), ul().class("entries").each(entries, item)))
 }

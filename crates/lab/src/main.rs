@@ -32,6 +32,7 @@ mod scene;
 mod sound;
 mod theme;
 mod transport;
+mod views;
 mod virtual_form;
 mod words;
 mod workspace;

@@ -1,32 +1,30 @@
 //! The tab of measured data: records come in, are looked at, and are fitted.
 
 use crate::app::App;
+use crate::views::*;
 use crate::{browser, cycles, fitting, icons, library, records, virtual_form};
-use leptos::html;
-use leptos::prelude::*;
-use web_sys::{File, FileList, HtmlTextAreaElement};
+use web_sys::{File, FileList, HtmlInputElement, HtmlTextAreaElement};
 
 /// The tab.
-pub fn view(app: App) -> AnyView {
+pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
-    view! {
-        <div class="measurements">
-            <p class="note">{words.measurements_intro}</p>
-            {intake(app)}
-            <p class="refusal" role="alert" id="record-refusal">{move || app.record_refusal.get()}</p>
-            {records::view(app)}
-            {cycles::view(app)}
-            {fitting::view(app)}
-            {virtual_form::view(app)}
-        </div>
-    }
-    .into_any()
+    div()
+        .class("measurements")
+        .child(p().class("note").child(words.measurements_intro))
+        .child(intake(app))
+        .child(refusal_of(app.record_refusal).id("record-refusal"))
+        .child(records::view(app))
+        .child(cycles::view(app))
+        .child(fitting::view(app))
+        .child(virtual_form::view(app))
 }
 
 /// The ways in: a file, a pasted table.
-fn intake(app: App) -> AnyView {
+fn intake(app: App) -> View {
     let words = app.words();
-    let input = NodeRef::<html::Input>::new();
+    let mut input = input().r#type("file");
+    let node: HtmlInputElement = input.node();
+    let chosen = node.clone();
     let read = move |_| {
         if let Some(area) = browser::by_id::<HtmlTextAreaElement>("paste-record")
             && add(app, words.paste_name, area.value().as_bytes())
@@ -34,37 +32,38 @@ fn intake(app: App) -> AnyView {
             area.set_value("");
         }
     };
-    let samples: Vec<AnyView> = app
-        .read(|session| session.sample_names().to_vec())
-        .into_iter()
-        .enumerate()
-        .map(|(number, name)| {
-            view! { <button type="button" class="chip" on:click=move |_| sample(app, number)>{name}</button> }
-                .into_any()
-        })
-        .collect();
-    view! {
-        <div class="intake">
-            <button type="button" class="quiet with-icon" id="choose-record" on:click=move |_| if let Some(input) = input.get_untracked() { input.click() }>
-                {icons::folder()}<span>{words.choose_record}</span>
-            </button>
-            <input node_ref=input type="file" id="record-file" hidden multiple aria-label=words.choose_record
-                on:change=move |_| if let Some(input) = input.get_untracked() {
-                    if let Some(files) = input.files() { read_files(app, &files); }
-                    input.set_value("");
-                } />
-            <div class="chips" role="group" aria-label=words.sample_records title=words.sample_title>
-                <span class="note" aria-hidden="true">{words.sample_records}</span>{samples}
-            </div>
-        </div>
-        <details class="paste">
-            <summary>{words.paste_record}</summary>
-            <label for="paste-record">{words.paste_label}</label>
-            <textarea id="paste-record" rows="6" spellcheck="false" autocomplete="off"></textarea>
-            <button type="button" class="primary" id="read-record" on:click=read>{words.read_record}</button>
-        </details>
-    }
-    .into_any()
+    let names = app.read(|session| session.sample_names().to_vec());
+    let choose = |(number, name): (usize, &'static str)| {
+        button().class("chip").when(events::click, move |_| sample(app, number)).child(name)
+    };
+    let read_chosen = move |_| {
+        if let Some(files) = chosen.files() {
+            read_files(app, &files);
+        }
+        chosen.set_value("");
+    };
+    let open =
+        labelled(icons::folder(), words.choose_record).id("choose-record").when(events::click, move |_| node.click());
+    let input = input
+        .id("record-file")
+        .hidden(true)
+        .multiple(true)
+        .attr("aria-label", words.choose_record)
+        .when(events::change, read_chosen);
+    let samples = div()
+        .class("chips")
+        .role("group")
+        .attr("aria-label", words.sample_records)
+        .title(words.sample_title)
+        .child(span().class("note").attr("aria-hidden", "true").child(words.sample_records))
+        .each(names.into_iter().enumerate(), choose);
+    let paste = details()
+        .class("paste")
+        .child(summary().child(words.paste_record))
+        .child(label().r#for("paste-record").child(words.paste_label))
+        .child(textarea().id("paste-record").rows("6").attr("spellcheck", "false").autocomplete("off"))
+        .child(button().class("primary").id("read-record").when(events::click, read).child(words.read_record));
+    View::from((div().class("intake").child(open).child(input).child(samples), paste))
 }
 
 /// Adds a sample record.
@@ -79,7 +78,7 @@ fn sample(app: App, number: usize) {
 /// Reads files as records.
 pub fn read_files(app: App, files: &FileList) {
     let files = (0..files.length()).filter_map(|index| files.get(index)).collect();
-    leptos::task::spawn_local(async move { read_all(app, files).await });
+    wasm_bindgen_futures::spawn_local(async move { read_all(app, files).await });
 }
 
 /// The same for files in hand.

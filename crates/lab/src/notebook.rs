@@ -1,25 +1,27 @@
 //! The notebook below the apparatus: the document's prose in tabs, its equations, the recorded data, its source.
 
 use crate::app::App;
+use crate::views::*;
 use crate::{browser, data, diagnostics, measurements, question};
+use document::page::Source;
 use document::{Block, Section};
-use leptos::prelude::*;
+use sycamore_reactive::untrack;
 use web_sys::KeyboardEvent;
 
 /// A tab: its title and what it holds, which is built when it is first looked at.
 struct Tab {
     title: String,
-    content: Box<dyn Fn() -> AnyView + Send>,
+    content: Box<dyn Fn() -> View>,
 }
 
 impl Tab {
-    fn new(title: &str, content: impl Fn() -> AnyView + Send + 'static) -> Self {
-        Self { title: title.to_owned(), content: Box::new(content) }
+    fn new<V: Into<View>>(title: &str, content: impl Fn() -> V + 'static) -> Self {
+        Self { title: title.to_owned(), content: Box::new(move || content().into()) }
     }
 }
 
 /// The notebook.
-pub fn view(app: App) -> impl IntoView {
+pub fn view(app: App) -> View {
     let words = app.words();
     let mut tabs = prose(app);
     tabs.push(Tab::new(words.equations, move || equations(app)));
@@ -32,32 +34,47 @@ pub fn view(app: App) -> impl IntoView {
     if app.tab.get_untracked() >= count {
         app.tab.set(0);
     }
-    let mut buttons = Vec::new();
-    let mut panels = Vec::new();
+    let mut buttons = div().class("tabs").role("tablist").attr("aria-label", words.notebook);
+    let mut panels: Vec<View> = Vec::new();
     for (number, tab) in tabs.into_iter().enumerate() {
         let selected = move || app.tab.get() == number;
-        buttons.push(view! {
-            <button type="button" role="tab" id=format!("tab-{number}") aria-controls=format!("panel-{number}")
-                aria-selected=move || selected().to_string() tabindex=move || if selected() { "0" } else { "-1" }
-                on:click=move |_| app.tab.set(number)
-                on:keydown=move |event| turn(app, count, &event)>{tab.title}</button>
+        buttons = buttons.child(
+            button()
+                .role("tab")
+                .id(format!("tab-{number}"))
+                .attr("aria-controls", format!("panel-{number}"))
+                .attr("aria-selected", move || selected().to_string())
+                .tabindex(move || if selected() { "0" } else { "-1" })
+                .when(events::click, move |_| app.tab.set(number))
+                .when(events::keydown, move |event| turn(app, count, &event))
+                .child(tab.title),
+        );
+        let mut seen = false;
+        let seen = memo(move || {
+            seen = seen || selected();
+            seen
         });
-        let seen = Memo::new(move |before: Option<&bool>| before == Some(&true) || selected());
         let content = tab.content;
-        let content = move || if seen.get() { untrack(&content) } else { ().into_any() };
-        panels.push(view! {
-            <div role="tabpanel" id=format!("panel-{number}") aria-labelledby=format!("tab-{number}") tabindex="0" hidden=move || !selected()>
-                {content}
-            </div>
-        });
+        let content = move || if seen.get() { untrack(&content) } else { View::new() };
+        panels.push(
+            div()
+                .role("tabpanel")
+                .id(format!("panel-{number}"))
+                .attr("aria-labelledby", format!("tab-{number}"))
+                .tabindex("0")
+                .hidden(move || !selected())
+                .child(changing(content))
+                .into(),
+        );
     }
-    view! {
-        <section class="notebook" id="notebook" aria-labelledby="notebook-title">
-            <h2 id="notebook-title" class="visually-hidden">{words.notebook}</h2>
-            <div class="tabs" role="tablist" aria-label=words.notebook>{buttons}</div>
-            {panels}
-        </section>
-    }
+    section()
+        .class("notebook")
+        .id("notebook")
+        .attr("aria-labelledby", "notebook-title")
+        .child(h2().id("notebook-title").class("visually-hidden").child(words.notebook))
+        .child(buttons)
+        .child(panels)
+        .into()
 }
 
 /// Arrow keys go from tab to tab, around the ends.
@@ -104,98 +121,81 @@ fn prose(app: App) -> Vec<Tab> {
         .map(|(title, _, members)| {
             Tab::new(&title, move || {
                 let contents = contents(app, &members, top);
-                let parts = members.iter().map(|section| self::section(app, section, top)).collect_view();
-                view! { <div class="reading">{contents}<div class="prose" lang=language>{parts}</div></div> }.into_any()
+                let prose = div().class("prose").lang(language);
+                let prose = prose.each(&members, |section| passage(app, section, top));
+                div().class("reading").child(contents).child(prose)
             })
         })
         .collect()
 }
 
 /// The way to the sections of a long text.
-fn contents(app: App, sections: &[Section], top: u8) -> AnyView {
+fn contents(app: App, sections: &[Section], top: u8) -> View {
     let listed: Vec<&Section> =
         sections.iter().filter(|section| section.level == top && !section.title.is_empty()).collect();
     if listed.len() < 3 {
-        return ().into_any();
+        return View::new();
     }
-    let links = listed
-        .into_iter()
-        .map(|section| view! { <li><a href=format!("#{}", section.id)>{section.title.clone()}</a></li> })
-        .collect_view();
-    view! { <nav class="contents" aria-label=app.words().contents><ol>{links}</ol></nav> }.into_any()
+    let link = |section: &Section| li().child(a().href(format!("#{}", section.id)).child(section.title.clone()));
+    nav().class("contents").attr("aria-label", app.words().contents).child(ol().each(listed, link)).into()
 }
 
-fn section(app: App, section: &Section, top: u8) -> impl IntoView + use<> {
+fn passage(app: App, section: &Section, top: u8) -> View {
     let (id, heading) = (section.id.clone(), section.heading.clone());
     let heading = if heading.is_empty() {
-        ().into_any()
+        View::new()
     } else if section.level <= top {
-        view! { <h3 id=id inner_html=heading></h3> }.into_any()
+        h3().id(id).inner_html(heading).into()
     } else if section.level == top + 1 {
-        view! { <h4 id=id inner_html=heading></h4> }.into_any()
+        h4().id(id).inner_html(heading).into()
     } else {
-        view! { <h5 id=id inner_html=heading></h5> }.into_any()
+        h5().id(id).inner_html(heading).into()
     };
-    let blocks = section
-        .blocks
-        .iter()
-        .map(|block| match block {
-            // The document has made it safe.
-            Block::Html(html) => view! { <div inner_html=html.clone()></div> }.into_any(),
-            Block::Question(index) => question::view(app, *index),
-        })
-        .collect_view();
-    view! { {heading} {blocks} }
+    let block = |block: &Block| match block {
+        // The document has made it safe.
+        Block::Html(html) => div().inner_html(html.clone()).into(),
+        Block::Question(index) => question::view(app, *index),
+    };
+    View::from((heading, each(&section.blocks, block)))
 }
 
 /// The model, typeset from its own syntax.
-fn equations(app: App) -> AnyView {
+fn equations(app: App) -> HtmlDiv {
     let words = app.words();
-    let lines = app
-        .read(|session| session.model().typeset(&|text| session.text(text).to_owned()))
-        .into_iter()
-        .map(|math| view! { <li inner_html=math></li> })
-        .collect_view();
-    view! {
-        <div class="model">
-            <p class="note">{words.equations_intro}</p>
-            <div class="equations" role="region" tabindex="0" aria-label=words.equations><ol>{lines}</ol></div>
-        </div>
-    }
-    .into_any()
+    let lines = app.read(|session| session.model().typeset(&|text| session.text(text).to_owned()));
+    let list = ol().each(lines, |math| li().inner_html(math));
+    let equations =
+        div().class("equations").role("region").tabindex("0").attr("aria-label", words.equations).child(list);
+    div().class("model").child(p().class("note").child(words.equations_intro)).child(equations)
 }
 
 /// The text of the document.
-fn source(app: App) -> AnyView {
+fn source(app: App) -> HtmlDiv {
     let words = app.words();
     let sources = app.with(|lab| lab.sources.clone()).unwrap_or_default();
-    let files = sources
-        .into_iter()
-        .map(|file| {
-            let (name, text, copied) = (file.name.clone(), file.text.clone(), file.text.clone());
-            view! {
-                <div class="file">
-                    <div class="block-head">
-                        <h3>{file.name.clone()}</h3>
-                        <div class="actions">
-                            <button type="button" class="quiet" aria-label=format!("{}: {}", words.copy, file.name) on:click=move |_| copy(app, &copied)>{words.copy}</button>
-                            <button type="button" class="quiet" aria-label=format!("{}: {}", words.save_source, file.name)
-                                on:click=move |_| browser::save_text(&name, "text/markdown", &text)>{words.save_source}</button>
-                        </div>
-                    </div>
-                    <pre tabindex="0" aria-label=file.name><code>{file.text}</code></pre>
-                </div>
-            }
-        })
-        .collect_view();
-    view! {
-        <div class="source">
-            <p class="note">{words.source_intro}</p>
-            {diagnostics::remarks(app)}
-            {files}
-        </div>
-    }
-    .into_any()
+    let file = |file: Source| {
+        let (name, text, copied) = (file.name.clone(), file.text.clone(), file.text.clone());
+        let copy = button()
+            .class("quiet")
+            .attr("aria-label", format!("{}: {}", words.copy, file.name))
+            .when(events::click, move |_| copy(app, &copied))
+            .child(words.copy);
+        let save = button()
+            .class("quiet")
+            .attr("aria-label", format!("{}: {}", words.save_source, file.name))
+            .when(events::click, move |_| browser::save_text(&name, "text/markdown", &text))
+            .child(words.save_source);
+        let actions = div().class("actions").child(copy).child(save);
+        div()
+            .class("file")
+            .child(div().class("block-head").child(h3().child(file.name.clone())).child(actions))
+            .child(pre().tabindex("0").attr("aria-label", file.name).child(code().child(file.text)))
+    };
+    div()
+        .class("source")
+        .child(p().class("note").child(words.source_intro))
+        .child(diagnostics::remarks(app))
+        .each(sources, file)
 }
 
 /// Copies a text and says whether that worked.

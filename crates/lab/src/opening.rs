@@ -2,13 +2,12 @@
 //! comes back with them.
 
 use crate::app::App;
+use crate::views::*;
 use crate::{browser, fitting, frame, library, measurements};
 use document::page::{self, Source};
-use leptos::ev;
-use leptos::prelude::*;
 use model::Diagnostic;
 use session::Session;
-use web_sys::{File, FileList};
+use web_sys::{DragEvent, Event, File, FileList};
 
 /// What was found in the files, each with the number of its file.
 pub type Findings = Vec<(usize, Diagnostic)>;
@@ -47,7 +46,8 @@ fn open(app: App, sources: Vec<Source>, state: &str) {
         lab.sources = sources;
         lab.findings = findings;
     });
-    app.tab.set(0);
+    // Nobody is told: what shows the tabs is built anew below.
+    app.tab.set_silent(0);
     let language = app.language.get_untracked();
     let remembered = browser::remembered(&key(app)).unwrap_or_default();
     let state = if state.is_empty() { remembered.as_str() } else { state };
@@ -57,7 +57,7 @@ fn open(app: App, sources: Vec<Source>, state: &str) {
             && let Err(refusal) = session.restore(state)
         {
             // A state of another document or version: what does not fit is left out, and that is said.
-            leptos::logging::warn!("{}", session.refusal_text(&refusal));
+            web_sys::console::warn_1(&session.refusal_text(&refusal).into());
         }
     });
     app.rebuild();
@@ -81,14 +81,12 @@ fn key(app: App) -> String {
 /// Remembers the state for the next visit, whenever the page is about to go out of sight: the only moment that every
 /// browser announces.
 pub fn remember_state(app: App) {
-    let handle = window_event_listener(ev::Custom::<web_sys::Event>::new("pagehide"), move |_| remember_now(app));
-    on_cleanup(move || handle.remove());
-    let handle = window_event_listener(ev::visibilitychange, move |_| {
+    browser::listen("pagehide", move |_: &Event| remember_now(app));
+    browser::listen("visibilitychange", move |_: &Event| {
         remember_now(app);
         // Back in sight, the frames go on.
         frame::wake(app);
     });
-    on_cleanup(move || handle.remove());
 }
 
 fn remember_now(app: App) {
@@ -103,7 +101,7 @@ fn remember_now(app: App) {
 /// Opens files that the user picked: a document with its translations, one exported page, or records.
 pub fn open_files(app: App, files: &FileList) {
     let files: Vec<File> = (0..files.length()).filter_map(|index| files.get(index)).collect();
-    leptos::task::spawn_local(async move {
+    wasm_bindgen_futures::spawn_local(async move {
         let mut sources = Vec::new();
         let is_document = |file: &File| {
             let name = file.name().to_lowercase();
@@ -138,22 +136,17 @@ pub fn open_files(app: App, files: &FileList) {
 
 /// Files may be dropped anywhere.
 pub fn accept_drops(app: App) {
-    let over = window_event_listener(ev::dragover, |event| event.prevent_default());
-    let drop = window_event_listener(ev::drop, move |event| {
+    browser::listen("dragover", |event: &Event| event.prevent_default());
+    browser::listen("drop", move |event: &DragEvent| {
         event.prevent_default();
         if let Some(files) = event.data_transfer().and_then(|data| data.files()) {
             open_files(app, &files);
         }
     });
-    on_cleanup(move || {
-        over.remove();
-        drop.remove();
-    });
-    let changed = window_event_listener(ev::hashchange, move |_| {
+    browser::listen("hashchange", move |_: &Event| {
         let fragment = window().location().hash().unwrap_or_default();
         restore(app, fragment.trim_start_matches('#'));
     });
-    on_cleanup(move || changed.remove());
 }
 
 /// A link to another state of the same page was followed. Links to headings are not states.

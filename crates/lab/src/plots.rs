@@ -5,11 +5,10 @@ use crate::canvas;
 use crate::gestures::{self, Gesture};
 use crate::icons;
 use crate::theme::Colours;
+use crate::views::*;
 use crate::{browser, frame, runs};
 use figure::{Point, Readout, Settings};
-use leptos::html;
-use leptos::prelude::*;
-use session::Session;
+use session::{PlotView, Session};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlElement, IntersectionObserver, ResizeObserver};
@@ -27,7 +26,7 @@ pub struct PlotNodes {
     size: (f64, f64),
     scale: f64,
     decimal_comma: bool,
-    /// Whether it is in sight; what is not is not drawn.
+    /// Whether it is in sight; what is not is drawn once, for those who print the page.
     pub visible: bool,
     /// Whether something other than the session has changed.
     stale: bool,
@@ -62,14 +61,16 @@ impl PlotNodes {
             (self.size, self.scale) = ((width, height), scale);
             self.canvas.set_width((width * scale).round() as u32);
             self.canvas.set_height((height * scale).round() as u32);
-            self.stale = true;
+            // That has emptied it.
+            self.drawn = None;
         }
     }
 
     /// Draws the figure if anything in it has changed.
     pub fn draw(&mut self, index: usize, session: &mut Session, colours: &Colours) {
         let revision = session.revision();
-        if !self.visible || self.size.0 < 40.0 || !(self.stale || self.drawn != Some(revision)) {
+        let seen = self.visible || self.drawn.is_none();
+        if !seen || self.size.0 < 40.0 || !(self.stale || self.drawn != Some(revision)) {
             return;
         }
         (self.stale, self.drawn) = (false, Some(revision));
@@ -178,100 +179,95 @@ pub fn with_plot<T>(app: App, index: usize, work: impl FnOnce(&mut PlotNodes) ->
 }
 
 /// All plots, and which of them are shown.
-pub fn view(app: App) -> impl IntoView {
+pub fn view(app: App) -> View {
     let words = app.words();
     let mut plots = app.read(|session| session.plots());
     plots.retain(|plot| !plot.of_cycles);
-    let shown = move |index: usize| {
-        app.changes.plots.track();
-        app.read(|session| session.plots().get(index).is_some_and(|plot| plot.shown && plot.offered))
-    };
-    let offered = move |index: usize| {
-        app.changes.plots.track();
-        app.read(|session| session.plots().get(index).is_some_and(|plot| plot.offered))
-    };
+    let shown = move |index: usize| now(app, index).is_some_and(|plot| plot.shown && plot.offered);
+    let offered = move |index: usize| now(app, index).is_some_and(|plot| plot.offered);
     let count = plots.len();
-    let switches = plots
-        .iter()
-        .map(|plot| {
-            let index = plot.index;
-            view! {
-                <button type="button" class="chip" aria-pressed=move || shown(index).to_string() hidden=move || !offered(index)
-                    on:click=move |_| app.act(|session| {
-                        let shown = session.plots().get(index).is_some_and(|plot| plot.shown);
-                        session.show_plot(index, !shown);
-                    })>
-                    {plot.title.clone()}
-                </button>
-            }
-        })
-        .collect_view();
-    let figures = plots.into_iter().map(|plot| figure(app, plot.index, shown)).collect_view();
-    view! {
-        <section class="plots" aria-labelledby="plots-title" id="plots">
-            <div class="plots-bar">
-                <h2 id="plots-title" class="visually-hidden">{words.plots}</h2>
-                <div class="chips" role="group" aria-label=words.plots_shown>{switches}</div>
-                {runs::keep_button(app)}
-            </div>
-            {runs::list(app)}
-            <div class="figures">{figures}</div>
-            <p id="plot-keys" hidden>{words.plot_keys}</p>
-            <p class="empty" hidden=move || (0..count).any(shown)>{words.no_plots}</p>
-        </section>
-    }
+    let switch = |plot: &PlotView| {
+        let index = plot.index;
+        let turn = move |_| {
+            let shown = now(app, index).is_some_and(|plot| plot.shown);
+            app.act(|session| session.show_plot(index, !shown));
+        };
+        button()
+            .class("chip")
+            .attr("aria-pressed", move || shown(index).to_string())
+            .hidden(move || !offered(index))
+            .when(events::click, turn)
+            .child(plot.title.clone())
+    };
+    let paper = |index: usize| figure(app, index, Box::new(move || shown(index)));
+    section()
+        .class("plots")
+        .attr("aria-labelledby", "plots-title")
+        .id("plots")
+        .child(
+            div()
+                .class("plots-bar")
+                .child(h2().id("plots-title").class("visually-hidden").child(words.plots))
+                .child(div().class("chips").role("group").attr("aria-label", words.plots_shown).each(&plots, switch))
+                .child(runs::keep_button(app)),
+        )
+        .child(runs::list(app))
+        .child(div().class("figures").each(&plots, |plot| paper(plot.index)))
+        .child(p().id("plot-keys").hidden(true).child(words.plot_keys))
+        .child(p().class("empty").hidden(move || (0..count).any(shown)).child(words.no_plots))
+        .into()
+}
+
+/// A plot as the session has it now.
+pub fn now(app: App, index: usize) -> Option<PlotView> {
+    app.changes.plots.track();
+    app.read(|session| session.plots().into_iter().nth(index))
 }
 
 /// A plot with its tools.
-pub fn figure(app: App, index: usize, shown: impl Fn(usize) -> bool + Copy + Send + Sync + 'static) -> impl IntoView {
+pub fn figure(app: App, index: usize, shown: Box<dyn Fn() -> bool>) -> HtmlFigure {
     let words = app.words();
-    let canvas = NodeRef::<html::Canvas>::new();
-    let tip = NodeRef::<html::Div>::new();
-    canvas.on_load(move |canvas| {
-        if let Some(tip) = tip.get_untracked() {
-            register(app, index, &canvas, &tip);
-        }
-    });
-    let automatic = move || {
-        app.changes.plots.track();
-        app.read(|session| session.plots().get(index).is_none_or(|plot| plot.automatic))
-    };
-    let title = move || {
-        app.changes.plots.track();
-        app.read(|session| session.plots().into_iter().nth(index).map(|plot| plot.title)).unwrap_or_default()
-    };
+    let mut canvas = canvas().id(format!("canvas-{index}"));
+    let mut tip = div().class("tip").attr("aria-hidden", "true").hidden(true);
+    register(app, index, &canvas.node(), &tip.node());
+    let automatic = move || now(app, index).is_none_or(|plot| plot.automatic);
+    let title = move || now(app, index).map(|plot| plot.title).unwrap_or_default();
     let name = move || format!("{}: {}", words.plot, title());
     let zoom = move |factor: f64| app.act(|session| session.zoom_plot(index, None, factor, figure::Direction::Both));
-    view! {
-        <figure class="plot" hidden=move || !shown(index) aria-labelledby=format!("plot-{index}")>
-            <figcaption>
-                <h3 id=format!("plot-{index}")>{title}</h3>
-                <div class="tools">
-                    <button type="button" class="icon" title=words.zoom_out aria-label=words.zoom_out on:click=move |_| zoom(0.5)>{icons::minus()}</button>
-                    <button type="button" class="icon" title=words.zoom_in aria-label=words.zoom_in on:click=move |_| zoom(2.0)>{icons::plus()}</button>
-                    <button type="button" class="icon" title=words.fit aria-label=words.fit aria-disabled=move || automatic().to_string()
-                        on:click=move |_| app.act(|session| session.reset_plot(index))>{icons::fit()}</button>
-                    <button type="button" class="text" title=words.save_svg aria-label=words.save_svg on:click=move |_| save_svg(app, index)>"SVG"</button>
-                    <button type="button" class="text" title=words.save_png aria-label=words.save_png on:click=move |_| save_png(app, index)>"PNG"</button>
-                </div>
-            </figcaption>
-            <div class="paper">
-                <canvas node_ref=canvas id=format!("canvas-{index}") tabindex="0" role="application" aria-roledescription=words.plot
-                    aria-label=name aria-describedby="plot-keys"
-                    on:pointerdown=move |event| gestures::down(app, index, &event)
-                    on:pointermove=move |event| gestures::moved(app, index, &event)
-                    on:pointerup=move |event| gestures::up(app, index, &event)
-                    on:pointercancel=move |event| gestures::up(app, index, &event)
-                    on:pointerleave=move |_| gestures::left(app, index)
-                    on:wheel=move |event| gestures::wheel(app, index, &event)
-                    on:dblclick=move |_| app.act(|session| session.reset_plot(index))
-                    on:keydown=move |event| gestures::key(app, index, &event)
-                    on:blur=move |_| gestures::blurred(app, index)
-                ></canvas>
-                <div node_ref=tip class="tip" aria-hidden="true" hidden></div>
-            </div>
-        </figure>
-    }
+    let tool = |class: &'static str, name: &'static str| button().class(class).called(name);
+    let tools = div()
+        .class("tools")
+        .child(tool("icon", words.zoom_out).when(events::click, move |_| zoom(0.5)).child(icons::minus()))
+        .child(tool("icon", words.zoom_in).when(events::click, move |_| zoom(2.0)).child(icons::plus()))
+        .child(
+            tool("icon", words.fit)
+                .attr("aria-disabled", move || automatic().to_string())
+                .when(events::click, move |_| app.act(|session| session.reset_plot(index)))
+                .child(icons::fit()),
+        )
+        .child(tool("text", words.save_svg).when(events::click, move |_| save_svg(app, index)).child("SVG"))
+        .child(tool("text", words.save_png).when(events::click, move |_| save_png(app, index)).child("PNG"));
+    let canvas = canvas
+        .tabindex("0")
+        .role("application")
+        .attr("aria-roledescription", words.plot)
+        .attr("aria-label", name)
+        .attr("aria-describedby", "plot-keys")
+        .when(events::pointerdown, move |event| gestures::down(app, index, &event))
+        .when(events::pointermove, move |event| gestures::moved(app, index, &event))
+        .when(events::pointerup, move |event| gestures::up(app, index, &event))
+        .when(events::pointercancel, move |event| gestures::up(app, index, &event))
+        .when(events::pointerleave, move |_| gestures::left(app, index))
+        .when(events::wheel, move |event| gestures::wheel(app, index, &event))
+        .when(events::dblclick, move |_| app.act(|session| session.reset_plot(index)))
+        .when(events::keydown, move |event| gestures::key(app, index, &event))
+        .when(events::blur, move |_| gestures::blurred(app, index));
+    tags::figure()
+        .class("plot")
+        .hidden(move || !shown())
+        .attr("aria-labelledby", format!("plot-{index}"))
+        .child(figcaption().child(h3().id(format!("plot-{index}")).child(text(title))).child(tools))
+        .child(div().class("paper").child(canvas).child(tip))
 }
 
 fn saved(app: App) -> Settings {
@@ -280,7 +276,7 @@ fn saved(app: App) -> Settings {
 
 /// `Phase portrait` as `phase-portrait`.
 fn file_name(app: App, index: usize, ending: &str) -> String {
-    let title = app.read(|session| session.plots().into_iter().nth(index).map(|plot| plot.title)).unwrap_or_default();
+    let title = now(app, index).map(|plot| plot.title).unwrap_or_default();
     let words: Vec<String> =
         title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_lowercase).collect();
     format!("{}.{ending}", words.join("-"))

@@ -1,104 +1,100 @@
 //! The records: what is drawn of them, what their columns are taken for, what they hide.
 
 use crate::app::App;
+use crate::views::*;
 use crate::{browser, derivatives, icons};
-use leptos::prelude::*;
 use session::{ColumnView, RecordView};
 
 /// Rows of the preview.
 const ROWS: usize = 4;
 
+/// The records, as they are now.
+type Records = ReadSignal<Vec<RecordView>>;
+
 /// The list of records; nothing while there are none.
-pub fn view(app: App) -> impl IntoView {
-    let words = app.words();
+pub fn view(app: App) -> View {
     let choice = derivatives::Choice::new();
-    move || {
+    let records = memo(move || {
         app.changes.records.track();
-        let records = app.read(|session| session.records());
-        let items: Vec<AnyView> = records.into_iter().map(|record| item(app, record, choice)).collect();
+        app.read(|session| session.records())
+    });
+    // Without the units, which a person may be typing.
+    let items = memo(move || {
+        let mut items = records.get_clone();
+        items.iter_mut().flat_map(|item| &mut item.columns).for_each(|column| column.unit.clear());
+        items
+    });
+    changing(move || {
+        let items = items.get_clone();
         if items.is_empty() {
-            return ().into_any();
+            return View::new();
         }
-        view! { <section class="records" aria-label=words.records>{items}</section> }.into_any()
-    }
+        let list = section().class("records").attr("aria-label", app.words().records);
+        list.each(items, |record| item(app, records, record, choice)).into()
+    })
 }
 
-fn item(app: App, record: RecordView, choice: derivatives::Choice) -> AnyView {
+fn item(app: App, records: Records, record: RecordView, choice: derivatives::Choice) -> HtmlArticle {
     let words = app.words();
     let id = record.id;
-    let remove = format!("{}: {}", words.remove_record, record.name);
-
-    let findings: Vec<AnyView> =
-        record.findings.iter().map(|finding| view! { <li>{finding.clone()}</li> }.into_any()).collect();
-    let findings = (!findings.is_empty())
-        .then(|| view! { <div class="hidden-things"><h4>{words.findings}</h4><ul>{findings}</ul></div> }.into_any());
-    view! {
-        <article class="record card" aria-labelledby=format!("record-{id}")>
-            <div class="record-head">
-                <h3 id=format!("record-{id}")>{record.name.clone()}</h3>
-                {record.synthetic.then(|| view! { <span class="tag" title=words.sample_title>{words.synthetic}</span> })}
-                <span class="note">{format!("{} {}", record.rows, words.rows)}</span>
-                {(!record.lasting).then(|| view! { <span class="note">{words.not_lasting}</span> })}
-                <label class="switch">
-                    <input type="checkbox" id=format!("show-record-{id}") prop:checked=record.shown on:change=move |event| {
-                        let shown = event_target_checked(&event);
-                        app.act(|session| session.show_record(id, shown));
-                        browser::focus_later(format!("show-record-{id}"));
-                    } />
-                    <span>{words.show_record}</span>
-                </label>
-                <button type="button" class="icon small" title=remove.clone() aria-label=remove on:click=move |_| {
-                    app.act(|session| session.remove_record(id));
-                    browser::focus_later("choose-record".to_owned());
-                }>{icons::cross()}</button>
-            </div>
-            {preview(app, &record)}
-            {derivatives::view(app, &record, choice)}
-            {findings}
-        </article>
-    }
-    .into_any()
+    let label_of_remove = format!("{}: {}", words.remove_record, record.name);
+    let tick = tick(format!("show-record-{id}"), record.shown, move |shown| {
+        app.act(|session| session.show_record(id, shown));
+    });
+    let remove = move |_| {
+        app.act(|session| session.remove_record(id));
+        browser::focus_later("choose-record".to_owned());
+    };
+    let remove = button().class("icon small").called(label_of_remove).when(events::click, remove).child(icons::cross());
+    let head = div()
+        .class("record-head")
+        .child(h3().id(format!("record-{id}")).child(record.name.clone()))
+        .maybe(record.synthetic.then(|| span().class("tag").title(words.sample_title).child(words.synthetic)))
+        .child(span().class("note").child(format!("{} {}", record.rows, words.rows)))
+        .maybe((!record.lasting).then(|| span().class("note").child(words.not_lasting)))
+        .child(label().class("switch").child(tick).child(span().child(words.show_record)))
+        .child(remove);
+    let findings = (!record.findings.is_empty()).then(|| {
+        let findings = ul().each(&record.findings, |finding| li().child(finding.clone()));
+        div().class("hidden-things").child(h4().child(words.findings)).child(findings)
+    });
+    article()
+        .class("record card")
+        .attr("aria-labelledby", format!("record-{id}"))
+        .child(head)
+        .child(preview(app, records, &record))
+        .child(derivatives::view(app, &record, choice))
+        .maybe(findings)
 }
 
-fn preview(app: App, record: &RecordView) -> AnyView {
+fn preview(app: App, records: Records, record: &RecordView) -> View {
     let words = app.words();
     let id = record.id;
     let measurable = app.read(|session| session.measurable());
     let columns = &record.columns;
-    let each = |cell: &dyn Fn(&ColumnView) -> AnyView| columns.iter().map(cell).collect::<Vec<_>>();
-    let made = |how: &str| (!how.is_empty()).then(|| view! { <span class="note made">{how.to_owned()}</span> });
-    let heads = each(&|column| view! { <th scope="col">{column.head.clone()}{made(&column.made)}</th> }.into_any());
-    let quantities = each(&|column| quantity(app, id, column, &measurable));
-    let units = each(&|column| unit(app, id, column));
-    let fitted = each(&|column| fitted(app, id, column));
-    let rows: Vec<Vec<String>> =
+    let head = |column: &ColumnView| {
+        let made = (!column.made.is_empty()).then(|| span().class("note made").child(column.made.clone()));
+        th().scope("col").child(column.head.clone()).maybe(made)
+    };
+    let line = |name: &'static str| tr().child(th().scope("row").child(name));
+    let cells: Vec<Vec<String>> =
         columns.iter().map(|column| app.read(|session| session.record_cells(id, column.index, 0..ROWS))).collect();
-    let rows: Vec<AnyView> = (0..ROWS.min(record.rows))
-        .map(|row| {
-            let cells: Vec<AnyView> = rows
-                .iter()
-                .map(|column| view! { <td>{column.get(row).cloned().unwrap_or_default()}</td> }.into_any())
-                .collect();
-            view! { <tr><th scope="row">{row + 1}</th>{cells}</tr> }.into_any()
-        })
-        .collect();
+    let row = |row: usize| {
+        let cell = |column: &Vec<String>| td().child(column.get(row).cloned().unwrap_or_default());
+        tr().child(th().scope("row").child(row + 1)).each(&cells, cell)
+    };
     let label = format!("{}: {}", words.preview, record.name);
-    let caption = label.clone();
-    view! {
-        <div class="table" tabindex="0" role="region" aria-label=label>
-            <table>
-                <caption class="visually-hidden">{caption}</caption>
-                <thead><tr><th scope="col">{words.column}</th>{heads}</tr></thead>
-                <tbody>
-                    <tr><th scope="row">{words.column_measures}</th>{quantities}</tr>
-                    <tr><th scope="row">{words.column_unit}</th>{units}</tr>
-                    <tr><th scope="row">{words.column_fitted}</th>{fitted}</tr>
-                    {rows}
-                </tbody>
-            </table>
-        </div>
-    }
-    .into_any()
+    let table = table()
+        .child(caption().class("visually-hidden").child(label.clone()))
+        .child(thead().child(tr().child(th().scope("col").child(words.column)).each(columns, head)))
+        .child(
+            tbody()
+                .child(line(words.column_measures).each(columns, |column| quantity(app, id, column, &measurable)))
+                .child(line(words.column_unit).each(columns, |column| unit(app, records, id, column)))
+                .child(line(words.column_fitted).each(columns, |column| fitted(app, id, column)))
+                .each(0..ROWS.min(record.rows), row),
+        );
+    div().class("table").tabindex("0").role("region").attr("aria-label", label).child(table).into()
 }
 
 /// What a control of a column is called.
@@ -106,58 +102,59 @@ fn name(app: App, what: fn(&crate::words::Words) -> &'static str, column: &Colum
     format!("{}, {}", what(app.words()), column.head)
 }
 
-fn quantity(app: App, record: u32, column: &ColumnView, measurable: &[(String, String)]) -> AnyView {
+fn quantity(app: App, record: u32, column: &ColumnView, measurable: &[(String, String)]) -> HtmlTd {
     let (index, id) = (column.index, format!("measures-{record}-{}", column.index));
-    let option = |value: &str, label: &str| {
-        let selected = column.quantity == value;
-        view! { <option value=value.to_owned() selected=selected>{label.to_owned()}</option> }.into_any()
-    };
-    let options: Vec<AnyView> = std::iter::once(option("", app.words().column_off))
-        .chain(measurable.iter().map(|(value, label)| option(value, label)))
-        .collect();
     let again = id.clone();
-    view! {
-        <td><select id=id aria-label=name(app, |words| words.column_measures, column) on:change=move |event| {
-            let name = event_target_value(&event);
-            app.act(|session| session.set_column_quantity(record, index, &name));
-            browser::focus_later(again.clone());
-        }>{options}</select></td>
-    }
-    .into_any()
+    let choose = move |event| {
+        let name = value_of(&event);
+        app.act(|session| session.set_column_quantity(record, index, &name));
+        browser::focus_later(again.clone());
+    };
+    let choice = |value: &str, label: &str| {
+        option().value(value.to_owned()).selected(column.quantity == value).child(label.to_owned())
+    };
+    let select = select()
+        .id(id)
+        .attr("aria-label", name(app, |words| words.column_measures, column))
+        .when(events::change, choose)
+        .child(choice("", app.words().column_off))
+        .each(measurable, |(value, label)| choice(value, label));
+    td().child(select)
 }
 
-fn unit(app: App, record: u32, column: &ColumnView) -> AnyView {
+fn unit(app: App, records: Records, record: u32, column: &ColumnView) -> View {
     if column.quantity.is_empty() {
-        return view! { <td></td> }.into_any();
+        return td().into();
     }
     let (index, id) = (column.index, format!("unit-{record}-{}", column.index));
     let again = id.clone();
-    view! {
-        <td><input type="text" class="number" id=id aria-label=name(app, |words| words.column_unit, column)
-            autocomplete="off" spellcheck="false" enterkeyhint="done" prop:value=column.unit.clone()
-            on:change=move |event| {
-                let typed = event_target_value(&event);
-                let refusal = app.attempt(|session| session.set_column_unit(record, index, &typed));
-                app.record_refusal.set(refusal);
-                browser::focus_later(again.clone());
-            } /></td>
-    }
-    .into_any()
+    let now = memo(move || {
+        records.with(|records| {
+            let columns = records.iter().filter(|other| other.id == record).flat_map(|record| &record.columns);
+            columns.filter(|column| column.index == index).map(|column| column.unit.as_str()).collect::<String>()
+        })
+    });
+    let take = move |event| {
+        let typed = value_of(&event);
+        let refusal = app.attempt(|session| session.set_column_unit(record, index, &typed));
+        app.record_refusal.set(refusal);
+        browser::focus_later(again.clone());
+    };
+    let field = short_field(id)
+        .attr("aria-label", name(app, |words| words.column_unit, column))
+        .enterkeyhint("done")
+        .prop("value", now)
+        .when(events::change, take);
+    td().child(field).into()
 }
 
-fn fitted(app: App, record: u32, column: &ColumnView) -> AnyView {
+fn fitted(app: App, record: u32, column: &ColumnView) -> View {
     if !column.fittable {
-        return view! { <td></td> }.into_any();
+        return td().into();
     }
     let (index, id) = (column.index, format!("fitted-{record}-{}", column.index));
-    let again = id.clone();
-    view! {
-        <td><input type="checkbox" id=id aria-label=name(app, |words| words.column_fitted, column) prop:checked=column.fitted
-            on:change=move |event| {
-                let fitted = event_target_checked(&event);
-                app.act(|session| session.set_column_fitted(record, index, fitted));
-                browser::focus_later(again.clone());
-            } /></td>
-    }
-    .into_any()
+    let tick = tick(id, column.fitted, move |fitted| {
+        app.act(|session| session.set_column_fitted(record, index, fitted));
+    });
+    td().child(tick.attr("aria-label", name(app, |words| words.column_fitted, column))).into()
 }

@@ -2,64 +2,63 @@
 
 use crate::app::App;
 use crate::icons;
-use leptos::prelude::*;
+use crate::views::*;
 use session::Session;
 
 /// Keeps the run as it is.
-pub fn keep_button(app: App) -> impl IntoView {
+pub fn keep_button(app: App) -> HtmlButton {
     let words = app.words();
-    view! {
-        <button type="button" class="quiet with-icon" id="keep" title=words.keep_title
-            on:click=move |_| if let Some(refusal) = app.attempt(Session::keep) { app.say(refusal) }>
-            {icons::keep()}<span>{words.keep}</span>
-        </button>
-    }
+    let keep = move |_| {
+        if let Some(refusal) = app.attempt(Session::keep) {
+            app.say(refusal)
+        }
+    };
+    labelled(icons::keep(), words.keep).id("keep").title(words.keep_title).when(events::click, keep)
 }
 
 /// The list of kept runs and the ghost; nothing while there are none.
-pub fn list(app: App) -> impl IntoView {
-    let words = app.words();
-    move || {
+pub fn list(app: App) -> View {
+    let kept = memo(move || {
         app.changes.runs.track();
-        let (kept, ghost) = app.read(|session| (session.kept(), session.has_ghost()));
-        if kept.is_empty() && !ghost {
-            return ().into_any();
+        app.read(|session| session.kept())
+    });
+    // The list is built anew only where it has another line: who hides a run stays at its box.
+    let lines = memo(move || {
+        let named = kept.with(|kept| kept.iter().map(|run| (run.id, run.name.clone())).collect::<Vec<_>>());
+        app.changes.runs.track();
+        (named, app.read(|session| session.has_ghost()))
+    });
+    let shown = move |id: u32| kept.with(|kept| kept.iter().any(|run| run.id == id && run.shown));
+    changing(move || {
+        let words = app.words();
+        let (named, ghost) = lines.get_clone();
+        if named.is_empty() && !ghost {
+            return View::new();
         }
-        let rows = kept
-            .into_iter()
-            .map(|run| {
-                let (id, shown, name) = (run.id, run.shown, run.name);
-                let remove = format!("{}: {name}", words.remove_run);
-                view! {
-                    <li class="run">
-                        <label class="switch">
-                            <input type="checkbox" prop:checked=shown on:change=move |event| {
-                                let shown = event_target_checked(&event);
-                                app.act(|session| session.show_kept(id, shown));
-                            } />
-                            <span>{name}</span>
-                        </label>
-                        <button type="button" class="icon small" title=remove.clone() aria-label=remove on:click=move |_| {
-                            app.act(|session| session.remove_kept(id));
-                            // The button is gone; the focus goes where the next run is kept.
-                            crate::browser::focus("keep");
-                        }>{icons::cross()}</button>
-                    </li>
-                }
-            })
-            .collect_view();
+        let run = |(id, name): (u32, String)| {
+            let show = move |event| {
+                let shown = is_checked(&event);
+                app.act(|session| session.show_kept(id, shown));
+            };
+            let tick = input().r#type("checkbox").prop("checked", move || shown(id)).when(events::change, show);
+            let remove = remove(app, &name, move |session| session.remove_kept(id));
+            li().class("run").child(label().class("switch").child(tick).child(span().child(name))).child(remove)
+        };
         let ghost = ghost.then(|| {
-            let remove = format!("{}: {}", words.remove_run, words.ghost);
-            view! {
-                <li class="run ghost">
-                    <span>{words.ghost}</span>
-                    <button type="button" class="icon small" title=remove.clone() aria-label=remove on:click=move |_| {
-                        app.act(Session::clear_ghost);
-                        crate::browser::focus("keep");
-                    }>{icons::cross()}</button>
-                </li>
-            }
+            let remove = remove(app, words.ghost, Session::clear_ghost);
+            li().class("run ghost").child(span().child(words.ghost)).child(remove)
         });
-        view! { <ul class="runs" aria-label=words.runs>{rows}{ghost}</ul> }.into_any()
-    }
+        ul().class("runs").attr("aria-label", words.runs).each(named, run).maybe(ghost).into()
+    })
+}
+
+/// The button that takes a run away.
+fn remove(app: App, name: &str, remove: impl Fn(&mut Session) + 'static) -> HtmlButton {
+    let label = format!("{}: {name}", app.words().remove_run);
+    let remove = move |_| {
+        app.act(&remove);
+        // The button is gone; the focus goes where the next run is kept.
+        crate::browser::focus("keep");
+    };
+    button().class("icon small").called(label).when(events::click, remove).child(icons::cross())
 }

@@ -3,8 +3,8 @@
 
 use crate::app::App;
 use crate::drag::{self, Handle};
+use crate::views::document as page;
 use document::{Child, Element, Piece, Scene, Template};
-use leptos::prelude::document as page;
 use session::{Follows, Session};
 use wasm_bindgen::JsCast;
 use web_sys::{ShadowRootInit, ShadowRootMode, SvgElement, SvgGraphicsElement, Text};
@@ -51,12 +51,7 @@ impl SceneNodes {
         let _ = root.set_attribute("aria-label", label);
         let _ = root.set_attribute("part", "drawing");
         // A tree of its own: the document's styles stay in it, and the page's class names mean nothing there.
-        // The place may be that of the document or language before.
-        let shadow = match place.shadow_root() {
-            Some(shadow) => shadow,
-            None => place.attach_shadow(&ShadowRootInit::new(ShadowRootMode::Open)).ok()?,
-        };
-        shadow.set_inner_html("");
+        let shadow = place.attach_shadow(&ShadowRootInit::new(ShadowRootMode::Open)).ok()?;
         let _ = shadow.append_child(&root);
         nodes.ghost.place = Some((scene.clone(), root.clone()));
         let root: SvgGraphicsElement = root.dyn_into().ok()?;

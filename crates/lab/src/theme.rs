@@ -1,9 +1,9 @@
 //! Light and dark: chosen, or as the system has it.
 
 use crate::app::App;
+use crate::views::*;
 use crate::{browser, frame};
 use figure::{Ink, Palette, SERIES_COLOURS};
-use leptos::prelude::*;
 
 /// What was chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,8 @@
 //! The transport: play, step, reset, time line, speed, sound.
 
 use crate::app::App;
+use crate::views::*;
 use crate::{frame, icons};
-use leptos::html;
-use leptos::prelude::*;
 use session::{SPEEDS, Session, Status};
 use web_sys::{HtmlElement, HtmlInputElement};
 
@@ -43,49 +42,60 @@ impl TransportNodes {
 }
 
 /// The bar.
-pub fn view(app: App) -> impl IntoView {
+pub fn view(app: App) -> HtmlSection {
     let words = app.words();
     let status = move || {
         app.changes.transport.track();
         app.read(|session| Some(session.status()))
     };
-    let playing = Memo::new(move |_| status() == Some(Status::Playing));
-    let clock = NodeRef::<html::Output>::new();
-    let line = NodeRef::<html::Input>::new();
-    line.on_load(move |line| {
-        let Some(clock) = clock.get_untracked() else { return };
-        let clock = wasm_bindgen::JsCast::unchecked_into(web_sys::Element::from(clock));
-        app.with(|lab| lab.stage.transport = Some(TransportNodes { clock, line, shown: String::new(), position: -1 }));
-        frame::wake(app);
-    });
+    let playing = memo(move || status() == Some(Status::Playing));
+    let mut clock = output().class("clock").id("clock").attr("aria-label", words.time).attr("aria-live", "off");
+    let mut line =
+        input().r#type("range").class("line").id("time-line").min("0").max(POSITIONS.to_string()).step("any");
+    let nodes = TransportNodes { clock: clock.node(), line: line.node(), shown: String::new(), position: -1 };
+    app.with(|lab| lab.stage.transport = Some(nodes));
+    frame::wake(app);
+    let step = |id: &'static str, name: &'static str, key: char, icon: SvgSvg, act: fn(&mut Session)| {
+        button()
+            .class("icon")
+            .id(id)
+            .title(format!("{name} ({key})"))
+            .attr("aria-label", name)
+            .when(events::click, move |_| app.act(act))
+            .child(icon)
+    };
     let play = move || if playing.get() { words.pause } else { words.play };
-    view! {
-        <section class="transport" id="transport" aria-label=words.transport>
-            <div class="buttons">
-                <button type="button" class="icon" id="reset" title=format!("{} (R)", words.reset) aria-label=words.reset
-                    on:click=move |_| app.act(Session::reset)>{icons::reset()}</button>
-                <button type="button" class="icon" id="step-back" title=format!("{} (,)", words.step_back) aria-label=words.step_back
-                    on:click=move |_| app.act(Session::step_back)>{icons::step_back()}</button>
-                <button type="button" class="play" id="play" title=move || format!("{} (K)", play()) aria-label=play
-                    on:click=move |_| app.act(Session::toggle)>
-                    {move || if playing.get() { icons::pause().into_any() } else { icons::play().into_any() }}
-                </button>
-                <button type="button" class="icon" id="step-forward" title=format!("{} (.)", words.step_forward) aria-label=words.step_forward
-                    on:click=move |_| app.act(Session::step_forward)>{icons::step_forward()}</button>
-            </div>
-            <div class="time">
-                <output node_ref=clock class="clock" id="clock" aria-label=words.time aria-live="off"></output>
-                <input node_ref=line type="range" class="line" id="time-line" min="0" max=POSITIONS.to_string() step="any" value="0" aria-label=words.time_line
-                    on:input=move |event| scrub(app, &event_target_value(&event))
-                    on:keydown=move |event| line_key(app, &event) />
-            </div>
-            <div class="extras">
-                {speed(app)}
-                {sound(app)}
-            </div>
-            <p class="trouble" role="status">{move || { app.changes.values.track(); status(); trouble(app) }}</p>
-        </section>
-    }
+    let toggle = button()
+        .class("play")
+        .id("play")
+        .title(move || format!("{} (K)", play()))
+        .attr("aria-label", play)
+        .when(events::click, move |_| app.act(Session::toggle))
+        .child(changing(move || if playing.get() { icons::pause() } else { icons::play() }));
+    let buttons = div()
+        .class("buttons")
+        .child(step("reset", words.reset, 'R', icons::reset(), Session::reset))
+        .child(step("step-back", words.step_back, ',', icons::step_back(), Session::step_back))
+        .child(toggle)
+        .child(step("step-forward", words.step_forward, '.', icons::step_forward(), Session::step_forward));
+    let line = line
+        .value("0")
+        .attr("aria-label", words.time_line)
+        .when(events::input, move |event| scrub(app, &value_of(&event)))
+        .when(events::keydown, move |event| line_key(app, &event));
+    let trouble = move || {
+        app.changes.values.track();
+        status();
+        trouble(app)
+    };
+    section()
+        .class("transport")
+        .id("transport")
+        .attr("aria-label", words.transport)
+        .child(buttons)
+        .child(div().class("time").child(clock).child(line))
+        .child(div().class("extras").child(speed(app)).child(sound(app)))
+        .child(p().class("trouble").role("status").child(text(trouble)))
 }
 
 fn scrub(app: App, position: &str) {
@@ -112,45 +122,46 @@ fn line_key(app: App, event: &web_sys::KeyboardEvent) {
     event.stop_propagation();
 }
 
-fn speed(app: App) -> impl IntoView {
+fn speed(app: App) -> HtmlLabel {
     let words = app.words();
     let chosen = move || {
         app.changes.transport.track();
         app.read(|session| session.speed())
     };
-    let options = SPEEDS
-        .iter()
-        .map(|&speed| {
-            let text = if speed < 1.0 { format!("1/{} ×", 1.0 / speed) } else { format!("{speed} ×") };
-            view! { <option value=speed.to_string() selected=move || chosen() == speed>{text}</option> }
-        })
-        .collect_view();
-    view! {
-        <label class="speed">
-            <span class="visually-hidden">{words.speed}</span>
-            <select id="speed" title=words.speed prop:value=move || chosen().to_string()
-                on:change=move |event| if let Ok(speed) = event_target_value(&event).parse() {
-                    app.act(|session| session.set_speed(speed));
-                }>
-                {options}
-            </select>
-        </label>
-    }
+    let choose = |speed: f64| {
+        let text = if speed < 1.0 { format!("1/{} ×", 1.0 / speed) } else { format!("{speed} ×") };
+        option().value(speed.to_string()).selected(move || chosen() == speed).child(text)
+    };
+    let set = move |event| {
+        if let Ok(speed) = value_of(&event).parse() {
+            app.act(|session| session.set_speed(speed));
+        }
+    };
+    let select = select()
+        .id("speed")
+        .title(words.speed)
+        .when(events::change, set)
+        .each(SPEEDS, choose)
+        .prop("value", move || chosen().to_string());
+    label().class("speed").child(span().class("visually-hidden").child(words.speed)).child(select)
 }
 
-fn sound(app: App) -> impl IntoView {
+fn sound(app: App) -> HtmlButton {
     let words = app.words();
-    let on = RwSignal::new(app.with(|lab| lab.sound.is_on()).unwrap_or_default());
+    let on = create_signal(app.with(|lab| lab.sound.is_on()).unwrap_or_default());
     let toggle = move |_| {
         app.with(|lab| lab.sound.turn(!on.get_untracked()));
         on.set(app.with(|lab| lab.sound.is_on()).unwrap_or_default());
         frame::wake(app);
     };
-    view! {
-        <button type="button" class="icon" id="sound" title=words.sound_title aria-label=words.sound aria-pressed=move || on.get().to_string() on:click=toggle>
-            {move || if on.get() { icons::sound().into_any() } else { icons::mute().into_any() }}
-        </button>
-    }
+    button()
+        .class("icon")
+        .id("sound")
+        .title(words.sound_title)
+        .attr("aria-label", words.sound)
+        .attr("aria-pressed", move || on.get().to_string())
+        .when(events::click, toggle)
+        .child(changing(move || if on.get() { icons::sound() } else { icons::mute() }))
 }
 
 /// What keeps the run from going on as it should.

@@ -1,14 +1,14 @@
 //! The form of the virtual measurement.
 
 use crate::app::App;
-use leptos::prelude::*;
+use crate::views::*;
 use session::{MEASUREMENT_FIELDS, MeasurementForm};
 
 /// The form, closed at first.
-pub fn view(app: App) -> AnyView {
+pub fn view(app: App) -> HtmlDetails {
     let words = app.words();
-    let form = RwSignal::new(app.read(|session| session.measurement_form()));
-    let refusal = RwSignal::new(None::<(usize, String)>);
+    let form = create_signal(app.read(|session| session.measurement_form()));
+    let refusal = create_signal(None::<(usize, String)>);
     let labels = [
         words.virtual_rate,
         words.virtual_duration,
@@ -18,20 +18,14 @@ pub fn view(app: App) -> AnyView {
         words.virtual_scale,
         words.virtual_seed,
     ];
-    let units = move || form.with(|form| app.read(|session| session.measurement_units(&form.quantity)));
-    let fields: Vec<AnyView> =
-        labels.into_iter().enumerate().map(|(index, label)| field(form, refusal, index, label, units)).collect();
+    let units = memo(move || form.with(|form| app.read(|session| session.measurement_units(&form.quantity))));
     let measurable = app.read(|session| session.measurable());
-    let options: Vec<AnyView> = measurable
-        .into_iter()
-        .skip(1)
-        .map(|(value, label)| {
-            let chosen = form.with_untracked(|form| form.quantity == value);
-            view! { <option value=value selected=chosen>{label}</option> }.into_any()
-        })
-        .collect();
+    let choose = |(value, label): (String, String)| {
+        let chosen = form.with_untracked(|form| form.quantity == value);
+        option().value(value).selected(chosen).child(label)
+    };
     let measure = move |_| {
-        let asked: MeasurementForm = form.get_untracked();
+        let asked: MeasurementForm = form.get_clone_untracked();
         let answer = app.act(|session| {
             let number = session.records().iter().filter(|record| record.synthetic).count() + 1;
             let name = format!("{} {number}", words.virtual_name);
@@ -39,49 +33,48 @@ pub fn view(app: App) -> AnyView {
         });
         refusal.set(answer);
     };
-    view! {
-        <details class="virtual card" id="virtual">
-            <summary><h3>{words.virtual_measurement}</h3></summary>
-            <p class="note">{words.virtual_intro}</p>
-            <div class="form">
-                <div class="parameter">
-                    <label for="virtual-quantity">{words.virtual_quantity}</label>
-                    <select id="virtual-quantity" on:change=move |event| form.update(|form| form.quantity = event_target_value(&event))>{options}</select>
-                </div>
-                {fields}
-            </div>
-            <p class="note">{words.virtual_seed_hint}</p>
-            <button type="button" class="primary" id="measure" on:click=measure>{words.virtual_measure}</button>
-        </details>
-    }
-    .into_any()
+    let quantity = select()
+        .id("virtual-quantity")
+        .when(events::change, move |event| form.update(|form| form.quantity = value_of(&event)))
+        .each(measurable.into_iter().skip(1), choose);
+    let quantity =
+        div().class("parameter").child(label().r#for("virtual-quantity").child(words.virtual_quantity)).child(quantity);
+    let fields = div()
+        .class("form")
+        .child(quantity)
+        .each(labels.into_iter().enumerate(), |(index, label)| field(form, refusal, index, label, units));
+    details()
+        .class("virtual card")
+        .id("virtual")
+        .child(summary().child(h3().child(words.virtual_measurement)))
+        .child(p().class("note").child(words.virtual_intro))
+        .child(fields)
+        .child(p().class("note").child(words.virtual_seed_hint))
+        .child(button().class("primary").id("measure").when(events::click, measure).child(words.virtual_measure))
 }
 
 fn field(
-    form: RwSignal<MeasurementForm>,
-    refusal: RwSignal<Option<(usize, String)>>,
+    form: Signal<MeasurementForm>,
+    refusal: Signal<Option<(usize, String)>>,
     index: usize,
-    label: &'static str,
-    units: impl Fn() -> [String; MEASUREMENT_FIELDS] + Copy + Send + Sync + 'static,
-) -> AnyView {
+    name: &'static str,
+    units: ReadSignal<[String; MEASUREMENT_FIELDS]>,
+) -> HtmlDiv {
     let id = format!("virtual-{index}");
     let error = format!("{id}-error");
     let refused = move || {
         refusal.with(|refusal| refusal.as_ref().filter(|(field, _)| *field == index).map(|(_, why)| why.clone()))
     };
     let described = error.clone();
-    view! {
-        <div class="parameter">
-            <label for=id.clone()>{label}</label>
-            <span class="quantity">
-                <input type="text" class="number" id=id autocomplete="off" spellcheck="false"
-                    prop:value=form.with_untracked(|form| form.fields[index].clone())
-                    aria-invalid=move || refused().map(|_| "true") aria-describedby=move || refused().map(|_| described.clone())
-                    on:input=move |event| form.update(|form| form.fields[index] = event_target_value(&event)) />
-                <span class="unit">{move || units()[index].clone()}</span>
-            </span>
-            <p class="refusal" id=error role="alert">{refused}</p>
-        </div>
-    }
-    .into_any()
+    let input = short_field(id.clone())
+        .prop("value", form.with_untracked(|form| form.fields[index].clone()))
+        .attr("aria-invalid", move || refused().map(|_| "true"))
+        .attr("aria-describedby", move || refused().map(|_| described.clone()))
+        .when(events::input, move |event| form.update(|form| form.fields[index] = value_of(&event)));
+    let unit = span().class("unit").child(text(move || units.with(|units| units[index].clone())));
+    div()
+        .class("parameter")
+        .child(label().r#for(id).child(name))
+        .child(span().class("quantity").child(input).child(unit))
+        .child(p().class("refusal").id(error).role("alert").child(text(move || refused().unwrap_or_default())))
 }

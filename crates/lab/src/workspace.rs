@@ -3,12 +3,11 @@
 use crate::app::App;
 use crate::scene::SceneNodes;
 use crate::theme::Theme;
+use crate::views::*;
 use crate::words::Language;
 use crate::{
     browser, controls, diagnostics, frame, header, keys, library, notebook, opening, plots, readouts, transport,
 };
-use leptos::html;
-use leptos::prelude::*;
 
 /// Starts the laboratory in the element `lab`.
 pub fn start() {
@@ -17,12 +16,12 @@ pub fn start() {
     let tag = browser::remembered("language").or_else(|| window().navigator().language()).unwrap_or_default();
     let single_keys = browser::remembered("keys").is_none();
     // The laboratory lives as long as the page.
-    mount_to(place, move || {
+    let laboratory = move || {
         let app = App::new(Language::of(&tag), single_keys);
         prepare(app);
         page(app)
-    })
-    .forget();
+    };
+    sycamore_web::render_to(laboratory, &place);
 }
 
 fn prepare(app: App) {
@@ -35,18 +34,22 @@ fn prepare(app: App) {
     keys::listen(app);
 }
 
-fn page(app: App) -> impl IntoView {
-    view! {
-        {move || {
+fn page(app: App) -> View {
+    View::from((
+        changing(move || {
             app.changes.document.track();
             build(app)
-        }}
-        <p class="visually-hidden" role="status" aria-live="polite" id="spoken">{move || app.spoken.get()}</p>
-    }
+        }),
+        p().class("visually-hidden")
+            .role("status")
+            .attr("aria-live", "polite")
+            .id("spoken")
+            .child(text(move || app.spoken.get_clone())),
+    ))
 }
 
 /// Everything, for the document and the language as they are.
-fn build(app: App) -> impl IntoView {
+fn build(app: App) -> View {
     let words = app.words();
     app.with(|lab| lab.stage.clear());
     if let Some(root) = document().document_element() {
@@ -56,29 +59,22 @@ fn build(app: App) -> impl IntoView {
     document().set_title(&if title == "Meniscus" { title } else { format!("{title} · Meniscus") });
     let runs = app.read(|_| true);
     let body = if runs {
-        view! {
-            {jump(app)}
-            <main>
-                {apparatus(app)}
-                {notebook::view(app)}
-            </main>
-        }
-        .into_any()
+        View::from((jump(app), main().child(apparatus(app)).child(notebook::view(app))))
     } else {
-        view! { <main>{diagnostics::view(app)}</main> }.into_any()
+        main().child(diagnostics::view(app)).into()
     };
-    view! {
-        <a class="skip" href="#apparatus">{words.skip}</a>
-        {header::view(app)}
-        {body}
-        <footer><p>{words.footer}</p></footer>
-        {keys::dialog(app)}
-        {library::dialog(app)}
-    }
+    View::from((
+        a().class("skip").href("#apparatus").child(words.skip),
+        header::view(app),
+        body,
+        footer().child(p().child(words.footer)),
+        keys::dialog(app),
+        library::dialog(app),
+    ))
 }
 
 /// On a small screen everything stands in one column: the way to its parts.
-fn jump(app: App) -> impl IntoView {
+fn jump(app: App) -> HtmlNav {
     let words = app.words();
     let links = [
         ("#scene", words.scene),
@@ -86,47 +82,44 @@ fn jump(app: App) -> impl IntoView {
         ("#controls", words.controls),
         ("#readouts", words.readouts),
         ("#notebook", words.notebook),
-    ]
-    .into_iter()
-    .map(|(place, name)| view! { <a href=place>{name}</a> })
-    .collect_view();
-    view! { <nav class="jump" aria-label=words.jump>{links}</nav> }
+    ];
+    let link = |(place, name): (&'static str, &'static str)| a().href(place).child(name);
+    nav().class("jump").attr("aria-label", words.jump).each(links, link)
 }
 
-fn apparatus(app: App) -> impl IntoView {
+fn apparatus(app: App) -> HtmlSection {
     let words = app.words();
-    view! {
-        <section class="apparatus" id="apparatus" tabindex="-1" aria-label=words.apparatus>
-            {scene(app)}
-            {transport::view(app)}
-            {plots::view(app)}
-            {controls::view(app)}
-            {readouts::view(app)}
-        </section>
-    }
+    section()
+        .class("apparatus")
+        .id("apparatus")
+        .tabindex("-1")
+        .attr("aria-label", words.apparatus)
+        .child(scene(app))
+        .child(transport::view(app))
+        .child(plots::view(app))
+        .child(controls::view(app))
+        .child(readouts::view(app))
 }
 
-fn scene(app: App) -> impl IntoView {
+fn scene(app: App) -> HtmlSection {
     let words = app.words();
-    let place = NodeRef::<html::Div>::new();
+    let mut place = div().class("drawing");
     let language = app.language.get_untracked().tag();
     let scene = app.read(|session| session.document().scene(language).cloned());
     let (exists, draggable) = (scene.is_some(), scene.as_ref().is_some_and(|scene| has_handle(&scene.root)));
-    place.on_load(move |place| {
-        if let Some(scene) = &scene {
-            let nodes = SceneNodes::build(app, scene, &place, words.scene);
-            app.with(|lab| lab.stage.scene = nodes);
-            frame::wake(app);
-        }
-    });
-    view! {
-        <section class="scene card" id="scene" aria-labelledby="scene-title">
-            <h2 id="scene-title" class="visually-hidden">{words.scene}</h2>
-            <div class="drawing" node_ref=place></div>
-            {draggable.then(|| view! { <p class="note">{words.drag_hint}</p> })}
-            {(!exists).then(|| view! { <p class="empty">{words.no_scene}</p> })}
-        </section>
+    if let Some(scene) = &scene {
+        let nodes = SceneNodes::build(app, scene, &place.node(), words.scene);
+        app.with(|lab| lab.stage.scene = nodes);
+        frame::wake(app);
     }
+    section()
+        .class("scene card")
+        .id("scene")
+        .attr("aria-labelledby", "scene-title")
+        .child(h2().id("scene-title").class("visually-hidden").child(words.scene))
+        .child(place)
+        .maybe(draggable.then(|| p().class("note").child(words.drag_hint)))
+        .maybe((!exists).then(|| p().class("empty").child(words.no_scene)))
 }
 
 fn has_handle(element: &document::Element) -> bool {

@@ -1,0 +1,147 @@
+//! What the views are made with: Sycamore's elements and signals, and a few ways to put them together. What differs from
+//! place to place goes into a box first, so that the code behind it is compiled once and not for every place.
+
+use crate::{browser, icons};
+use std::borrow::Cow;
+pub use sycamore_reactive::{ReadSignal, Signal, create_signal};
+use sycamore_reactive::{create_effect, create_selector};
+use sycamore_web::events::{Event, EventDescriptor};
+pub use sycamore_web::tags::html_attributes::*;
+pub use sycamore_web::tags::*;
+pub use sycamore_web::{GlobalAttributes, HtmlGlobalAttributes, View, document, events, tags, window};
+use sycamore_web::{GlobalProps, ViewHtmlNode};
+use wasm_bindgen::JsCast;
+use web_sys::{HtmlDialogElement, HtmlInputElement};
+
+/// What elements are put together with.
+pub trait Build: GlobalProps {
+    /// One more child.
+    fn child(self, child: impl Into<View>) -> Self {
+        self.children(child)
+    }
+
+    /// One more child, if there is one.
+    fn maybe(self, child: Option<impl Into<View>>) -> Self {
+        match child {
+            Some(child) => self.child(child),
+            None => self,
+        }
+    }
+
+    /// A child for each item.
+    fn each<T, V: Into<View>>(self, items: impl IntoIterator<Item = T>, mut view: impl FnMut(T) -> V) -> Self {
+        let mut element = self;
+        for item in items {
+            element = element.child(view(item));
+        }
+        element
+    }
+
+    /// What it is called, for those who see it and for those who do not.
+    fn called(self, name: impl Into<Cow<'static, str>>) -> Self {
+        let name: Cow<'static, str> = name.into();
+        self.attr("title", name.clone()).attr("aria-label", name)
+    }
+
+    /// Children as HTML. Whoever wrote it has made it safe.
+    fn inner_html(self, html: String) -> Self {
+        self.dangerously_set_inner_html(html)
+    }
+
+    /// Does something whenever this happens to the element.
+    fn when<E: EventDescriptor<EventTy: 'static>>(self, event: E, act: impl FnMut(E::EventTy) + 'static) -> Self {
+        let act: Box<dyn FnMut(E::EventTy)> = Box::new(act);
+        self.on(event, act)
+    }
+
+    /// The element's node.
+    fn node<T: JsCast>(&mut self) -> T {
+        self.as_html_node().as_web_sys().clone().unchecked_into()
+    }
+}
+
+impl<E: GlobalProps> Build for E {}
+
+/// A button that does nothing of its own.
+pub fn button() -> HtmlButton {
+    tags::button().r#type("button")
+}
+
+/// A button with an icon and words.
+pub fn labelled(icon: SvgSvg, words: &'static str) -> HtmlButton {
+    button().class("quiet with-icon").child(icon).child(span().child(words))
+}
+
+/// A dialog with its title, and a button of this name that closes it.
+pub fn dialog(id: &'static str, title_id: &'static str, title: &'static str, close: &'static str) -> HtmlDialog {
+    let mut dialog = tags::dialog().id(id).attr("aria-labelledby", title_id);
+    let node: HtmlDialogElement = dialog.node();
+    let close = button()
+        .class("icon")
+        .attr("aria-label", close)
+        .when(events::click, move |_| node.close())
+        .child(icons::cross());
+    dialog.child(div().class("dialog-head").child(h2().id(title_id).child(title)).child(close))
+}
+
+/// A view for each item, one after the other.
+pub fn each<T, V: Into<View>>(items: impl IntoIterator<Item = T>, mut view: impl FnMut(T) -> V) -> View {
+    let mut views: Vec<View> = Vec::new();
+    for item in items {
+        views.push(view(item).into());
+    }
+    views.into()
+}
+
+/// A text that changes. It is written only where it differs: readers of the screen may say what is written.
+pub fn text(read: impl FnMut() -> String + 'static) -> View {
+    memo(read).into()
+}
+
+/// A part that is built anew whenever something has changed that it reads.
+pub fn changing<V: Into<View>>(mut build: impl FnMut() -> V + 'static) -> View {
+    let build: Box<dyn FnMut() -> View> = Box::new(move || build().into());
+    View::from_dynamic(build)
+}
+
+/// A value that is computed anew whenever something has changed that it reads, and tells only when it differs.
+pub fn memo<T: PartialEq>(compute: impl FnMut() -> T + 'static) -> ReadSignal<T> {
+    let compute: Box<dyn FnMut() -> T> = Box::new(compute);
+    create_selector(compute)
+}
+
+/// Does something now and whenever something has changed that it reads.
+pub fn effect(act: impl FnMut() + 'static) {
+    let act: Box<dyn FnMut()> = Box::new(act);
+    create_effect(act);
+}
+
+/// What a field holds.
+pub fn value_of(event: &Event) -> String {
+    event.target().map(|field| field.unchecked_into::<HtmlInputElement>().value()).unwrap_or_default()
+}
+
+/// Whether a box is ticked.
+pub fn is_checked(event: &Event) -> bool {
+    event.target().is_some_and(|field| field.unchecked_into::<HtmlInputElement>().checked())
+}
+
+/// A field to type something short into.
+pub fn short_field(id: String) -> HtmlInput {
+    input().r#type("text").class("number").id(id).autocomplete("off").attr("spellcheck", "false")
+}
+
+/// A box to tick. What is built anew by ticking it gives the focus back to its place.
+pub fn tick(id: String, ticked: bool, act: impl Fn(bool) + 'static) -> HtmlInput {
+    let place = id.clone();
+    let ticking = move |event| {
+        act(is_checked(&event));
+        browser::focus_later(place.clone());
+    };
+    input().r#type("checkbox").id(id).prop("checked", ticked).when(events::change, ticking)
+}
+
+/// A place where it is said why something was not done.
+pub fn refusal_of(why: Signal<Option<String>>) -> HtmlP {
+    p().class("refusal").role("alert").child(text(move || why.get_clone().unwrap_or_default()))
+}

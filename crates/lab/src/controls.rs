@@ -23,11 +23,7 @@ pub fn view(app: App) -> HtmlSection {
         .class("block")
         .child(div().class("block-head").child(h3().child(words.parameters)).child(reset))
         .each(app.read(|session| session.parameters()), |first| parameters::control(app, first));
-    section()
-        .class("controls card")
-        .id("controls")
-        .attr("aria-labelledby", "controls-title")
-        .child(h2().id("controls-title").class("visually-hidden").child(words.controls))
+    part("controls", "controls card", words.controls)
         .child(parameters)
         .child(presets(app))
         .child(states(app))

@@ -143,13 +143,9 @@ fn table(app: App, found: CyclesView) -> View {
         button().class("quiet").when(events::click, move |_| save(kind)).child(name)
     };
     let head = tr().child(th().scope("col").child(words.cycles_turn)).each(found.heads, head);
-    let table = tags::table()
-        .child(caption().class("visually-hidden").child(words.cycles_title))
-        .child(thead().child(head))
-        .child(tbody().each(found.rows, row));
     View::from((
         p().class("note").child(words.cycles_run),
-        div().class("table").tabindex("0").role("region").attr("aria-label", words.cycles_title).child(table),
+        table_in("table", words.cycles_title, Some(head), tbody().each(found.rows, row)),
         p().class("note").child(words.cycles_note),
         div().class("intake").child(save("CSV", ExportKind::Csv)).child(save("XLSX", ExportKind::Workbook)),
     ))

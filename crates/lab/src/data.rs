@@ -74,12 +74,9 @@ pub fn view(app: App, tab: usize) -> HtmlDiv {
         .child(pager)
         .child(label().class("switch").child(tick).child(span().child(words.follow)))
         .child(actions);
-    let table = table()
-        .child(caption().class("visually-hidden").child(words.table))
-        .child(thead().child(tr().each(head, |cell| th().scope("col").child(cell))))
-        .child(tbody().child(changing(body)));
-    let region = div().class("table").tabindex("0").role("region").attr("aria-label", words.table).child(table);
-    div().class("data").child(bar).child(region)
+    let head = tr().each(head, |cell| th().scope("col").child(cell));
+    let table = table_in("table", words.table, Some(head), tbody().child(changing(body)));
+    div().class("data").child(bar).child(table)
 }
 
 fn save(app: App) {

@@ -28,23 +28,20 @@ pub fn view(app: App, chosen: Signal<Option<u32>>, ranked: Signal<bool>) -> View
         let table = table(app, fits, shown, chosen);
         match (shown, detail) {
             (Some(id), Some(found)) => View::from((table, self::detail(app, id, found, several))),
-            _ => table,
+            _ => table.into(),
         }
     })
 }
 
-fn table(app: App, fits: Vec<FitView>, shown: Option<u32>, chosen: Signal<Option<u32>>) -> View {
+fn table(app: App, fits: Vec<FitView>, shown: Option<u32>, chosen: Signal<Option<u32>>) -> HtmlDiv {
     let words = app.words();
     let heads =
         [words.fit_theory_head, words.fit_counts, words.fit_rmse, words.fit_predicted, "ΔAICc", words.fit_weight];
     let head = |head: &'static str| th().scope("col").child(head);
     let actions = th().scope("col").child(span().class("visually-hidden").child(words.fit_actions));
-    let table = tags::table()
-        .child(caption().class("visually-hidden").child(words.fit_results))
-        .child(thead().child(tr().each(heads, head).child(actions)))
-        .child(tbody().each(fits, |fit| row(app, fit, shown, chosen)));
-    let region = div().class("table fits").tabindex("0").role("region").attr("aria-label", words.fit_results);
-    region.child(table).into()
+    let head = tr().each(heads, head).child(actions);
+    let body = tbody().each(fits, |fit| row(app, fit, shown, chosen));
+    table_in("table fits", words.fit_results, Some(head), body)
 }
 
 fn row(app: App, fit: FitView, shown: Option<u32>, chosen: Signal<Option<u32>>) -> HtmlTr {
@@ -144,13 +141,12 @@ fn estimates(app: App, detail: &FitDetail) -> HtmlTbody {
 fn detail(app: App, id: u32, detail: FitDetail, several: bool) -> HtmlDiv {
     let words = app.words();
     let statistics: Vec<String> = detail.statistics.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-    let table =
-        tags::table().child(caption().class("visually-hidden").child(words.fit_varied)).child(estimates(app, &detail));
+    let estimates = table_in("estimates", words.fit_varied, None, estimates(app, &detail));
     div()
         .class("detail")
         .child(h4().child(detail.theory))
         .child(div().class("verdicts").each(detail.sentences, |sentence| p().child(sentence)))
-        .child(div().class("estimates").tabindex("0").role("region").attr("aria-label", words.fit_varied).child(table))
+        .child(estimates)
         .child(p().class("note").child(statistics.join(" · ")))
         .child(p().class("note").child(words.fit_errors))
         .child(exports(app, id, several))

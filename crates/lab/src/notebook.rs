@@ -67,14 +67,7 @@ pub fn view(app: App) -> View {
                 .into(),
         );
     }
-    section()
-        .class("notebook")
-        .id("notebook")
-        .attr("aria-labelledby", "notebook-title")
-        .child(h2().id("notebook-title").class("visually-hidden").child(words.notebook))
-        .child(buttons)
-        .child(panels)
-        .into()
+    part("notebook", "notebook", words.notebook).child(buttons).child(panels).into()
 }
 
 /// Arrow keys go from tab to tab, around the ends.

@@ -23,11 +23,7 @@ pub fn view(app: App) -> HtmlSection {
             div().class("values").child(h3().child(title)).child(rows)
         })
     };
-    section()
-        .class("readouts card")
-        .id("readouts")
-        .attr("aria-labelledby", "readouts-title")
-        .child(h2().id("readouts-title").class("visually-hidden").child(words.readouts))
+    part("readouts", "readouts card", words.readouts)
         .maybe(list(true, words.changing))
         .maybe(list(false, words.constants))
 }

@@ -67,7 +67,7 @@ fn item(app: App, records: Records, record: RecordView, choice: derivatives::Cho
         .maybe(findings)
 }
 
-fn preview(app: App, records: Records, record: &RecordView) -> View {
+fn preview(app: App, records: Records, record: &RecordView) -> HtmlDiv {
     let words = app.words();
     let id = record.id;
     let measurable = app.read(|session| session.measurable());
@@ -83,18 +83,13 @@ fn preview(app: App, records: Records, record: &RecordView) -> View {
         let cell = |column: &Vec<String>| td().child(column.get(row).cloned().unwrap_or_default());
         tr().child(th().scope("row").child(row + 1)).each(&cells, cell)
     };
-    let label = format!("{}: {}", words.preview, record.name);
-    let table = table()
-        .child(caption().class("visually-hidden").child(label.clone()))
-        .child(thead().child(tr().child(th().scope("col").child(words.column)).each(columns, head)))
-        .child(
-            tbody()
-                .child(line(words.column_measures).each(columns, |column| quantity(app, id, column, &measurable)))
-                .child(line(words.column_unit).each(columns, |column| unit(app, records, id, column)))
-                .child(line(words.column_fitted).each(columns, |column| fitted(app, id, column)))
-                .each(0..ROWS.min(record.rows), row),
-        );
-    div().class("table").tabindex("0").role("region").attr("aria-label", label).child(table).into()
+    let head = tr().child(th().scope("col").child(words.column)).each(columns, head);
+    let body = tbody()
+        .child(line(words.column_measures).each(columns, |column| quantity(app, id, column, &measurable)))
+        .child(line(words.column_unit).each(columns, |column| unit(app, records, id, column)))
+        .child(line(words.column_fitted).each(columns, |column| fitted(app, id, column)))
+        .each(0..ROWS.min(record.rows), row);
+    table_in("table", format!("{}: {}", words.preview, record.name), Some(head), body)
 }
 
 /// What a control of a column is called.

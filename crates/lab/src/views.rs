@@ -72,6 +72,31 @@ pub fn labelled(icon: SvgSvg, words: &'static str) -> HtmlButton {
     button().class("quiet with-icon").child(icon).child(span().child(words))
 }
 
+/// A part of the page. Its heading is only heard: those who see it know it by its look.
+pub fn part(id: &'static str, class: &'static str, title: &'static str) -> HtmlSection {
+    let heading = format!("{id}-title");
+    section()
+        .class(class)
+        .id(id)
+        .attr("aria-labelledby", heading.clone())
+        .child(h2().id(heading).class("visually-hidden").child(title))
+}
+
+/// A table in a box of this class in which it can be scrolled, also by keys.
+pub fn table_in(
+    class: &'static str,
+    name: impl Into<Cow<'static, str>>,
+    head: Option<HtmlTr>,
+    body: HtmlTbody,
+) -> HtmlDiv {
+    let name: Cow<'static, str> = name.into();
+    let table = table()
+        .child(caption().class("visually-hidden").child(name.clone()))
+        .maybe(head.map(|head| thead().child(head)))
+        .child(body);
+    div().class(class).tabindex("0").role("region").attr("aria-label", name).child(table)
+}
+
 /// A dialog with its title, and a button of this name that closes it.
 pub fn dialog(id: &'static str, title_id: &'static str, title: &'static str, close: &'static str) -> HtmlDialog {
     let mut dialog = tags::dialog().id(id).attr("aria-labelledby", title_id);

@@ -112,11 +112,7 @@ fn scene(app: App) -> HtmlSection {
         app.with(|lab| lab.stage.scene = nodes);
         frame::wake(app);
     }
-    section()
-        .class("scene card")
-        .id("scene")
-        .attr("aria-labelledby", "scene-title")
-        .child(h2().id("scene-title").class("visually-hidden").child(words.scene))
+    part("scene", "scene card", words.scene)
         .child(place)
         .maybe(draggable.then(|| p().class("note").child(words.drag_hint)))
         .maybe((!exists).then(|| p().class("empty").child(words.no_scene)))

@@ -100,14 +100,14 @@ fn states(app: App) -> View {
         div()
             .class("parameter")
             .child(label().r#for(id.clone()).child(span().child(state.label)).child(symbol(&state.name)))
-            .child(span().class("quantity").child(field.view()).child(span().class("unit").child(state.unit)))
+            .child(with_unit(field.view(), state.unit))
             .child(refusal_of(error).id(format!("{id}-error")))
     };
     div()
         .class("block")
         .child(div().class("block-head").child(h3().child(words.state)))
         .each(states, field)
-        .child(p().class("note").child(words.state_hint))
+        .child(note(words.state_hint))
         .into()
 }
 
@@ -153,7 +153,7 @@ fn numerics(app: App) -> HtmlDetails {
         .child(label().r#for("method").child(span().child(words.method)))
         .child(choose)
         .child(refusal_of(refusal));
-    let unit = span().class("unit").child(text(move || step().1));
+    let unit = unit_of(text(move || step().1));
     let step = div()
         .class("parameter")
         .child(label().r#for("step-size").child(span().child(words.step)))

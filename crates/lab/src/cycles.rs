@@ -57,7 +57,7 @@ fn content(app: App, looked: Signal<u32>) -> View {
         None => View::new(),
     };
     View::from((
-        p().class("note").child(words.cycles_intro),
+        note(words.cycles_intro),
         choices(app, looked),
         div().class("verdicts").child(changing(sentences)),
         plots::figure(app, index, Box::new(shown)),
@@ -121,19 +121,16 @@ fn choices(app: App, looked: Signal<u32>) -> HtmlDiv {
         .child(span().class("note").attr("aria-hidden", "true").child(words.cycles_against))
         .child(side(words.cycles_time, false))
         .child(side(words.cycles_amplitude, true));
-    let named =
-        |place: &'static str, name: &'static str| span().class("quantity").child(label().r#for(place).child(name));
     div()
         .class("looking")
-        .child(named("cycles-column", words.cycles_column).child(column))
-        .child(named("cycles-quantity", words.cycles_quantity).child(quantity))
+        .child(field_of("cycles-column", words.cycles_column).child(column))
+        .child(field_of("cycles-quantity", words.cycles_quantity).child(quantity))
         .child(against)
 }
 
 fn table(app: App, found: CyclesView) -> View {
     let words = app.words();
-    let head = |head: String| th().scope("col").child(head);
-    let row = |(kind, cells)| tr().child(th().scope("row").child(kind)).each(cells, |cell: String| td().child(cell));
+    let row = |(kind, cells)| tr().child(row_head(kind)).each(cells, |cell: String| td().child(cell));
     let save = move |kind: ExportKind| {
         if let Some(file) = app.read(|session| session.export_cycles(kind)) {
             browser::save_bytes(&file.name, file.kind, &file.bytes);
@@ -142,11 +139,11 @@ fn table(app: App, found: CyclesView) -> View {
     let save = |name: &'static str, kind: ExportKind| {
         button().class("quiet").when(events::click, move |_| save(kind)).child(name)
     };
-    let head = tr().child(th().scope("col").child(words.cycles_turn)).each(found.heads, head);
+    let head = tr().child(column_head(words.cycles_turn)).each(found.heads, column_head);
     View::from((
-        p().class("note").child(words.cycles_run),
+        note(words.cycles_run),
         table_in("table", words.cycles_title, Some(head), tbody().each(found.rows, row)),
-        p().class("note").child(words.cycles_note),
+        note(words.cycles_note),
         div().class("intake").child(save("CSV", ExportKind::Csv)).child(save("XLSX", ExportKind::Workbook)),
     ))
 }

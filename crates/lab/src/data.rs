@@ -69,12 +69,8 @@ pub fn view(app: App, tab: usize) -> HtmlDiv {
         .child(take("copy-csv", words.copy_csv, |app| notebook::copy(app, &app.read(|session| session.csv()))))
         .child(take("save-csv", words.save_csv, save))
         .child(take("save-xlsx", words.save_xlsx, save_workbook));
-    let bar = div()
-        .class("data-bar")
-        .child(pager)
-        .child(label().class("switch").child(tick).child(span().child(words.follow)))
-        .child(actions);
-    let head = tr().each(head, |cell| th().scope("col").child(cell));
+    let bar = div().class("data-bar").child(pager).child(switch(tick, words.follow)).child(actions);
+    let head = tr().each(head, column_head);
     let table = table_in("table", words.table, Some(head), tbody().child(changing(body)));
     div().class("data").child(bar).child(table)
 }

@@ -81,11 +81,10 @@ pub fn view(app: App, record: &RecordView, choice: Choice) -> View {
         .when(events::change, move |event| choice.smooth.set(value_of(&event) == "smooth"))
         .child(option().value("central").selected(!smooth).child(words.derivatives_central))
         .child(option().value("smooth").selected(smooth).child(words.derivatives_smooth));
-    let named = |place: String, name: &'static str| span().class("quantity").child(label().r#for(place).child(name));
     let form = div()
         .class("looking")
-        .child(named(format!("derive-of-{id}"), words.derivatives_of).child(of_what))
-        .child(named(format!("derive-how-{id}"), words.derivatives_method).child(how))
+        .child(field_of(format!("derive-of-{id}"), words.derivatives_of).child(of_what))
+        .child(field_of(format!("derive-how-{id}"), words.derivatives_method).child(how))
         .child(changing(move || if choice.smooth.get() { polynomial(app, id, choice) } else { View::new() }))
         .child(button().class("quiet outlined").id(place).when(events::click, make).child(words.derivatives_make))
         .maybe(any_made.then(|| button().class("quiet").when(events::click, forget).child(words.derivatives_forget)));
@@ -94,7 +93,7 @@ pub fn view(app: App, record: &RecordView, choice: Choice) -> View {
         .open(choice.open.with_untracked(|open| open.contains(&id)))
         .when(events::toggle, toggled)
         .child(summary().id(format!("derivatives-{id}")).child(words.derivatives_title))
-        .child(p().class("note").child(words.derivatives_intro))
+        .child(note(words.derivatives_intro))
         .child(form)
         .into()
 }
@@ -112,7 +111,7 @@ fn polynomial(app: App, id: u32, choice: Choice) -> View {
             .autocomplete("off")
             .prop("value", text.get_clone_untracked())
             .when(events::input, move |event| text.set(value_of(&event)));
-        span().class("quantity").child(label().r#for(id).child(name)).child(input)
+        field_of(id, name).child(input)
     };
     View::from((
         field("rows", words.derivatives_rows, choice.window),

@@ -3,7 +3,7 @@
 use crate::app::App;
 use crate::controls::symbol;
 use crate::views::*;
-use crate::{browser, icons, opening};
+use crate::{browser, opening};
 use document::page::Source;
 use session::{ExportKind, FitDetail, FitView, Imprint};
 use wasm_bindgen::JsValue;
@@ -37,9 +37,8 @@ fn table(app: App, fits: Vec<FitView>, shown: Option<u32>, chosen: Signal<Option
     let words = app.words();
     let heads =
         [words.fit_theory_head, words.fit_counts, words.fit_rmse, words.fit_predicted, "ΔAICc", words.fit_weight];
-    let head = |head: &'static str| th().scope("col").child(head);
-    let actions = th().scope("col").child(span().class("visually-hidden").child(words.fit_actions));
-    let head = tr().each(heads, head).child(actions);
+    let actions = column_head(span().class("visually-hidden").child(words.fit_actions));
+    let head = tr().each(heads, column_head).child(actions);
     let body = tbody().each(fits, |fit| row(app, fit, shown, chosen));
     table_in("table fits", words.fit_results, Some(head), body)
 }
@@ -79,9 +78,9 @@ fn row(app: App, fit: FitView, shown: Option<u32>, chosen: Signal<Option<u32>>) 
         .when(events::click, choose)
         .child(fit.theory);
     let apply = button().class("quiet").attr("aria-label", apply_name).when(events::click, use_it).child(apply);
-    let remove = button().class("icon small").called(remove).when(events::click, forget).child(icons::cross());
+    let remove = cross(remove).when(events::click, forget);
     tr().attr("aria-current", selected.then_some("true"))
-        .child(th().scope("row").child(pick).child(span().class("note").child(records)))
+        .child(row_head(pick).child(span().class("note").child(records)))
         .each(cells, |cell| td().child(cell))
         .child(td().child(div().class("actions").child(apply).child(remove)))
 }
@@ -130,7 +129,7 @@ fn estimates(app: App, detail: &FitDetail) -> HtmlTbody {
         let head = tr().class("group").child(th().scope("colgroup").colspan("4").child(name));
         let row = tr()
             .class(one.derived.then_some("derived"))
-            .child(th().scope("row").child(one.label.clone()).child(" ").child(symbol(&one.name)))
+            .child(row_head(one.label.clone()).child(" ").child(symbol(&one.name)))
             .child(td().class("value").child(one.value.clone()))
             .child(td().class("unit").child(one.unit.clone()))
             .child(td().class("note").child(one.remark.clone()));
@@ -147,7 +146,7 @@ fn detail(app: App, id: u32, detail: FitDetail, several: bool) -> HtmlDiv {
         .child(h4().child(detail.theory))
         .child(div().class("verdicts").each(detail.sentences, |sentence| p().child(sentence)))
         .child(estimates)
-        .child(p().class("note").child(statistics.join(" · ")))
-        .child(p().class("note").child(words.fit_errors))
+        .child(note(statistics.join(" · ")))
+        .child(note(words.fit_errors))
         .child(exports(app, id, several))
 }

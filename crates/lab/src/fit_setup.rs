@@ -46,7 +46,7 @@ pub fn view(app: App, refusal: Refusal) -> View {
         );
     View::from((
         head,
-        p().class("note").child(words.fit_intro),
+        note(words.fit_intro),
         changing(move || together(app, records.get_clone())),
         changing(move || vary(app, refusal, choices, rows.get_clone())),
         ends(app, refusal),
@@ -79,11 +79,11 @@ fn together(app: App, records: Vec<FitRecordView>) -> View {
         let (id, place) = (record.id, format!("fit-with-{}", record.id));
         let tick =
             tick(place, record.taking_part, move |takes_part| app.act(|session| session.fit_with(id, takes_part)));
-        label().class("switch").child(tick.disabled(record.chosen)).child(span().child(record.name))
+        switch(tick.disabled(record.chosen), record.name)
     };
     View::from((
         fieldset().class("choices").child(legend().child(words.fit_together)).each(records, record),
-        View::from(several.then(|| p().class("note").child(words.fit_same_intro).into())),
+        View::from(several.then(|| note(words.fit_same_intro).into())),
     ))
 }
 
@@ -99,11 +99,7 @@ fn row(app: App, refusal: Refusal, choices: Choices, choice: ChoiceView, several
     let index = choice.index;
     let tick =
         tick(format!("vary-{index}"), choice.varied, move |varied| app.act(|session| session.vary(index, varied)));
-    let varied = label()
-        .class("switch")
-        .child(tick)
-        .child(span().child(choice.label.clone()))
-        .maybe((!choice.name.is_empty()).then(|| symbol(&choice.name)));
+    let varied = switch(tick, choice.label.clone()).maybe((!choice.name.is_empty()).then(|| symbol(&choice.name)));
     if !several {
         return varied.into();
     }
@@ -140,11 +136,7 @@ fn value(app: App, refusal: Refusal, choices: Choices, choice: &ChoiceView, know
         .enterkeyhint("done")
         .prop("value", text)
         .when(events::change, take);
-    span()
-        .class("quantity")
-        .child(label().r#for(id).child(known.name.clone()))
-        .child(field)
-        .child(span().class("unit").child(choice.unit.clone()))
+    field_of(id, known.name.clone()).child(field).child(unit_of(choice.unit.clone()))
 }
 
 /// What part of the records counts.
@@ -158,11 +150,9 @@ fn ends(app: App, refusal: Refusal) -> HtmlDiv {
             let typed = value_of(&event);
             refusal.set(app.attempt(|session| session.set_fit_window(end, &typed)));
         };
-        span()
-            .class("quantity")
-            .child(label().r#for(id.clone()).child(name))
+        field_of(id.clone(), name)
             .child(short_field(id).prop("value", value).when(events::change, take))
-            .child(span().class("unit").child(unit.clone()))
+            .child(unit_of(unit.clone()))
     };
     let ends = [(words.fit_from, from), (words.fit_until, until)].into_iter().enumerate();
     div().class("ends").role("group").attr("aria-label", words.fit_part).each(ends, end)

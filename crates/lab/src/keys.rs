@@ -95,18 +95,18 @@ pub fn dialog(app: App) -> HtmlDialog {
     let line = |(keys, meaning): (Vec<&'static str>, &'static str)| {
         div().child(dt().each(keys, |key| kbd().child(key))).child(dd().child(meaning))
     };
-    let switch = move |event| {
+    let turn = move |event| {
         let on = is_checked(&event);
         app.single_keys.set(on);
         browser::remember("keys", if on { "" } else { "off" });
     };
-    let switch = input()
+    let tick = input()
         .r#type("checkbox")
         .id("single-keys")
         .prop("checked", move || app.single_keys.get())
-        .when(events::change, switch);
+        .when(events::change, turn);
     views::dialog("keys", "keys-title", words.keys_title, words.close)
-        .child(label().class("switch").child(switch).child(span().child(words.keys_switch)))
+        .child(switch(tick, words.keys_switch))
         .child(p().child(words.keys_where))
         .each(groups, |(title, keys)| View::from((h3().child(title), dl().each(keys, line))))
 }

@@ -23,6 +23,7 @@ mod measurements;
 mod notebook;
 mod opening;
 mod parameters;
+mod pieces;
 mod plots;
 mod question;
 mod readouts;

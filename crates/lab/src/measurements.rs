@@ -10,7 +10,7 @@ pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
     div()
         .class("measurements")
-        .child(p().class("note").child(words.measurements_intro))
+        .child(note(words.measurements_intro))
         .child(intake(app))
         .child(refusal_of(app.record_refusal).id("record-refusal"))
         .child(records::view(app))

@@ -159,7 +159,7 @@ fn equations(app: App) -> HtmlDiv {
     let list = ol().each(lines, |math| li().inner_html(math));
     let equations =
         div().class("equations").role("region").tabindex("0").attr("aria-label", words.equations).child(list);
-    div().class("model").child(p().class("note").child(words.equations_intro)).child(equations)
+    div().class("model").child(note(words.equations_intro)).child(equations)
 }
 
 /// The text of the document.
@@ -184,11 +184,7 @@ fn source(app: App) -> HtmlDiv {
             .child(div().class("block-head").child(h3().child(file.name.clone())).child(actions))
             .child(pre().tabindex("0").attr("aria-label", file.name).child(code().child(file.text)))
     };
-    div()
-        .class("source")
-        .child(p().class("note").child(words.source_intro))
-        .child(diagnostics::remarks(app))
-        .each(sources, file)
+    div().class("source").child(note(words.source_intro)).child(diagnostics::remarks(app)).each(sources, file)
 }
 
 /// Copies a text and says whether that worked.

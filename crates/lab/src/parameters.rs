@@ -30,7 +30,7 @@ pub struct Field {
 
 impl Field {
     /// The input.
-    pub fn view(self) -> View {
+    pub fn view(self) -> HtmlInput {
         let Self { id, text, editable, signed, error, commit, nudge } = self;
         let mut input = short_field(id.clone());
         let node: HtmlInputElement = input.node();
@@ -80,7 +80,6 @@ impl Field {
             .when(events::input, move |_| typing.set(true))
             .when(events::change, move |_| take())
             .when(events::keydown, keys)
-            .into()
     }
 }
 
@@ -156,7 +155,7 @@ pub fn control(app: App, first: ParameterView) -> HtmlDiv {
     div()
         .class(move || if changed() { "parameter changed" } else { "parameter" })
         .child(label().r#for(id.clone()).title(title).child(span().child(first.label)).child(symbol(&first.name)))
-        .child(span().class("quantity").child(field.view()).child(span().class("unit").child(first.unit)))
+        .child(with_unit(field.view(), first.unit))
         .maybe(slider)
         .child(refusal_of(error).id(format!("{id}-error")))
 }

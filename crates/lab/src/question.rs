@@ -54,7 +54,7 @@ pub fn view(app: App, index: usize) -> View {
         .class("answer")
         .when(events::submit, check)
         .child(label().r#for(field).class("visually-hidden").child(name))
-        .child(span().class("quantity").child(input).child(span().class("unit").child(unit)))
+        .child(with_unit(input, unit))
         .child(button().class("primary").r#type("submit").child(words.check))
         .child(button().class("quiet").when(events::click, reveal).child(words.reveal));
     let verdict = p().class("verdict").role("status").id(format!("verdict-{index}")).attr("data-grade", grade);

@@ -36,6 +36,6 @@ fn row(now: ReadSignal<Vec<Readout>>, index: usize, readout: &Readout) -> HtmlDi
         .then(|| span().class("symbol").inner_html(model::typeset_name(&readout.name)));
     div().child(dt().child(span().class("label").child(readout.label.clone())).maybe(symbol)).child(
         dd().child(span().class("value").child(text(move || get(|readout| &readout.value))))
-            .child(span().class("unit").child(text(move || get(|readout| &readout.unit)))),
+            .child(unit_of(text(move || get(|readout| &readout.unit)))),
     )
 }

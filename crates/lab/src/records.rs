@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use crate::{browser, derivatives, icons};
+use crate::{browser, derivatives};
 use session::{ColumnView, RecordView};
 
 /// Rows of the preview.
@@ -45,14 +45,14 @@ fn item(app: App, records: Records, record: RecordView, choice: derivatives::Cho
         app.act(|session| session.remove_record(id));
         browser::focus_later("choose-record".to_owned());
     };
-    let remove = button().class("icon small").called(label_of_remove).when(events::click, remove).child(icons::cross());
+    let remove = cross(label_of_remove).when(events::click, remove);
     let head = div()
         .class("record-head")
         .child(h3().id(format!("record-{id}")).child(record.name.clone()))
         .maybe(record.synthetic.then(|| span().class("tag").title(words.sample_title).child(words.synthetic)))
         .child(span().class("note").child(format!("{} {}", record.rows, words.rows)))
         .maybe((!record.lasting).then(|| span().class("note").child(words.not_lasting)))
-        .child(label().class("switch").child(tick).child(span().child(words.show_record)))
+        .child(switch(tick, words.show_record))
         .child(remove);
     let findings = (!record.findings.is_empty()).then(|| {
         let findings = ul().each(&record.findings, |finding| li().child(finding.clone()));
@@ -74,16 +74,16 @@ fn preview(app: App, records: Records, record: &RecordView) -> HtmlDiv {
     let columns = &record.columns;
     let head = |column: &ColumnView| {
         let made = (!column.made.is_empty()).then(|| span().class("note made").child(column.made.clone()));
-        th().scope("col").child(column.head.clone()).maybe(made)
+        column_head(column.head.clone()).maybe(made)
     };
-    let line = |name: &'static str| tr().child(th().scope("row").child(name));
+    let line = |name: &'static str| tr().child(row_head(name));
     let cells: Vec<Vec<String>> =
         columns.iter().map(|column| app.read(|session| session.record_cells(id, column.index, 0..ROWS))).collect();
     let row = |row: usize| {
         let cell = |column: &Vec<String>| td().child(column.get(row).cloned().unwrap_or_default());
-        tr().child(th().scope("row").child(row + 1)).each(&cells, cell)
+        tr().child(row_head(row + 1)).each(&cells, cell)
     };
-    let head = tr().child(th().scope("col").child(words.column)).each(columns, head);
+    let head = tr().child(column_head(words.column)).each(columns, head);
     let body = tbody()
         .child(line(words.column_measures).each(columns, |column| quantity(app, id, column, &measurable)))
         .child(line(words.column_unit).each(columns, |column| unit(app, records, id, column)))

@@ -42,7 +42,7 @@ pub fn list(app: App) -> View {
             };
             let tick = input().r#type("checkbox").prop("checked", move || shown(id)).when(events::change, show);
             let remove = remove(app, &name, move |session| session.remove_kept(id));
-            li().class("run").child(label().class("switch").child(tick).child(span().child(name))).child(remove)
+            li().class("run").child(switch(tick, name)).child(remove)
         };
         let ghost = ghost.then(|| {
             let remove = remove(app, words.ghost, Session::clear_ghost);
@@ -60,5 +60,5 @@ fn remove(app: App, name: &str, remove: impl Fn(&mut Session) + 'static) -> Html
         // The button is gone; the focus goes where the next run is kept.
         crate::browser::focus("keep");
     };
-    button().class("icon small").called(label).when(events::click, remove).child(icons::cross())
+    cross(label).when(events::click, remove)
 }

@@ -1,7 +1,10 @@
 //! What the views are made with: Sycamore's elements and signals, and a few ways to put them together. What differs from
 //! place to place goes into a box first, so that the code behind it is compiled once and not for every place.
 
-use crate::{browser, icons};
+pub use crate::pieces::{
+    button, column_head, cross, dialog, field_of, labelled, note, part, refusal_of, row_head, short_field, switch,
+    table_in, tick, unit_of, with_unit,
+};
 use std::borrow::Cow;
 pub use sycamore_reactive::{ReadSignal, Signal, create_signal};
 use sycamore_reactive::{create_effect, create_selector};
@@ -11,7 +14,7 @@ pub use sycamore_web::tags::*;
 pub use sycamore_web::{GlobalAttributes, HtmlGlobalAttributes, View, document, events, tags, window};
 use sycamore_web::{GlobalProps, ViewHtmlNode};
 use wasm_bindgen::JsCast;
-use web_sys::{HtmlDialogElement, HtmlInputElement};
+use web_sys::HtmlInputElement;
 
 /// What elements are put together with.
 pub trait Build: GlobalProps {
@@ -62,53 +65,6 @@ pub trait Build: GlobalProps {
 
 impl<E: GlobalProps> Build for E {}
 
-/// A button that does nothing of its own.
-pub fn button() -> HtmlButton {
-    tags::button().r#type("button")
-}
-
-/// A button with an icon and words.
-pub fn labelled(icon: SvgSvg, words: &'static str) -> HtmlButton {
-    button().class("quiet with-icon").child(icon).child(span().child(words))
-}
-
-/// A part of the page. Its heading is only heard: those who see it know it by its look.
-pub fn part(id: &'static str, class: &'static str, title: &'static str) -> HtmlSection {
-    let heading = format!("{id}-title");
-    section()
-        .class(class)
-        .id(id)
-        .attr("aria-labelledby", heading.clone())
-        .child(h2().id(heading).class("visually-hidden").child(title))
-}
-
-/// A table in a box of this class in which it can be scrolled, also by keys.
-pub fn table_in(
-    class: &'static str,
-    name: impl Into<Cow<'static, str>>,
-    head: Option<HtmlTr>,
-    body: HtmlTbody,
-) -> HtmlDiv {
-    let name: Cow<'static, str> = name.into();
-    let table = table()
-        .child(caption().class("visually-hidden").child(name.clone()))
-        .maybe(head.map(|head| thead().child(head)))
-        .child(body);
-    div().class(class).tabindex("0").role("region").attr("aria-label", name).child(table)
-}
-
-/// A dialog with its title, and a button of this name that closes it.
-pub fn dialog(id: &'static str, title_id: &'static str, title: &'static str, close: &'static str) -> HtmlDialog {
-    let mut dialog = tags::dialog().id(id).attr("aria-labelledby", title_id);
-    let node: HtmlDialogElement = dialog.node();
-    let close = button()
-        .class("icon")
-        .attr("aria-label", close)
-        .when(events::click, move |_| node.close())
-        .child(icons::cross());
-    dialog.child(div().class("dialog-head").child(h2().id(title_id).child(title)).child(close))
-}
-
 /// A view for each item, one after the other.
 pub fn each<T, V: Into<View>>(items: impl IntoIterator<Item = T>, mut view: impl FnMut(T) -> V) -> View {
     let mut views: Vec<View> = Vec::new();
@@ -149,24 +105,4 @@ pub fn value_of(event: &Event) -> String {
 /// Whether a box is ticked.
 pub fn is_checked(event: &Event) -> bool {
     event.target().is_some_and(|field| field.unchecked_into::<HtmlInputElement>().checked())
-}
-
-/// A field to type something short into.
-pub fn short_field(id: String) -> HtmlInput {
-    input().r#type("text").class("number").id(id).autocomplete("off").attr("spellcheck", "false")
-}
-
-/// A box to tick. What is built anew by ticking it gives the focus back to its place.
-pub fn tick(id: String, ticked: bool, act: impl Fn(bool) + 'static) -> HtmlInput {
-    let place = id.clone();
-    let ticking = move |event| {
-        act(is_checked(&event));
-        browser::focus_later(place.clone());
-    };
-    input().r#type("checkbox").id(id).prop("checked", ticked).when(events::change, ticking)
-}
-
-/// A place where it is said why something was not done.
-pub fn refusal_of(why: Signal<Option<String>>) -> HtmlP {
-    p().class("refusal").role("alert").child(text(move || why.get_clone().unwrap_or_default()))
 }

@@ -47,9 +47,9 @@ pub fn view(app: App) -> HtmlDetails {
         .class("virtual card")
         .id("virtual")
         .child(summary().child(h3().child(words.virtual_measurement)))
-        .child(p().class("note").child(words.virtual_intro))
+        .child(note(words.virtual_intro))
         .child(fields)
-        .child(p().class("note").child(words.virtual_seed_hint))
+        .child(note(words.virtual_seed_hint))
         .child(button().class("primary").id("measure").when(events::click, measure).child(words.virtual_measure))
 }
 
@@ -71,7 +71,7 @@ fn field(
         .attr("aria-invalid", move || refused().map(|_| "true"))
         .attr("aria-describedby", move || refused().map(|_| described.clone()))
         .when(events::input, move |event| form.update(|form| form.fields[index] = value_of(&event)));
-    let unit = span().class("unit").child(text(move || units.with(|units| units[index].clone())));
+    let unit = unit_of(text(move || units.with(|units| units[index].clone())));
     div()
         .class("parameter")
         .child(label().r#for(id).child(name))

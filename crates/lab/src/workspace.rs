@@ -114,7 +114,7 @@ fn scene(app: App) -> HtmlSection {
     }
     part("scene", "scene card", words.scene)
         .child(place)
-        .maybe(draggable.then(|| p().class("note").child(words.drag_hint)))
+        .maybe(draggable.then(|| note(words.drag_hint)))
         .maybe((!exists).then(|| p().class("empty").child(words.no_scene)))
 }
 

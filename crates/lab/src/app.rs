@@ -1,5 +1,6 @@
 //! The handle that every view holds: it leads to the one session, and tells the views which part of it has changed.
 
+use crate::browser;
 use crate::frame::{self, Stage};
 use crate::opening::Findings;
 use crate::sound::Sound;
@@ -205,8 +206,13 @@ impl App {
             (before.fits != now.fits, changes.fits),
             ((before.frame, before.rows) != (now.frame, now.rows), changes.values),
         ];
+        let focused = browser::focused();
         // What reads several of them is built once.
         self.scope.run_in(|| batch(|| changed.into_iter().for_each(raise)));
+        // What had the focus and has been built anew has it again.
+        if browser::focused() != focused {
+            browser::focus(&focused);
+        }
         if !told.is_empty() {
             self.say(told);
         }
@@ -230,7 +236,7 @@ impl App {
     pub fn set_language(self, language: Language) {
         self.read(|session| session.set_language(language.tag()));
         self.language.set(language);
-        crate::browser::remember("language", language.tag());
+        browser::remember("language", language.tag());
         self.rebuild();
     }
 }

@@ -12,6 +12,11 @@ pub fn by_id<T: JsCast>(id: &str) -> Option<T> {
     document().get_element_by_id(id)?.dyn_into().ok()
 }
 
+/// The id of what has the focus; empty where nothing has.
+pub fn focused() -> String {
+    document().active_element().map(|element| element.id()).unwrap_or_default()
+}
+
 /// Moves the focus to an element.
 pub fn focus(id: &str) {
     if let Some(element) = by_id::<HtmlElement>(id) {

@@ -8,39 +8,39 @@ use document::page::Source;
 use session::{ExportKind, FitDetail, FitView, Imprint};
 use wasm_bindgen::JsValue;
 
-/// The fits side by side, and one of them in detail: `chosen`, or the best if they were `ranked`, or the last.
+/// The fits side by side, and one of them in detail: `chosen`, or the best if they were `ranked`, or the last. While
+/// others are being made, nobody loses the place in what has not changed.
 pub fn view(app: App, chosen: Signal<Option<u32>>, ranked: Signal<bool>) -> View {
-    let results = memo(move || {
+    let listed = memo(move || {
         app.changes.fits.track();
         let fits = app.read(|session| session.fits());
         let last = fits.iter().map(|fit| fit.id).max();
         let best = fits.first().map(|fit| fit.id).filter(|_| ranked.get());
         let shown = chosen.get().filter(|id| fits.iter().any(|fit| fit.id == *id)).or(best).or(last);
-        let detail = shown.and_then(|id| app.read(|session| session.fit_detail(id)));
-        (fits, shown, detail)
+        (fits, shown)
     });
-    changing(move || {
-        let (fits, shown, detail) = results.get_clone();
-        if fits.is_empty() {
-            return View::new();
-        }
-        let several = fits.len() > 1;
-        let table = table(app, fits, shown, chosen);
-        match (shown, detail) {
-            (Some(id), Some(found)) => View::from((table, self::detail(app, id, found, several))),
-            _ => table.into(),
-        }
-    })
+    // What came of a fit never changes.
+    let detailed = memo(move || listed.with(|(fits, shown)| (*shown, fits.len() > 1)));
+    let any = memo(move || listed.with(|(fits, _)| !fits.is_empty()));
+    let rows = move || {
+        let (fits, shown) = listed.get_clone();
+        each(fits, |fit| row(app, fit, shown, chosen))
+    };
+    let detail = move || match detailed.get() {
+        (Some(id), several) => detail(app, id, several),
+        (None, _) => View::new(),
+    };
+    let results = move || View::from((table(app, changing(rows)), changing(detail)));
+    changing(move || if any.get() { results() } else { View::new() })
 }
 
-fn table(app: App, fits: Vec<FitView>, shown: Option<u32>, chosen: Signal<Option<u32>>) -> HtmlDiv {
+fn table(app: App, rows: View) -> HtmlDiv {
     let words = app.words();
     let heads =
         [words.fit_theory_head, words.fit_counts, words.fit_rmse, words.fit_predicted, "ΔAICc", words.fit_weight];
     let actions = column_head(span().class("visually-hidden").child(words.fit_actions));
     let head = tr().each(heads, column_head).child(actions);
-    let body = tbody().each(fits, |fit| row(app, fit, shown, chosen));
-    table_in("table fits", words.fit_results, Some(head), body)
+    table_in("table fits", words.fit_results, Some(head), tbody().child(rows))
 }
 
 fn row(app: App, fit: FitView, shown: Option<u32>, chosen: Signal<Option<u32>>) -> HtmlTr {
@@ -77,8 +77,13 @@ fn row(app: App, fit: FitView, shown: Option<u32>, chosen: Signal<Option<u32>>) 
         .attr("aria-pressed", selected.to_string())
         .when(events::click, choose)
         .child(fit.theory);
-    let apply = button().class("quiet").attr("aria-label", apply_name).when(events::click, use_it).child(apply);
-    let remove = cross(remove).when(events::click, forget);
+    let apply = button()
+        .class("quiet")
+        .id(format!("apply-fit-{id}"))
+        .attr("aria-label", apply_name)
+        .when(events::click, use_it)
+        .child(apply);
+    let remove = cross(remove).id(format!("remove-fit-{id}")).when(events::click, forget);
     tr().attr("aria-current", selected.then_some("true"))
         .child(row_head(pick).child(span().class("note").child(records)))
         .each(cells, |cell| td().child(cell))
@@ -102,7 +107,8 @@ fn exports(app: App, id: u32, several: bool) -> HtmlDiv {
         }
     };
     let one = |name: String, kind: ExportKind, all: bool| {
-        button().class("quiet").when(events::click, move |_| save(kind, all)).child(name)
+        let place = format!("export-{kind:?}-{all}");
+        button().class("quiet").id(place).when(events::click, move |_| save(kind, all)).child(name)
     };
     let exports = div().class("intake").each(kinds, |(kind, name)| one(name.to_owned(), kind, false));
     let all = kinds.into_iter().filter(|_| several);
@@ -137,8 +143,9 @@ fn estimates(app: App, detail: &FitDetail) -> HtmlTbody {
     })
 }
 
-fn detail(app: App, id: u32, detail: FitDetail, several: bool) -> HtmlDiv {
+fn detail(app: App, id: u32, several: bool) -> View {
     let words = app.words();
+    let Some(detail) = app.read(|session| session.fit_detail(id)) else { return View::new() };
     let statistics: Vec<String> = detail.statistics.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     let estimates = table_in("estimates", words.fit_varied, None, estimates(app, &detail));
     div()
@@ -149,4 +156,5 @@ fn detail(app: App, id: u32, detail: FitDetail, several: bool) -> HtmlDiv {
         .child(note(statistics.join(" · ")))
         .child(note(words.fit_errors))
         .child(exports(app, id, several))
+        .into()
 }

@@ -5,9 +5,7 @@ use crate::steps::{self, cargo, step};
 use crate::wasm::{self, Host};
 use crate::{page, tools};
 use anyhow::{Context, Result};
-use flate2::{Compression, write::GzEncoder};
 use std::collections::BTreeMap;
-use std::io::Write as _;
 
 /// Named numbers, as the measuring programs print them.
 type Numbers = BTreeMap<String, f64>;
@@ -23,9 +21,7 @@ pub fn all() -> Result<()> {
     }
     let place = if browser.is_ok() { "in the browser" } else { "in Node" };
     let web = step(&format!("the pace of the engine {place}, and the page"), || in_wasm(browser.ok()))?;
-    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
-    encoder.write_all(&page)?;
-    let gzipped = encoder.finish()?.len();
+    let gzipped = page::gzip(&page)?.len();
 
     println!();
     pace("natively", &native, "machine", "hand");

@@ -27,8 +27,12 @@ addEventListener("unhandledrejection", (event) => stopped(event.reason));
   };
   // Defines `unpacker`; here, so that its memory can be given back when it has done its work.
   /*unpacker*/
-  const stream = new Blob([decode("unpacker")]).stream().pipeThrough(new DecompressionStream("gzip"));
-  await unpacker({ module_or_path: new Response(stream, { headers: { "content-type": "application/wasm" } }) });
+  // Written to directly: the stream of a blob makes the way through the browser's other processes.
+  const inflater = new DecompressionStream("gzip");
+  const writer = inflater.writable.getWriter();
+  writer.write(decode("unpacker"));
+  writer.close();
+  await unpacker({ module_or_path: await new Response(inflater.readable).arrayBuffer() });
   const module = unpacker.unpack(decode("module"));
   if (!module) {
     tell("This file is damaged. Download it again.", "Este archivo está dañado. Vuelve a descargarlo.");

@@ -3,6 +3,7 @@
 use crate::{Dimension, Exponent, parse, table};
 use std::fmt;
 use std::ops::Range;
+use std::sync::LazyLock;
 
 /// A unit of measurement.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,12 +45,10 @@ impl Unit {
 
     /// The coherent SI unit of a dimension, `kg/m^3`, by its own name where it has one: `N`, `J`, `Pa s`.
     pub fn si(dimension: Dimension) -> Self {
-        let named = || {
-            table::PREFERRED.iter().find_map(|text| {
-                let unit = Self::parse(text).ok()?;
-                (unit.dimension == dimension).then_some(unit)
-            })
-        };
+        // Read once: documents ask for hundreds.
+        static PREFERRED: LazyLock<Vec<Unit>> =
+            LazyLock::new(|| table::PREFERRED.iter().filter_map(|text| Unit::parse(text).ok()).collect());
+        let named = || PREFERRED.iter().find(|unit| unit.dimension == dimension).cloned();
         // Every preferred unit combines base units: a length, a time or a pure number need not be looked for.
         let combines = dimension.base().count() > 1;
         combines.then(named).flatten().unwrap_or_else(|| Self::new(dimension, (1.0, 1.0), base_text(dimension)))

@@ -1,6 +1,6 @@
 //! Builds the laboratory into one HTML file: template, styles, JavaScript glue, and the WebAssembly module as base64 of
-//! LZMA, beside the small module that unpacks it. Nothing is fetched when the file is opened, so that it works from a disk,
-//! from any host and inside a frame.
+//! its streams, gzipped, beside the small module that joins them. Nothing is fetched when the file is opened, so that it
+//! works from a disk, from any host and inside a frame.
 
 use crate::wasm::{self, Host};
 use crate::{order, pack, steps};

@@ -21,19 +21,23 @@ addEventListener("unhandledrejection", (event) => stopped(event.reason));
 // Unpacks the module that stands in this page and starts it. From a disk nothing can be fetched, hence the detour over
 // text.
 (async () => {
-  const decode = (id) => {
+  const unpacked = async (id) => {
     const text = document.getElementById(id).textContent;
-    return Uint8Array.fromBase64?.(text) ?? Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+    const bytes = Uint8Array.fromBase64?.(text) ?? Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+    // Written to directly: the stream of a blob makes the way through the browser's other processes.
+    const inflater = new DecompressionStream("gzip");
+    const writer = inflater.writable.getWriter();
+    // Of damage one hears where it is read.
+    writer.write(bytes).catch(() => {});
+    writer.close().catch(() => {});
+    return new Response(inflater.readable).arrayBuffer();
   };
   // Defines `unpacker`; here, so that its memory can be given back when it has done its work.
   /*unpacker*/
-  // Written to directly: the stream of a blob makes the way through the browser's other processes.
-  const inflater = new DecompressionStream("gzip");
-  const writer = inflater.writable.getWriter();
-  writer.write(decode("unpacker"));
-  writer.close();
-  await unpacker({ module_or_path: await new Response(inflater.readable).arrayBuffer() });
-  const module = unpacker.unpack(decode("module"));
+  const streams = unpacked("module").catch(() => undefined);
+  await unpacker({ module_or_path: await unpacked("unpacker") });
+  const whole = await streams;
+  const module = whole && unpacker.join(new Uint8Array(whole));
   if (!module) {
     tell("This file is damaged. Download it again.", "Este archivo está dañado. Vuelve a descargarlo.");
     return;

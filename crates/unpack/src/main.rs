@@ -3,11 +3,11 @@
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The module; nothing if what it was packed into is damaged.
+/// The module; nothing if its streams are damaged.
 #[wasm_bindgen]
 #[must_use]
-pub fn unpack(packed: &[u8]) -> Option<Vec<u8>> {
-    unpack::unpack(packed)
+pub fn join(streams: &[u8]) -> Option<Vec<u8>> {
+    unpack::join(streams)
 }
 
 fn main() {}

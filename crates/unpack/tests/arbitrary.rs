@@ -1,7 +1,7 @@
 //! Whatever the bytes are, they come back as they were, and what holds no module is told from what does.
 
 use proptest::prelude::*;
-use unpack::streams::{join, split};
+use unpack::{join, split};
 use wasm_encoder::{
     BlockType, CodeSection, DataCountSection, DataSection, Function, Instruction, MemArg, Module, ValType,
 };

@@ -79,6 +79,20 @@ pub fn text(bytes: &[u8]) -> Result<Import, ImportError> {
     Ok(Import { table, findings, format })
 }
 
+/// Reads the cells of a spreadsheet, by the same rules as a text.
+///
+/// The cells come as text: a row is a line, cells are divided by tabs and stand in the columns that they have in the sheet.
+/// Numbers have a decimal point and no other sign (`{:?}` of an `f64`); texts have neither tabs nor line ends nor quotation
+/// marks; an error is written as the sheet shows it, `#DIV/0!`. A date with a time is `2026-01-02T10:00:00.050`, a time of day
+/// or a duration `10:00:00.050` (hours may exceed 24), a date `2026-01-02`: such a column is read in seconds from its
+/// first row.
+///
+/// # Errors
+/// As [`text`].
+pub fn sheet(cells: &str) -> Result<Import, ImportError> {
+    text(cells.as_bytes())
+}
+
 fn called(name: &str, index: usize) -> String {
     if name.is_empty() { (index + 1).to_string() } else { name.to_owned() }
 }

@@ -8,6 +8,7 @@ use crate::{Session, number};
 use analysis::cycles::{Cycle, Quantity, cycles, mean, well_known};
 use engine::Readings;
 use figure::{Axis, Interval, Plot, Readout, Series, Style, View};
+use units::Language;
 
 /// So many rows of a run are enough for its cycles, unless it has many of these.
 const FEW_ROWS: usize = 2000;
@@ -126,15 +127,15 @@ impl Session {
 
     /// Writes the texts of the plot in the session's language.
     pub(crate) fn label_cycles(&mut self) {
-        let spanish = self.tongue == crate::Tongue::Spanish;
+        let spanish = self.language == Language::Spanish;
         let (quantity, against) = (self.looking.quantity, self.looking.against_amplitude);
         let units = self.looking.found.as_ref().map(|found| self.cycle_units(found)).unwrap_or_default();
         let independent = crate::symbol(&self.model().independent.name);
         let axis = |quantity: Quantity| (quantity.symbol(spanish).to_owned(), quantity.unit(&units.0, &units.1));
         let x = if against { axis(Quantity::Amplitude) } else { (independent, units.1.clone()) };
-        let title = self.tongue.cycles_title(&capital(quantity.name(spanish)), against);
-        let description = format!("{title}. {}", self.tongue.cycles_description());
-        let curves = self.tongue.cycles_legend().map(str::to_owned).to_vec();
+        let title = cycles_title(self.language, &capital(quantity.name(spanish)), against);
+        let description = format!("{title}. {}", cycles_description(self.language));
+        let curves = cycles_legend(self.language).map(str::to_owned).to_vec();
         let index = self.cycle_plot();
         if let Some(state) = self.plots.get_mut(index) {
             // What was zoomed was another quantity.
@@ -207,23 +208,21 @@ impl Session {
     }
 }
 
-impl crate::words::Tongue {
-    fn cycles_title(self, quantity: &str, against_amplitude: bool) -> String {
-        match against_amplitude {
-            true => self.pick(format!("{quantity} against amplitude"), format!("{quantity} frente a la amplitud")),
-            false => self.pick(format!("{quantity} against time"), format!("{quantity} frente al tiempo")),
-        }
+fn cycles_title(language: Language, quantity: &str, against_amplitude: bool) -> String {
+    match against_amplitude {
+        true => language.pick(format!("{quantity} against amplitude"), format!("{quantity} frente a la amplitud")),
+        false => language.pick(format!("{quantity} against time"), format!("{quantity} frente al tiempo")),
     }
+}
 
-    fn cycles_description(self) -> &'static str {
-        self.pick(
-            "Each point is a turning point with the half-cycles around it; bars are one standard error.",
-            "Cada punto es un punto de retorno con los semiciclos a su alrededor; las barras son un error estándar.",
-        )
-    }
+fn cycles_description(language: Language) -> &'static str {
+    language.pick(
+        "Each point is a turning point with the half-cycles around it; bars are one standard error.",
+        "Cada punto es un punto de retorno con los semiciclos a su alrededor; las barras son un error estándar.",
+    )
+}
 
-    /// The names of the constant, of the run's cycles, of the measured ones.
-    fn cycles_legend(self) -> [&'static str; 3] {
-        self.pick(["if constant", "simulation", "measured"], ["si es constante", "simulación", "medido"])
-    }
+/// The names of the constant, of the run's cycles, of the measured ones.
+fn cycles_legend(language: Language) -> [&'static str; 3] {
+    language.pick(["if constant", "simulation", "measured"], ["si es constante", "simulación", "medido"])
 }

@@ -4,7 +4,7 @@
 use crate::record::Record;
 use crate::{Export, ExportKind, Session, number};
 use analysis::cycles::{self, Constancy, Cycles, Measured, Quantity};
-use units::Unit;
+use units::{Language, Unit};
 
 /// What is looked at cycle by cycle.
 #[derive(Debug)]
@@ -185,7 +185,7 @@ impl Session {
     pub fn cycles(&self) -> Option<CyclesView> {
         let found = self.looking.found.as_ref()?;
         let Some(cycles) = &found.cycles else {
-            let sentences = vec![self.tongue.no_cycles().to_owned()];
+            let sentences = vec![no_cycles(self.language).to_owned()];
             return Some(CyclesView { sentences, ..CyclesView::default() });
         };
         let (own, time) = self.cycle_units(found);
@@ -200,7 +200,7 @@ impl Session {
         let row = |cycle: &cycles::Cycle| {
             let mut cells = vec![text(cycle.time)];
             cells.extend(Quantity::ALL.map(|quantity| text(quantity.of(cycle))));
-            (self.tongue.turning_point(cycle.maximum), cells)
+            (turning_point(self.language, cycle.maximum), cells)
         };
         let sentence = |quantity: Quantity| {
             let unit = quantity.unit(&own, &time);
@@ -210,7 +210,7 @@ impl Session {
         };
         let mut sentences: Vec<String> =
             [Quantity::AngularFrequency, Quantity::Damping].into_iter().filter_map(sentence).collect();
-        let lost = |from: f64| self.tongue.cycles_lost(&format!("{} {time}", number::fixed(from, 2, self.style)));
+        let lost = |from: f64| cycles_lost(self.language, &format!("{} {time}", number::fixed(from, 2, self.style)));
         sentences.extend(cycles.lost.map(lost));
         Some(CyclesView { heads, rows: cycles.cycles.iter().map(row).collect(), sentences })
     }
@@ -225,20 +225,20 @@ impl Session {
         let columns: Vec<&[f64]> = table.iter().map(|(_, column)| column.as_slice()).collect();
         let bytes = match kind {
             ExportKind::Workbook => {
-                let sheet = analysis::spreadsheet::Sheet::of_columns(self.tongue.cycles(), &heads, &columns);
+                let sheet = analysis::spreadsheet::Sheet::of_columns(cycles_word(self.language), &heads, &columns);
                 analysis::spreadsheet::Workbook { sheets: vec![sheet] }.xlsx()
             }
             _ => analysis::csv::write(&heads, &columns, crate::reporting::dialect(self.style)).into_bytes(),
         };
         Some(crate::reporting::export(
-            &format!("{} {}", crate::reporting::stem(&record.name), self.tongue.cycles()),
+            &format!("{} {}", crate::reporting::stem(&record.name), cycles_word(self.language)),
             kind,
             bytes,
         ))
     }
 
     fn speaks_spanish(&self) -> bool {
-        self.tongue == crate::Tongue::Spanish
+        self.language == Language::Spanish
     }
 }
 
@@ -248,32 +248,30 @@ pub(crate) fn capital(name: &str) -> String {
     letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
 }
 
-impl crate::words::Tongue {
-    /// What cycles are called, also in the names of files.
-    fn cycles(self) -> &'static str {
-        self.pick("cycles", "ciclos")
-    }
+/// What cycles are called, also in the names of files.
+fn cycles_word(language: Language) -> &'static str {
+    language.pick("cycles", "ciclos")
+}
 
-    fn turning_point(self, maximum: bool) -> &'static str {
-        match maximum {
-            true => self.pick("maximum", "máximo"),
-            false => self.pick("minimum", "mínimo"),
-        }
+fn turning_point(language: Language, maximum: bool) -> &'static str {
+    match maximum {
+        true => language.pick("maximum", "máximo"),
+        false => language.pick("minimum", "mínimo"),
     }
+}
 
-    fn no_cycles(self) -> &'static str {
-        self.pick(
-            "This column does not oscillate so that cycles could be told: a cycle needs three turning points, clear of the \
-             noise, with eight rows about them.",
-            "Esta columna no oscila de modo que se distingan ciclos: un ciclo necesita tres puntos de retorno que destaquen \
-             sobre el ruido, con ocho filas a su alrededor.",
-        )
-    }
+fn no_cycles(language: Language) -> &'static str {
+    language.pick(
+        "This column does not oscillate so that cycles could be told: a cycle needs three turning points, clear of the \
+         noise, with eight rows about them.",
+        "Esta columna no oscila de modo que se distingan ciclos: un ciclo necesita tres puntos de retorno que destaquen \
+         sobre el ruido, con ocho filas a su alrededor.",
+    )
+}
 
-    fn cycles_lost(self, from: &str) -> String {
-        self.pick(
-            format!("From {from} on the noise hides the oscillation."),
-            format!("A partir de {from} el ruido oculta la oscilación."),
-        )
-    }
+fn cycles_lost(language: Language, from: &str) -> String {
+    language.pick(
+        format!("From {from} on the noise hides the oscillation."),
+        format!("A partir de {from} el ruido oculta la oscilación."),
+    )
 }

@@ -7,7 +7,7 @@ use crate::{Announcement, Refusal, Session};
 use analysis::derivative::{self, Differentiation};
 use analysis::table::Column;
 use document::Document;
-use units::Unit;
+use units::{Language, Unit};
 
 /// A column that was made of another one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -149,17 +149,15 @@ impl Record {
     }
 }
 
-impl crate::words::Tongue {
-    /// How a column was made, in a few words.
-    pub(crate) fn differentiation(self, how: Differentiation) -> String {
-        match how {
-            Differentiation::Central => self.pick("central differences", "diferencias centrales").to_owned(),
-            Differentiation::Forward => self.pick("forward differences", "diferencias progresivas").to_owned(),
-            Differentiation::Backward => self.pick("backward differences", "diferencias regresivas").to_owned(),
-            Differentiation::Smooth { window, degree } => self.pick(
-                format!("polynomials of degree {degree} over {window} rows"),
-                format!("polinomios de grado {degree} sobre {window} filas"),
-            ),
-        }
+/// How a column was made, in a few words.
+pub(crate) fn differentiation(language: Language, how: Differentiation) -> String {
+    match how {
+        Differentiation::Central => language.pick("central differences", "diferencias centrales").to_owned(),
+        Differentiation::Forward => language.pick("forward differences", "diferencias progresivas").to_owned(),
+        Differentiation::Backward => language.pick("backward differences", "diferencias regresivas").to_owned(),
+        Differentiation::Smooth { window, degree } => language.pick(
+            format!("polynomials of degree {degree} over {window} rows"),
+            format!("polinomios de grado {degree} sobre {window} filas"),
+        ),
     }
 }

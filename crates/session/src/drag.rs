@@ -41,9 +41,9 @@ impl Session {
             return;
         }
         self.rest(drag.state, &mut from);
-        let reach = extent(&self.document, &self.language);
+        let reach = extent(&self.document, &self.tag);
         let mut shaping = Vec::new();
-        if let Some(scene) = self.document.scene(&self.language) {
+        if let Some(scene) = self.document.scene(&self.tag) {
             collect_shaping(&scene.root, &mut shaping);
         }
         let playing = self.playing;

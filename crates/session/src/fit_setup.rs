@@ -1,7 +1,7 @@
 //! What a fit is asked for: the records that take part, what is varied, what they have in common, the part that counts.
 
 use crate::record::Record;
-use crate::{Refusal, Session, number};
+use crate::{Refusal, Session, number, words};
 use analysis::fit::{Target, Varied};
 use model::Model;
 use std::collections::{BTreeMap, BTreeSet};
@@ -138,7 +138,7 @@ impl Session {
             }
         });
         let count = self.model().parameters.len();
-        let zeros = self.tongue.zeros().into_iter().zip(self.fits.setup.zeros).enumerate();
+        let zeros = words::zeros(self.language).into_iter().zip(self.fits.setup.zeros).enumerate();
         let zeros = zeros.map(|(place, (label, varied))| ChoiceView {
             index: count + place,
             name: String::new(),

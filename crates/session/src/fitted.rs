@@ -1,10 +1,10 @@
 //! What has come of fits: kept side by side, ranked, looked at.
 
 use crate::fitting::{Definition, Job};
-use crate::{Session, number};
+use crate::{Session, number, words};
 use analysis::fit::{Estimate, Outcome, Task, Trace};
 use document::Document;
-use units::Unit;
+use units::{Language, Unit};
 
 /// How many fits are kept.
 pub const MOST_FITS: usize = 40;
@@ -138,7 +138,7 @@ impl Session {
     }
 
     fn title_of(&self, fit: &Fitted) -> String {
-        fit.document.edition(&self.language).title.clone()
+        fit.document.edition(&self.tag).title.clone()
     }
 
     pub(crate) fn is_applicable(&self, fit: &Fitted) -> bool {
@@ -151,11 +151,11 @@ impl Session {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
         let outcome = &fit.outcome;
         let plain = |value: f64, digits: usize| number::plain(value, digits, self.style);
-        let spanish = self.tongue == crate::Tongue::Spanish;
+        let spanish = self.language == Language::Spanish;
         let mut sentences = vec![outcome.verdict_text(spanish)];
         sentences.extend(outcome.undetermined.iter().map(|one| one.text(spanish)));
         if !outcome.converged {
-            sentences.push(self.tongue.not_converged().to_owned());
+            sentences.push(words::not_converged(self.language).to_owned());
         }
         Some(FitDetail {
             theory: self.title_of(fit),
@@ -189,18 +189,18 @@ impl Session {
         let error = one.stderr_hac.or(one.stderr);
         let (value, spread) = (one.unit.from_si(one.value), error.map(|error| one.unit.from_si(error).abs()));
         let remark = if !one.determined {
-            self.tongue.undetermined().to_owned()
+            words::undetermined(self.language).to_owned()
         } else if one.at_bound {
-            self.tongue.at_bound().to_owned()
+            words::at_bound(self.language).to_owned()
         } else if let Some(value) = self.truth(fit, one) {
             let off = error.filter(|error| *error > 0.0).map(|error| (one.value - value) / error);
             let truth = self.quantity_text(value, &one.unit);
-            self.tongue.truth_is(&truth, off.map(|off| number::fixed(off, 1, self.style)).as_deref())
+            words::truth_is(self.language, &truth, off.map(|off| number::fixed(off, 1, self.style)).as_deref())
         } else {
             String::new()
         };
         let record = one.record.filter(|_| fit.task.records.len() > 1).and_then(|record| fit.task.records.get(record));
-        let label = one.label.as_ref().map(|label| fit.document.text(&self.language, label).to_owned());
+        let label = one.label.as_ref().map(|label| fit.document.text(&self.tag, label).to_owned());
         EstimateView {
             name: one.name.clone(),
             label: label.unwrap_or_else(|| crate::symbol(&one.name)),

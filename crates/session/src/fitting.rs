@@ -4,8 +4,9 @@ use crate::fit_setup::Setup;
 use crate::fitted::Fitted;
 use crate::recognise::observed;
 use crate::record::{Record, Use};
+use crate::refusal::fit_error;
 use crate::remaking::Waiting;
-use crate::{Announcement, Refusal, Session};
+use crate::{Announcement, Refusal, Session, words};
 use analysis::fit::{Fit, FitError, Observation, Task, Varied};
 use document::Document;
 use engine::Method;
@@ -228,7 +229,7 @@ impl Session {
         };
         match fit {
             Ok(fit) => Ok(Running { job, task, fit }),
-            Err(error) => Err(Refusal::Fit { why: self.tongue.fit_error(&error) }),
+            Err(error) => Err(Refusal::Fit { why: fit_error(self.language, &error) }),
         }
     }
 
@@ -274,7 +275,7 @@ impl Session {
     pub fn fit_progress(&self) -> Option<FitProgress> {
         let Running { job, fit, .. } = self.fits.running.as_ref().filter(|running| running.job.found.is_none())?;
         Some(FitProgress {
-            theory: job.document.edition(&self.language).title.clone(),
+            theory: job.document.edition(&self.tag).title.clone(),
             trials: fit.trials(),
             explained: fit.explained(),
             finished: (self.fits.total - self.fits.queue.len() - 1, self.fits.total),
@@ -288,7 +289,7 @@ impl Session {
 
     /// The task of a job.
     fn task(&self, job: &Job) -> Result<Task, Refusal> {
-        let unknown = || Refusal::Unknown { name: self.tongue.record().to_owned() };
+        let unknown = || Refusal::Unknown { name: words::record(self.language).to_owned() };
         let (document, definition) = (&job.document, &job.definition);
         let model = &document.model;
         let mut records = Vec::with_capacity(definition.parts.len());
@@ -296,7 +297,7 @@ impl Session {
             let record = self.record(part.record).ok_or_else(unknown)?;
             let observations = observations(record, &part.uses, model);
             if observations.is_empty() && definition.parts.len() > 1 {
-                let why = format!("{}: {}", record.name, self.tongue.fit_error(&FitError::NothingObserved));
+                let why = format!("{}: {}", record.name, fit_error(self.language, &FitError::NothingObserved));
                 return Err(Refusal::Fit { why });
             }
             let (fixed, origin) = (part.fixed.clone(), Some(part.origin));

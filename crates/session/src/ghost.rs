@@ -52,7 +52,7 @@ impl Session {
     /// The ghost of what is measured now.
     pub(crate) fn make_ghost(&self) -> Option<Ghost> {
         let model = self.model();
-        let scene = self.document.scene(&self.language)?;
+        let scene = self.document.scene(&self.tag)?;
         let roots: Vec<_> = scene.values.iter().map(|value| value.node).collect();
         let (mut columns, mut inputs) = (Vec::new(), Vec::new());
         for (index, measured) in self.data.measured.iter().enumerate() {

@@ -3,7 +3,7 @@
 use crate::course::{Course, Recipe};
 use crate::symbol::symbol;
 use crate::traces::Traces;
-use crate::{Announcement, Refusal, Session};
+use crate::{Announcement, Refusal, Session, words};
 
 /// How many runs can be kept: no more can be told apart in a plot.
 pub const MOST_KEPT: usize = 5;
@@ -159,11 +159,11 @@ impl Session {
             parts.push(format!("{}(0) = {}", symbol(&state.name()), self.quantity_text(value, &state.unit)));
         }
         if recipe.setup.method != self.defaults.method {
-            parts.push(self.tongue.method(recipe.setup.method).to_owned());
+            parts.push(words::method_name(self.language, recipe.setup.method).to_owned());
         }
         if recipe.setup.step != self.defaults.step {
             parts.push(format!("h = {}", self.quantity_text(recipe.setup.step, &model.independent.unit)));
         }
-        if parts.is_empty() { self.tongue.defaults().to_owned() } else { parts.join(", ") }
+        if parts.is_empty() { words::defaults(self.language).to_owned() } else { parts.join(", ") }
     }
 }

@@ -18,7 +18,7 @@
 //! | questions | [`Session::check_answer`], [`Session::reveal_answer`], [`Session::question_unit`], [`Session::question_setup`], [`Session::apply_question_setup`] |
 //! | method | [`Session::methods`], [`Session::set_method`], [`Session::step`], [`Session::step_text`], [`Session::set_step`], [`Session::set_step_text`] |
 //! | sharing | [`Session::share`], [`Session::restore`] |
-//! | words | [`Session::take_announcement`], [`Session::announcement_text`], [`Session::refusal_text`], [`words`], [`speed_text`], [`symbol`], [`number`] |
+//! | words | [`Session::take_announcement`], [`Session::announcement_text`], [`Session::refusal_text`], [`speed_text`], [`symbol`], [`number`] |
 //!
 //! A [`Refusal`] is the answer to input that cannot be taken; nothing has changed then. Getters that return texts use
 //! the session's language. No method panics; an index that does not exist is ignored or refused.
@@ -95,4 +95,5 @@ pub use slider::Slider;
 pub use state::StateView;
 pub use symbol::symbol;
 pub use transport::{LONGEST_GAP, SPEEDS, STEPS_PER_TICK, Status};
-pub use words::{Tongue, speed_text, words};
+pub use units::Language;
+pub use words::speed_text;

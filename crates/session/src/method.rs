@@ -1,6 +1,6 @@
 //! Method and step, chosen in the laboratory.
 
-use crate::{Announcement, Refusal, Session, number};
+use crate::{Announcement, Refusal, Session, number, words};
 use engine::{Method, Run, Setup};
 
 /// A method in the list.
@@ -21,7 +21,7 @@ impl Session {
     pub fn methods(&self) -> Vec<MethodView> {
         let view = |method: Method| MethodView {
             name: method.name(),
-            label: self.tongue.method(method).to_owned(),
+            label: words::method_name(self.language, method).to_owned(),
             selected: method == self.course.begun().method,
             refused: self.method_refusal(method).map(|refusal| self.refusal_text(&refusal)).unwrap_or_default(),
         };

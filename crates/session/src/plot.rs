@@ -2,7 +2,7 @@
 
 use crate::cycle_plot::CYCLES_MEASURED;
 use crate::symbol::symbol;
-use crate::{Session, number};
+use crate::{Session, number, words};
 use figure::{Axis, Direction, Figure, Interval, Palette, Plot, Point, Readout, Series, Settings, Style, View};
 use model::Node;
 
@@ -315,7 +315,7 @@ impl Session {
             None => symbol(&curve.expression),
         };
         let names: Vec<String> = plot.curves.iter().map(named).collect();
-        let description = self.tongue.against(&names.join(", "), &named(&plot.x));
+        let description = words::against(self.language, &names.join(", "), &named(&plot.x));
         let curves: Vec<String> = plot.curves.iter().map(|curve| symbol(&curve.expression)).collect();
         let axes = columns.axes.iter().enumerate().map(|(axis, unit)| {
             let here = columns.curves.iter().zip(&curves).filter(|((_, of), _)| *of == axis);

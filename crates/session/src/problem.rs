@@ -2,9 +2,9 @@
 
 use crate::Session;
 use crate::symbol::symbol;
-use crate::words::Tongue;
 use engine::{Method, RunError};
 use model::Span;
+use units::Language;
 
 /// Why the run cannot go on, in the session's language.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,9 +23,9 @@ impl Session {
     /// Why the run cannot go on; only while the moment where it stopped is shown.
     pub fn problem(&self) -> Option<Problem> {
         let error = self.course.error().filter(|_| !self.course.is_scrubbed())?;
-        let (message, hint) = match self.tongue {
-            Tongue::English => (error.message.clone(), error.hint.clone().unwrap_or_default()),
-            Tongue::Spanish => self.spanish(error),
+        let (message, hint) = match self.language {
+            Language::English => (error.message.clone(), error.hint.clone().unwrap_or_default()),
+            Language::Spanish => self.spanish(error),
         };
         Some(Problem {
             code: error.code,

@@ -1,7 +1,7 @@
 //! Questions: what an answer is worth.
 
 use crate::preset::assign;
-use crate::{Announcement, Refusal, Session, number};
+use crate::{Announcement, Refusal, Session, number, words};
 use document::Tolerance;
 
 /// What an answer is worth, and in words.
@@ -84,7 +84,7 @@ impl Session {
     }
 
     fn verdict(&self, grade: Grade) -> Verdict {
-        Verdict { grade, text: self.tongue.grade(grade).to_owned() }
+        Verdict { grade, text: words::grade(self.language, grade).to_owned() }
     }
 
     /// The answer (SI), not a number if there is none.

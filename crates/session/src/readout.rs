@@ -1,6 +1,6 @@
 //! What is read off: time, states and quantities with their units; the values of the scene; the pitch.
 
-use crate::{Session, number};
+use crate::{Session, number, words};
 use model::{Compiled, Kind, NodeId};
 use units::Unit;
 
@@ -103,7 +103,7 @@ impl Session {
         let Some(&value) = self.scene_values().get(index) else {
             return String::new();
         };
-        let scene = self.document.scene(&self.language);
+        let scene = self.document.scene(&self.tag);
         let Some(shown) = scene.and_then(|scene| scene.values.get(index)) else {
             return String::new();
         };
@@ -159,7 +159,7 @@ impl Session {
             Kind::Text => {
                 self.model().texts.get(value as usize).map_or(number::DASH, |text| self.text(text)).to_owned()
             }
-            _ => self.tongue.truth(value != 0.0).to_owned(),
+            _ => words::truth(self.language, value != 0.0).to_owned(),
         }
     }
 }

@@ -1,15 +1,15 @@
 //! Records: measured data beside the model. A record belongs to no document; which of the document's quantities its
 //! columns measure is recognised anew for each.
 
-use crate::derived::Made;
+use crate::derived::{Made, differentiation};
 use crate::recognise::{Meaning, recognise};
-use crate::{Announcement, Refusal, Session, Tongue, number};
+use crate::{Announcement, Refusal, Session, number};
 use analysis::finding::Finding;
 use analysis::table::Table;
 use document::Document;
 use model::Model;
 use std::collections::BTreeMap;
-use units::Unit;
+use units::{Language, Unit};
 
 /// How many records there can be.
 pub const MOST_RECORDS: usize = 8;
@@ -122,10 +122,10 @@ impl Session {
                 differentiable: index < record.read_columns()
                     && column.independent != index
                     && used.meaning.quantity != *independent,
-                made: record.how_made(index).map(|made| self.tongue.differentiation(made.how)).unwrap_or_default(),
+                made: record.how_made(index).map(|made| differentiation(self.language, made.how)).unwrap_or_default(),
             }
         };
-        let spanish = self.tongue == Tongue::Spanish;
+        let spanish = self.language == Language::Spanish;
         RecordView {
             id: record.id,
             name: record.name.clone(),
@@ -174,7 +174,7 @@ impl Session {
         if text.len() > LONGEST_RECORD {
             return Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
         }
-        let spanish = self.tongue == Tongue::Spanish;
+        let spanish = self.language == Language::Spanish;
         let import = analysis::import::text(text).map_err(|error| Refusal::UnreadableRecord {
             name: name.to_owned(),
             why: format!("{} {}", sentence(&error.message(spanish)), sentence(error.hint(spanish))),

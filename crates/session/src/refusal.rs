@@ -1,7 +1,7 @@
 //! Why input was not taken.
 
-use crate::words::Tongue;
 use analysis::fit::FitError;
+use units::Language;
 
 /// Why input was not taken; nothing has changed then, except as [`Refusal::PartlyRestored`] says.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,30 +96,28 @@ pub enum Refusal {
     },
 }
 
-impl Tongue {
-    /// Why a fit cannot be made.
-    pub(crate) fn fit_error(self, error: &FitError) -> String {
-        let text = match error {
-            FitError::NothingVaried => self.pick("Tick what is to be varied.", "Marca lo que debe variar."),
-            FitError::NothingObserved => self.pick(
-                "No column is ticked for the fit, or none of its values lies between the two times.",
-                "Ninguna columna está marcada para el ajuste, o ninguno de sus valores cae entre los dos tiempos.",
-            ),
-            FitError::TooFew { values, varied } => {
-                return self.pick(
-                    format!("{values} values cannot determine {varied} numbers."),
-                    format!("{values} valores no pueden determinar {varied} números."),
-                );
-            }
-            FitError::TooLarge => self.pick(
-                "There are too many values or too many varied numbers.",
-                "Hay demasiados valores o demasiados números que varían.",
-            ),
-            FitError::VariedTwice(_) | FitError::BadBounds(_) => {
-                self.pick("The ranges leave no room.", "Los intervalos no dejan sitio.")
-            }
-            FitError::Model(message) => return message.clone(),
-        };
-        text.to_owned()
-    }
+/// Why a fit cannot be made.
+pub(crate) fn fit_error(language: Language, error: &FitError) -> String {
+    let text = match error {
+        FitError::NothingVaried => language.pick("Tick what is to be varied.", "Marca lo que debe variar."),
+        FitError::NothingObserved => language.pick(
+            "No column is ticked for the fit, or none of its values lies between the two times.",
+            "Ninguna columna está marcada para el ajuste, o ninguno de sus valores cae entre los dos tiempos.",
+        ),
+        FitError::TooFew { values, varied } => {
+            return language.pick(
+                format!("{values} values cannot determine {varied} numbers."),
+                format!("{values} valores no pueden determinar {varied} números."),
+            );
+        }
+        FitError::TooLarge => language.pick(
+            "There are too many values or too many varied numbers.",
+            "Hay demasiados valores o demasiados números que varían.",
+        ),
+        FitError::VariedTwice(_) | FitError::BadBounds(_) => {
+            language.pick("The ranges leave no room.", "Los intervalos no dejan sitio.")
+        }
+        FitError::Model(message) => return message.clone(),
+    };
+    text.to_owned()
 }

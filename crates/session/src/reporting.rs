@@ -1,8 +1,8 @@
 //! Reports and spreadsheets of finished fits.
 
-use crate::Session;
 use crate::fitted::Fitted;
 use crate::number::Style;
+use crate::{Session, words};
 use analysis::csv::Dialect;
 use report::{Ranking, Report};
 
@@ -96,7 +96,7 @@ impl Session {
         Report {
             document: &fit.document,
             document_name: file.filter(|name| !name.is_empty()).unwrap_or(&fit.document.title),
-            language: &self.language,
+            language: &self.tag,
             task: &fit.task,
             outcome: &fit.outcome,
             traces: &fit.traces,
@@ -109,7 +109,7 @@ impl Session {
     }
 
     fn how_to_repeat(&self, fit: &Fitted) -> &'static str {
-        self.tongue.how_to_repeat(fit.definition.parts.len() > 1)
+        words::how_to_repeat(self.language, fit.definition.parts.len() > 1)
     }
 
     /// What was noticed about the data of a fit, record by record.

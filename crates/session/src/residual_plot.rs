@@ -2,7 +2,7 @@
 
 use crate::plot::{Labels, MEASURED};
 use crate::symbol::symbol;
-use crate::{Session, number};
+use crate::{Session, number, words};
 use figure::{Axis, Interval, Plot, Series, Style};
 
 impl Session {
@@ -40,7 +40,7 @@ impl Session {
 
     /// Writes the texts of the plot of the residuals.
     pub(crate) fn label_residuals(&mut self) {
-        let (title, left_over) = self.tongue.residuals();
+        let (title, left_over) = words::residuals(self.language);
         let independent = &self.model().independent;
         let names: Vec<String> =
             self.data.measured.iter().map(|measured| format!("Δ{}", symbol(&measured.name))).collect();

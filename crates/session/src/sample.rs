@@ -51,7 +51,7 @@ pub const SAMPLES: [Sample; 4] = [
 impl Session {
     /// What the sample records are called.
     pub fn sample_names(&self) -> [&'static str; SAMPLES.len()] {
-        SAMPLES.map(|sample| self.tongue.pick(sample.names[0], sample.names[1]))
+        SAMPLES.map(|sample| self.language.pick(sample.names[0], sample.names[1]))
     }
 
     /// Makes a sample record with the theory that it follows and adds it.
@@ -61,7 +61,7 @@ impl Session {
     pub fn add_sample(&mut self, sample: usize, theory: Document) -> Result<u32, Refusal> {
         let unknown = || Refusal::Unknown { name: sample.to_string() };
         let Sample { names, settings, camera, .. } = SAMPLES.get(sample).ok_or_else(unknown)?;
-        let name = self.tongue.pick(names[0], names[1]);
+        let name = self.language.pick(names[0], names[1]);
         let mut theory = Session::open(theory);
         for (parameter, value) in *settings {
             let index = theory.model().parameters.iter().position(|one| one.name == *parameter).ok_or_else(unknown)?;

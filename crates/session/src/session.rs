@@ -11,10 +11,10 @@ use crate::number::Style;
 use crate::observed::Data;
 use crate::plot::PlotState;
 use crate::traces::{Columns, Traces};
-use crate::words::Tongue;
 use document::Document;
 use engine::{Method, Readings, RunError, Setup};
 use model::{Model, NodeId};
+use units::Language;
 
 /// Counts changes, so that the shell draws only what has changed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -43,8 +43,10 @@ pub struct Revision {
 #[derive(Debug)]
 pub struct Session {
     pub(crate) document: Document,
-    pub(crate) language: String,
-    pub(crate) tongue: Tongue,
+    /// The language of the document's texts, any tag.
+    pub(crate) tag: String,
+    /// The language of the session's own words.
+    pub(crate) language: Language,
     pub(crate) style: Style,
     pub(crate) revision: Revision,
     pub(crate) announcements: Announcements,
@@ -102,19 +104,19 @@ impl Session {
             None => Course::start(model, defaults.clone(), columns.bytes_per_row()),
             Some(error) => Course::failed(model, defaults.clone(), error),
         };
-        let language = document.language.clone();
+        let tag = document.language.clone();
         let mut session = Self {
-            tongue: Tongue::of(&language),
-            style: Style::of(&language),
+            language: Language::of(&tag),
+            style: Style::of(&tag),
             revision: Revision::default(),
             announcements: Announcements::default(),
             whole: model.whole_numbers(),
             scales: vec![0.0; model.states.len() + model.quantities.len()],
-            evaluators: Evaluators::new(&document, &language),
+            evaluators: Evaluators::new(&document, &tag),
             // Two more: for what measurements leave over, and for their cycles.
             plots: (0..document.plots.len() + 2).map(|_| PlotState::default()).collect(),
             document,
-            language,
+            tag,
             defaults,
             course,
             rows_seen: 0,
@@ -152,14 +154,14 @@ impl Session {
 
     /// The language in which everything is said, `en` or `es`.
     pub fn language(&self) -> &str {
-        &self.language
+        &self.tag
     }
 
     /// Chooses the language; any tag. The document's texts stay in its own language where they have no translation, the
     /// session's words in English.
     pub fn set_language(&mut self, language: &str) {
-        language.clone_into(&mut self.language);
-        self.tongue = Tongue::of(language);
+        language.clone_into(&mut self.tag);
+        self.language = Language::of(language);
         self.style = Style::of(language);
         self.evaluators.scene = Evaluators::scene(&self.document, language);
         self.evaluators.scene_frame = None;
@@ -175,7 +177,7 @@ impl Session {
 
     /// A text of the document in the session's language.
     pub fn text<'a>(&'a self, original: &'a str) -> &'a str {
-        self.document.text(&self.language, original)
+        self.document.text(&self.tag, original)
     }
 
     /// What has changed how often.

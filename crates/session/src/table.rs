@@ -1,7 +1,7 @@
 //! The recorded run as a table.
 
 use crate::symbol::symbol;
-use crate::{Session, number};
+use crate::{Session, number, words};
 use analysis::spreadsheet;
 use engine::table::{Cell, Format, Table};
 use std::ops::Range;
@@ -70,7 +70,7 @@ impl Session {
             };
             rows.extend((0..self.course.rows()).map(|row| table.row(history, row).iter().map(cell).collect()));
         }
-        let run = spreadsheet::Sheet { name: self.tongue.run().to_owned(), rows, header: true };
+        let run = spreadsheet::Sheet { name: words::run(self.language).to_owned(), rows, header: true };
         let record = |(view, record): (crate::RecordView, &crate::record::Record)| {
             let heads: Vec<&str> = view.columns.iter().map(|column| column.head.as_str()).collect();
             let columns: Vec<&[f64]> = record.table.columns.iter().map(|column| column.values.as_slice()).collect();
@@ -83,7 +83,7 @@ impl Session {
     fn cell_text(&self, cell: &Cell) -> String {
         match cell {
             Cell::Number(value) => number::plain(*value, DIGITS, self.style),
-            Cell::Truth(value) => self.tongue.truth(*value).to_owned(),
+            Cell::Truth(value) => words::truth(self.language, *value).to_owned(),
             Cell::Text(text) => self.text(text).to_owned(),
         }
     }

@@ -2,230 +2,200 @@
 
 use crate::{Announcement, Grade, Refusal, Session, number};
 use engine::Method;
+use units::Language;
 
-/// A language the session speaks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tongue {
-    /// English, also in place of all others.
-    English,
-    /// Spanish.
-    Spanish,
+/// What a run with the document's own values is called.
+pub(crate) fn defaults(language: Language) -> &'static str {
+    language.pick("initial settings", "ajustes iniciales")
 }
 
-/// The language of a tag such as `es-MX`; English where the session does not speak it.
-pub fn words(language: &str) -> Tongue {
-    Tongue::of(language)
+/// A truth value.
+pub(crate) fn truth(language: Language, value: bool) -> &'static str {
+    if value { language.pick("yes", "sí") } else { language.pick("no", "no") }
 }
 
-impl Tongue {
-    /// The language of a tag such as `es-MX`; English where the session does not speak it.
-    pub fn of(language: &str) -> Self {
-        match language.split(['-', '_']).next().unwrap_or_default().to_ascii_lowercase().as_str() {
-            "es" => Self::Spanish,
-            _ => Self::English,
+/// The name of a method.
+pub(crate) fn method_name(language: Language, method: Method) -> &'static str {
+    match method {
+        Method::Euler => "Euler",
+        Method::EulerRichardson => "Euler-Richardson",
+        Method::VelocityVerlet => language.pick("velocity Verlet", "Verlet de velocidades"),
+        Method::RungeKutta4 => language.pick("Runge-Kutta, order 4", "Runge-Kutta, orden 4"),
+        Method::DormandPrince => language.pick("Dormand-Prince 5(4), adaptive", "Dormand-Prince 5(4), adaptativo"),
+        Method::Rosenbrock => language.pick("Rosenbrock (RODAS), stiff", "Rosenbrock (RODAS), rígido"),
+    }
+}
+
+/// What a plot shows.
+pub(crate) fn against(language: Language, curves: &str, x: &str) -> String {
+    language.pick(format!("{curves} against {x}."), format!("{curves} frente a {x}."))
+}
+
+/// What the plot of the residuals is called and what it shows.
+pub(crate) fn residuals(language: Language) -> (&'static str, &'static str) {
+    language.pick(
+        ("Residuals", "measured minus computed, against time."),
+        ("Residuos", "lo medido menos lo calculado, frente al tiempo."),
+    )
+}
+
+/// What the zeros of clock and scale are called.
+pub(crate) fn zeros(language: Language) -> [&'static str; 2] {
+    language.pick(["Zero of the clock", "Zero of the scale"], ["Cero del reloj", "Cero de la escala"])
+}
+
+/// How a fit of the page is made again, of one record or several.
+pub(crate) fn how_to_repeat(language: Language, several: bool) -> &'static str {
+    if several {
+        return language.pick(
+            "Made in the laboratory's page: open the document, drop the records, tick those to be fitted together, press Fit.",
+            "Hecho en la página del laboratorio: abre el documento, suelta los registros, marca los que se ajustan juntos y pulsa Ajustar.",
+        );
+    }
+    language.pick(
+        "Made in the laboratory's page: open the document, drop the record, press Fit.",
+        "Hecho en la página del laboratorio: abre el documento, suelta el registro y pulsa Ajustar.",
+    )
+}
+
+pub(crate) fn run(language: Language) -> &'static str {
+    language.pick("run", "serie")
+}
+
+pub(crate) fn record(language: Language) -> &'static str {
+    language.pick("record", "registro")
+}
+
+/// Of a fit that did not come to its end.
+pub(crate) fn not_converged(language: Language) -> &'static str {
+    language.pick("The search did not come to its end.", "La búsqueda no llegó a su fin.")
+}
+
+/// Of a number that the data do not determine.
+pub(crate) fn undetermined(language: Language) -> &'static str {
+    language.pick("not determined by the data", "los datos no lo determinan")
+}
+
+/// Of a number that the end of its range has stopped.
+pub(crate) fn at_bound(language: Language) -> &'static str {
+    language.pick("at the end of its range", "en el extremo de su intervalo")
+}
+
+/// The truth behind a virtual measurement, and how many standard errors the answer is off.
+pub(crate) fn truth_is(language: Language, truth: &str, off: Option<&str>) -> String {
+    let off = off.map(|off| language.pick(format!("; off by {off} σ"), format!("; desviación de {off} σ")));
+    let off = off.unwrap_or_default();
+    language.pick(format!("truth: {truth}{off}"), format!("verdad: {truth}{off}"))
+}
+
+/// What an answer is worth.
+pub(crate) fn grade(language: Language, grade: Grade) -> &'static str {
+    match grade {
+        Grade::Correct => language.pick("Correct.", "Correcto."),
+        Grade::Close => {
+            language.pick("Close, but not close enough. Measure again.", "Cerca, pero no lo suficiente. Mide otra vez.")
         }
-    }
-
-    pub(crate) fn pick<T>(self, english: T, spanish: T) -> T {
-        match self {
-            Self::English => english,
-            Self::Spanish => spanish,
+        Grade::WrongSign => {
+            language.pick("The size is right; think about the sign.", "El tamaño es correcto; piensa en el signo.")
         }
+        Grade::WrongScale => language.pick(
+            "The digits are right, but not the power of ten. Check the unit.",
+            "Las cifras son correctas, pero no la potencia de diez. Revisa la unidad.",
+        ),
+        Grade::Wrong => language.pick("Not yet.", "Todavía no."),
+        Grade::Unreadable => language.pick("This is not a number.", "Esto no es un número."),
+        Grade::Unanswerable => language.pick(
+            "With the present parameters this has no answer.",
+            "Con los parámetros actuales esto no tiene respuesta.",
+        ),
     }
+}
 
-    /// What a run with the document's own values is called.
-    pub fn defaults(self) -> &'static str {
-        self.pick("initial settings", "ajustes iniciales")
-    }
-
-    /// A truth value.
-    pub fn truth(self, value: bool) -> &'static str {
-        if value { self.pick("yes", "sí") } else { self.pick("no", "no") }
-    }
-
-    /// The name of a method.
-    pub fn method(self, method: Method) -> &'static str {
-        match method {
-            Method::Euler => "Euler",
-            Method::EulerRichardson => "Euler-Richardson",
-            Method::VelocityVerlet => self.pick("velocity Verlet", "Verlet de velocidades"),
-            Method::RungeKutta4 => self.pick("Runge-Kutta, order 4", "Runge-Kutta, orden 4"),
-            Method::DormandPrince => self.pick("Dormand-Prince 5(4), adaptive", "Dormand-Prince 5(4), adaptativo"),
-            Method::Rosenbrock => self.pick("Rosenbrock (RODAS), stiff", "Rosenbrock (RODAS), rígido"),
+/// Why input was not taken.
+pub(crate) fn refusal_text(language: Language, refusal: &Refusal) -> String {
+    match refusal {
+        Refusal::NotANumber { typed } if typed.is_empty() => {
+            language.pick("Type a number.", "Escribe un número.").to_owned()
         }
-    }
-
-    /// What a plot shows.
-    pub(crate) fn against(self, curves: &str, x: &str) -> String {
-        self.pick(format!("{curves} against {x}."), format!("{curves} frente a {x}."))
-    }
-
-    /// What the plot of the residuals is called and what it shows.
-    pub(crate) fn residuals(self) -> (&'static str, &'static str) {
-        self.pick(
-            ("Residuals", "measured minus computed, against time."),
-            ("Residuos", "lo medido menos lo calculado, frente al tiempo."),
-        )
-    }
-
-    /// What the zeros of clock and scale are called.
-    pub(crate) fn zeros(self) -> [&'static str; 2] {
-        self.pick(["Zero of the clock", "Zero of the scale"], ["Cero del reloj", "Cero de la escala"])
-    }
-
-    /// How a fit of the page is made again, of one record or several.
-    pub(crate) fn how_to_repeat(self, several: bool) -> &'static str {
-        if several {
-            return self.pick(
-                "Made in the laboratory's page: open the document, drop the records, tick those to be fitted together, press Fit.",
-                "Hecho en la página del laboratorio: abre el documento, suelta los registros, marca los que se ajustan juntos y pulsa Ajustar.",
-            );
+        Refusal::NotANumber { typed } => {
+            language.pick(format!("“{typed}” is not a number."), format!("«{typed}» no es un número."))
         }
-        self.pick(
-            "Made in the laboratory's page: open the document, drop the record, press Fit.",
-            "Hecho en la página del laboratorio: abre el documento, suelta el registro y pulsa Ajustar.",
-        )
-    }
-
-    pub(crate) fn run(self) -> &'static str {
-        self.pick("run", "serie")
-    }
-
-    pub(crate) fn record(self) -> &'static str {
-        self.pick("record", "registro")
-    }
-
-    /// Of a fit that did not come to its end.
-    pub(crate) fn not_converged(self) -> &'static str {
-        self.pick("The search did not come to its end.", "La búsqueda no llegó a su fin.")
-    }
-
-    /// Of a number that the data do not determine.
-    pub(crate) fn undetermined(self) -> &'static str {
-        self.pick("not determined by the data", "los datos no lo determinan")
-    }
-
-    /// Of a number that the end of its range has stopped.
-    pub(crate) fn at_bound(self) -> &'static str {
-        self.pick("at the end of its range", "en el extremo de su intervalo")
-    }
-
-    /// The truth behind a virtual measurement, and how many standard errors the answer is off.
-    pub(crate) fn truth_is(self, truth: &str, off: Option<&str>) -> String {
-        let off = off.map(|off| self.pick(format!("; off by {off} σ"), format!("; desviación de {off} σ")));
-        let off = off.unwrap_or_default();
-        self.pick(format!("truth: {truth}{off}"), format!("verdad: {truth}{off}"))
-    }
-
-    /// What an answer is worth.
-    pub fn grade(self, grade: Grade) -> &'static str {
-        match grade {
-            Grade::Correct => self.pick("Correct.", "Correcto."),
-            Grade::Close => {
-                self.pick("Close, but not close enough. Measure again.", "Cerca, pero no lo suficiente. Mide otra vez.")
-            }
-            Grade::WrongSign => {
-                self.pick("The size is right; think about the sign.", "El tamaño es correcto; piensa en el signo.")
-            }
-            Grade::WrongScale => self.pick(
-                "The digits are right, but not the power of ten. Check the unit.",
-                "Las cifras son correctas, pero no la potencia de diez. Revisa la unidad.",
-            ),
-            Grade::Wrong => self.pick("Not yet.", "Todavía no."),
-            Grade::Unreadable => self.pick("This is not a number.", "Esto no es un número."),
-            Grade::Unanswerable => self.pick(
-                "With the present parameters this has no answer.",
-                "Con los parámetros actuales esto no tiene respuesta.",
-            ),
+        Refusal::UnknownUnit { typed } => {
+            language.pick(format!("“{typed}” is not a known unit."), format!("«{typed}» no es una unidad conocida."))
         }
-    }
-
-    /// Why input was not taken.
-    pub fn refusal(self, refusal: &Refusal) -> String {
-        match refusal {
-            Refusal::NotANumber { typed } if typed.is_empty() => {
-                self.pick("Type a number.", "Escribe un número.").to_owned()
-            }
-            Refusal::NotANumber { typed } => {
-                self.pick(format!("“{typed}” is not a number."), format!("«{typed}» no es un número."))
-            }
-            Refusal::UnknownUnit { typed } => {
-                self.pick(format!("“{typed}” is not a known unit."), format!("«{typed}» no es una unidad conocida."))
-            }
-            Refusal::WrongUnit { typed, expected } if expected.is_empty() => self.pick(
-                format!("{typed} measures something else; this is a pure number."),
-                format!("{typed} mide otra cosa; esto es un número puro."),
-            ),
-            Refusal::WrongUnit { typed, expected } => self.pick(
-                format!("{typed} measures something else; a unit such as {expected} is needed."),
-                format!("{typed} mide otra cosa; hace falta una unidad como {expected}."),
-            ),
-            Refusal::TooSmall { name, least } => {
-                self.pick(format!("{name}: at least {least}."), format!("{name}: como mínimo {least}."))
-            }
-            Refusal::TooLarge { name, greatest } => {
-                self.pick(format!("{name}: at most {greatest}."), format!("{name}: como máximo {greatest}."))
-            }
-            Refusal::NoValue { name } => {
-                self.pick(format!("{name} would have no finite value."), format!("{name} no tendría un valor finito."))
-            }
-            Refusal::NotPositive => {
-                self.pick("It must be greater than zero.", "Tiene que ser mayor que cero.").to_owned()
-            }
-            Refusal::NotPaused => {
-                self.pick("Pause first, then set the state.", "Pausa primero y luego cambia el estado.").to_owned()
-            }
-            Refusal::Method { method } => {
-                let name = self.method(*method);
-                self.pick(
-                    format!("{name} is for equations of second order only."),
-                    format!("{name} solo sirve para ecuaciones de segundo orden."),
-                )
-            }
-            Refusal::TooManyRuns { most } => self.pick(
-                format!("{most} runs are kept already; remove one first."),
-                format!("Ya hay {most} series guardadas; quita una primero."),
-            ),
-            Refusal::TooManyRecords { most } => self.pick(
-                format!("{most} records are open already; remove one first."),
-                format!("Ya hay {most} registros abiertos; quita uno primero."),
-            ),
-            Refusal::RecordTooLong { most } => self.pick(
-                format!("The page reads records of up to {most} MiB; the program reads longer ones."),
-                format!("La página lee registros de hasta {most} MiB; el programa lee otros más largos."),
-            ),
-            Refusal::UnreadableRecord { name, why } => {
-                self.pick(format!("{name} could not be read. {why}"), format!("No se pudo leer {name}. {why}"))
-            }
-            Refusal::NoSuchPolynomial => self
-                .pick(
-                    "There is no such polynomial: the window is an odd number of rows, the degree is from 2 to 7 and below it.",
-                    "No existe tal polinomio: la ventana es un número impar de filas, y el grado va de 2 a 7 y es menor que ella.",
-                )
-                .to_owned(),
-            Refusal::NoDerivative => self
-                .pick(
-                    "No row has the neighbours that a derivative needs. Times must ascend; uneven ones can be smoothed by polynomials.",
-                    "Ninguna fila tiene los vecinos que necesita una derivada. Los tiempos deben crecer; los irregulares se pueden suavizar con polinomios.",
-                )
-                .to_owned(),
-            Refusal::Fit { why } => why.clone(),
-            Refusal::Unknown { name } => {
-                self.pick(format!("There is no “{name}” here."), format!("Aquí no hay «{name}»."))
-            }
-            Refusal::UnreadableState => self
-                .pick(
-                    "The link was not understood; the document opens as it is.",
-                    "No se entendió el enlace; el documento se abre tal como es.",
-                )
-                .to_owned(),
-            Refusal::PartlyRestored { left_out } => {
-                let parts = left_out.join(", ");
-                self.pick(
-                    format!("Parts of the link do not fit this document and were left out: {parts}."),
-                    format!("Partes del enlace no encajan en este documento y se omitieron: {parts}."),
-                )
-            }
+        Refusal::WrongUnit { typed, expected } if expected.is_empty() => language.pick(
+            format!("{typed} measures something else; this is a pure number."),
+            format!("{typed} mide otra cosa; esto es un número puro."),
+        ),
+        Refusal::WrongUnit { typed, expected } => language.pick(
+            format!("{typed} measures something else; a unit such as {expected} is needed."),
+            format!("{typed} mide otra cosa; hace falta una unidad como {expected}."),
+        ),
+        Refusal::TooSmall { name, least } => {
+            language.pick(format!("{name}: at least {least}."), format!("{name}: como mínimo {least}."))
+        }
+        Refusal::TooLarge { name, greatest } => {
+            language.pick(format!("{name}: at most {greatest}."), format!("{name}: como máximo {greatest}."))
+        }
+        Refusal::NoValue { name } => {
+            language.pick(format!("{name} would have no finite value."), format!("{name} no tendría un valor finito."))
+        }
+        Refusal::NotPositive => {
+            language.pick("It must be greater than zero.", "Tiene que ser mayor que cero.").to_owned()
+        }
+        Refusal::NotPaused => {
+            language.pick("Pause first, then set the state.", "Pausa primero y luego cambia el estado.").to_owned()
+        }
+        Refusal::Method { method } => {
+            let name = method_name(language, *method);
+            language.pick(
+                format!("{name} is for equations of second order only."),
+                format!("{name} solo sirve para ecuaciones de segundo orden."),
+            )
+        }
+        Refusal::TooManyRuns { most } => language.pick(
+            format!("{most} runs are kept already; remove one first."),
+            format!("Ya hay {most} series guardadas; quita una primero."),
+        ),
+        Refusal::TooManyRecords { most } => language.pick(
+            format!("{most} records are open already; remove one first."),
+            format!("Ya hay {most} registros abiertos; quita uno primero."),
+        ),
+        Refusal::RecordTooLong { most } => language.pick(
+            format!("The page reads records of up to {most} MiB; the program reads longer ones."),
+            format!("La página lee registros de hasta {most} MiB; el programa lee otros más largos."),
+        ),
+        Refusal::UnreadableRecord { name, why } => {
+            language.pick(format!("{name} could not be read. {why}"), format!("No se pudo leer {name}. {why}"))
+        }
+        Refusal::NoSuchPolynomial => language
+            .pick(
+                "There is no such polynomial: the window is an odd number of rows, the degree is from 2 to 7 and below it.",
+                "No existe tal polinomio: la ventana es un número impar de filas, y el grado va de 2 a 7 y es menor que ella.",
+            )
+            .to_owned(),
+        Refusal::NoDerivative => language
+            .pick(
+                "No row has the neighbours that a derivative needs. Times must ascend; uneven ones can be smoothed by polynomials.",
+                "Ninguna fila tiene los vecinos que necesita una derivada. Los tiempos deben crecer; los irregulares se pueden suavizar con polinomios.",
+            )
+            .to_owned(),
+        Refusal::Fit { why } => why.clone(),
+        Refusal::Unknown { name } => {
+            language.pick(format!("There is no “{name}” here."), format!("Aquí no hay «{name}»."))
+        }
+        Refusal::UnreadableState => language
+            .pick(
+                "The link was not understood; the document opens as it is.",
+                "No se entendió el enlace; el documento se abre tal como es.",
+            )
+            .to_owned(),
+        Refusal::PartlyRestored { left_out } => {
+            let parts = left_out.join(", ");
+            language.pick(
+                format!("Parts of the link do not fit this document and were left out: {parts}."),
+                format!("Partes del enlace no encajan en este documento y se omitieron: {parts}."),
+            )
         }
     }
 }
@@ -233,12 +203,12 @@ impl Tongue {
 impl Session {
     /// A refusal in the session's language.
     pub fn refusal_text(&self, refusal: &Refusal) -> String {
-        self.tongue.refusal(refusal)
+        refusal_text(self.language, refusal)
     }
 
     /// An announcement in the session's language.
     pub fn announcement_text(&self, announcement: &Announcement) -> String {
-        let say = |english: &str, spanish: &str| self.tongue.pick(english, spanish).to_owned();
+        let say = |english: &str, spanish: &str| self.language.pick(english, spanish).to_owned();
         let with = |english: &str, spanish: &str, value: &str| say(english, spanish).replace("{}", value);
         let time = |time: f64| self.time_words(time);
         match announcement {
@@ -293,7 +263,7 @@ impl Session {
             ),
             Announcement::Full => say("Paused: the recording is full", "En pausa: el registro está lleno"),
             Announcement::Failed => self.problem().map_or_else(String::new, |problem| problem.message),
-            Announcement::Method(method) => with("Method: {}", "Método: {}", self.tongue.method(*method)),
+            Announcement::Method(method) => with("Method: {}", "Método: {}", method_name(self.language, *method)),
             Announcement::Step(step) => {
                 with("Step: {}", "Paso: {}", &self.quantity_text(*step, &self.model().independent.unit))
             }

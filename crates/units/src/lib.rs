@@ -1,7 +1,8 @@
-//! Physical dimensions and units: parse, convert, print.
+//! Physical dimensions and units: parse, convert, print. And the languages in which everything is said.
 
 mod dimension;
 mod exponent;
+mod language;
 mod parse;
 mod quantity;
 mod scale;
@@ -10,5 +11,6 @@ mod unit;
 
 pub use dimension::Dimension;
 pub use exponent::Exponent;
+pub use language::{Language, Words, words};
 pub use parse::raised;
 pub use unit::{Unit, UnitError};

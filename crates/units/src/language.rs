@@ -1,0 +1,134 @@
+//! The languages that Meniscus speaks, and texts that exist in all of them.
+
+use std::borrow::Cow;
+
+/// A language of the interface, the messages and the reports.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Language {
+    /// English, also in place of every language that is not here.
+    #[default]
+    English,
+    /// Spanish.
+    Spanish,
+}
+
+impl Language {
+    /// All languages, in the order in which a switch offers them.
+    pub const ALL: [Self; 2] = [Self::English, Self::Spanish];
+
+    /// The language of a tag such as `es-MX` or a locale such as `es_ES.UTF-8`; English where the language is not here.
+    pub fn of(tag: &str) -> Self {
+        let primary = tag.split(['-', '_', '.', '@']).next().unwrap_or_default();
+        if primary.eq_ignore_ascii_case("es") { Self::Spanish } else { Self::English }
+    }
+
+    /// The tag, for `lang` attributes.
+    pub fn tag(self) -> &'static str {
+        self.pick("en", "es")
+    }
+
+    /// The language's own name.
+    pub fn name(self) -> &'static str {
+        self.pick("English", "Español")
+    }
+
+    /// The one that is in this language.
+    pub fn pick<T>(self, english: T, spanish: T) -> T {
+        match self {
+            Self::English => english,
+            Self::Spanish => spanish,
+        }
+    }
+}
+
+/// A text in every language: of a message that is made where nobody knows yet who will read it.
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub struct Words {
+    /// The English text.
+    pub english: Cow<'static, str>,
+    /// The Spanish text.
+    pub spanish: Cow<'static, str>,
+}
+
+/// A fixed text in both languages. The macro of the same name makes one with values in it.
+pub const fn words(english: &'static str, spanish: &'static str) -> Words {
+    Words { english: Cow::Borrowed(english), spanish: Cow::Borrowed(spanish) }
+}
+
+impl Words {
+    /// A text that is the same in both languages, such as a name or a number.
+    pub fn same(text: impl Into<Cow<'static, str>>) -> Self {
+        let english = text.into();
+        Self { spanish: english.clone(), english }
+    }
+
+    /// A text that is made for each language in the same way.
+    pub fn each(text: impl Fn(Language) -> String) -> Self {
+        Self { english: text(Language::English).into(), spanish: text(Language::Spanish).into() }
+    }
+
+    /// The text in one language.
+    pub fn text(&self, language: Language) -> &str {
+        language.pick(&self.english, &self.spanish)
+    }
+
+    /// Whether there is nothing to read.
+    pub fn is_empty(&self) -> bool {
+        self.english.is_empty()
+    }
+}
+
+/// A [`Words`] with values in it: an English and a Spanish format string, with variables and arguments as in `format!`.
+/// An argument with a name is a [`Words`] itself, of which each text takes its own language.
+///
+/// ```
+/// use units::words;
+/// let (name, kind) = ("y", words("a number", "un número"));
+/// let text = words!("`{name}` is {kind}", "`{name}` es {kind}", kind = kind);
+/// assert_eq!((&*text.english, &*text.spanish), ("`y` is a number", "`y` es un número"));
+/// ```
+#[macro_export]
+macro_rules! words {
+    ($english:literal, $spanish:literal, $($part:ident = $value:expr),+ $(,)?) => {{
+        $(let $part = &$value;)+
+        $crate::Words {
+            english: {
+                $(let $part = &$part.english;)+
+                ::std::format!($english).into()
+            },
+            spanish: {
+                $(let $part = &$part.spanish;)+
+                ::std::format!($spanish).into()
+            },
+        }
+    }};
+    ($english:literal, $spanish:literal $(, $value:expr)* $(,)?) => {
+        $crate::Words {
+            english: ::std::format!($english $(, $value)*).into(),
+            spanish: ::std::format!($spanish $(, $value)*).into(),
+        }
+    };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tags_and_locales_name_a_language() {
+        for tag in ["es", "ES", "es-MX", "es_ES.UTF-8", "es.UTF-8", "es@euro"] {
+            assert_eq!(Language::of(tag), Language::Spanish, "{tag}");
+        }
+        for tag in ["", "en", "C", "C.UTF-8", "POSIX", "est", "esperanto", "fr_FR", "é"] {
+            assert_eq!(Language::of(tag), Language::English, "{tag}");
+        }
+    }
+
+    #[test]
+    fn parts_stand_in_the_language_of_the_whole() {
+        let (count, part) = (2, words("of mass", "de masa"));
+        let whole = words!("{count} quantities {part}", "{count} magnitudes {part}", part = part);
+        assert_eq!(whole.text(Language::English), "2 quantities of mass");
+        assert_eq!(whole.text(Language::Spanish), "2 magnitudes de masa");
+    }
+}

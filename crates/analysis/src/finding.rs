@@ -2,6 +2,7 @@
 
 use crate::sampling::Gap;
 use crate::stencil::Stencil;
+use units::number::{self, Style};
 
 /// Something a person should know about their data. Lines and rows count from 1; times are in SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -252,7 +253,5 @@ fn reading(value: f64, unit: &str, spanish: bool) -> String {
 
 /// A number with so many significant digits, without superfluous zeros.
 fn decimal(value: f64, digits: usize, comma: bool) -> String {
-    let rounded: f64 = format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value);
-    let text = rounded.to_string();
-    if comma { text.replace('.', ",") } else { text }
+    number::plain(value, digits, Style::comma(comma))
 }

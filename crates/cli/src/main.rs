@@ -12,7 +12,6 @@ mod load;
 mod output;
 mod page;
 
-mod rounded;
 mod run;
 mod serve;
 mod settings;

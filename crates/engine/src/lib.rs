@@ -1,6 +1,7 @@
 //! Runs a model: virtual machine, methods, events, history.
 
 mod adaptive;
+pub mod csv;
 mod dormand_prince;
 mod equations;
 mod error;
@@ -10,7 +11,6 @@ mod history;
 mod instruction;
 mod linear;
 mod method;
-pub mod number;
 #[cfg(test)]
 mod order_conditions;
 mod places;

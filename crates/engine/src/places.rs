@@ -1,7 +1,7 @@
 //! The words of the errors of a run: names and places in the document.
 
 use crate::adaptive::Stuck;
-use crate::{Method, RunError, number};
+use crate::{Method, RunError};
 use model::{Model, Span};
 
 /// Names and places of a model's states and events.
@@ -27,7 +27,7 @@ impl Places {
 
     /// `t = 3.2 s`
     fn moment(&self, time: f64) -> String {
-        let value = number::shortest(self.unit.from_si(time));
+        let value = units::number::shortest(self.unit.from_si(time));
         let text = format!("{} = {value} {}", self.independent, self.unit);
         text.trim_end().to_owned()
     }

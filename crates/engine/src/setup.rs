@@ -1,6 +1,6 @@
 //! What a run is started with.
 
-use crate::{Method, RunError, fixed, number};
+use crate::{Method, RunError, fixed};
 use model::Model;
 
 /// What a run is started with; all values SI. The independent variable starts at 0.
@@ -64,7 +64,8 @@ impl Setup {
             return refuse("step-not-positive", message, None, "the usual step is 0.05 s");
         }
         if self.method.adaptive() && !(self.tolerance >= Setup::LEAST_TOLERANCE && self.tolerance < 1.0) {
-            let message = format!("the tolerance is not between {} and 1", number::shortest(Setup::LEAST_TOLERANCE));
+            let message =
+                format!("the tolerance is not between {} and 1", units::number::shortest(Setup::LEAST_TOLERANCE));
             return refuse("bad-tolerance", message, None, "the usual tolerance is 1e-6");
         }
         if self.method == Method::VelocityVerlet

@@ -73,7 +73,7 @@ impl Figure {
     /// The horizontal axis: line, ticks, labels.
     pub(crate) fn horizontal_axis(&mut self, ticks: &Ticks) {
         let Some(scale) = self.x else { return };
-        let (font, comma) = (self.font_size, self.decimal_comma);
+        let (font, style) = (self.font_size, self.style);
         let small = LABEL * font;
         let axis = Stroke { ink: Ink::Axis, width: 1.0, dash: Dash::Solid };
         let panel = self.panel;
@@ -90,7 +90,7 @@ impl Figure {
             );
             self.entries.push(Entry::Line(from, to, axis));
             let start = self.text.len();
-            ticks.write_label(&mut self.text, number, comma);
+            ticks.write_label(&mut self.text, number, style);
             let half = width(&self.text[start..], small) / 2.0;
             // The outermost labels are kept inside the figure; one that would then touch its neighbour is left out.
             let centre = pixel.clamp(half.min(self.width / 2.0), (self.width - half).max(self.width / 2.0));
@@ -105,7 +105,7 @@ impl Figure {
 
     /// The vertical axes: lines, ticks, labels.
     pub(crate) fn vertical_axes(&mut self, gutters: &[f64]) {
-        let (font, comma) = (self.font_size, self.decimal_comma);
+        let (font, style) = (self.font_size, self.style);
         let small = LABEL * font;
         let rule = Stroke { ink: Ink::Axis, width: 1.0, dash: Dash::Solid };
         let panel = self.panel;
@@ -126,7 +126,7 @@ impl Figure {
                 let level = f64::from(crisp(pixel));
                 self.entries.push(Entry::Line(point(line, level), point(line + outward * TICK, level), rule));
                 let start = self.text.len();
-                ticks.write_label(&mut self.text, number, comma);
+                ticks.write_label(&mut self.text, number, style);
                 let at = point(line + outward * (TICK + 0.3 * font), pixel + 0.35 * small);
                 self.push_written(start, at, anchor, small, false, Ink::Text);
             }

@@ -207,7 +207,7 @@ pub struct Figure {
     pub(crate) view: View,
     pub(crate) home_x: Option<Interval>,
     pub(crate) home_y: Vec<Interval>,
-    pub(crate) decimal_comma: bool,
+    pub(crate) style: units::number::Style,
     pub(crate) entries: Vec<Entry>,
     pub(crate) points: Vec<f32>,
     pub(crate) text: String,

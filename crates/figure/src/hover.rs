@@ -2,8 +2,8 @@
 
 use crate::figure::{Figure, Point};
 use crate::limits::drawable;
-use crate::number::write_value;
 use crate::plot::{Axis, Plot, Series};
+use units::number::{DASH, axis_unit, resolved, write_power};
 
 /// How near to the pointer, in pixels, a sample must be that is not within reach by its abscissa.
 const REACH: f64 = 24.0;
@@ -146,17 +146,26 @@ impl Figure {
         })
     }
 
-    /// A value with its name and unit.
+    /// A value with its name and unit, in which the axis has it too.
     fn quantity(&self, label: &str, axis: &Axis<'_>, value: f64, resolution: f64, power: i32) -> String {
         let mut text = String::new();
         if !label.is_empty() {
             text.push_str(label);
             text.push_str(" = ");
         }
-        write_value(&mut text, value, resolution, power, self.decimal_comma);
-        if !axis.unit.is_empty() {
+        if !value.is_finite() {
+            text.push_str(DASH);
+            return text;
+        }
+        text.push_str(&resolved(value, resolution, power, self.style));
+        let (unit, power) = axis_unit(axis.unit, power);
+        if power != 0 {
+            text.push('×');
+            write_power(&mut text, power);
+        }
+        if !unit.is_empty() {
             text.push('\u{a0}');
-            text.push_str(axis.unit);
+            text.push_str(&unit);
         }
         text
     }

@@ -39,7 +39,7 @@ pub fn layout_into(figure: &mut Figure, plot: &Plot<'_>, settings: &Settings) {
     figure.width = size(settings.width);
     figure.height = size(settings.height);
     figure.font_size = if settings.font_size.is_finite() { settings.font_size.clamp(1.0, 1e3) } else { 13.0 };
-    figure.decimal_comma = settings.decimal_comma;
+    figure.style = units::number::Style::comma(settings.decimal_comma);
     figure.view.clone_from(&plot.view);
     figure.title.clear();
     figure.title.push_str(plot.title);
@@ -144,7 +144,7 @@ impl Figure {
         // The labels of the vertical axes say how much is left for the panel.
         let mut gutters = Vec::with_capacity(self.y.len());
         for (index, ticks) in self.y_ticks.iter().enumerate() {
-            let labels = ticks.widest_label(small, self.decimal_comma);
+            let labels = ticks.widest_label(small, self.style);
             let mut gutter = labels + TICK + 0.4 * font;
             if index > 0 && index + 1 < plot.y.len() {
                 gutter += font;
@@ -241,9 +241,9 @@ impl Figure {
         self.home_x = Some(home);
         let values = plot.view.x.map_or(home, sane);
         self.x = Some(Scale { values, low: left, high: right });
-        let comma = self.decimal_comma;
+        let style = self.style;
         Ticks::spaced(values, wide, 4.0 * font, |ticks, spacing| {
-            spacing >= 3.2 * font && spacing >= ticks.widest_label(LABEL * font, comma) + font
+            spacing >= 3.2 * font && spacing >= ticks.widest_label(LABEL * font, style) + font
         })
     }
 

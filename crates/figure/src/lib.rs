@@ -12,7 +12,6 @@ mod figure;
 mod hover;
 mod layout;
 mod limits;
-mod number;
 mod palette;
 mod plot;
 mod series;

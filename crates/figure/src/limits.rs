@@ -1,8 +1,8 @@
 //! Automatic limits: round numbers that contain the data and change only in steps while the data grow.
 
-use crate::number::{leading_exponent, scaled};
 use crate::plot::Interval;
 use crate::ticks::Step;
+use units::number::{leading_exponent, scaled_by};
 
 /// No value beyond this is drawn: sums and differences of smaller ones stay finite.
 const LARGEST: f64 = 1e300;
@@ -120,7 +120,7 @@ pub(crate) fn growing(extent: Extent) -> Interval {
     }
     let Extent { low, high, .. } = extent;
     if low >= 0.0 && low <= 0.25 * high && high > SMALLEST {
-        let power = scaled(1.0, leading_exponent(high));
+        let power = scaled_by(1.0, leading_exponent(high));
         let mantissa = high / power;
         let round = ROUND.iter().copied().find(|round| *round >= mantissa * (1.0 - 1e-9)).unwrap_or(10.0);
         return sane(Interval { low: 0.0, high: round * power });

@@ -1,7 +1,7 @@
 //! Ticks: multiples of 1, 2 or 5 times a power of ten, kept as integers so that their labels are exact.
 
-use crate::number::{common_power, leading_exponent, scaled, write_decimal, write_power};
 use crate::plot::Interval;
+use units::number::{Style, axis_unit, common_power, leading_exponent, scaled_by, tick, write_power};
 
 /// The distance between ticks: `mantissa * 10^exponent` with a mantissa of 1, 2 or 5.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +36,7 @@ impl Step {
 
     /// So many steps.
     pub(crate) fn multiple(self, count: i64) -> f64 {
-        scaled((count * self.mantissa) as f64, self.exponent)
+        scaled_by((count * self.mantissa) as f64, self.exponent)
     }
 
     /// How many steps a value is, rounded down.
@@ -89,41 +89,42 @@ impl Ticks {
     }
 
     /// Writes the label of a tick.
-    pub(crate) fn write_label(&self, out: &mut String, number: i64, decimal_comma: bool) {
+    pub(crate) fn write_label(&self, out: &mut String, number: i64, style: Style) {
         let step = self.step;
-        write_decimal(out, number * step.mantissa, step.exponent - self.power, decimal_comma);
+        out.push_str(&tick(number * step.mantissa, step.exponent - self.power, style));
     }
 
     /// The width of the widest label in a font of this size.
-    pub(crate) fn widest_label(&self, size: f64, decimal_comma: bool) -> f64 {
+    pub(crate) fn widest_label(&self, size: f64, style: Style) -> f64 {
         let mut label = String::new();
         let mut widest = 0.0_f64;
         // Labels grow with their magnitude and with a sign, so that one of the two ends is the widest.
         for number in [self.first, self.last] {
             label.clear();
-            self.write_label(&mut label, number, decimal_comma);
+            self.write_label(&mut label, number, style);
             widest = widest.max(crate::text::width(&label, size));
         }
         widest
     }
 
-    /// Writes the title of the axis: quantity and unit, `y [10⁻³ m]`.
+    /// Writes the title of the axis: quantity and unit, `y [mm]`; `b [10⁻³ 1/s]` where the unit takes no prefix.
     pub(crate) fn write_title(&self, out: &mut String, label: &str, unit: &str) {
         out.push_str(label);
-        if unit.is_empty() && self.power == 0 {
+        let (unit, power) = axis_unit(unit, self.power);
+        if unit.is_empty() && power == 0 {
             return;
         }
         if !label.is_empty() {
             out.push(' ');
         }
         out.push('[');
-        if self.power != 0 {
-            write_power(out, self.power);
+        if power != 0 {
+            write_power(out, power);
             if !unit.is_empty() {
                 out.push(' ');
             }
         }
-        out.push_str(unit);
+        out.push_str(&unit);
         out.push(']');
     }
 }
@@ -140,9 +141,9 @@ mod tests {
             .iter()
             .map(|(number, value)| {
                 let mut label = String::new();
-                ticks.write_label(&mut label, number, comma);
+                ticks.write_label(&mut label, number, Style::comma(comma));
                 let read: f64 = label.replace('−', "-").replace(',', ".").parse().unwrap();
-                let exact = scaled(read, ticks.power);
+                let exact = scaled_by(read, ticks.power);
                 assert!((exact - value).abs() <= 4.0 * f64::EPSILON * value.abs(), "{label} stands at {value}");
                 label
             })
@@ -158,7 +159,7 @@ mod tests {
             (0.0, 10.0, 260.0, "y [m]: 0 2 4 6 8 10"),
             (0.0, 1.0, 150.0, "y [m]: 0 0.5 1.0"),
             (0.1, 0.7, 300.0, "y [m]: 0.1 0.2 0.3 0.4 0.5 0.6 0.7"),
-            (-3e-7, 3e-7, 200.0, "y [10⁻⁹ m]: −200 0 200"),
+            (-3e-7, 3e-7, 200.0, "y [nm]: −200 0 200"),
             (0.0, 2.5e6, 250.0, "y [10⁶ m]: 0 0.5 1.0 1.5 2.0 2.5"),
             (40.000_01, 40.000_05, 250.0, "y [m]: 40.00001 40.00002 40.00003 40.00004 40.00005"),
             (0.0, 99_000.0, 150.0, "y [m]: 0 50000"),
@@ -186,7 +187,9 @@ mod tests {
             ("y", "m", 0, "y [m]"),
             ("Q", "", 0, "Q"),
             ("Q", "", 3, "Q [10³]"),
-            ("E, T", "J", -6, "E, T [10⁻⁶ J]"),
+            ("E, T", "J", -6, "E, T [µJ]"),
+            ("T", "J", 6, "T [MJ]"),
+            ("b", "1/s", -3, "b [10⁻³ 1/s]"),
             ("", "m", 0, "[m]"),
         ];
         for (label, unit, power, expected) in cases {

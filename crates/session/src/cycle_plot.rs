@@ -201,8 +201,8 @@ impl Session {
         for sample in &mut readout.samples {
             let error = errors.get(sample.row).copied().filter(|_| sample.series == CYCLES_MEASURED);
             let Some(error) = error else { continue };
-            let value = number::uncertain(sample.y, Some(error), self.style);
-            sample.text = format!("{name} = {value} {unit}").trim_end().to_owned();
+            let value = number::with_error(sample.y, Some(error), self.style);
+            sample.text = format!("{name} = {}", number::error_with_unit(&value, &unit));
         }
         readout
     }

@@ -4,6 +4,7 @@
 use crate::record::Record;
 use crate::{Export, ExportKind, Session, number};
 use analysis::cycles::{self, Constancy, Cycles, Measured, Quantity};
+use units::number::Layout;
 use units::{Language, Unit};
 
 /// What is looked at cycle by cycle.
@@ -196,15 +197,25 @@ impl Session {
         };
         let mut heads = vec![head(&crate::symbol(&self.model().independent.name), &time)];
         heads.extend(Quantity::ALL.map(|quantity| head(quantity.symbol(spanish), &quantity.unit(&own, &time))));
-        let text = |measured: Measured| number::uncertain(measured.value, Some(measured.error), self.style);
-        let row = |cycle: &cycles::Cycle| {
-            let mut cells = vec![text(cycle.time)];
-            cells.extend(Quantity::ALL.map(|quantity| text(quantity.of(cycle))));
+        let text = |measured: Measured| number::with_error(measured.value, Some(measured.error), self.style);
+        let column = |of: &dyn Fn(&cycles::Cycle) -> Measured| {
+            let measured: Vec<Measured> = cycles.cycles.iter().map(of).collect();
+            let layout = Layout::of_errors(measured.iter().map(|one| (one.value, one.error)));
+            let write = |one: Measured| match layout {
+                Some(layout) => layout.with_error(one.value, one.error, self.style),
+                None => text(one),
+            };
+            measured.into_iter().map(write).collect::<Vec<String>>()
+        };
+        let mut columns = vec![column(&|cycle| cycle.time)];
+        columns.extend(Quantity::ALL.map(|quantity| column(&|cycle| quantity.of(cycle))));
+        let row = |(place, cycle): (usize, &cycles::Cycle)| {
+            let cells = columns.iter().filter_map(|column| column.get(place).cloned()).collect();
             (turning_point(self.language, cycle.maximum), cells)
         };
         let sentence = |quantity: Quantity| {
             let unit = quantity.unit(&own, &time);
-            let written = |measured: Measured| format!("{} {unit}", text(measured));
+            let written = |measured: Measured| number::error_with_unit(&text(measured), &unit);
             let fixed = |value: f64| number::fixed(value, 1, self.style);
             Some(Constancy::of(&cycles.cycles, quantity)?.text(quantity, spanish, &written, &fixed))
         };
@@ -212,7 +223,7 @@ impl Session {
             [Quantity::AngularFrequency, Quantity::Damping].into_iter().filter_map(sentence).collect();
         let lost = |from: f64| cycles_lost(self.language, &format!("{} {time}", number::fixed(from, 2, self.style)));
         sentences.extend(cycles.lost.map(lost));
-        Some(CyclesView { heads, rows: cycles.cycles.iter().map(row).collect(), sentences })
+        Some(CyclesView { heads, rows: cycles.cycles.iter().enumerate().map(row).collect(), sentences })
     }
 
     /// The cycles that are looked at as a file.

@@ -205,7 +205,7 @@ impl Session {
             name: one.name.clone(),
             label: label.unwrap_or_else(|| crate::symbol(&one.name)),
             record: record.map(|record| record.name.clone()).unwrap_or_default(),
-            value: if one.determined { number::uncertain(value, spread, self.style) } else { number::DASH.to_owned() },
+            value: if one.determined { number::with_error(value, spread, self.style) } else { number::DASH.to_owned() },
             unit: number::unit_text(&one.unit.text),
             remark,
             derived,

@@ -75,12 +75,6 @@ impl Session {
 
     /// A number with its unit; a dash alone.
     pub(crate) fn with_unit(&self, number: String, unit: &Unit) -> String {
-        if unit.text.is_empty() || number == number::DASH {
-            return number;
-        }
-        match number::unit_text(&unit.text).as_str() {
-            "°" => format!("{number}°"),
-            text => format!("{number} {text}"),
-        }
+        number::with_unit(&number, unit)
     }
 }

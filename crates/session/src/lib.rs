@@ -38,7 +38,6 @@ mod keepsake;
 mod kept;
 mod measurement;
 mod method;
-pub mod number;
 mod observed;
 mod parameter;
 mod plot;
@@ -70,6 +69,7 @@ pub use document;
 pub use engine;
 pub use figure;
 pub use model;
+pub use units::number;
 
 pub use announcement::Announcement;
 pub use cycles::{CycleColumn, CyclesView};

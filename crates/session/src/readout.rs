@@ -1,8 +1,9 @@
 //! What is read off: time, states and quantities with their units; the values of the scene; the pitch.
 
 use crate::{Session, number, words};
-use model::{Compiled, Kind, NodeId};
+use model::{Compiled, Kind, Node, NodeId};
 use units::Unit;
+use units::number::Group;
 
 /// What a readout shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,7 +34,7 @@ pub struct Readout {
 }
 
 /// Significant digits of a value that moves.
-const MOVING_DIGITS: usize = 4;
+pub(crate) const MOVING_DIGITS: usize = 4;
 
 /// Digits of a count; beyond these it is not exact.
 const COUNT_DIGITS: usize = 15;
@@ -52,12 +53,15 @@ impl Session {
         }];
         for (index, state) in model.states.iter().enumerate() {
             let value = self.course.state().get(index).copied().unwrap_or(f64::NAN);
+            let scale = self.scales.get(index).copied().unwrap_or_default();
+            let node = model.graph.find(Node::State(index as u32));
+            let (value, unit) = self.moving(value, scale, node, &state.unit);
             readouts.push(Readout {
                 kind: ReadoutKind::State(index),
                 name: state.name(),
                 label: state.label.as_deref().map_or("", |label| self.text(label)).to_owned(),
-                value: self.state_number(index, state, value),
-                unit: number::unit_text(&state.unit.text),
+                value,
+                unit,
                 varies: true,
             });
         }
@@ -65,24 +69,40 @@ impl Session {
         for (index, (quantity, &value)) in self.document.model.quantities.iter().zip(&values).enumerate() {
             let scale = self.scales.get(self.document.model.states.len() + index).copied().unwrap_or_default();
             let unit = &quantity.value.unit;
-            let shown = match quantity.value.kind {
-                Kind::Number if self.is_count(quantity.value.node, unit) => self.count(value),
-                Kind::Number if quantity.varies => {
-                    number::scaled(unit.from_si(value), unit.from_si(scale), MOVING_DIGITS, self.style)
-                }
-                Kind::Number => number::plain(unit.from_si(value), MOVING_DIGITS, self.style),
-                Kind::Truth | Kind::Text => self.word_value(&quantity.value, value),
+            let (value, unit) = match quantity.value.kind {
+                Kind::Number if quantity.varies => self.moving(value, scale, Some(quantity.value.node), unit),
+                Kind::Number => self.constant(value, quantity.value.node, unit),
+                Kind::Truth | Kind::Text => (self.word_value(&quantity.value, value), number::unit_text(&unit.text)),
             };
             readouts.push(Readout {
                 kind: ReadoutKind::Quantity(index),
                 name: quantity.name.clone(),
                 label: quantity.label.as_deref().map_or("", |label| self.text(label)).to_owned(),
-                value: shown,
-                unit: number::unit_text(&unit.text),
+                value,
+                unit,
                 varies: quantity.varies,
             });
         }
         readouts
+    }
+
+    /// The number and the unit of a value that has had the size `scale` in this run, both SI. What is nothing beside it is
+    /// zero.
+    fn moving(&self, value: f64, scale: f64, node: Option<NodeId>, unit: &Unit) -> (String, String) {
+        if node.is_some_and(|node| self.is_count(node, unit)) {
+            return (self.count(value), number::unit_text(&unit.text));
+        }
+        let group = Group::of_scale(unit, scale.max(value.abs()), MOVING_DIGITS, self.style);
+        (group.number(value), group.unit_text())
+    }
+
+    /// The same of a value that stands still.
+    fn constant(&self, value: f64, node: NodeId, unit: &Unit) -> (String, String) {
+        if self.is_count(node, unit) {
+            return (self.count(value), number::unit_text(&unit.text));
+        }
+        let unit = unit.for_size(unit.from_si(value).abs());
+        (number::plain(unit.from_si(value), MOVING_DIGITS, self.style), number::unit_text(&unit.text))
     }
 
     /// The values of [`document::Scene::values`] at the time shown, SI, for attributes. Computed once for each time.
@@ -93,6 +113,12 @@ impl Session {
             let values = self.evaluators.scene.at(course.parameters(), course.initial(), course.time(), course.state());
             self.evaluators.scene_values.clear();
             self.evaluators.scene_values.extend_from_slice(values);
+            self.evaluators.scene_scales.resize(values.len(), 0.0);
+            for (scale, value) in self.evaluators.scene_scales.iter_mut().zip(values) {
+                if value.is_finite() {
+                    *scale = scale.max(value.abs());
+                }
+            }
             self.evaluators.scene_frame = Some(frame);
         }
         &self.evaluators.scene_values
@@ -110,13 +136,17 @@ impl Session {
         if shown.kind != Kind::Number {
             return self.word_value(shown, value);
         }
-        let in_unit = shown.unit.from_si(value);
-        let number = match decimals {
-            Some(decimals) => number::fixed(in_unit, usize::from(decimals), self.style),
+        match decimals {
+            Some(decimals) => {
+                let number = number::fixed(shown.unit.from_si(value), usize::from(decimals), self.style);
+                number::with_unit(&number, &shown.unit)
+            }
             None if self.is_count(shown.node, &shown.unit) => self.count(value),
-            None => number::steady(in_unit, MOVING_DIGITS, self.style),
-        };
-        self.with_unit(number, &shown.unit)
+            None => {
+                let scale = self.evaluators.scene_scales.get(index).copied().unwrap_or_default();
+                Group::of_scale(&shown.unit, scale, MOVING_DIGITS, self.style).quantity(value)
+            }
+        }
     }
 
     /// The pitch in hertz at which the first state sounds while the run is playing or held: 440 Hz at 0, an octave up or

@@ -85,6 +85,8 @@ pub(crate) struct Evaluators {
     /// The values of the scene in the session's language, and when they were last computed.
     pub scene: Readings,
     pub scene_values: Vec<f64>,
+    /// The greatest size that each of them has had in this run.
+    pub scene_scales: Vec<f64>,
     pub scene_frame: Option<(u64, u64)>,
     pub initial: Readings,
     /// All assignments of all presets.
@@ -165,6 +167,7 @@ impl Session {
         self.style = Style::of(language);
         self.evaluators.scene = Evaluators::scene(&self.document, language);
         self.evaluators.scene_frame = None;
+        self.evaluators.scene_scales.clear();
         self.label_plots();
         self.data.ghost = self.make_ghost();
         self.revision.language += 1;
@@ -231,6 +234,7 @@ impl Session {
         self.traces = Traces::default();
         self.truncate_residuals(f64::NEG_INFINITY);
         self.scales.iter_mut().for_each(|scale| *scale = 0.0);
+        self.evaluators.scene_scales.clear();
         self.full = false;
         self.slippage = 0.0;
         self.revision.rows += 1;
@@ -282,6 +286,7 @@ impl Evaluators {
             quantities: reading(model.quantities.iter().map(|quantity| quantity.value.node).collect()),
             scene: Self::scene(document, language),
             scene_values: Vec::new(),
+            scene_scales: Vec::new(),
             scene_frame: None,
             initial: reading(model.states.iter().map(|state| state.initial).collect()),
             presets: reading(presets.map(|assignment| assignment.value.node).collect()),

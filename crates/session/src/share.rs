@@ -20,6 +20,7 @@ use crate::course::{Course, Recipe};
 use crate::{Announcement, Refusal, Session};
 use engine::{Method, Setup};
 use figure::{Interval, View};
+use units::number::compact as exact;
 
 /// What the text begins with.
 const VERSION: &str = "1";
@@ -255,12 +256,6 @@ fn view(limits: &str) -> Option<View> {
     let x = if horizontal.is_empty() { None } else { Some(ends(horizontal)?) };
     let y = vertical.split(',').filter(|limits| !limits.is_empty()).map(ends).collect::<Option<_>>()?;
     Some(View { x, y })
-}
-
-/// The shorter of the two exact ways to write a number: `0.05`, `1e300`.
-fn exact(value: f64) -> String {
-    let (plain, scientific) = (format!("{value}"), format!("{value:e}"));
-    if plain.len() <= scientific.len() { plain } else { scientific }
 }
 
 fn number(text: &str) -> Option<f64> {

@@ -1,8 +1,10 @@
 //! The state by hand: typed while the run stands still. It starts a new run from there, until reset.
 
+use crate::readout::MOVING_DIGITS;
 use crate::{Announcement, Refusal, Session, number};
 use engine::Setup;
 use model::{Node, State};
+use units::number::Layout;
 
 /// A state as its field shows it.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,13 +103,14 @@ impl Session {
         state.label.as_deref().map_or_else(|| state.name(), |label| self.text(label).to_owned())
     }
 
-    /// A state's value in its unit, with the resolution that its swing in this run calls for.
+    /// A state's value in its own unit, for its field, with the resolution that its swing in this run calls for.
     pub(crate) fn state_number(&self, index: usize, state: &State, value: f64) -> String {
         let node = self.model().graph.find(Node::State(index as u32));
         if node.is_some_and(|node| self.is_count(node, &state.unit)) {
             return self.count(value);
         }
         let scale = self.scales.get(index).copied().unwrap_or_default();
-        number::scaled(state.unit.from_si(value), state.unit.from_si(scale), 4, self.style)
+        let scale = state.unit.from_si(scale.max(value.abs()));
+        Layout::of_scale(scale, MOVING_DIGITS).number(state.unit.from_si(value), self.style)
     }
 }

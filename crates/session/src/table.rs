@@ -4,9 +4,11 @@ use crate::symbol::symbol;
 use crate::{Session, number, words};
 use analysis::spreadsheet;
 use engine::table::{Cell, Format, Table};
+use model::Node;
 use std::ops::Range;
+use units::number::Layout;
 
-/// Significant digits in a cell.
+/// Significant digits of the greatest number of a column.
 const DIGITS: usize = 6;
 
 impl Session {
@@ -34,8 +36,31 @@ impl Session {
             return Vec::new();
         };
         let mut table = Table::new(self.model());
+        let layouts = self.column_layouts(&table);
         let rows = rows.start..rows.end.min(self.course.rows());
-        rows.map(|row| table.row(history, row).iter().map(|cell| self.cell_text(cell)).collect()).collect()
+        let text = |(cell, layout): (&Cell, &Option<Layout>)| match (cell, layout) {
+            (Cell::Number(value), Some(layout)) => layout.number(*value, self.style),
+            _ => self.cell_text(cell),
+        };
+        rows.map(|row| table.row(history, row).iter().zip(&layouts).map(text).collect()).collect()
+    }
+
+    /// How the numbers of each column are written: with the same decimals, which are those of the greatest number that the
+    /// column has had in this run; times with those of the step. `None` for counts.
+    fn column_layouts(&self, table: &Table) -> Vec<Option<Layout>> {
+        let model = self.model();
+        let varying = model.quantities.iter().enumerate().filter(|(_, quantity)| quantity.varies);
+        let states = (0..model.states.len()).map(|index| (index, model.graph.find(Node::State(index as u32))));
+        let others = varying.map(|(index, quantity)| (model.states.len() + index, Some(quantity.value.node)));
+        // An event happens between two steps, and an adaptive method ends its steps where it likes.
+        let off_grid = !model.events.is_empty() || self.course.begun().method.adaptive();
+        let time = Layout::of_decimals(self.time_decimals().max(if off_grid { 4 } else { 0 }));
+        let scaled = states.chain(others).zip(table.columns().iter().skip(1)).map(|((place, node), column)| {
+            let counts = node.is_some_and(|node| self.is_count(node, &column.unit));
+            let scale = self.scales.get(place).copied().unwrap_or_default();
+            (!counts).then(|| Layout::of_scale(column.unit.from_si(scale), DIGITS))
+        });
+        std::iter::once(Some(time)).chain(scaled).collect()
     }
 
     /// The last row at or before the time shown.
@@ -43,18 +68,20 @@ impl Session {
         self.course.rows_until_shown().saturating_sub(1)
     }
 
-    /// The whole run as CSV, the same bytes as the command line writes for the same run.
+    /// The whole run as CSV: the same bytes as the command line writes for the same run, or where the language has decimal
+    /// commas, what a spreadsheet opens correctly there. All digits are those of the run in either form.
     pub fn csv(&self) -> String {
         let mut out = String::new();
         let mut table = Table::new(self.model());
+        let format = if self.style.decimal_comma { Format::CsvSemicolons } else { Format::Csv };
         // Writing to a string does not fail.
-        let _ = table.write_head(Format::Csv, &mut out);
+        let _ = table.write_head(format, &mut out);
         if let Some(history) = self.course.history() {
             for row in 0..self.course.rows() {
-                let _ = table.write_row(Format::Csv, history, row, row == 0, &mut out);
+                let _ = table.write_row(format, history, row, row == 0, &mut out);
             }
         }
-        let _ = table.write_end(Format::Csv, &mut out);
+        let _ = table.write_end(format, &mut out);
         out
     }
 

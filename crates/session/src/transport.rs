@@ -172,11 +172,14 @@ impl Session {
         if unit.text.is_empty() { number } else { format!("{number} {}", number::unit_text(&unit.text)) }
     }
 
+    /// As many decimals of a time as the step has, from two to six.
+    pub(crate) fn time_decimals(&self) -> usize {
+        number::decimals(self.model().independent.unit.from_si(self.course.begun().step), 3).clamp(2, 6)
+    }
+
     pub(crate) fn time_number(&self, time: f64) -> String {
         let unit = &self.model().independent.unit;
-        let step = number::plain(unit.from_si(self.course.begun().step), 3, number::Style::default());
-        let decimals = step.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-        number::fixed(unit.from_si(time), decimals.clamp(2, 6), self.style)
+        number::fixed(unit.from_si(time), self.time_decimals(), self.style)
     }
 
     /// Wall seconds by which the run has fallen behind the clock since it was last started or reset, because the

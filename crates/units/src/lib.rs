@@ -1,9 +1,12 @@
-//! Physical dimensions and units: parse, convert, print. And the languages in which everything is said.
+//! Physical dimensions and units: parse, convert, print. And what every crate needs to speak: the [languages](Language), and the
+//! one writer of [numbers](number) for people.
 
 mod dimension;
 mod exponent;
 mod language;
+pub mod number;
 mod parse;
+mod prefix;
 mod quantity;
 mod scale;
 mod table;

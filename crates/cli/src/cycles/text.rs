@@ -1,11 +1,14 @@
 //! The table of cycles for people.
 
 use super::Record;
-use crate::rounded::rounded;
 use analysis::cycles::{Constancy, Cycle, Measured, Quantity};
+use units::number::{self, Layout, Style};
 
 /// The widest line of words.
 const WIDTH: usize = 96;
+
+/// Significant digits of a value whose error is not known.
+const DIGITS: usize = 4;
 
 /// What was measured, what it hides, its cycles, and what changes from one to the next.
 pub fn table(record: &Record) -> String {
@@ -51,46 +54,35 @@ fn heading(record: &Record) -> String {
     )
 }
 
-/// One column of the table: a heading, and values with errors, aligned at the decimal points.
+/// One column of the table: a heading, and values with errors, all with the same decimals.
 struct Block {
     heading: String,
-    cells: Vec<(String, String)>,
+    cells: Vec<String>,
 }
 
 impl Block {
-    fn of(record: &Record, name: &str, unit: &str, of: impl Fn(&Cycle) -> Measured) -> Self {
+    fn of(record: &Record, name: &str, unit: &str, with_errors: bool, of: impl Fn(&Cycle) -> Measured) -> Self {
         let heading = if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") };
-        let cells = record.found.cycles.iter().map(|cycle| rounded(of(cycle).value, of(cycle).error)).collect();
-        Self { heading, cells }
+        let measured: Vec<Measured> = record.found.cycles.iter().map(of).collect();
+        let layout = Layout::of_errors(measured.iter().map(|one| (one.value, one.error)));
+        let cell = |one: &Measured| match layout {
+            Some(layout) if with_errors => layout.with_error(one.value, one.error, Style::POINT),
+            Some(layout) => layout.number(one.value, Style::POINT),
+            None => number::plain(one.value, DIGITS, Style::POINT),
+        };
+        Self { heading, cells: measured.iter().map(cell).collect() }
     }
 
-    /// The lines of this column, the heading first, all of the same width.
-    fn lines(&self, with_errors: bool) -> Vec<String> {
-        let places = |text: &str| -> (usize, usize) {
-            let whole = text.find('.').map_or(text.chars().count(), |point| text[..point].chars().count());
-            (whole, text.chars().count() - whole)
-        };
-        let widest = |texts: &mut dyn Iterator<Item = &String>| {
-            texts.map(|text| places(text)).fold((0, 0), |widest, place| (widest.0.max(place.0), widest.1.max(place.1)))
-        };
-        let value = widest(&mut self.cells.iter().map(|cell| &cell.0));
-        let error = widest(&mut self.cells.iter().map(|cell| &cell.1));
-        let aligned = |text: &str, widest: (usize, usize)| {
-            let (before, after) = places(text);
-            format!("{}{text}{}", " ".repeat(widest.0 - before), " ".repeat(widest.1 - after))
-        };
-        let cell = |(own, its): &(String, String)| match with_errors {
-            true => format!("{} ± {}", aligned(own, value), aligned(its, error)),
-            false => aligned(own, value),
-        };
-        let cells: Vec<String> = self.cells.iter().map(cell).collect();
-        let width = cells.iter().map(|cell| cell.chars().count()).max().unwrap_or(0).max(self.heading.chars().count());
-        let left = (width - cells.first().map_or(0, |cell| cell.chars().count())) / 2;
-        let padded = |text: &str, left: usize| {
-            format!("{}{text}{}", " ".repeat(left), " ".repeat(width.saturating_sub(left + text.chars().count())))
+    /// The lines of this column, the heading first, all of the same width and the numbers at the right.
+    fn lines(&self) -> Vec<String> {
+        let longest = self.cells.iter().map(|cell| cell.chars().count()).max().unwrap_or(0);
+        let width = longest.max(self.heading.chars().count());
+        let right = (width - longest) / 2;
+        let padded = |text: &str, right: usize| {
+            format!("{}{text}{}", " ".repeat((width - right).saturating_sub(text.chars().count())), " ".repeat(right))
         };
         let heading = padded(&self.heading, (width - self.heading.chars().count()) / 2);
-        std::iter::once(heading).chain(cells.iter().map(|cell| padded(cell, left))).collect()
+        std::iter::once(heading).chain(self.cells.iter().map(|cell| padded(cell, right))).collect()
     }
 }
 
@@ -98,9 +90,9 @@ fn rows(out: &mut String, record: &Record) {
     let kinds: Vec<&str> = record.found.cycles.iter().map(|cycle| if cycle.maximum { "max" } else { "min" }).collect();
     let of = |quantity: Quantity| {
         let unit = quantity.unit(&record.unit, "s");
-        Block::of(record, quantity.symbol(false), &unit, |cycle| quantity.of(cycle)).lines(true)
+        Block::of(record, quantity.symbol(false), &unit, true, |cycle| quantity.of(cycle)).lines()
     };
-    let time = Block::of(record, "t", "s", |cycle| cycle.time).lines(false);
+    let time = Block::of(record, "t", "s", false, |cycle| cycle.time).lines();
     let blocks: Vec<Vec<String>> = std::iter::once(time).chain(Quantity::ALL.map(of)).collect();
     for row in 0..=kinds.len() {
         let mut line = format!("  {:3}", if row == 0 { "" } else { kinds[row - 1] });
@@ -117,8 +109,7 @@ fn rows(out: &mut String, record: &Record) {
 fn change(record: &Record, quantity: Quantity) -> String {
     let unit = quantity.unit(&record.unit, "s");
     let written = |measured: Measured| {
-        let (value, error) = rounded(measured.value, measured.error);
-        format!("{value} ± {error} {unit}")
+        number::error_with_unit(&number::with_error(measured.value, Some(measured.error), Style::POINT), &unit)
     };
     let constancy = Constancy::of(&record.found.cycles, quantity);
     constancy

@@ -1,8 +1,10 @@
 //! A table as text, row by row.
 
 use super::{Cell, Table};
-use crate::{History, number};
+use crate::History;
+use crate::csv::Dialect;
 use std::fmt::{self, Write};
+use units::number::shortest;
 
 /// How a table is written. Numbers have the fewest digits that read back exactly; those that are not finite are empty in
 /// CSV and null in JSON.
@@ -11,10 +13,22 @@ pub enum Format {
     /// RFC 4180, but with lines that end in `\n`; the first line is `t [s],y [m],y' [m/s]`.
     #[default]
     Csv,
+    /// The same for a spreadsheet where the decimal sign is a comma: [`Dialect::Semicolons`].
+    CsvSemicolons,
     /// An array of objects with the same headings as keys.
     Json,
     /// An object on each line.
     JsonLines,
+}
+
+impl Format {
+    fn dialect(self) -> Option<Dialect> {
+        match self {
+            Self::Csv => Some(Dialect::Lines),
+            Self::CsvSemicolons => Some(Dialect::Semicolons),
+            Self::Json | Self::JsonLines => None,
+        }
+    }
 }
 
 impl Table {
@@ -23,17 +37,15 @@ impl Table {
     /// # Errors
     /// Those of `out`.
     pub fn write_head(&self, format: Format, out: &mut impl Write) -> fmt::Result {
-        match format {
-            Format::Csv => {
-                for (index, column) in self.columns.iter().enumerate() {
-                    separate(index, out)?;
-                    csv_text(&column.heading(), out)?;
-                }
-                out.write_char('\n')
-            }
-            Format::Json => out.write_char('['),
-            Format::JsonLines => Ok(()),
+        let Some(dialect) = format.dialect() else {
+            return if format == Format::Json { out.write_char('[') } else { Ok(()) };
+        };
+        out.write_str(dialect.start())?;
+        for (index, column) in self.columns.iter().enumerate() {
+            separate(index, dialect.separator(), out)?;
+            dialect.text(out, &column.heading())?;
         }
+        out.write_str(dialect.line_end())
     }
 
     /// Writes one row; `first` where no row was written before.
@@ -49,27 +61,27 @@ impl Table {
         out: &mut impl Write,
     ) -> fmt::Result {
         self.row(history, row);
-        if format == Format::Csv {
+        if let Some(dialect) = format.dialect() {
             for (index, cell) in self.cells.iter().enumerate() {
-                separate(index, out)?;
+                separate(index, dialect.separator(), out)?;
                 match cell {
-                    Cell::Number(value) => out.write_str(&number::shortest(*value))?,
+                    Cell::Number(value) => dialect.number(out, *value)?,
                     Cell::Truth(value) => write!(out, "{value}")?,
-                    Cell::Text(text) => csv_text(text, out)?,
+                    Cell::Text(text) => dialect.text(out, text)?,
                 }
             }
-            return out.write_char('\n');
+            return out.write_str(dialect.line_end());
         }
         if format == Format::Json {
             out.write_str(if first { "\n" } else { ",\n" })?;
         }
         out.write_char('{')?;
         for (index, (column, cell)) in self.columns.iter().zip(&self.cells).enumerate() {
-            separate(index, out)?;
+            separate(index, ',', out)?;
             json_text(&column.heading(), out)?;
             out.write_char(':')?;
             match cell {
-                Cell::Number(value) if value.is_finite() => out.write_str(&number::shortest(*value))?,
+                Cell::Number(value) if value.is_finite() => out.write_str(&shortest(*value))?,
                 Cell::Number(_) => out.write_str("null")?,
                 Cell::Truth(value) => write!(out, "{value}")?,
                 Cell::Text(text) => json_text(text, out)?,
@@ -87,17 +99,8 @@ impl Table {
     }
 }
 
-fn separate(index: usize, out: &mut impl Write) -> fmt::Result {
-    if index > 0 { out.write_char(',') } else { Ok(()) }
-}
-
-/// A text as a field of CSV, in quotation marks where it needs them.
-fn csv_text(text: &str, out: &mut impl Write) -> fmt::Result {
-    if text.contains([',', '"', '\n', '\r']) {
-        write!(out, "\"{}\"", text.replace('"', "\"\""))
-    } else {
-        out.write_str(text)
-    }
+fn separate(index: usize, separator: char, out: &mut impl Write) -> fmt::Result {
+    if index > 0 { out.write_char(separator) } else { Ok(()) }
 }
 
 /// A text as a string of JSON (RFC 8259).

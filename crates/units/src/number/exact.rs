@@ -1,4 +1,4 @@
-//! Numbers as text that reads back exactly.
+//! Numbers as text that reads back exactly: for files and links.
 
 /// The fewest digits that read back as the same number; plain from 1e-5 to 1e16, with an exponent elsewhere. What is not
 /// finite is empty.
@@ -13,9 +13,15 @@ pub fn shortest(value: f64) -> String {
     }
 }
 
+/// The same number in the fewest characters: `1e5`, not `100000`. For links.
+pub fn compact(value: f64) -> String {
+    let (plain, scientific) = (format!("{value}"), format!("{value:e}"));
+    if plain.len() <= scientific.len() { plain } else { scientific }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::shortest;
+    use super::*;
 
     #[test]
     fn readable_and_exact() {
@@ -36,8 +42,11 @@ mod tests {
         ] {
             assert_eq!(shortest(value), text);
             if value.is_finite() {
-                assert_eq!(text.parse::<f64>().map(f64::to_bits), Ok(value.to_bits()), "{text}");
+                for text in [text.to_owned(), compact(value)] {
+                    assert_eq!(text.parse::<f64>().map(f64::to_bits), Ok(value.to_bits()), "{text}");
+                }
             }
         }
+        assert_eq!([compact(100_000.0), compact(0.5), compact(1e-7)], ["1e5", "0.5", "1e-7"]);
     }
 }

@@ -103,17 +103,17 @@ fn lowered(character: char) -> Option<char> {
     match character {
         '0'..='9' | '-' => Some(character),
         '−' => Some('-'),
-        _ => units::raised(character),
+        _ => crate::raised(character),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::plain;
     use super::*;
+    use crate::number::plain;
 
-    const POINT: Style = Style { decimal_comma: false };
-    const COMMA: Style = Style { decimal_comma: true };
+    const POINT: Style = Style::POINT;
+    const COMMA: Style = Style::COMMA;
 
     #[test]
     fn typed_numbers() {

@@ -7,6 +7,8 @@ use units::number::{self, Style};
 /// Something a person should know about their data. Lines and rows count from 1; times are in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Finding {
+    /// The workbook has several sheets; this is the one that was read, by its name.
+    Sheet(String),
     /// A word stands where a number should; the cell became a gap.
     Word {
         /// The line of the file.
@@ -102,6 +104,10 @@ impl Finding {
     pub fn text(&self, spanish: bool) -> String {
         let say = |english: String, other: String| if spanish { other } else { english };
         match self {
+            Self::Sheet(name) => say(
+                format!("the workbook has several sheets; the first with a table was read: `{name}`"),
+                format!("el libro tiene varias hojas; se leyó la primera con una tabla: «{name}»"),
+            ),
             Self::Word { line, column, text } => say(
                 format!("line {line}, column {column}: `{text}` is not a number and became a gap"),
                 format!("línea {line}, columna {column}: «{text}» no es un número y quedó como hueco"),

@@ -4,6 +4,7 @@ mod zip;
 
 use std::fmt::Write;
 pub use zip::Archive;
+pub(crate) use zip::Checksum;
 
 /// A workbook.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,10 +2,12 @@
 
 use crate::failure::Failure;
 use analysis::finding::Finding;
-use analysis::import::{self, ImportError};
+use analysis::import::{self, Import};
 use analysis::inspection::{Derived, inspect};
+use analysis::reading::{self, ReadingError};
 use analysis::table::Table;
-use calamine::{Data, DataRef, Reader, Sheets, open_workbook_auto_from_rs};
+use analysis::workbook;
+use calamine::{Data, Range, Reader, Xls};
 use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::Path;
@@ -13,8 +15,9 @@ use units::Unit;
 
 /// No measurement is larger.
 const MOST_BYTES: u64 = 256 << 20;
-/// What ZIP archives (XLSX, ODS) and old workbooks (XLS) begin with.
-const WORKBOOKS: [&[u8]; 2] = [b"PK\x03\x04", b"\xd0\xcf\x11\xe0"];
+/// What old workbooks (XLS) begin with, and how large one may be: its reader is not ours and expands it in memory.
+const OLD_WORKBOOK: &[u8] = b"\xd0\xcf\x11\xe0";
+const LARGEST_OLD: usize = 32 << 20;
 
 /// A file of measured data.
 #[derive(Debug)]
@@ -45,10 +48,10 @@ pub fn read(path: &Path) -> Result<Measured, Failure> {
         }
         (path.display().to_string(), bounded(&mut File::open(path).map_err(failure)?, path)?)
     };
-    let import = if WORKBOOKS.iter().any(|start| bytes.starts_with(start)) {
-        workbook(&name, bytes)?
+    let import = if bytes.starts_with(OLD_WORKBOOK) {
+        old_workbook(&name, bytes)?
     } else {
-        import::text(&bytes).map_err(|error| refused(&name, &error))?
+        reading::read(bytes, MOST_BYTES as usize).map_err(|error| refused(&name, &error))?.import
     };
     let inspection = inspect(&import.table);
     let mut findings = import.findings;
@@ -56,7 +59,7 @@ pub fn read(path: &Path) -> Result<Measured, Failure> {
     Ok(Measured { name, table: import.table, findings, derived: inspection.derived })
 }
 
-fn refused(name: &str, error: &ImportError) -> Failure {
+fn refused(name: &str, error: &ReadingError) -> Failure {
     Failure::with_hint(format!("cannot read {name}: {}", error.message(false)), error.hint(false))
 }
 
@@ -72,91 +75,64 @@ fn bounded(source: &mut dyn Read, path: &Path) -> Result<Vec<u8>, Failure> {
     let failure = |error: std::io::Error| Failure::file("read", path, &error);
     let mut bytes = Vec::new();
     source.take(8192).read_to_end(&mut bytes).map_err(failure)?;
-    if !WORKBOOKS.iter().any(|start| bytes.starts_with(start)) {
-        import::look(&bytes).map_err(|error| refused(&path.display().to_string(), &error))?;
+    if !bytes.starts_with(OLD_WORKBOOK) && !workbook::is_workbook(&bytes) {
+        let refused = |error| refused(&path.display().to_string(), &ReadingError::Text(error));
+        import::look(&bytes).map_err(refused)?;
     }
     source.take(MOST_BYTES).read_to_end(&mut bytes).map_err(failure)?;
     if bytes.len() as u64 > MOST_BYTES { Err(too_large(path)) } else { Ok(bytes) }
 }
 
-/// The first sheet of a workbook that is a table.
-fn workbook(name: &str, bytes: Vec<u8>) -> Result<import::Import, Failure> {
+/// The first sheet of an old workbook that is a table.
+fn old_workbook(name: &str, bytes: Vec<u8>) -> Result<Import, Failure> {
     let failure = |error: &dyn std::fmt::Display| {
         Failure::with_hint(
             format!("cannot read {name} as a workbook: {error}"),
-            "measured data can be text, XLSX, XLS or ODS; a project of Tracker (TRZ) is exported with File > Export > Data File",
+            "open it in a spreadsheet program and save it as XLSX, ODS or CSV, without a password",
         )
     };
-    let mut workbook = open_workbook_auto_from_rs(Cursor::new(bytes)).map_err(|error| failure(&error))?;
+    if bytes.len() > LARGEST_OLD {
+        return Err(failure(&format_args!("an old workbook (XLS) of more than {} MB is not read", LARGEST_OLD >> 20)));
+    }
+    let mut workbook: Xls<_> = Xls::new(Cursor::new(bytes)).map_err(|error| failure(&error))?;
+    let sheets = workbook.sheet_names();
     let mut first = None;
-    for sheet in workbook.sheet_names() {
-        let text = as_text(&mut workbook, &sheet).map_err(|error| failure(&error))?;
-        match import::text(text.as_bytes()) {
-            Ok(import) => return Ok(import),
+    for sheet in &sheets {
+        let range = workbook.worksheet_range(sheet).map_err(|error| failure(&error))?;
+        match import::sheet(&as_text(&range)) {
+            Ok(mut import) => {
+                if sheets.len() > 1 {
+                    import.findings.insert(0, Finding::Sheet(sheet.clone()));
+                }
+                return Ok(import);
+            }
             Err(error) => {
-                first.get_or_insert((sheet, error));
+                first.get_or_insert(ReadingError::Sheet { name: sheet.clone(), error });
             }
         }
     }
-    Err(match first {
-        Some((sheet, error)) => refused(&format!("{name}, sheet {sheet}"), &error),
-        None => failure(&"it has no sheet"),
-    })
+    Err(first.map_or_else(|| failure(&"it has no sheet"), |error| refused(name, &error)))
 }
 
-/// A sheet as text with tabs, so that a workbook is read by the same rules as a text.
-fn as_text(workbook: &mut Sheets<Cursor<Vec<u8>>>, sheet: &str) -> Result<String, String> {
-    let mut text = Text::default();
-    if let Sheets::Xlsx(workbook) = workbook {
-        // Cell by cell: a sheet that claims a million columns must not get the memory for them.
-        let mut cells = workbook.worksheet_cells_reader(sheet).map_err(|error| error.to_string())?;
-        while let Some(cell) = cells.next_cell().map_err(|error| error.to_string())? {
-            let (row, column) = cell.get_position();
-            match cell.get_value() {
-                DataRef::SharedString(shared) => text.push(row, column, &Data::String((*shared).to_owned()))?,
-                other => text.push(row, column, &Data::from(other.clone()))?,
-            }
-        }
-        return Ok(text.text);
-    }
-    let range = workbook.worksheet_range(sheet).map_err(|error| error.to_string())?;
+/// A sheet as text with tabs, so that it is read by the same rules as a text.
+fn as_text(range: &Range<Data>) -> String {
     let (top, left) = range.start().unwrap_or_default();
-    for (row, column, value) in range.used_cells() {
-        text.push(top + row as u32, left + column as u32, value)?;
+    let mut text = "\n".repeat(top as usize);
+    for row in range.rows() {
+        text.push_str(&"\t".repeat(left as usize));
+        for (index, value) in row.iter().enumerate() {
+            text.push_str(if index > 0 { "\t" } else { "" });
+            match value {
+                Data::Empty => {}
+                Data::Float(value) => text.push_str(&format!("{value:?}")),
+                Data::Int(value) => text.push_str(&value.to_string()),
+                Data::DateTime(value) => text.push_str(&workbook::moment(value.as_f64(), value.is_duration())),
+                other => text.push_str(&other.to_string().replace(['\t', '\n', '\r', '"'], " ")),
+            }
+        }
+        text.push('\n');
     }
-    Ok(text.text)
-}
-
-/// Cells in the order of reading, as they become a text.
-#[derive(Debug, Default)]
-struct Text {
-    text: String,
-    row: u32,
-    column: u32,
-}
-
-impl Text {
-    fn push(&mut self, row: u32, column: u32, value: &Data) -> Result<(), String> {
-        while self.row < row {
-            self.text.push('\n');
-            (self.row, self.column) = (self.row + 1, 0);
-        }
-        while self.column < column {
-            self.text.push('\t');
-            self.column += 1;
-        }
-        if self.text.len() as u64 > 2 * MOST_BYTES {
-            return Err(format!("it holds more than {} MB", MOST_BYTES >> 19));
-        }
-        match value {
-            Data::Empty => {}
-            Data::Float(value) => self.text.push_str(&format!("{value:?}")),
-            Data::Int(value) => self.text.push_str(&value.to_string()),
-            Data::DateTime(value) => self.text.push_str(&format!("{:?}", value.as_f64())),
-            other => self.text.push_str(&other.to_string().replace(['\t', '\n', '\r', '"'], " ")),
-        }
-        Ok(())
-    }
+    text
 }
 
 /// What `--observe y` or `--observe y=COLUMN` asks for.

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::cloud::Cloud;
 use crate::plot::{Interval, View};
 use crate::ticks::Ticks;
 
@@ -123,6 +124,16 @@ pub enum Item<'a> {
         /// Whether a ring in the colour of the ground sets the circles off from what lies beneath.
         ringed: bool,
     },
+    /// Upright bars with round ends: dots so close that they overlap. Abscissa, upper and lower end of each in turn; the
+    /// ends are centres of dots, and may be one.
+    Bars {
+        /// The bars.
+        bars: &'a [f32],
+        /// The radius of the dots: half the width of a bar.
+        radius: f32,
+        /// The colour.
+        ink: Ink,
+    },
     /// A line of text.
     Text {
         /// The characters.
@@ -148,6 +159,7 @@ pub(crate) enum Entry {
     Polyline(Range<usize>, Stroke),
     Area(Range<usize>, Ink),
     Dots { centres: Range<usize>, radius: f32, ink: Ink, ringed: bool },
+    Bars { bars: Range<usize>, radius: f32, ink: Ink },
     Text { text: Range<usize>, at: Point, anchor: Anchor, size: f32, strong: bool, ink: Ink },
 }
 
@@ -211,6 +223,8 @@ pub struct Figure {
     pub(crate) entries: Vec<Entry>,
     pub(crate) points: Vec<f32>,
     pub(crate) text: String,
+    /// What is kept of series with very many points.
+    pub(crate) clouds: Vec<Cloud>,
 }
 
 impl Figure {
@@ -223,6 +237,9 @@ impl Figure {
             Entry::Area(points, ink) => Item::Area(&self.points[points.clone()], *ink),
             Entry::Dots { centres, radius, ink, ringed } => {
                 Item::Dots { centres: &self.points[centres.clone()], radius: *radius, ink: *ink, ringed: *ringed }
+            }
+            Entry::Bars { bars, radius, ink } => {
+                Item::Bars { bars: &self.points[bars.clone()], radius: *radius, ink: *ink }
             }
             Entry::Text { text, at, anchor, size, strong, ink } => Item::Text {
                 text: &self.text[text.clone()],

@@ -55,6 +55,7 @@ pub fn layout_into(figure: &mut Figure, plot: &Plot<'_>, settings: &Settings) {
     figure.home_x = None;
     figure.home_y.clear();
     figure.panel = Rect::default();
+    figure.forget_clouds(plot);
     let whole = Rect { x: 0.0, y: 0.0, width: figure.width as f32, height: figure.height as f32 };
     figure.entries.push(Entry::Fill(whole, Ink::Ground));
     if let Some(top) = figure.heading(plot) {
@@ -203,7 +204,7 @@ impl Figure {
         let extents: Vec<Extent> = (plot.y.iter().enumerate())
             .map(|(index, axis)| {
                 (plot.series.iter().filter(|series| series.axis == index))
-                    .map(|series| Extent::of(series.y).union(spread::extent(series)))
+                    .map(|series| self.extent_up(series).union(spread::extent(series)))
                     .fold(Extent::EMPTY, Extent::union)
                     .with(axis.include)
             })
@@ -227,10 +228,10 @@ impl Figure {
     /// Limits, scale and ticks of the horizontal axis.
     fn horizontal_scale(&mut self, plot: &Plot<'_>, left: f64, right: f64) -> Ticks {
         let font = self.font_size;
-        let extent_of = if plot.ordered { Extent::of_ordered } else { Extent::of };
-        let extent = (plot.series.iter().map(|series| extent_of(series.x)))
-            .fold(Extent::EMPTY, Extent::union)
-            .with(plot.x.include);
+        let mut extent = Extent::EMPTY.with(plot.x.include);
+        for series in &plot.series {
+            extent = extent.union(if plot.ordered { Extent::of_ordered(series.x) } else { self.extent_across(series) });
+        }
         let wide = right - left;
         let home = if plot.ordered {
             growing(extent)

@@ -8,6 +8,7 @@
 //! Nothing here knows a model, a browser or a unit: values come in the unit of their axis and the unit is a text.
 
 mod axes;
+mod cloud;
 mod figure;
 mod hover;
 mod layout;

@@ -82,6 +82,42 @@ impl Extent {
     }
 }
 
+/// The extent of a column that only grows: values that were seen are not looked at again.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Progressive {
+    seen: usize,
+    low: f64,
+    high: f64,
+    rises: bool,
+    falls: bool,
+    previous: f64,
+}
+
+impl Default for Progressive {
+    fn default() -> Self {
+        Self { seen: 0, low: f64::INFINITY, high: f64::NEG_INFINITY, rises: false, falls: false, previous: f64::NAN }
+    }
+}
+
+impl Progressive {
+    /// That of the column, which begins as it did the last time.
+    pub(crate) fn of(&mut self, column: &[f64]) -> Extent {
+        for &value in column.get(self.seen..).unwrap_or_default() {
+            if drawable(value) {
+                self.low = self.low.min(value);
+                self.high = self.high.max(value);
+                self.rises |= value > self.previous;
+                self.falls |= value < self.previous;
+                self.previous = value;
+            }
+        }
+        self.seen = self.seen.max(column.len());
+        let mut extent = Extent { low: self.low, high: self.high, turned: true };
+        extent.turned = extent.close_up() && self.rises && self.falls;
+        extent
+    }
+}
+
 /// Whether the drawable values of a column both rise and fall.
 fn turns(column: &[f64]) -> bool {
     let (mut rises, mut falls) = (false, false);
@@ -319,6 +355,10 @@ mod tests {
         ];
         for (column, (low, high), turned) in cases {
             assert_eq!(Extent::of(column), Extent { low, high, turned }, "{column:?}");
+            let mut progressive = Progressive::default();
+            for end in 0..=column.len() {
+                assert_eq!(progressive.of(&column[..end]), Extent::of(&column[..end]), "{end} of {column:?}");
+            }
         }
         assert_eq!(Extent::of(&[]), Extent::EMPTY);
         assert_eq!(Extent::of_ordered(&[f64::NAN, 1.0, 5.0, f64::NAN]), Extent { low: 1.0, high: 5.0, turned: false });

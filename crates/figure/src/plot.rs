@@ -52,6 +52,9 @@ pub struct Series<'a> {
     pub spread: &'a [f64],
     /// Rows before which the line is interrupted (the first row after a jump), ascending.
     pub breaks: &'a [usize],
+    /// Names the columns of a series with very many points from layout to layout, so that they are not gone through again
+    /// each time: while it is the same, rows are only added. 0 for columns that are looked at each time.
+    pub version: u64,
     /// Where the series is at the present: a dot there.
     pub present: Option<(f64, f64)>,
 }

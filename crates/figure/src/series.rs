@@ -39,6 +39,9 @@ impl Figure {
             let ink = Ink::Series(series.colour);
             let area = grown(panel, 0.5);
             self.bars(series, rows.clone(), &x, &y);
+            if self.cloud(plot, series, &x, &y) {
+                return;
+            }
             scatter(&mut self.points, &mut self.entries, area, ink, DATA_RADIUS, rows.filter_map(pixel));
             return;
         }

@@ -72,6 +72,14 @@ fn write_item(out: &mut String, item: Item<'_>, palette: &Palette) -> std::fmt::
             out.push_str("</g>");
             Ok(())
         }
+        Item::Bars { bars, radius, ink } => {
+            out.push_str("<path d=\"");
+            for bar in bars.chunks_exact(3) {
+                write!(out, "M{} {}V{}", Short(bar[0]), Short(bar[1]), Short(bar[2]))?;
+            }
+            let (colour, width) = (palette.colour(ink), Short(2.0 * radius));
+            write!(out, "\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\"/>")
+        }
         Item::Text { text, at, anchor, size, strong, ink } => {
             let anchor = match anchor {
                 Anchor::Start => "start",

@@ -78,6 +78,7 @@ proptest! {
                         prop_assert!(point[1] >= panel.y - 2.0 && point[1] <= panel.y + panel.height + 2.0);
                     }
                 }
+                Item::Bars { bars, .. } => prop_assert!(bars.iter().all(|pixel| pixel.is_finite())),
                 Item::Dots { centres, .. } => prop_assert!(centres.iter().all(|pixel| pixel.is_finite())),
                 Item::Line(from, to, _) => {
                     prop_assert!([from.x, from.y, to.x, to.y].iter().all(|pixel| pixel.is_finite()));

@@ -109,6 +109,18 @@ impl Brush<'_> {
                     self.disc(centre, radius, ink);
                 }
             }
+            Item::Bars { bars, radius, ink } => {
+                self.stroke(Stroke { ink, width: 2.0 * radius, dash: Dash::Solid });
+                context.set_line_cap("round");
+                context.begin_path();
+                for bar in bars.chunks_exact(3) {
+                    context.move_to(bar[0].into(), bar[1].into());
+                    // A line without length would not be drawn.
+                    context.line_to(bar[0].into(), bar[2].max(bar[1] + 0.01).into());
+                }
+                context.stroke();
+                context.set_line_cap("butt");
+            }
             Item::Text { text, at, anchor, size, strong, ink } => {
                 self.fill(ink);
                 if self.font != Some((size, strong)) {

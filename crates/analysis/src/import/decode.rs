@@ -50,11 +50,20 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
     if text.trim_start().is_empty() {
         return Err(ImportError::new(None, Refusal::Empty));
     }
-    // Lines that end with a carriage return alone.
-    if text.contains('\r') && !text.contains('\n') {
+    // Lines that end with a carriage return alone. A line feed is found soon where there is one.
+    if !text.contains('\n') && text.contains('\r') {
         return Ok(Cow::Owned(text.replace('\r', "\n")));
     }
     Ok(text)
+}
+
+/// The same of bytes that are not needed any more: no copy is made of most texts.
+pub(super) fn decode_owned(bytes: Vec<u8>) -> Result<String, ImportError> {
+    match decode(&bytes)? {
+        Cow::Borrowed(text) if text.len() == bytes.len() => {}
+        text => return Ok(text.into_owned()),
+    }
+    Ok(String::from_utf8(bytes).unwrap_or_default())
 }
 
 fn characters(bytes: &[u8]) -> Cow<'_, str> {

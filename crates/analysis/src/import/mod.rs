@@ -19,6 +19,7 @@ use crate::finding::Finding;
 use crate::table::{Column, Table};
 use header::Head;
 use rows::Rows;
+use std::borrow::Cow;
 
 /// A table and how it was read.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,44 +40,107 @@ const FINDINGS: usize = 20;
 /// # Errors
 /// When the bytes are no text, or the text is no table of at least two columns and rows of numbers.
 pub fn text(bytes: &[u8]) -> Result<Import, ImportError> {
-    let text = decode::decode(bytes)?;
-    let (delimiter, decimal, words) = format::recognise(&text);
-    let first = first_row(&text, delimiter, decimal, words)?;
-    let format = Format { delimiter, decimal, header_lines: first.line };
-    let mut findings = Vec::new();
-    let head_lines: Vec<&str> = text[..first.offset].lines().collect();
-    let mut rows = Rows::read(&text[first.offset..], &format);
-    let mut heads = header::read(&head_lines, delimiter, rows.columns.len(), &mut findings);
-    findings.truncate(FINDINGS);
-    refuse_double_commas(&heads, &rows, &format)?;
-    rows.widen(heads.len(), &text);
-    heads.resize(rows.columns.len(), Head::default());
-    rows.refuse_words(first.line)?;
-    let mut columns = Vec::with_capacity(heads.len());
-    let mut kept = Vec::new();
-    for (index, (head, values)) in heads.into_iter().zip(std::mem::take(&mut rows.columns)).enumerate() {
-        let words = rows.words_in(index);
-        let filled = values.iter().filter(|value| value.is_finite()).count();
-        if filled == 0 && (words > 0 || head.name.is_empty()) {
-            // A delimiter at the end of each line makes an empty column; words are no measurement.
-            if words > 0 && findings.len() < FINDINGS {
-                findings.push(Finding::WordColumn(called(&head.name, index)));
+    let mut importer = Importer::new(decode::decode(bytes)?)?;
+    while !importer.advance(usize::MAX) {}
+    Ok(importer.finish()?.0)
+}
+
+/// A text, with `\n` at the ends of its lines or `\r\n`, of bytes that are not needed any more.
+///
+/// # Errors
+/// When the bytes are no text.
+pub fn decode(bytes: Vec<u8>) -> Result<String, ImportError> {
+    decode::decode_owned(bytes)
+}
+
+/// A text that is being read, slice by slice: what is found is the same as at once.
+#[derive(Debug)]
+pub struct Importer<'a> {
+    text: Cow<'a, str>,
+    format: Format,
+    first: First,
+    rows: Rows,
+    /// How many bytes of the rows have been read.
+    read: usize,
+}
+
+impl<'a> Importer<'a> {
+    /// Begins to read a text, as [`decode`] gives it: finds out how it is written and where its rows begin.
+    ///
+    /// # Errors
+    /// When there are no rows of numbers.
+    pub fn new(text: Cow<'a, str>) -> Result<Self, ImportError> {
+        let (delimiter, decimal, words) = format::recognise(&text);
+        let first = first_row(&text, delimiter, decimal, words)?;
+        let format = Format { delimiter, decimal, header_lines: first.line };
+        let rows = Rows::of(&text[first.offset..]);
+        Ok(Self { text, format, first, rows, read: 0 })
+    }
+
+    /// The same for the cells of a spreadsheet, as [`sheet`] describes them.
+    ///
+    /// # Errors
+    /// When there are no rows of numbers.
+    pub fn of_sheet(cells: Cow<'a, str>) -> Result<Self, ImportError> {
+        if cells.trim_start().is_empty() {
+            return Err(ImportError::new(None, Refusal::Empty));
+        }
+        Self::new(cells)
+    }
+
+    /// Reads the rows in about `budget` bytes more. Whether all have been read.
+    pub fn advance(&mut self, budget: usize) -> bool {
+        let rest = &self.text[self.first.offset + self.read..];
+        self.read += self.rows.read(rest, budget, &self.format);
+        self.first.offset + self.read >= self.text.len()
+    }
+
+    /// Which part of the text has been read, from 0 to 1.
+    pub fn progress(&self) -> f64 {
+        (self.first.offset + self.read) as f64 / self.text.len().max(1) as f64
+    }
+
+    /// The table, once all rows have been read, and the text.
+    ///
+    /// # Errors
+    /// When it is no table of at least two columns and rows of numbers.
+    pub fn finish(self) -> Result<(Import, Cow<'a, str>), ImportError> {
+        let Self { text, format, first, mut rows, .. } = self;
+        let mut findings = Vec::new();
+        let head_lines: Vec<&str> = text[..first.offset].lines().collect();
+        let mut heads = header::read(&head_lines, format.delimiter, rows.columns.len(), &mut findings);
+        findings.truncate(FINDINGS);
+        refuse_double_commas(&heads, &rows, &format)?;
+        rows.widen(heads.len(), &text);
+        heads.resize(rows.columns.len(), Head::default());
+        rows.refuse_words(first.line)?;
+        let mut columns = Vec::with_capacity(heads.len());
+        let mut kept = Vec::new();
+        for (index, (head, values)) in heads.into_iter().zip(std::mem::take(&mut rows.columns)).enumerate() {
+            let words = rows.words_in(index);
+            let filled = values.iter().filter(|value| value.is_finite()).count();
+            if filled == 0 && (words > 0 || head.name.is_empty()) {
+                // A delimiter at the end of each line makes an empty column; words are no measurement.
+                if words > 0 && findings.len() < FINDINGS {
+                    findings.push(Finding::WordColumn(called(&head.name, index)));
+                }
+                continue;
             }
-            continue;
+            if filled == 0 && findings.len() < FINDINGS {
+                findings.push(Finding::EmptyColumn(called(&head.name, index)));
+            }
+            kept.push(index);
+            columns.push(Column { name: head.name, unit: head.unit, body: head.body, independent: 0, values });
         }
-        if filled == 0 && findings.len() < FINDINGS {
-            findings.push(Finding::EmptyColumn(called(&head.name, index)));
+        if columns.iter().filter(|column| column.filled() > 0).count() < 2 {
+            return Err(ImportError::new(Some(first.line + 1), Refusal::OneColumn));
         }
-        kept.push(index);
-        columns.push(Column { name: head.name, unit: head.unit, body: head.body, independent: 0, values });
+        roles::assign(&mut columns);
+        let table = Table { columns };
+        let label = |index| kept.iter().position(|kept| *kept == index).map(|place| table.label(place));
+        findings.extend(rows.findings(label));
+        Ok((Import { table, findings, format }, text))
     }
-    if columns.iter().filter(|column| column.filled() > 0).count() < 2 {
-        return Err(ImportError::new(Some(first.line + 1), Refusal::OneColumn));
-    }
-    roles::assign(&mut columns);
-    let table = Table { columns };
-    findings.extend(rows.findings(|index| kept.iter().position(|kept| *kept == index).map(|place| table.label(place))));
-    Ok(Import { table, findings, format })
 }
 
 /// Reads the cells of a spreadsheet, by the same rules as a text.
@@ -90,7 +154,9 @@ pub fn text(bytes: &[u8]) -> Result<Import, ImportError> {
 /// # Errors
 /// As [`text`].
 pub fn sheet(cells: &str) -> Result<Import, ImportError> {
-    text(cells.as_bytes())
+    let mut importer = Importer::of_sheet(Cow::Borrowed(cells))?;
+    while !importer.advance(usize::MAX) {}
+    Ok(importer.finish()?.0)
 }
 
 fn called(name: &str, index: usize) -> String {
@@ -98,6 +164,7 @@ fn called(name: &str, index: usize) -> String {
 }
 
 /// Where the rows begin.
+#[derive(Clone, Copy, Debug)]
 struct First {
     /// How many lines come before.
     line: usize,

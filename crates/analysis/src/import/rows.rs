@@ -20,6 +20,10 @@ pub(super) struct Rows {
     pub columns: Vec<Vec<f64>>,
     /// How many rows.
     pub length: usize,
+    /// How many lines and bytes the text has, and how many of its lines were read.
+    lines: usize,
+    bytes: usize,
+    line: usize,
     /// How many cells hold a number.
     numbers: usize,
     /// How many hold a word, by column.
@@ -42,26 +46,39 @@ pub(super) fn excerpt(text: &str) -> String {
 }
 
 impl Rows {
-    /// Reads all lines from the first row on.
-    pub fn read(text: &str, format: &Format) -> Self {
+    /// None yet, of a text of this length.
+    pub fn of(text: &str) -> Self {
         let lines = text.bytes().filter(|byte| *byte == b'\n').count() + 1;
-        let mut rows = Self::default();
+        Self { lines, bytes: text.len(), ..Self::default() }
+    }
+
+    /// Reads the lines in about `budget` bytes of `text`, which goes on where the last reading ended. How many bytes that
+    /// were.
+    pub fn read(&mut self, text: &str, budget: usize, format: &Format) -> usize {
         let mut row: Vec<f64> = Vec::new();
-        for (index, line) in text.lines().enumerate() {
-            let number = format.header_lines + index + 1;
+        let mut at = 0;
+        while at < text.len().min(budget) {
+            let rest = &text[at..];
+            let end = rest.find('\n').map_or(rest.len(), |end| end + 1);
+            at += end;
+            self.line += 1;
+            let number = format.header_lines + self.line;
+            let line = &rest[..end];
+            let line = line.strip_suffix('\n').map_or(line, |line| line.strip_suffix('\r').unwrap_or(line));
             row.clear();
             if !plain(line.as_bytes(), format, &mut row) {
                 row.clear();
-                if !rows.any(line, number, format, &mut row) {
+                if !self.any(line, number, format, &mut row) {
                     continue;
                 }
             }
-            rows.push(&row, number, (lines, text.len().max(CELLS)));
+            self.push(&row, number);
         }
-        rows
+        at
     }
 
-    fn push(&mut self, row: &[f64], line: usize, (lines, cells): (usize, usize)) {
+    fn push(&mut self, row: &[f64], line: usize) {
+        let (lines, cells) = (self.lines, self.bytes.max(CELLS));
         let filled = row.iter().rposition(|value| value.is_finite()).map_or(0, |last| last + 1);
         if filled == 0 {
             return;

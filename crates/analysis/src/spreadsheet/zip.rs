@@ -77,9 +77,33 @@ const CHECKS: [u32; 256] = {
     table
 };
 
-/// The CRC-32 of the archive format.
+/// The CRC-32 of the archive format, of bytes that come one piece after the other.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Checksum(u32);
+
+impl Default for Checksum {
+    fn default() -> Self {
+        Self(u32::MAX)
+    }
+}
+
+impl Checksum {
+    /// Takes the next piece.
+    pub fn add(&mut self, bytes: &[u8]) {
+        let next = |check: u32, byte: &u8| CHECKS[((check ^ u32::from(*byte)) & 0xff) as usize] ^ (check >> 8);
+        self.0 = bytes.iter().fold(self.0, next);
+    }
+
+    /// That of all pieces so far.
+    pub fn value(self) -> u32 {
+        !self.0
+    }
+}
+
 fn checksum(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(u32::MAX, |check, byte| CHECKS[((check ^ u32::from(*byte)) & 0xff) as usize] ^ (check >> 8))
+    let mut checksum = Checksum::default();
+    checksum.add(bytes);
+    checksum.value()
 }
 
 #[cfg(test)]

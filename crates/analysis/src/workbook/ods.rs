@@ -1,0 +1,217 @@
+//! OpenDocument spreadsheets (ISO/IEC 26300): all sheets stand one behind the other in one part.
+
+use super::moment::{Meaning, Moment};
+use super::refusal::WorkbookError;
+use super::sheet::{LONGEST_VALUE, Lines, MOST_COLUMNS};
+use super::xml::{Tag, Token, Xml};
+
+/// The part with the sheets.
+pub(super) const CONTENT: &str = "content.xml";
+
+/// The sheets, one after the other.
+#[derive(Debug)]
+pub(super) struct SheetsReader {
+    xml: Xml,
+    most: usize,
+    sheet: Option<Sheet>,
+    /// How many elements deep the stream is in what is no part of the table: a remark, a drawing.
+    skipping: usize,
+}
+
+/// The sheet that is being read.
+#[derive(Debug)]
+struct Sheet {
+    name: String,
+    lines: Lines,
+    row: u32,
+    column: u32,
+    /// How often the present row is repeated, and whether something stands in it.
+    repeated: u32,
+    filled: bool,
+    cell: Option<Cell>,
+}
+
+#[derive(Debug, Default)]
+struct Cell {
+    repeated: u32,
+    kind: String,
+    /// The value of what is no text.
+    value: String,
+    /// What the cell shows.
+    text: String,
+    in_paragraph: bool,
+}
+
+/// What a slice of work has come to.
+#[derive(Debug)]
+pub(super) enum Step {
+    /// There is more of the present sheet.
+    More,
+    /// A sheet, with its name.
+    Sheet(String, String),
+    /// There are no more sheets.
+    End,
+}
+
+impl SheetsReader {
+    pub fn new(xml: Xml, most: usize) -> Self {
+        Self { xml, most, sheet: None, skipping: 0 }
+    }
+
+    pub fn progress(&self) -> f64 {
+        self.xml.progress()
+    }
+
+    /// Whether another sheet follows.
+    pub fn has_more(&mut self) -> bool {
+        while self.sheet.is_none() {
+            match self.xml.next() {
+                Ok(Token::End) | Err(_) => return false,
+                Ok(Token::Open(tag)) if tag.name() == "table" => {
+                    self.sheet = Some(Sheet::new(tag.attribute("name").unwrap_or_default(), self.most));
+                }
+                Ok(_) => {}
+            }
+        }
+        true
+    }
+
+    /// Reads on until about so many bytes more have been read, or a sheet is finished.
+    pub fn read(&mut self, budget: u64) -> Result<Step, WorkbookError> {
+        let end = self.xml.position().saturating_add(budget);
+        while self.xml.position() < end {
+            let token = self.xml.next()?;
+            if self.skipping > 0 {
+                match token {
+                    Token::Open(_) => self.skipping += 1,
+                    Token::Close(_) => self.skipping -= 1,
+                    Token::End => return Ok(Step::End),
+                    _ => {}
+                }
+                continue;
+            }
+            match (&token, &mut self.sheet) {
+                (Token::End, _) => return Ok(Step::End),
+                (Token::Open(tag), None) if tag.name() == "table" => {
+                    self.sheet = Some(Sheet::new(tag.attribute("name").unwrap_or_default(), self.most));
+                }
+                (Token::Open(tag), Some(_)) if matches!(tag.name(), "annotation" | "table" | "shapes" | "forms") => {
+                    self.skipping = 1;
+                }
+                (Token::Close(_), Some(_)) if token.closes("table") => {
+                    if let Some(sheet) = self.sheet.take() {
+                        return Ok(Step::Sheet(sheet.name, sheet.lines.finish()));
+                    }
+                }
+                (_, Some(sheet)) => sheet.take(&token)?,
+                _ => {}
+            }
+        }
+        Ok(Step::More)
+    }
+}
+
+impl Sheet {
+    fn new(name: String, most: usize) -> Self {
+        Self { name, lines: Lines::new(most), row: 0, column: 0, repeated: 1, filled: false, cell: None }
+    }
+
+    fn take(&mut self, token: &Token<'_>) -> Result<(), WorkbookError> {
+        match token {
+            Token::Open(tag) => match (tag.name(), &mut self.cell) {
+                ("table-row", None) => {
+                    self.repeated = tag.number("number-rows-repeated").unwrap_or(1).max(1);
+                    (self.column, self.filled) = (0, false);
+                }
+                ("table-cell" | "covered-table-cell", None) => self.cell = Some(Cell::of(tag)),
+                ("p", Some(cell)) => {
+                    cell.in_paragraph = true;
+                    if !cell.text.is_empty() {
+                        cell.text.push(' ');
+                    }
+                }
+                ("s" | "tab" | "line-break", Some(cell)) => cell.text.push(' '),
+                _ => {}
+            },
+            Token::Text(text) => {
+                if let Some(cell) = self.cell.as_mut().filter(|cell| cell.in_paragraph) {
+                    cell.text.push_str(text);
+                    if cell.text.len() > LONGEST_VALUE {
+                        return Err(WorkbookError::Damaged);
+                    }
+                }
+            }
+            _ if token.closes("p") => {
+                if let Some(cell) = &mut self.cell {
+                    cell.in_paragraph = false;
+                }
+            }
+            _ if token.closes("table-cell") || token.closes("covered-table-cell") => {
+                if let Some(cell) = self.cell.take() {
+                    self.write(&cell)?;
+                }
+            }
+            _ if token.closes("table-row") => {
+                if self.filled && self.repeated > 1 {
+                    self.lines.repeat_row(self.repeated - 1)?;
+                }
+                self.row = self.row.saturating_add(self.repeated);
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn write(&mut self, cell: &Cell) -> Result<(), WorkbookError> {
+        let next = self.column.saturating_add(cell.repeated);
+        if !cell.is_empty() {
+            // A value in more columns than there are is one of a damaged file; empty cells go on to the end.
+            let (row, first) = (self.row, self.column);
+            for column in first..next.min(MOST_COLUMNS + 1) {
+                self.lines.go_to(row, column, &|| format!("R{}C{}", row.saturating_add(1), column + 1))?;
+                cell.write(&mut self.lines);
+            }
+            self.filled = true;
+        }
+        self.column = next;
+        Ok(())
+    }
+}
+
+impl Cell {
+    fn of(tag: &Tag<'_>) -> Self {
+        let kind = tag.attribute("value-type").unwrap_or_default();
+        let value = match kind.as_str() {
+            "float" | "percentage" | "currency" => "value",
+            "date" => "date-value",
+            "time" => "time-value",
+            "boolean" => "boolean-value",
+            _ => "string-value",
+        };
+        Self {
+            repeated: tag.number("number-columns-repeated").unwrap_or(1).max(1),
+            value: tag.attribute(value).unwrap_or_default(),
+            kind,
+            ..Self::default()
+        }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.value.is_empty() && self.text.is_empty()
+    }
+
+    fn write(&self, lines: &mut Lines) {
+        let moment = match self.kind.as_str() {
+            "date" => Moment::of_iso(&self.value).map(|moment| Moment { meaning: Meaning::Date, ..moment }),
+            "time" => Moment::of_duration(&self.value),
+            _ => None,
+        };
+        match (moment, self.kind.as_str()) {
+            (Some(moment), _) => lines.moment(moment),
+            (None, "float" | "percentage" | "currency") if !self.value.is_empty() => lines.number(&self.value),
+            (None, "boolean") => lines.word(if self.value == "true" { "TRUE" } else { "FALSE" }),
+            _ if self.text.is_empty() => lines.word(&self.value),
+            _ => lines.word(&self.text),
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! One file of the archive as a stream of bytes. It never gives more than the directory has announced, and never more
+//! than `LONGEST_TOKEN` between two tokens of its reader.
+
+use super::refusal::WorkbookError;
+use crate::spreadsheet::Checksum;
+use miniz_oxide::inflate::stream::{InflateState, inflate};
+use miniz_oxide::{DataFormat, MZFlush, MZStatus};
+use std::io::{self, BufRead, Read};
+use std::ops::Range;
+use std::rc::Rc;
+
+/// How many bytes are expanded at once.
+const CHUNK: usize = 32 << 10;
+/// No tag and no text of a workbook is longer: a cell holds 32767 characters.
+const LONGEST_TOKEN: usize = 1 << 20;
+
+/// The stream.
+pub(super) struct Part {
+    bytes: Rc<Vec<u8>>,
+    /// What is still packed.
+    packed: Range<usize>,
+    length: usize,
+    /// `None` for what is stored as it is.
+    inflate: Option<Box<InflateState>>,
+    chunk: Vec<u8>,
+    /// What of the chunk has been taken.
+    taken: usize,
+    /// How many bytes are still to come.
+    left: u64,
+    checksum: Checksum,
+    expected: u32,
+    token: usize,
+    ended: bool,
+    refusal: Option<WorkbookError>,
+}
+
+impl std::fmt::Debug for Part {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.debug_struct("Part").field("packed", &self.packed).field("left", &self.left).finish_non_exhaustive()
+    }
+}
+
+impl Part {
+    pub fn new(bytes: Rc<Vec<u8>>, packed: Range<usize>, deflated: bool, expanded: u64, expected: u32) -> Self {
+        Self {
+            bytes,
+            length: packed.len(),
+            packed,
+            inflate: deflated.then(|| InflateState::new_boxed(DataFormat::Raw)),
+            chunk: Vec::new(),
+            taken: 0,
+            left: expanded,
+            checksum: Checksum::default(),
+            expected,
+            token: 0,
+            ended: false,
+            refusal: None,
+        }
+    }
+
+    /// Begins the next token.
+    pub fn begin_token(&mut self) {
+        self.token = 0;
+    }
+
+    /// Which part of it has been read, from 0 to 1.
+    pub fn progress(&self) -> f64 {
+        if self.length == 0 { 1.0 } else { 1.0 - self.packed.len() as f64 / self.length as f64 }
+    }
+
+    /// Why the stream ended early.
+    pub fn refusal(&mut self) -> Option<WorkbookError> {
+        self.refusal.take()
+    }
+
+    fn refuse(&mut self, refusal: WorkbookError) -> io::Error {
+        self.refusal = Some(refusal);
+        io::ErrorKind::InvalidData.into()
+    }
+
+    /// Expands the next chunk.
+    fn refill(&mut self) -> io::Result<()> {
+        self.chunk.clear();
+        self.taken = 0;
+        let input = self.bytes.get(self.packed.clone()).unwrap_or_default();
+        let (consumed, ended) = match &mut self.inflate {
+            None => {
+                let count = input.len().min(CHUNK);
+                self.chunk.extend_from_slice(input.get(..count).unwrap_or_default());
+                (count, count == input.len())
+            }
+            Some(state) => {
+                self.chunk.resize(CHUNK, 0);
+                let result = inflate(state, input, &mut self.chunk, MZFlush::None);
+                self.chunk.truncate(result.bytes_written);
+                match result.status {
+                    Ok(status) => (result.bytes_consumed, status == MZStatus::StreamEnd),
+                    Err(_) => return Err(self.refuse(WorkbookError::Damaged)),
+                }
+            }
+        };
+        self.packed.start += consumed;
+        self.ended = ended;
+        self.checksum.add(&self.chunk);
+        match self.left.checked_sub(self.chunk.len() as u64) {
+            Some(left) => self.left = left,
+            // More than the directory says: it was written to deceive.
+            None => return Err(self.refuse(WorkbookError::Damaged)),
+        }
+        if ended && (self.left > 0 || self.checksum.value() != self.expected) {
+            return Err(self.refuse(WorkbookError::Damaged));
+        }
+        Ok(())
+    }
+}
+
+impl Read for Part {
+    fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
+        let available = self.fill_buf()?;
+        let count = available.len().min(out.len());
+        out[..count].copy_from_slice(&available[..count]);
+        self.consume(count);
+        Ok(count)
+    }
+}
+
+impl BufRead for Part {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        if self.token > LONGEST_TOKEN {
+            return Err(self.refuse(WorkbookError::Damaged));
+        }
+        while self.taken == self.chunk.len() && !self.ended {
+            self.refill()?;
+        }
+        Ok(self.chunk.get(self.taken..).unwrap_or_default())
+    }
+
+    fn consume(&mut self, count: usize) {
+        self.taken = (self.taken + count).min(self.chunk.len());
+        self.token += count;
+    }
+}

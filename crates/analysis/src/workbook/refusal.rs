@@ -1,0 +1,95 @@
+//! Why a workbook cannot be read.
+
+/// Why a workbook was not read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum WorkbookError {
+    /// It is no archive, or a part of it is broken off, changed or not as its directory says.
+    Damaged,
+    /// It needs a password.
+    Protected,
+    /// It is an archive, but holds no sheets.
+    NoSheets,
+    /// A part of it would expand to too much.
+    Expands {
+        /// Its size in the file, in bytes.
+        packed: u64,
+        /// Its size when expanded, in bytes.
+        expanded: u64,
+    },
+    /// A cell where no spreadsheet has one, or not in the order of rows and columns.
+    Place {
+        /// What the sheet calls it.
+        cell: String,
+    },
+    /// A sheet, or the texts of the workbook, hold more than can be read.
+    TooLarge {
+        /// How much can be read, in megabytes.
+        most: usize,
+    },
+}
+
+impl WorkbookError {
+    /// What is wrong.
+    pub fn message(&self, spanish: bool) -> String {
+        let say = |english: &str, other: &str| (if spanish { other } else { english }).to_owned();
+        match self {
+            Self::Damaged => say("the workbook is damaged or incomplete", "el libro está dañado o incompleto"),
+            Self::Protected => say("the workbook is protected by a password", "el libro está protegido por contraseña"),
+            Self::NoSheets => {
+                say("this is a ZIP archive without a spreadsheet", "es un archivo ZIP sin hoja de cálculo")
+            }
+            Self::Expands { packed, expanded } => {
+                let (packed, expanded) = (size(*packed), size(*expanded));
+                say(
+                    &format!("{packed} of the workbook would expand to {expanded}, more than a measurement needs"),
+                    &format!("{packed} del libro se convertirían en {expanded}, más de lo que necesita una medición"),
+                )
+            }
+            Self::Place { cell } => say(
+                &format!("the sheet has a cell `{cell}` that is out of order or beyond 1048576 rows and 16384 columns"),
+                &format!(
+                    "la hoja tiene una celda «{cell}» fuera de orden o más allá de 1048576 filas y 16384 columnas"
+                ),
+            ),
+            Self::TooLarge { most } => say(
+                &format!("the sheet holds more than {most} MB of text and numbers"),
+                &format!("la hoja contiene más de {most} MB de texto y números"),
+            ),
+        }
+    }
+
+    /// What to do.
+    pub fn hint(&self, spanish: bool) -> &'static str {
+        match (self, spanish) {
+            (Self::Damaged | Self::Place { .. }, false) => {
+                "open it in the spreadsheet program and save it again, or save the sheet as CSV"
+            }
+            (Self::Damaged | Self::Place { .. }, true) => {
+                "ábralo en la hoja de cálculo y guárdelo de nuevo, o guarde la hoja como CSV"
+            }
+            (Self::Protected, false) => "save it without a password, or save the sheet as CSV",
+            (Self::Protected, true) => "guárdelo sin contraseña, o guarde la hoja como CSV",
+            (Self::NoSheets, false) => {
+                "measured data can be text, XLSX or ODS; a project of Tracker (TRZ) is exported with File > Export > Data File"
+            }
+            (Self::NoSheets, true) => {
+                "los datos pueden ser texto, XLSX u ODS; un proyecto de Tracker (TRZ) se exporta con Archivo > Exportar > Archivo de datos"
+            }
+            (Self::Expands { .. } | Self::TooLarge { .. }, false) => {
+                "save the sheet with the measurement alone, or save it as CSV"
+            }
+            (Self::Expands { .. } | Self::TooLarge { .. }, true) => {
+                "guarde solo la hoja de la medición, o guárdela como CSV"
+            }
+        }
+    }
+}
+
+/// A number of bytes for a person.
+fn size(bytes: u64) -> String {
+    match bytes {
+        0..10_000 => format!("{bytes} B"),
+        10_000..10_000_000 => format!("{} kB", bytes / 1000),
+        _ => format!("{} MB", bytes / 1_000_000),
+    }
+}

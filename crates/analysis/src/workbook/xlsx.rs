@@ -1,0 +1,322 @@
+//! Office Open XML (ECMA-376): which sheets there are, their texts, and the cells of a sheet.
+
+use super::archive::Archive;
+use super::moment::{Meaning, Moment};
+use super::refusal::WorkbookError;
+use super::sheet::{LONGEST_VALUE, Lines, MOST_ROWS};
+use super::styles;
+use super::xml::{Tag, Token, Xml};
+use std::collections::BTreeMap;
+
+/// The parts that say how a workbook is made are small.
+const SMALL: Option<u64> = Some(16 << 20);
+/// Texts of a workbook, in bytes. A measurement has a header and some remarks.
+const MOST_TEXT: usize = 32 << 20;
+/// More sheets than anybody has.
+const MOST_SHEETS: usize = 1000;
+
+/// A sheet in the list of the workbook.
+#[derive(Clone, Debug)]
+pub(super) struct SheetEntry {
+    pub name: String,
+    /// Its part in the archive.
+    pub part: String,
+    hidden: bool,
+}
+
+/// What all sheets have in common.
+#[derive(Debug)]
+pub(super) struct Book {
+    pub sheets: Vec<SheetEntry>,
+    styles: Vec<Option<Meaning>>,
+    from_1904: bool,
+    /// The part with the texts, if there is one.
+    pub texts: Option<String>,
+}
+
+impl Book {
+    /// Reads what the workbook says about itself.
+    pub fn open(archive: &Archive) -> Result<Self, WorkbookError> {
+        let of_package = relations(archive, "_rels/.rels")?;
+        let document = of_package.into_values().find(|target| target.kind == "officeDocument");
+        let path = document.map_or_else(|| "xl/workbook.xml".to_owned(), |target| target.path);
+        if !archive.has(&path) {
+            return Err(WorkbookError::NoSheets);
+        }
+        let (folder, file) = path.rsplit_once('/').unwrap_or(("", &path));
+        let targets = relations(archive, &format!("{folder}/_rels/{file}.rels"))?;
+        let of_kind = |kind: &str| {
+            let target = targets.values().find(|target| target.kind == kind)?;
+            Some(resolved(folder, &target.path)).filter(|path| archive.has(path))
+        };
+        let styles = match of_kind("styles") {
+            Some(path) => styles::read(Xml::new(archive.part(&path, SMALL)?))?,
+            None => Vec::new(),
+        };
+        let mut book = Self { sheets: Vec::new(), styles, from_1904: false, texts: of_kind("sharedStrings") };
+        let mut xml = Xml::new(archive.part(&path, SMALL)?);
+        loop {
+            match xml.next()? {
+                Token::Open(tag) if tag.name() == "workbookPr" => {
+                    book.from_1904 = tag.attribute("date1904").is_some_and(|value| value == "1" || value == "true");
+                }
+                Token::Open(tag) if tag.name() == "sheet" && book.sheets.len() < MOST_SHEETS => {
+                    let target = tag.attribute("id").and_then(|id| targets.get(&id));
+                    // A sheet that is a chart has no cells.
+                    let path = target.filter(|target| target.kind == "worksheet").map(|target| &target.path);
+                    book.sheets.extend(path.map(|path| SheetEntry {
+                        name: tag.attribute("name").unwrap_or_default(),
+                        part: resolved(folder, path),
+                        hidden: tag.attribute("state").is_some_and(|state| state != "visible"),
+                    }));
+                }
+                Token::End => break,
+                _ => {}
+            }
+        }
+        // What a person sees comes before what is hidden.
+        book.sheets.sort_by_key(|sheet| sheet.hidden);
+        if book.sheets.is_empty() { Err(WorkbookError::NoSheets) } else { Ok(book) }
+    }
+}
+
+/// Where a relation leads.
+struct Target {
+    /// The last part of its type: `worksheet`.
+    kind: String,
+    path: String,
+}
+
+/// The relations in a part, by their ids; none where there is no such part.
+fn relations(archive: &Archive, path: &str) -> Result<BTreeMap<String, Target>, WorkbookError> {
+    let mut targets = BTreeMap::new();
+    if !archive.has(path) {
+        return Ok(targets);
+    }
+    let mut xml = Xml::new(archive.part(path, SMALL)?);
+    loop {
+        match xml.next()? {
+            Token::Open(tag) if tag.name() == "Relationship" && targets.len() < 10 * MOST_SHEETS => {
+                let kind = tag.attribute("Type").unwrap_or_default();
+                let kind = kind.rsplit('/').next().unwrap_or_default().to_owned();
+                let target = Target { kind, path: tag.attribute("Target").unwrap_or_default() };
+                targets.insert(tag.attribute("Id").unwrap_or_default(), target);
+            }
+            Token::End => return Ok(targets),
+            _ => {}
+        }
+    }
+}
+
+/// A path that a part in a folder names.
+fn resolved(folder: &str, path: &str) -> String {
+    if path.starts_with('/') || folder.is_empty() {
+        return path.trim_start_matches('/').to_owned();
+    }
+    let mut parts: Vec<&str> = folder.split('/').collect();
+    for part in path.split('/') {
+        match part {
+            "." | "" => {}
+            ".." => drop(parts.pop()),
+            _ => parts.push(part),
+        }
+    }
+    parts.join("/")
+}
+
+/// The texts that cells share, one behind the other.
+#[derive(Debug, Default)]
+pub(super) struct Texts {
+    text: String,
+    ends: Vec<u32>,
+}
+
+impl Texts {
+    fn get(&self, index: usize) -> Option<&str> {
+        let start = match index.checked_sub(1) {
+            Some(before) => *self.ends.get(before)?,
+            None => 0,
+        };
+        self.text.get(start as usize..*self.ends.get(index)? as usize)
+    }
+
+    /// Reads on until about so many bytes more of the part have been read; whether it has come to the end.
+    pub fn read(&mut self, xml: &mut Xml, budget: u64, inside: &mut Inside) -> Result<bool, WorkbookError> {
+        let end = xml.position().saturating_add(budget);
+        while xml.position() < end {
+            let token = xml.next()?;
+            match &token {
+                Token::End => return Ok(true),
+                Token::Text(text) if inside.is_text() => self.text.push_str(text),
+                _ if token.closes("si") => self.ends.push(self.text.len() as u32),
+                _ => inside.follow(&token),
+            }
+            if self.text.len() + 4 * self.ends.len() > MOST_TEXT {
+                return Err(WorkbookError::TooLarge { most: MOST_TEXT >> 20 });
+            }
+        }
+        Ok(false)
+    }
+}
+
+/// Whether the stream is inside a text that is shown: not in one that says how it is pronounced.
+#[derive(Debug, Default)]
+pub(super) struct Inside {
+    text: bool,
+    phonetic: bool,
+}
+
+impl Inside {
+    fn is_text(&self) -> bool {
+        self.text && !self.phonetic
+    }
+
+    fn follow(&mut self, token: &Token<'_>) {
+        match token {
+            _ if token.opens("t") => self.text = true,
+            _ if token.closes("t") => self.text = false,
+            _ if token.opens("rPh") => self.phonetic = true,
+            _ if token.closes("rPh") => self.phonetic = false,
+            _ => {}
+        }
+    }
+}
+
+/// A sheet that is being read.
+#[derive(Debug)]
+pub(super) struct SheetReader {
+    xml: Xml,
+    lines: Lines,
+    /// Row and column of the next cell without a reference.
+    next: (u32, u32),
+    cell: Option<Cell>,
+    inside: Inside,
+    /// Whether the stream is inside the value of a cell.
+    in_value: bool,
+}
+
+/// The cell that is being read.
+#[derive(Debug, Default)]
+struct Cell {
+    place: (u32, u32),
+    /// Its reference, as the sheet writes it.
+    called: String,
+    /// `s`, `str`, `inlineStr`, `b`, `e`, `d`; empty or `n` for a number.
+    kind: String,
+    style: usize,
+    value: String,
+}
+
+impl SheetReader {
+    pub fn new(xml: Xml, most: usize) -> Self {
+        Self { xml, lines: Lines::new(most), next: (0, 0), cell: None, inside: Inside::default(), in_value: false }
+    }
+
+    pub fn progress(&self) -> f64 {
+        self.xml.progress()
+    }
+
+    /// Reads on until about so many bytes more have been read. Whether it has come to the end.
+    pub fn read(&mut self, budget: u64, book: &Book, texts: &Texts) -> Result<bool, WorkbookError> {
+        let end = self.xml.position().saturating_add(budget);
+        while self.xml.position() < end {
+            let token = self.xml.next()?;
+            match (&token, &mut self.cell) {
+                (Token::End, _) => return Ok(true),
+                (Token::Open(tag), None) if tag.name() == "row" => {
+                    let row = tag.attribute("r");
+                    self.next = (row_number(row.as_deref(), self.next.0)?, 0);
+                }
+                (Token::Open(tag), None) if tag.name() == "c" => self.cell = Some(Cell::of(tag, self.next)?),
+                (Token::Open(tag), Some(_)) if tag.name() == "v" => self.in_value = true,
+                (Token::Close(_), Some(_)) if token.closes("v") => self.in_value = false,
+                (Token::Close(_), Some(_)) if token.closes("c") => {
+                    if let Some(cell) = self.cell.take() {
+                        self.next = (cell.place.0, cell.place.1 + 1);
+                        cell.write(&mut self.lines, book, texts)?;
+                    }
+                }
+                (Token::Close(_), None) if token.closes("row") => self.next = (self.next.0 + 1, 0),
+                (Token::Close(_), None) if token.closes("sheetData") => return Ok(true),
+                (Token::Text(text), Some(cell)) if self.in_value || self.inside.is_text() => {
+                    cell.value.push_str(text);
+                    if cell.value.len() > LONGEST_VALUE {
+                        return Err(WorkbookError::Damaged);
+                    }
+                }
+                (_, Some(_)) => self.inside.follow(&token),
+                _ => {}
+            }
+        }
+        Ok(false)
+    }
+
+    pub fn finish(self) -> String {
+        self.lines.finish()
+    }
+}
+
+/// The row that a reference names, from 0; the next one without a reference.
+fn row_number(reference: Option<&str>, next: u32) -> Result<u32, WorkbookError> {
+    let Some(reference) = reference else { return Ok(next) };
+    let row = reference.trim().parse::<u32>().ok().and_then(|row| row.checked_sub(1));
+    row.filter(|row| *row < MOST_ROWS)
+        .ok_or_else(|| WorkbookError::Place { cell: reference.chars().take(40).collect() })
+}
+
+impl Cell {
+    fn of(tag: &Tag<'_>, next: (u32, u32)) -> Result<Self, WorkbookError> {
+        let called = tag.attribute("r").unwrap_or_default();
+        let place = if called.is_empty() { Some(next) } else { place(&called) };
+        Ok(Self {
+            place: place.ok_or_else(|| WorkbookError::Place { cell: called.chars().take(40).collect() })?,
+            called,
+            kind: tag.attribute("t").unwrap_or_default(),
+            style: tag.number("s").unwrap_or(0) as usize,
+            value: String::new(),
+        })
+    }
+
+    fn write(&self, lines: &mut Lines, book: &Book, texts: &Texts) -> Result<(), WorkbookError> {
+        let value = match self.kind.as_str() {
+            "s" => self.value.trim().parse().ok().and_then(|index| texts.get(index)).unwrap_or_default(),
+            _ => &self.value,
+        };
+        if value.is_empty() {
+            return Ok(());
+        }
+        let (row, column) = self.place;
+        lines.go_to(row, column, &|| self.called.clone())?;
+        let moment = match self.kind.as_str() {
+            "" | "n" => book
+                .styles
+                .get(self.style)
+                .copied()
+                .flatten()
+                .and_then(|meaning| Moment::of_serial(value.trim().parse().ok()?, meaning, book.from_1904)),
+            "d" => Moment::of_iso(value),
+            _ => None,
+        };
+        match (moment, self.kind.as_str()) {
+            (Some(moment), _) => lines.moment(moment),
+            (None, "" | "n") => lines.number(value),
+            (None, "b") => lines.word(if value.trim() == "1" { "TRUE" } else { "FALSE" }),
+            (None, _) => lines.word(value),
+        }
+        Ok(())
+    }
+}
+
+/// Row and column of a reference such as `AB12`, from 0; `None` for what no sheet has.
+fn place(reference: &str) -> Option<(u32, u32)> {
+    let reference = reference.trim();
+    let letters = reference.bytes().take_while(u8::is_ascii_alphabetic).count();
+    if !(1..=3).contains(&letters) {
+        return None;
+    }
+    let (letters, digits) = reference.split_at(letters);
+    let column =
+        letters.bytes().fold(0, |column, letter| 26 * column + u32::from(letter.to_ascii_uppercase() - b'A') + 1);
+    let row: u32 = digits.parse().ok()?;
+    Some((row.checked_sub(1)?, column - 1))
+}

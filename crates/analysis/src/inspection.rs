@@ -31,19 +31,43 @@ pub struct Derived {
 
 /// Looks at the sampling of every independent variable, and for columns that are finite differences of others.
 pub fn inspect(table: &Table) -> Inspection {
-    // A table of more columns, or bodies, is no film.
-    const COLUMNS: usize = 12;
-    const BODIES: usize = 100;
-    // So many rows tell how a column was computed.
-    const ROWS: usize = 5000;
-    let mut inspection = Inspection::default();
-    let observed: Vec<usize> = table.observed_columns().collect();
-    for independent in table.independent().take(BODIES) {
+    let mut inspector = Inspector::new(table);
+    while !inspector.advance(table) {}
+    inspector.finish()
+}
+
+/// The same in slices, one independent variable at a time.
+#[derive(Clone, Debug)]
+pub struct Inspector {
+    observed: Vec<usize>,
+    /// The independent variables that are left, the next one last.
+    left: Vec<usize>,
+    inspection: Inspection,
+}
+
+impl Inspector {
+    /// Begins to look at a table.
+    pub fn new(table: &Table) -> Self {
+        // A table of more bodies is no film.
+        const BODIES: usize = 100;
+        let mut left: Vec<usize> = table.independent().take(BODIES).collect();
+        left.reverse();
+        Self { observed: table.observed_columns().collect(), left, inspection: Inspection::default() }
+    }
+
+    /// Looks at the next independent variable of the table that it began with. Whether that was the last one.
+    pub fn advance(&mut self, table: &Table) -> bool {
+        // Neither is one of more columns.
+        const COLUMNS: usize = 12;
+        // So many rows tell how a column was computed.
+        const ROWS: usize = 5000;
+        let Some(independent) = self.left.pop() else { return true };
         let of_it = |column: &usize| table.columns[*column].independent == independent;
-        let columns: Vec<usize> = observed.iter().copied().filter(of_it).take(COLUMNS).collect();
+        let columns: Vec<usize> = self.observed.iter().copied().filter(of_it).take(COLUMNS).collect();
         if columns.is_empty() {
-            continue;
+            return self.left.is_empty();
         }
+        let inspection = &mut self.inspection;
         let column = &table.columns[independent];
         let mut times = column.si(None);
         let mut sampling = sampling::examine(&times);
@@ -73,8 +97,13 @@ pub fn inspect(table: &Table) -> Inspection {
                 attenuation,
             });
         }
+        self.left.is_empty()
     }
-    inspection
+
+    /// What was found.
+    pub fn finish(self) -> Inspection {
+        self.inspection
+    }
 }
 
 /// What stands behind a reading of the independent variable in SI. Without a unit it is in seconds, unless it counts.

@@ -34,6 +34,8 @@ pub enum Announcement {
     Removed(String),
     /// A record of this name was read.
     RecordAdded(String),
+    /// A file of this name was given up before it was read.
+    RecordCancelled(String),
     /// Velocity and acceleration were made of a column of this record.
     DerivativesMade(String),
     /// The record of this name was removed.

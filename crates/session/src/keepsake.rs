@@ -10,7 +10,7 @@ use units::Unit;
 const VERSION: &str = "meniscus records 1\n";
 
 /// The longest text: browsers keep a few megabytes for a site.
-const LONGEST: usize = 1 << 20;
+pub(crate) const LONGEST: usize = 1 << 20;
 
 impl Session {
     /// The records as a text that [`Session::restore_records`] reads, and how many did not fit.
@@ -48,7 +48,7 @@ impl Session {
     pub(crate) fn is_lasting(&self, id: u32) -> bool {
         let mut sum = 0;
         for record in &self.data.records {
-            let fits = sum + record.text.len() <= LONGEST;
+            let fits = !record.text.is_empty() && sum + record.text.len() <= LONGEST;
             if record.id == id {
                 return fits;
             }

@@ -12,7 +12,7 @@
 //! | plots | [`Session::plots`], [`Session::show_plot`], [`Session::layout_plot`], [`Session::plot_figure`], [`Session::plot_svg`], [`Session::hover_plot`], [`Session::move_cursor`], [`Session::zoom_plot`], [`Session::pan_plot`], [`Session::zoom_plot_to`], [`Session::reset_plot`] |
 //! | runs | [`Session::keep`], [`Session::kept`], [`Session::show_kept`], [`Session::remove_kept`], [`Session::has_ghost`], [`Session::clear_ghost`] |
 //! | table | [`Session::table_header`], [`Session::table_length`], [`Session::table_rows`], [`Session::table_row_now`], [`Session::csv`], [`Session::workbook`] |
-//! | measured data | [`Session::records`], [`Session::record_cells`], [`Session::add_record`], [`Session::add_sample`], [`Session::sample_names`], [`Session::measure`], [`Session::measurement_form`], [`Session::measurement_units`], [`Session::show_record`], [`Session::remove_record`], [`Session::measurable`], [`Session::set_column_quantity`], [`Session::set_column_unit`], [`Session::set_column_fitted`], [`Session::make_derivatives`], [`Session::forget_derivatives`], [`Session::has_points`], [`Session::ghost_follows`], [`Session::ghost_values`], [`Session::saved_records`], [`Session::restore_records`], [`Session::adopt_records`] |
+//! | measured data | [`Session::records`], [`Session::record_cells`], [`Session::add_record`], [`Session::begin_record`], [`Session::advance_record`], [`Session::record_progress`], [`Session::cancel_record`], [`Session::add_sample`], [`Session::sample_names`], [`Session::measure`], [`Session::measurement_form`], [`Session::measurement_units`], [`Session::show_record`], [`Session::remove_record`], [`Session::measurable`], [`Session::set_column_quantity`], [`Session::set_column_unit`], [`Session::set_column_fitted`], [`Session::make_derivatives`], [`Session::forget_derivatives`], [`Session::has_points`], [`Session::ghost_follows`], [`Session::ghost_values`], [`Session::saved_records`], [`Session::restore_records`], [`Session::adopt_records`] |
 //! | cycle by cycle | [`Session::open_cycles`], [`Session::looks_at_cycles`], [`Session::cycle_columns`], [`Session::choose_cycles`], [`Session::cycle_quantities`], [`Session::show_cycles`], [`Session::cycles_against_amplitude`], [`Session::cycles`], [`Session::cycle_plot`], [`Session::export_cycles`] |
 //! | fits | [`Session::fit_records`], [`Session::fit_with`], [`Session::chosen_record`], [`Session::choose_record`], [`Session::fit_choices`], [`Session::vary`], [`Session::set_same`], [`Session::set_known`], [`Session::fit_window`], [`Session::set_fit_window`], [`Session::begin_fit`], [`Session::begin_ranking`], [`Session::advance_fit`], [`Session::cancel_fit`], [`Session::fit_progress`], [`Session::fits`], [`Session::fit_detail`], [`Session::fit_texts`], [`Session::apply_fit`], [`Session::remove_fit`], [`Session::export_fit`], [`Session::export_ranking`], [`Session::saved_fits`], [`Session::restore_fits`], [`Session::has_fits_waiting`] |
 //! | questions | [`Session::check_answer`], [`Session::reveal_answer`], [`Session::question_unit`], [`Session::question_setup`], [`Session::apply_question_setup`] |
@@ -34,6 +34,7 @@ mod fitted;
 mod fitting;
 mod ghost;
 mod input;
+mod intake;
 mod keepsake;
 mod kept;
 mod measurement;
@@ -77,6 +78,7 @@ pub use fit_setup::{ChoiceView, FitRecordView, KnownView};
 pub use fitted::{EstimateView, FitDetail, FitView, MOST_FITS};
 pub use fitting::FitProgress;
 pub use ghost::Follows;
+pub use intake::RecordProgress;
 pub use kept::{KeptView, MOST_KEPT};
 pub use measurement::{MEASUREMENT_FIELDS, MeasurementForm};
 pub use method::MethodView;

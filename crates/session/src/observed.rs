@@ -23,6 +23,21 @@ pub(crate) struct Data {
     pub residuals: Vec<Residuals>,
     /// The scene as the measurement has it.
     pub ghost: Option<Ghost>,
+    /// Raised whenever points or residuals are others, and not only more.
+    pub version: u64,
+}
+
+/// So many residuals of a column are computed at once: a fraction of a frame.
+const SLICE: usize = 4000;
+
+impl Data {
+    /// The version of a series of points or residuals in its plot, by its number, for [`figure::Series`].
+    pub fn version_of(&self, series: usize) -> u64 {
+        // More series than this have no version of their own, and are gone through for each frame.
+        const MOST: u64 = 64;
+        let series = series as u64 + 1;
+        if series < MOST { self.version * MOST + series } else { 0 }
+    }
 }
 
 /// A column in use, SI.
@@ -104,6 +119,7 @@ impl Session {
             })
             .collect();
         self.data.measured = measured;
+        self.data.version += 1;
         self.data.ghost = self.make_ghost();
         self.label_residuals();
         self.find_cycles();
@@ -111,14 +127,26 @@ impl Session {
         self.revision.plots += 1;
     }
 
-    /// Brings the residuals up to the front of the run.
+    /// Whether residuals of a long record are still to be computed; drawing goes on with them.
+    pub fn lags(&self) -> bool {
+        let front = self.course.front();
+        let is_behind = |(residuals, measured): (&Residuals, &Measured)| {
+            measured.times.get(residuals.passed).is_some_and(|time| *time <= front)
+        };
+        self.data.residuals.iter().zip(&self.data.measured).any(is_behind)
+    }
+
+    /// Brings the residuals up to the front of the run, those of a long record in slices.
     pub(crate) fn follow_residuals(&mut self) {
+        if self.lags() {
+            self.revision.plots += 1;
+        }
         let front = self.course.front();
         let unit = &self.document.model.independent.unit;
         let mut state = vec![0.0; self.document.model.states.len()];
         for (residuals, measured) in self.data.residuals.iter_mut().zip(&self.data.measured) {
             let rest = measured.times.iter().zip(&measured.values).skip(residuals.passed);
-            for (&time, &value) in rest.take_while(|(time, _)| **time <= front) {
+            for (&time, &value) in rest.take(SLICE).take_while(|(time, _)| **time <= front) {
                 residuals.passed += 1;
                 let Some(parameters) = self.course.state_at(time, &mut state).filter(|_| time >= 0.0) else { continue };
                 let computed = residuals.readings.at(&parameters, self.course.initial(), time, &state);
@@ -131,6 +159,7 @@ impl Session {
 
     /// Forgets the residuals of what the run has given up: those after `time` (SI).
     pub(crate) fn truncate_residuals(&mut self, time: f64) {
+        self.data.version += 1;
         let last = self.document.model.independent.unit.from_si(time);
         for (residuals, measured) in self.data.residuals.iter_mut().zip(&self.data.measured) {
             residuals.passed = residuals.passed.min(measured.times.partition_point(|&at| at <= time));
@@ -169,7 +198,10 @@ impl Record {
                 !quantity.is_empty() && quantity != independent
             })
         });
-        let first = |column| self.series_as(uses, column, independent)?.0.first().copied();
+        let first = |column| {
+            let rows = self.rows_as(uses, column, independent)?;
+            Some(rows.map(|(time, _)| time).fold(f64::INFINITY, f64::min))
+        };
         let first = columns.filter_map(first).fold(f64::INFINITY, f64::min);
         if autonomous && first.is_finite() { first } else { 0.0 }
     }
@@ -181,17 +213,31 @@ impl Record {
 
     /// The same with these uses of its columns.
     pub fn series_as(&self, uses: &[Use], column: usize, independent: &str) -> Option<(Vec<f64>, Vec<f64>)> {
+        let (times, values): (Vec<f64>, Vec<f64>) = self.rows_as(uses, column, independent)?.unzip();
+        // Most records are in order, and sorting a million rows takes a while.
+        if times.is_sorted() {
+            return (!times.is_empty()).then_some((times, values));
+        }
+        let mut rows: Vec<(f64, f64)> = times.into_iter().zip(values).collect();
+        rows.sort_by(|one, other| one.0.total_cmp(&other.0));
+        Some(rows.into_iter().unzip())
+    }
+
+    /// Time and value in each row that has both, SI.
+    fn rows_as(
+        &self,
+        uses: &[Use],
+        column: usize,
+        independent: &str,
+    ) -> Option<impl Iterator<Item = (f64, f64)> + use<'_>> {
         let own = self.table.columns.get(column)?;
-        let value_unit = &uses.get(column)?.meaning.unit;
+        let value_unit = uses.get(column)?.meaning.unit.clone();
         // A column that was taken for the time by hand counts before the one that the file suggests.
         let is_time = |index: &usize| uses.get(*index).is_some_and(|used| used.meaning.quantity == independent);
         let clock = Some(own.independent).filter(is_time).or_else(|| (0..uses.len()).find(is_time))?;
-        let (times, time_unit) = (&self.table.columns.get(clock)?.values, &uses.get(clock)?.meaning.unit);
+        let (times, time_unit) = (&self.table.columns.get(clock)?.values, uses.get(clock)?.meaning.unit.clone());
         let rows = times.iter().zip(&own.values).filter(|(time, value)| time.is_finite() && value.is_finite());
-        let mut rows: Vec<(f64, f64)> =
-            rows.map(|(time, value)| (time_unit.to_si(*time), value_unit.to_si(*value))).collect();
-        rows.sort_by(|one, other| one.0.total_cmp(&other.0));
-        (!rows.is_empty()).then(|| rows.into_iter().unzip())
+        Some(rows.map(move |(time, value)| (time_unit.to_si(*time), value_unit.to_si(*value))))
     }
 }
 
@@ -208,8 +254,10 @@ fn points(model: &model::Model, plot: &document::Plot, measured: &[Measured]) ->
     for (number, curve) in plot.curves.iter().enumerate() {
         let unit = unit(curve);
         for column in measured.iter().filter(|measured| of(curve, measured)) {
+            let (x_unit, y_unit) = (&plot.x.value.unit, &unit);
             let (x, y): (Vec<f64>, Vec<f64>) = if against_time {
-                (column.times.clone(), column.values.clone())
+                let x = column.times.iter().map(|time| x_unit.from_si(*time)).collect();
+                (x, column.values.iter().map(|value| y_unit.from_si(*value)).collect())
             } else {
                 let Some(other) = measured.iter().find(|other| other.record == column.record && of(&plot.x, other))
                 else {
@@ -217,17 +265,12 @@ fn points(model: &model::Model, plot: &document::Plot, measured: &[Measured]) ->
                 };
                 let at = |(time, value): (&f64, &f64)| {
                     let row = other.times.partition_point(|at| at < time);
-                    (other.times.get(row) == Some(time)).then(|| Some((*other.values.get(row)?, *value))).flatten()
+                    let other = (other.times.get(row) == Some(time)).then(|| other.values.get(row)).flatten()?;
+                    Some((x_unit.from_si(*other), y_unit.from_si(*value)))
                 };
                 column.times.iter().zip(&column.values).filter_map(at).unzip()
             };
-            let (x_unit, y_unit) = (&plot.x.value.unit, &unit);
-            found.push(Points {
-                record: column.record,
-                curve: number,
-                x: x.into_iter().map(|value| x_unit.from_si(value)).collect(),
-                y: y.into_iter().map(|value| y_unit.from_si(value)).collect(),
-            });
+            found.push(Points { record: column.record, curve: number, x, y });
         }
     }
     found
@@ -236,6 +279,9 @@ fn points(model: &model::Model, plot: &document::Plot, measured: &[Measured]) ->
 /// Three times the middle one of the pauses between the times.
 fn usual_pause(times: &[f64]) -> f64 {
     let mut pauses: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|pause| *pause > 0.0).collect();
-    pauses.sort_by(f64::total_cmp);
-    3.0 * pauses.get(pauses.len() / 2).copied().unwrap_or(f64::INFINITY)
+    if pauses.is_empty() {
+        return f64::INFINITY;
+    }
+    let middle = pauses.len() / 2;
+    3.0 * *pauses.select_nth_unstable_by(middle, f64::total_cmp).1
 }

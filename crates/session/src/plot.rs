@@ -253,10 +253,11 @@ impl Session {
         let ghosts = self.ghost.iter().map(|ghost| (&ghost.traces, Style::Ghost));
         let kept = self.kept.iter().filter(|kept| kept.shown);
         let kept = kept.map(|kept| (&kept.traces, Style::Kept(kept.pattern)));
-        let points = self.data.points.get(index).into_iter().flatten().filter_map(|points| {
+        let points = self.data.points.get(index).into_iter().flatten().enumerate().filter_map(|(number, points)| {
             let (_, axis) = *columns.curves.get(points.curve)?;
             let (colour, style) = (MEASURED + points.curve as u8, Style::Points);
-            Some(Series { label: "", axis, colour, style, x: &points.x, y: &points.y, ..Series::default() })
+            let (x, y, version) = (&points.x[..], &points.y[..], self.data.version_of(number));
+            Some(Series { label: "", axis, colour, style, x, y, version, ..Series::default() })
         });
         let mut series: Vec<Series<'_>> = points.collect();
         for (traces, style) in ghosts.chain(kept).chain([(&self.traces, Style::Line)]) {

@@ -3,8 +3,11 @@
 
 use crate::derived::{Made, differentiation};
 use crate::recognise::{Meaning, recognise};
+use crate::words::sentence;
 use crate::{Announcement, Refusal, Session, number};
 use analysis::finding::Finding;
+use analysis::inspection::{Inspection, inspect};
+use analysis::reading::{self, Contents};
 use analysis::table::Table;
 use document::Document;
 use model::Model;
@@ -14,8 +17,11 @@ use units::{Language, Unit};
 /// How many records there can be.
 pub const MOST_RECORDS: usize = 8;
 
-/// The longest text, in bytes, that the laboratory reads as a record; the program takes longer ones.
-pub const LONGEST_RECORD: usize = 16 << 20;
+/// The largest file, in bytes, that the laboratory reads as a record: more than a million rows. The program takes larger
+/// ones.
+pub const LONGEST_RECORD: usize = 64 << 20;
+/// The longest text, in bytes, that a sheet of a workbook may become.
+pub(crate) const LONGEST_TEXT: usize = LONGEST_RECORD;
 
 /// Measured data.
 #[derive(Clone, Debug)]
@@ -24,7 +30,7 @@ pub(crate) struct Record {
     pub id: u32,
     /// What it is called: its file's name.
     pub name: String,
-    /// The text it was read from.
+    /// The text it was read from, for the next visit; empty where it is too long for that.
     pub text: String,
     /// What was read.
     pub table: Table,
@@ -154,54 +160,65 @@ impl Session {
             .collect()
     }
 
-    /// Reads a text as a record. Nothing is lost when it cannot be read.
+    /// Reads a file, text or workbook, as a record, all at once. Nothing is lost when it cannot be read.
     ///
     /// # Errors
-    /// A text that is too long or no table, and a record too many.
-    pub fn add_record(&mut self, name: &str, text: &[u8]) -> Result<u32, Refusal> {
-        self.insert_record(name, text, None)
+    /// A file that is too large or no table, and a record too many.
+    pub fn add_record(&mut self, name: &str, bytes: &[u8]) -> Result<u32, Refusal> {
+        self.insert_record(name, bytes, None)
     }
 
     pub(crate) fn insert_record(
         &mut self,
         name: &str,
-        text: &[u8],
+        bytes: &[u8],
         truth: Option<Vec<(String, f64)>>,
     ) -> Result<u32, Refusal> {
         if self.data.records.len() >= MOST_RECORDS {
             return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
         }
-        if text.len() > LONGEST_RECORD {
+        if bytes.len() > LONGEST_RECORD {
             return Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
         }
-        let spanish = self.language == Language::Spanish;
-        let import = analysis::import::text(text).map_err(|error| Refusal::UnreadableRecord {
-            name: name.to_owned(),
-            why: format!("{} {}", sentence(&error.message(spanish)), sentence(error.hint(spanish))),
-        })?;
+        let contents = reading::read(bytes.to_vec(), LONGEST_TEXT)
+            .map_err(|error| crate::intake::unreadable(name, &error, self.language))?;
+        let inspection = inspect(&contents.import.table);
+        Ok(self.take_record(name, contents, inspection, truth))
+    }
+
+    /// Adds what was read as a record.
+    pub(crate) fn take_record(
+        &mut self,
+        name: &str,
+        Contents { import, text }: Contents,
+        inspection: Inspection,
+        truth: Option<Vec<(String, f64)>>,
+    ) -> u32 {
         let id = self.data.issued;
         self.data.issued += 1;
+        let mut findings = import.findings;
+        findings.extend(inspection.findings);
         let mut record = Record {
             id,
             name: name.chars().take(80).collect(),
-            text: String::from_utf8_lossy(text).into_owned(),
+            // What is too long to be kept for the next visit is not needed any more.
+            text: if text.len() <= crate::keepsake::LONGEST { text } else { String::new() },
             uses: Vec::new(),
             table: import.table,
-            findings: import.findings,
-            computed: Vec::new(),
+            findings,
+            computed: inspection.derived.iter().map(|derived| (derived.column, derived.of)).collect(),
             made: Vec::new(),
             shown: true,
             origin: None,
             known: BTreeMap::new(),
             truth,
         };
-        record.examine();
         record.take_for(&self.document, &|label| self.labels(label));
         let name = record.name.clone();
         self.data.records.push(record);
         self.records_changed();
         self.announce(Announcement::RecordAdded(name));
-        Ok(id)
+        id
     }
 
     /// A label in every language of the document.
@@ -284,6 +301,7 @@ impl Session {
         }
         self.fits.adopt(&mut other.fits);
         self.looking = std::mem::take(&mut other.looking);
+        self.intake = other.intake.take();
         self.recognise_records();
     }
 
@@ -314,13 +332,6 @@ impl Use {
 }
 
 impl Record {
-    /// Looks for what the measurement hides: its clock, and columns that were computed from others.
-    fn examine(&mut self) {
-        let inspection = analysis::inspection::inspect(&self.table);
-        self.findings.extend(inspection.findings);
-        self.computed = inspection.derived.iter().map(|derived| (derived.column, derived.of)).collect();
-    }
-
     /// Which column a column was computed from, if it was.
     pub fn computed_from(&self, column: usize) -> Option<usize> {
         self.computed.iter().find(|(computed, _)| *computed == column).map(|(_, source)| *source)
@@ -348,13 +359,4 @@ impl Record {
         self.uses = fresh.collect();
         self.settle_made(document);
     }
-}
-
-/// With a capital at its beginning and a stop at its end.
-fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
-    // What begins with the name of a column keeps it.
-    let begins_with_word = letters.as_str().starts_with(char::is_alphabetic);
-    if begins_with_word { format!("{first}{}.", letters.as_str()) } else { format!("{text}.") }
 }

@@ -22,7 +22,8 @@ impl Session {
             });
             let (colour, style) = (MEASURED + number as u8, Style::Points);
             let (x, y) = (&residuals.x[..], &residuals.y[..]);
-            series.push(Series { label, axis, colour, style, x, y, ..Series::default() });
+            let version = self.data.version_of(number);
+            series.push(Series { label, axis, colour, style, x, y, version, ..Series::default() });
         }
         let ends = self.data.measured.iter().filter_map(|measured| measured.times.last());
         let whole = Interval::new(0.0, unit.from_si(ends.fold(0.0, |end, time| time.max(end))));

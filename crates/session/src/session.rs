@@ -6,6 +6,7 @@ use crate::cycle_plot::CyclePlot;
 use crate::cycles::Looking;
 use crate::drag::Hold;
 use crate::fitting::Fits;
+use crate::intake::Intake;
 use crate::kept::{Ghost, Kept};
 use crate::number::Style;
 use crate::observed::Data;
@@ -70,6 +71,8 @@ pub struct Session {
     pub(crate) evaluators: Evaluators,
     pub(crate) data: Data,
     pub(crate) fits: Fits,
+    /// The file that is being read.
+    pub(crate) intake: Option<Intake>,
     pub(crate) looking: Looking,
     pub(crate) cycle_plot: CyclePlot,
     /// For each node of the model whether it is a count.
@@ -134,6 +137,7 @@ impl Session {
             kept: Vec::new(),
             data: Data::default(),
             fits: Fits::default(),
+            intake: None,
             looking: Looking::default(),
             cycle_plot: CyclePlot::default(),
         };

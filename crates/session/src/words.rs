@@ -246,6 +246,7 @@ impl Session {
             Announcement::DerivativesMade(name) => {
                 with("Velocity and acceleration made: {}", "Velocidad y aceleración calculadas: {}", name)
             }
+            Announcement::RecordCancelled(name) => with("Not read: {}", "No se ha leído: {}", name),
             Announcement::RecordRemoved(name) => with("Record removed: {}", "Registro quitado: {}", name),
             Announcement::FitFinished => say("The fit is finished", "El ajuste ha terminado"),
             Announcement::FitFailed => say(
@@ -282,4 +283,13 @@ pub fn speed_text(speed: f64) -> String {
     } else {
         format!("{}×", number::plain(speed, 3, number::Style::default()))
     }
+}
+
+/// With a capital at its beginning and a stop at its end.
+pub(crate) fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
+    // What begins with the name of a column keeps it.
+    let begins_with_word = letters.as_str().starts_with(char::is_alphabetic);
+    if begins_with_word { format!("{first}{}.", letters.as_str()) } else { format!("{text}.") }
 }

@@ -3,6 +3,7 @@
 use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
+use units::Language;
 
 /// A virtual laboratory for oscillations: one text document is the simulation.
 #[derive(Debug, Parser)]
@@ -16,6 +17,10 @@ pub struct Arguments {
     #[arg(long, global = true, value_enum, value_name = "WHEN", display_order = 100)]
     #[arg(default_value_t = Color::Auto, hide_default_value = true)]
     pub color: Color,
+
+    /// Language of messages, en or es [default: as LC_ALL, LC_MESSAGES or LANG]
+    #[arg(long, global = true, value_parser = crate::language::parse, value_name = "TAG", display_order = 101)]
+    pub language: Option<Language>,
 }
 
 const EXIT_CODES: &str = "\

@@ -7,6 +7,7 @@ use crate::output::Output;
 use crate::terminal::{Terminal, findings_as_json, findings_as_text};
 use std::io::Write;
 use std::path::PathBuf;
+use units::Language;
 
 /// Checks each document once, with its translations.
 pub fn check(arguments: &Check, terminal: Terminal) -> Result<(), Failure> {
@@ -22,8 +23,11 @@ pub fn check(arguments: &Check, terminal: Terminal) -> Result<(), Failure> {
     }
     let mut output = Output::standard();
     let text = match arguments.format {
-        Findings::Json => findings_as_json(&loaded),
-        Findings::Text => findings_as_text(&loaded, terminal.standard_output_colors()) + &summary(&loaded),
+        Findings::Json => findings_as_json(&loaded, terminal.language),
+        Findings::Text => {
+            let language = terminal.language;
+            findings_as_text(&loaded, language, terminal.standard_output_colors()) + &summary(&loaded, language)
+        }
     };
     output.write_all(text.as_bytes()).map_err(|error| output.failure(&error))?;
     output.finish()?;
@@ -31,22 +35,24 @@ pub fn check(arguments: &Check, terminal: Terminal) -> Result<(), Failure> {
 }
 
 /// A line for each document.
-fn summary(documents: &[Loaded]) -> String {
+fn summary(documents: &[Loaded], language: Language) -> String {
+    let error = language.pick(["error", "errors"], ["error", "errores"]);
+    let warning = language.pick(["warning", "warnings"], ["aviso", "avisos"]);
     let mut summary = String::new();
     for loaded in documents {
         let errors = loaded.errors();
         let warnings = loaded.opened.diagnostics.len() - errors;
         let verdict = match (errors, warnings) {
-            (0, 0) => "ok".to_owned(),
-            (0, _) => counted(warnings, "warning"),
-            (_, 0) => counted(errors, "error"),
-            (_, _) => format!("{}, {}", counted(errors, "error"), counted(warnings, "warning")),
+            (0, 0) => language.pick("ok", "correcto").to_owned(),
+            (0, _) => counted(warnings, warning),
+            (_, 0) => counted(errors, error),
+            (_, _) => format!("{}, {}", counted(errors, error), counted(warnings, warning)),
         };
         summary.push_str(&format!("{}: {verdict}\n", loaded.sources.path().display()));
     }
     summary
 }
 
-fn counted(count: usize, noun: &str) -> String {
-    if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
+fn counted(count: usize, [one, many]: [&str; 2]) -> String {
+    if count == 1 { format!("1 {one}") } else { format!("{count} {many}") }
 }

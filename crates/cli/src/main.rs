@@ -8,6 +8,7 @@ mod derivatives;
 mod export;
 mod failure;
 mod fitting;
+mod language;
 mod load;
 mod output;
 mod page;
@@ -32,7 +33,7 @@ fn main() -> ExitCode {
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };
-    let terminal = Terminal::new(arguments.color);
+    let terminal = Terminal::new(arguments.color, language::chosen(arguments.language));
     let result = match &arguments.command {
         Command::Serve(serve) => serve::serve(serve, terminal),
         Command::Run(run) => run::run(run, terminal),

@@ -105,7 +105,10 @@ fn rows(
 fn failed(sources: &Sources, error: RunError, terminal: Terminal) -> Failure {
     match error.span {
         Some(_) => terminal.report_one(sources, &Diagnostic::from(error)),
-        None => terminal.error(&error.message, error.hint.as_deref()),
+        None => {
+            let hint = error.hint.as_ref().map(|hint| hint.text(terminal.language));
+            terminal.error(error.message.text(terminal.language), hint);
+        }
     }
     Failure::Document
 }

@@ -9,17 +9,20 @@ use codespan_reporting::term::termcolor::{Ansi, NoColor, WriteColor};
 use model::{Diagnostic, Severity, Span};
 use serde::Serialize;
 use std::io::{IsTerminal, Write};
+use units::{Language, Words};
 
 /// How messages are written to the terminal.
 #[derive(Clone, Copy, Debug)]
 pub struct Terminal {
     color: Color,
+    /// The language of messages.
+    pub language: Language,
 }
 
 impl Terminal {
-    /// Messages in colour or not.
-    pub fn new(color: Color) -> Self {
-        Self { color }
+    /// Messages in colour or not, and in this language.
+    pub fn new(color: Color, language: Language) -> Self {
+        Self { color, language }
     }
 
     fn colors(self, is_terminal: bool) -> bool {
@@ -40,18 +43,18 @@ impl Terminal {
     /// Writes all findings about a document to the standard error.
     pub fn report(self, loaded: &Loaded) {
         let colors = self.colors(std::io::stderr().is_terminal());
-        self.print(&findings_as_text(std::slice::from_ref(loaded), colors));
+        self.print(&findings_as_text(std::slice::from_ref(loaded), self.language, colors));
     }
 
     /// Writes one finding about a document to the standard error.
     pub fn report_one(self, sources: &Sources, diagnostic: &Diagnostic) {
         let colors = self.colors(std::io::stderr().is_terminal());
-        self.print(&rendered(sources, [(0, diagnostic)], colors));
+        self.print(&rendered(sources, [(0, diagnostic)], self.language, colors));
     }
 
     /// Writes an error that has no place in a document.
     pub fn error(self, message: &str, hint: Option<&str>) {
-        let notes = hint.map(|hint| format!("hint: {hint}")).into_iter().collect();
+        let notes = hint.map(|hint| hinted(hint, self.language)).into_iter().collect();
         let error = shown::Diagnostic::error().with_message(message).with_notes(notes);
         self.print(&emitted(&SimpleFiles::new(), [error], self.colors(std::io::stderr().is_terminal())));
     }
@@ -63,11 +66,11 @@ impl Terminal {
 }
 
 /// All findings, each with its place.
-pub fn findings_as_text(documents: &[Loaded], colors: bool) -> String {
+pub fn findings_as_text(documents: &[Loaded], language: Language, colors: bool) -> String {
     let mut text = String::new();
     for loaded in documents {
         let findings = loaded.opened.diagnostics.iter().map(|(file, diagnostic)| (*file, diagnostic));
-        text.push_str(&rendered(&loaded.sources, findings, colors));
+        text.push_str(&rendered(&loaded.sources, findings, language, colors));
     }
     text
 }
@@ -75,6 +78,7 @@ pub fn findings_as_text(documents: &[Loaded], colors: bool) -> String {
 fn rendered<'a>(
     sources: &Sources,
     findings: impl IntoIterator<Item = (usize, &'a Diagnostic)>,
+    language: Language,
     colors: bool,
 ) -> String {
     let mut files = SimpleFiles::new();
@@ -82,12 +86,21 @@ fn rendered<'a>(
     let ids: Vec<usize> = sources.texts().map(|(path, text)| files.add(path.display().to_string(), text)).collect();
     let findings = findings.into_iter().filter_map(|(file, diagnostic)| {
         let (&id, &text) = (ids.get(file)?, texts.get(file)?);
-        Some(with_places(diagnostic, id, text))
+        Some(with_places(diagnostic, id, text, language))
     });
-    emitted(&files, findings, colors)
+    let text = emitted(&files, findings, colors);
+    // The library writes the severity before the code, in English; "error" is Spanish too.
+    match language {
+        Language::English => text,
+        Language::Spanish => text.replace("warning[", "aviso["),
+    }
 }
 
-fn with_places(diagnostic: &Diagnostic, file: usize, text: &str) -> shown::Diagnostic<usize> {
+fn hinted(hint: &str, language: Language) -> String {
+    format!("{}: {hint}", language.pick("hint", "ayuda"))
+}
+
+fn with_places(diagnostic: &Diagnostic, file: usize, text: &str, language: Language) -> shown::Diagnostic<usize> {
     let severity = match diagnostic.severity {
         Severity::Error => shown::Severity::Error,
         Severity::Warning => shown::Severity::Warning,
@@ -95,12 +108,13 @@ fn with_places(diagnostic: &Diagnostic, file: usize, text: &str) -> shown::Diagn
     let labels = diagnostic.labels.iter().enumerate().map(|(index, label)| {
         let range = inside(label.span, text).range();
         let place = if index == 0 { shown::Label::primary(file, range) } else { shown::Label::secondary(file, range) };
-        place.with_message(&label.text)
+        place.with_message(label.text.text(language))
     });
-    let notes = diagnostic.notes.iter().cloned().chain(diagnostic.hints.iter().map(|hint| format!("hint: {hint}")));
+    let hints = diagnostic.hints.iter().map(|hint| hinted(hint.text(language), language));
+    let notes = diagnostic.notes.iter().map(|note| note.text(language).to_owned()).chain(hints);
     shown::Diagnostic::new(severity)
         .with_code(diagnostic.code)
-        .with_message(&diagnostic.message)
+        .with_message(diagnostic.message.text(language))
         .with_labels(labels.collect())
         .with_notes(notes.collect())
 }
@@ -138,9 +152,9 @@ struct Finding<'a> {
     message: &'a str,
     #[serde(flatten)]
     place: Place,
-    labels: Vec<Words<'a>>,
-    notes: &'a [String],
-    hints: &'a [String],
+    labels: Vec<Remark<'a>>,
+    notes: Vec<&'a str>,
+    hints: Vec<&'a str>,
 }
 
 /// Lines and columns count from 1; columns count characters.
@@ -158,14 +172,14 @@ struct Position {
 }
 
 #[derive(Serialize)]
-struct Words<'a> {
+struct Remark<'a> {
     text: &'a str,
     #[serde(flatten)]
     place: Place,
 }
 
-/// All findings as one array.
-pub fn findings_as_json(documents: &[Loaded]) -> String {
+/// All findings as one array. Keys and codes do not depend on the language, the texts do.
+pub fn findings_as_json(documents: &[Loaded], language: Language) -> String {
     let mut findings = Vec::new();
     for loaded in documents {
         let texts: Vec<&str> = loaded.sources.texts().map(|(_, text)| text).collect();
@@ -178,18 +192,22 @@ pub fn findings_as_json(documents: &[Loaded]) -> String {
                     Severity::Warning => "warning",
                 },
                 code: diagnostic.code,
-                message: &diagnostic.message,
+                message: diagnostic.message.text(language),
                 place: place(diagnostic.span(), text),
                 labels: (diagnostic.labels.iter())
-                    .map(|label| Words { text: &label.text, place: place(label.span, text) })
+                    .map(|label| Remark { text: label.text.text(language), place: place(label.span, text) })
                     .collect(),
-                notes: &diagnostic.notes,
-                hints: &diagnostic.hints,
+                notes: in_language(&diagnostic.notes, language),
+                hints: in_language(&diagnostic.hints, language),
             });
         }
     }
     // Texts and numbers only: there is nothing in it that could not be written.
     serde_json::to_string_pretty(&findings).unwrap_or_default() + "\n"
+}
+
+fn in_language(all: &[Words], language: Language) -> Vec<&str> {
+    all.iter().map(|words| words.text(language)).collect()
 }
 
 fn place(span: Span, text: &str) -> Place {

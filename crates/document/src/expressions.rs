@@ -6,6 +6,7 @@ use model::{
 };
 use std::collections::BTreeMap;
 use std::ops::Range;
+use units::{QuantityName, Words, words};
 
 /// How many nodes an expression may have, and how deep they may be nested, when the scene's own names have been replaced
 /// by what they stand for. What walks an expression relies on the depth that the parser allows.
@@ -50,7 +51,7 @@ impl<'a> Expressions<'a> {
     }
 
     /// The number that fills `range` and stays the same during a run.
-    pub fn constant(&mut self, range: Range<usize>, what: &str) -> Option<Compiled> {
+    pub fn constant(&mut self, range: Range<usize>, what: &Words) -> Option<Compiled> {
         let compiled = self.number(range)?;
         self.expect_constant(compiled, what)
     }
@@ -66,7 +67,11 @@ impl<'a> Expressions<'a> {
                 continue;
             };
             if result.iter().any(|earlier| earlier.parameter == parameter) {
-                self.error("duplicate-name", format!("`{}` is set twice", name.text), name.span);
+                self.error(
+                    "duplicate-name",
+                    words!("`{}` is set twice", "`{}` se fija dos veces", name.text),
+                    name.span,
+                );
                 continue;
             }
             let Some(value) = self.finish(assignment.value, assignment.unit.as_ref()) else {
@@ -75,7 +80,9 @@ impl<'a> Expressions<'a> {
             let Some(value) = self.expect_number(value) else {
                 continue;
             };
-            let Some(value) = self.expect_constant(value, "the value of a parameter") else {
+            let Some(value) =
+                self.expect_constant(value, &words("the value of a parameter", "el valor de un parámetro"))
+            else {
                 continue;
             };
             if self.fits(parameter, &value) {
@@ -89,7 +96,7 @@ impl<'a> Expressions<'a> {
     fn fits(&mut self, parameter: usize, value: &Compiled) -> bool {
         let parameter = &self.model().parameters[parameter];
         if value.dimension() != parameter.unit.dimension {
-            let message = format!("`{}` cannot have this value", parameter.name);
+            let message = words!("`{}` cannot have this value", "`{}` no puede tener este valor", parameter.name);
             let found = (value.span, value.dimension());
             let expected = (parameter.span, parameter.unit.dimension);
             self.diagnostics.push(dimension_error(message, found, expected));
@@ -103,11 +110,11 @@ impl<'a> Expressions<'a> {
         }
         let unit = &parameter.unit;
         let range = format!("{}..{} {unit}", unit.from_si(low), unit.from_si(high));
-        let message = format!("`{}` cannot have this value", parameter.name);
+        let message = words!("`{}` cannot have this value", "`{}` no puede tener este valor", parameter.name);
         self.diagnostics.push(
             Diagnostic::error("out-of-range", message, value.span)
-                .saying(format!("outside {}", range.trim_end()))
-                .with_label(parameter.span, "the range is declared here"),
+                .saying(words!("outside {}", "fuera de {}", range.trim_end()))
+                .with_label(parameter.span, words("the range is declared here", "el intervalo se declara aquí")),
         );
         false
     }
@@ -116,13 +123,15 @@ impl<'a> Expressions<'a> {
     pub fn parameter(&mut self, name: &model::Name) -> Option<usize> {
         let found = self.model().parameters.iter().position(|parameter| parameter.name == name.text);
         if found.is_none() {
-            let message = format!("`{}` is not a parameter of the model", name.text);
+            let message =
+                words!("`{}` is not a parameter of the model", "`{}` no es un parámetro del modelo", name.text);
             let names = self.model().parameters.iter().map(|parameter| parameter.name.as_str());
             let hint = match model::nearest(&name.text, names) {
-                Some(near) => Some(format!("did you mean `{near}`?")),
-                None if self.model().lookup(&name.text, 0).is_some() => {
-                    Some("only parameters can be set; what is computed follows from them".to_owned())
-                }
+                Some(near) => Some(words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
+                None if self.model().lookup(&name.text, 0).is_some() => Some(words(
+                    "only parameters can be set; what is computed follows from them",
+                    "solo se pueden fijar parámetros; lo que se calcula resulta de ellos",
+                )),
                 None => None,
             };
             let mut diagnostic = Diagnostic::error("unknown-name", message, name.span);
@@ -140,15 +149,26 @@ impl<'a> Expressions<'a> {
             let StatementKind::Definition { name, mut value, unit } = statement.kind else {
                 self.error(
                     "scene-definition",
-                    "before the drawing only definitions can stand: `name = expression`",
+                    words(
+                        "before the drawing only definitions can stand: `name = expression`",
+                        "antes del dibujo solo puede haber definiciones: `name = expression`",
+                    ),
                     statement.span,
                 );
                 continue;
             };
             if self.model().lookup(&name.text, 0).is_some() {
-                self.error("duplicate-name", format!("`{}` is already a name of the model", name.text), name.span);
+                self.error(
+                    "duplicate-name",
+                    words!("`{}` is already a name of the model", "`{}` ya es un nombre del modelo", name.text),
+                    name.span,
+                );
             } else if self.local.contains_key(&name.text) {
-                self.error("duplicate-name", format!("`{}` is defined twice", name.text), name.span);
+                self.error(
+                    "duplicate-name",
+                    words!("`{}` is defined twice", "`{}` se define dos veces", name.text),
+                    name.span,
+                );
             } else {
                 let whole = value.clone();
                 if self.finish(whole, unit.as_ref()).is_none() {
@@ -173,7 +193,10 @@ impl<'a> Expressions<'a> {
         if nodes > NODES || depth(&expression) > DEPTH {
             self.error(
                 "too-large",
-                "with the scene's own names written out this expression is too large",
+                words(
+                    "with the scene's own names written out this expression is too large",
+                    "con los nombres de la propia escena desarrollados, esta expresión es demasiado grande",
+                ),
                 expression.span,
             );
             return None;
@@ -212,14 +235,17 @@ impl<'a> Expressions<'a> {
     fn expect_number(&mut self, compiled: Compiled) -> Option<Compiled> {
         let what = match compiled.kind {
             Kind::Number => return Some(compiled),
-            Kind::Truth => "this is true or false, and a number is needed",
-            Kind::Text => "this is a text, and a number is needed",
+            Kind::Truth => words(
+                "this is true or false, and a number is needed",
+                "esto es un valor lógico, y hace falta un número",
+            ),
+            Kind::Text => words("this is a text, and a number is needed", "esto es un texto, y hace falta un número"),
         };
         self.error("not-a-number", what, compiled.span);
         None
     }
 
-    fn expect_constant(&mut self, compiled: Compiled, what: &str) -> Option<Compiled> {
+    fn expect_constant(&mut self, compiled: Compiled, what: &Words) -> Option<Compiled> {
         let dependence = self.model().depends(compiled.node);
         let culprit = match dependence.states.first() {
             Some(state) => format!("`{}`", self.model().states[*state as usize].name()),
@@ -227,29 +253,45 @@ impl<'a> Expressions<'a> {
             None => return Some(compiled),
         };
         self.diagnostics.push(
-            Diagnostic::error("varies", format!("{what} cannot change during the run"), compiled.span)
-                .saying(format!("depends on {culprit}"))
-                .with_hint("use parameters, quantities made of them, and values at the start such as `y(0)`"),
+            Diagnostic::error(
+                "varies",
+                words!(
+                    "{what} cannot change during the run",
+                    "{what} no puede cambiar durante la simulación",
+                    what = what
+                ),
+                compiled.span,
+            )
+            .saying(words!("depends on {culprit}", "depende de {culprit}"))
+            .with_hint(words(
+                "use parameters, quantities made of them, and values at the start such as `y(0)`",
+                "usa parámetros, magnitudes hechas con ellos y valores iniciales como `y(0)`",
+            )),
         );
         None
     }
 
     /// Adds an error.
-    pub fn error(&mut self, code: &'static str, message: impl Into<String>, span: Span) {
+    pub fn error(&mut self, code: &'static str, message: Words, span: Span) {
         self.diagnostics.push(Diagnostic::error(code, message, span));
     }
 }
 
 /// An error that shows the dimension there is and the one there should be.
 pub fn dimension_error(
-    message: String,
+    message: Words,
     found: (Span, units::Dimension),
     expected: (Span, units::Dimension),
 ) -> Diagnostic {
     let describe = |dimension: units::Dimension| {
-        let names = dimension.quantity_names().join(", ");
-        let text = if dimension.is_none() { "a pure number".to_owned() } else { dimension.to_string() };
-        if names.is_empty() || dimension.is_none() { text } else { format!("{text} ({names})") }
+        if dimension.is_none() {
+            return QuantityName::PURE_NUMBER.with_article();
+        }
+        Words::each(|language| {
+            let nouns = dimension.quantity_names().iter().map(|name| name.noun().text(language).to_owned());
+            let nouns = nouns.collect::<Vec<_>>().join(", ");
+            if nouns.is_empty() { dimension.to_string() } else { format!("{dimension} ({nouns})") }
+        })
     };
     Diagnostic::error("dimension-mismatch", message, found.0)
         .saying(describe(found.1))

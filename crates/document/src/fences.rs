@@ -3,6 +3,7 @@
 use crate::source::{Line, lines};
 use model::{Diagnostic, Span, nearest};
 use std::ops::Range;
+use units::words;
 
 /// What a fenced block holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -138,25 +139,32 @@ fn ends_inside(source: &str, opening: &Opening, line: &Line) -> bool {
 
 fn unclosed(opening: &Opening, span: Span, next: Option<&Line>) -> Diagnostic {
     let marks: String = std::iter::repeat_n(opening.mark, opening.length).collect();
-    let message = format!("the `{}` block is not closed", opening.word);
-    let diagnostic = Diagnostic::error("fence", message, span).saying("begins here");
+    let message = words!("the `{}` block is not closed", "el bloque `{}` no se cierra", opening.word);
+    let diagnostic = Diagnostic::error("fence", message, span).saying(words("begins here", "empieza aquí"));
     match next {
-        Some(next) => diagnostic.with_label(Span::new(next.start, next.end), "and the next one begins inside it"),
+        Some(next) => diagnostic.with_label(
+            Span::new(next.start, next.end),
+            words("and the next one begins inside it", "y el siguiente empieza dentro de él"),
+        ),
         None => diagnostic,
     }
-    .with_hint(format!("end it with a line `{marks}`"))
+    .with_hint(words!("end it with a line `{marks}`", "termínalo con una línea `{marks}`"))
 }
 
 fn warn_of_near_kind(opening: &Opening, span: Span, diagnostics: &mut Vec<Diagnostic>) {
-    let words = KINDS.iter().map(|(word, _)| *word);
-    if let Some(near) = nearest(opening.word, words) {
+    let known = KINDS.iter().map(|(word, _)| *word);
+    if let Some(near) = nearest(opening.word, known) {
         diagnostics.push(
             Diagnostic::warning(
                 "unknown-fence",
-                format!("a `{}` block is shown as code and means nothing else", opening.word),
+                words!(
+                    "a `{}` block is shown as code and means nothing else",
+                    "un bloque `{}` se muestra como código y no significa nada más",
+                    opening.word
+                ),
                 span,
             )
-            .with_hint(format!("did you mean `{near}`?")),
+            .with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
         );
     }
 }
@@ -174,7 +182,7 @@ mod tests {
                 Part::Fence(fence) => format!("{} {:?}", fence.kind.word(), &source[fence.content]),
             })
             .collect();
-        (parts, diagnostics.into_iter().map(|d| d.message).collect())
+        (parts, diagnostics.into_iter().map(|d| d.message.english.into_owned()).collect())
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use crate::source::{Line, lines};
 use model::{Diagnostic, Span, nearest};
 use std::ops::Range;
+use units::words;
 
 /// The keys there are.
 const KEYS: [&str; 8] = ["title", "language", "translates", "method", "step", "until", "tolerance", "vary"];
@@ -61,9 +62,16 @@ pub fn read(source: &str, diagnostics: &mut Vec<Diagnostic>) -> FrontMatter {
 }
 
 fn unclosed(opening: Range<usize>) -> Diagnostic {
-    Diagnostic::error("front-matter", "the front matter is not closed", Span::new(opening.start, opening.end))
-        .saying("begins here")
-        .with_hint("end it with a line that holds `---` and nothing else")
+    Diagnostic::error(
+        "front-matter",
+        words("the front matter is not closed", "la cabecera no se cierra"),
+        Span::new(opening.start, opening.end),
+    )
+    .saying(words("begins here", "empieza aquí"))
+    .with_hint(words(
+        "end it with a line that holds `---` and nothing else",
+        "termínala con una línea que contenga solo `---`",
+    ))
 }
 
 impl FrontMatter {
@@ -81,22 +89,33 @@ impl FrontMatter {
         let key_span = Span::new(key_start, key_start + name.len());
         let value = trimmed(value, line.start + key.len() + 1);
         let Some(known) = KEYS.iter().find(|known| **known == name) else {
-            let mut unknown =
-                Diagnostic::warning("unknown-key", format!("the front matter has no key `{name}`"), key_span);
+            let mut unknown = Diagnostic::warning(
+                "unknown-key",
+                words!("the front matter has no key `{name}`", "la cabecera no tiene ninguna clave `{name}`"),
+                key_span,
+            );
             unknown = match nearest(name, KEYS) {
-                Some(near) => unknown.with_hint(format!("did you mean `{near}`?")),
-                None => unknown.with_hint(format!("the keys are {}", KEYS.join(", "))),
+                Some(near) => unknown.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
+                None => unknown.with_hint(words!("the keys are {}", "las claves son {}", KEYS.join(", "))),
             };
             diagnostics.push(unknown);
             return true;
         };
         if let Some(first) = self.get(name) {
             diagnostics.push(
-                Diagnostic::error("duplicate-key", format!("`{name}` is given twice"), key_span)
-                    .with_label(first.span, "given here first"),
+                Diagnostic::error(
+                    "duplicate-key",
+                    words!("`{name}` is given twice", "`{name}` se da dos veces"),
+                    key_span,
+                )
+                .with_label(first.span, words("given here first", "se da aquí primero")),
             );
         } else if value.text.is_empty() {
-            diagnostics.push(Diagnostic::error("empty-key", format!("`{name}` has no value"), key_span));
+            diagnostics.push(Diagnostic::error(
+                "empty-key",
+                words!("`{name}` has no value", "`{name}` no tiene valor"),
+                key_span,
+            ));
         } else {
             self.entries.push((known, value));
         }
@@ -125,7 +144,20 @@ mod tests {
     fn messages(source: &str) -> (FrontMatter, Vec<String>) {
         let mut diagnostics = Vec::new();
         let matter = read(source, &mut diagnostics);
-        (matter, diagnostics.iter().map(|d| [vec![d.message.clone()], d.hints.clone()].concat().join("; ")).collect())
+        (
+            matter,
+            diagnostics
+                .iter()
+                .map(|d| {
+                    [std::slice::from_ref(&d.message), &d.hints]
+                        .concat()
+                        .iter()
+                        .map(|words| &*words.english)
+                        .collect::<Vec<_>>()
+                        .join("; ")
+                })
+                .collect(),
+        )
     }
 
     #[test]

@@ -12,6 +12,7 @@ use crate::{Section, plots, presets, scene, vary};
 use model::{Diagnostic, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;
+use units::words;
 
 /// How long a document may be, in bytes.
 const LENGTH: usize = 1 << 20;
@@ -23,10 +24,17 @@ const FINDINGS: usize = 100;
 pub fn open(source: &str, translations: &[&str]) -> Opened {
     let mut file = File::read(source);
     if let Some(base) = file.matter.get("translates") {
-        let hint = format!("open {}, and this file with it", base.text);
+        let hint = words!("open {}, and this file with it", "abre {}, y este archivo con él", base.text);
         file.diagnostics.push(
-            Diagnostic::error("translation", "this is a translation, which has no model of its own", base.span)
-                .with_hint(hint),
+            Diagnostic::error(
+                "translation",
+                words(
+                    "this is a translation, which has no model of its own",
+                    "esto es una traducción, que no tiene modelo propio",
+                ),
+                base.span,
+            )
+            .with_hint(hint),
         );
     }
     let model = file.model();
@@ -75,7 +83,11 @@ impl<'a> File<'a> {
         let mut diagnostics = Vec::new();
         if source.len() > LENGTH {
             let end = source.chars().next().map_or(0, char::len_utf8);
-            let message = format!("a document cannot be longer than {LENGTH} bytes; this one has {}", source.len());
+            let message = words!(
+                "a document cannot be longer than {LENGTH} bytes; this one has {}",
+                "un documento no puede tener más de {LENGTH} bytes; este tiene {}",
+                source.len()
+            );
             diagnostics.push(Diagnostic::error("too-large", message, Span::new(0, end)));
             return Self { source: "", matter: FrontMatter::default(), parts: Vec::new(), diagnostics };
         }
@@ -99,8 +111,15 @@ impl<'a> File<'a> {
             if !model::has_errors(&self.diagnostics) {
                 let start = Span::new(self.matter.end, self.matter.end);
                 self.diagnostics.push(
-                    Diagnostic::error("no-model", "the document has no model", start)
-                        .with_hint("write its equations in a block that begins with a line \"```model\""),
+                    Diagnostic::error(
+                        "no-model",
+                        words("the document has no model", "el documento no tiene modelo"),
+                        start,
+                    )
+                    .with_hint(words(
+                        "write its equations in a block that begins with a line \"```model\"",
+                        "escribe sus ecuaciones en un bloque que empiece con una línea «```model»",
+                    )),
                 );
             }
             return None;
@@ -126,11 +145,24 @@ impl<'a> File<'a> {
         let scenes = self.fences(FenceKind::Scene);
         let scene = scenes.first().and_then(|fence| scene::build(&mut expressions, fence.content.clone()));
         let mut further: Vec<Diagnostic> = (scenes.iter().skip(1))
-            .map(|fence| Diagnostic::error("fence", "a document has one scene", fence.opening))
+            .map(|fence| {
+                Diagnostic::error(
+                    "fence",
+                    words("a document has one scene", "un documento tiene una sola escena"),
+                    fence.opening,
+                )
+            })
             .collect();
         further.extend(self.fences(FenceKind::Translations).into_iter().map(|fence| {
-            Diagnostic::error("fence", "translations stand in a file of their own", fence.opening)
-                .with_hint("such as `utube.es.md`, whose front matter says `language: es` and `translates: utube.md`")
+            Diagnostic::error(
+                "fence",
+                words("translations stand in a file of their own", "las traducciones van en un archivo propio"),
+                fence.opening,
+            )
+            .with_hint(words(
+                "such as `utube.es.md`, whose front matter says `language: es` and `translates: utube.md`",
+                "por ejemplo `utube.es.md`, cuya cabecera dice `language: es` y `translates: utube.md`",
+            ))
         }));
         let mut compiled: Vec<Question> = Vec::new();
         let (sections, texts, numbers) = self.prose(&mut further, |raw| {
@@ -183,17 +215,20 @@ impl<'a> File<'a> {
                 Part::Prose(range) => prose.markdown(range.clone()),
                 Part::Fence(fence) if fence.kind == FenceKind::Question => {
                     if numbers.len() == QUESTIONS {
-                        let message = format!("a document cannot have more than {QUESTIONS} questions");
+                        let message = words!(
+                            "a document cannot have more than {QUESTIONS} questions",
+                            "un documento no puede tener más de {QUESTIONS} preguntas"
+                        );
                         diagnostics.push(Diagnostic::error("too-large", message, fence.opening));
                         break;
                     }
                     let raw = questions::split(self.source, fence.content.clone(), diagnostics);
                     let number = place(&raw);
                     numbers.push(number);
-                    let words = questions::words(&mut prose, &raw);
+                    let text = questions::texts(&mut prose, &raw);
                     if let Some(number) = number {
                         texts.resize_with(texts.len().max(number + 1), QuestionText::default);
-                        texts[number] = words;
+                        texts[number] = text;
                         prose.question(number);
                     }
                 }
@@ -210,8 +245,15 @@ impl<'a> File<'a> {
         document.translations.push(self.source.to_owned());
         let Some(language) = self.matter.get("language").cloned() else {
             self.diagnostics.push(
-                Diagnostic::error("translation", "the translation does not say its language", Span::new(0, 0))
-                    .with_hint("its front matter must have a line such as `language: es`"),
+                Diagnostic::error(
+                    "translation",
+                    words("the translation does not say its language", "la traducción no dice su idioma"),
+                    Span::new(0, 0),
+                )
+                .with_hint(words(
+                    "its front matter must have a line such as `language: es`",
+                    "su cabecera debe tener una línea como `language: es`",
+                )),
             );
             return;
         };
@@ -220,7 +262,8 @@ impl<'a> File<'a> {
             return;
         }
         if document.languages().any(|known| known == language.text) {
-            let message = format!("the document exists in `{}` already", language.text);
+            let message =
+                words!("the document exists in `{}` already", "el documento ya existe en `{}`", language.text);
             self.diagnostics.push(Diagnostic::error("translation", message, language.span));
             return;
         }
@@ -243,12 +286,18 @@ impl<'a> File<'a> {
         });
         found.extend(warnings);
         found.extend(surplus.into_iter().map(|span| {
-            Diagnostic::error("translation", format!("the original has {} questions only", numbers.len()), span)
+            Diagnostic::error(
+                "translation",
+                words!("the original has {} questions only", "el original solo tiene {} preguntas", numbers.len()),
+                span,
+            )
         }));
         if written < numbers.len() {
             let message = match numbers.len() - written {
-                1 => "a question has no translation".to_owned(),
-                missing => format!("{missing} questions have no translation"),
+                1 => words("a question has no translation", "una pregunta no tiene traducción"),
+                missing => {
+                    words!("{missing} questions have no translation", "{missing} preguntas no tienen traducción")
+                }
             };
             found.push(Diagnostic::warning("untranslated", message, language.span));
         }
@@ -270,15 +319,22 @@ impl<'a> File<'a> {
     fn check_kinds(&self, found: &mut Vec<Diagnostic>) {
         for kind in [FenceKind::Model, FenceKind::Scene, FenceKind::Plots, FenceKind::Presets] {
             for fence in self.fences(kind) {
-                let message = format!("a translation has no `{}` of its own", kind.word());
-                found
-                    .push(Diagnostic::error("translation", message, fence.opening).with_hint("the original's is used"));
+                let message =
+                    words!("a translation has no `{}` of its own", "una traducción no tiene `{}` propio", kind.word());
+                found.push(
+                    Diagnostic::error("translation", message, fence.opening)
+                        .with_hint(words("the original's is used", "se usa el del original")),
+                );
             }
         }
         for key in ["method", "step", "until", "tolerance", "vary"] {
             if let Some(value) = self.matter.get(key) {
-                let message = format!("`{key}` in a translation means nothing");
-                found.push(Diagnostic::warning("translation", message, value.span).with_hint("the original's is used"));
+                let message =
+                    words!("`{key}` in a translation means nothing", "`{key}` no significa nada en una traducción");
+                found.push(
+                    Diagnostic::warning("translation", message, value.span)
+                        .with_hint(words("the original's is used", "se usa el del original")),
+                );
             }
         }
     }

@@ -6,6 +6,7 @@ use crate::source::trim;
 use crate::{Curve, Plot};
 use model::{Diagnostic, ExpressionKind, Model, Span};
 use std::ops::Range;
+use units::{Words, words};
 
 /// How many figures a document may have, and how many curves a figure.
 const PLOTS: usize = 24;
@@ -15,7 +16,14 @@ const CURVES: usize = 12;
 pub fn read(expressions: &mut Expressions, range: Range<usize>, plots: &mut Vec<Plot>) {
     for statement in statements(expressions.source, range) {
         if plots.len() == PLOTS {
-            expressions.error("too-large", format!("a document cannot have more than {PLOTS} plots"), span(&statement));
+            expressions.error(
+                "too-large",
+                words!(
+                    "a document cannot have more than {PLOTS} plots",
+                    "un documento no puede tener más de {PLOTS} gráficas"
+                ),
+                span(&statement),
+            );
             return;
         }
         plots.extend(plot(expressions, statement));
@@ -28,28 +36,45 @@ fn span(range: &Range<usize>) -> Span {
 
 fn plot(expressions: &mut Expressions, statement: Range<usize>) -> Option<Plot> {
     let source = expressions.source;
-    let malformed = |message: &str, range: &Range<usize>| {
-        Diagnostic::error("plot-syntax", message, span(range)).with_hint("a plot is `\"Title\": y, y' against t`")
+    let malformed = |message: Words, range: &Range<usize>| {
+        Diagnostic::error("plot-syntax", message, span(range))
+            .with_hint(words("a plot is `\"Title\": y, y' against t`", "una gráfica es `\"Título\": y, y' against t`"))
     };
     let title = leading_text(source, statement.clone());
     let Some((title, title_end)) = title.filter(|(title, _)| !title.trim().is_empty()) else {
-        expressions.diagnostics.push(malformed("a plot begins with its title in quotation marks", &statement));
+        expressions.diagnostics.push(malformed(
+            words(
+                "a plot begins with its title in quotation marks",
+                "una gráfica empieza con su título entre comillas",
+            ),
+            &statement,
+        ));
         return None;
     };
     let rest = trim(source, title_end..statement.end);
     if !source[rest.clone()].starts_with(':') {
-        expressions.diagnostics.push(malformed("a colon must follow the title", &(statement.start..title_end)));
+        expressions.diagnostics.push(malformed(
+            words("a colon must follow the title", "tras el título deben ir dos puntos"),
+            &(statement.start..title_end),
+        ));
         return None;
     }
     let rest = rest.start + 1..rest.end;
     let Some(against) = find_word(source, rest.clone(), "against") else {
-        expressions.diagnostics.push(malformed("the plot does not say what it is drawn against", &statement));
+        expressions.diagnostics.push(malformed(
+            words("the plot does not say what it is drawn against", "la gráfica no dice frente a qué se dibuja"),
+            &statement,
+        ));
         return None;
     };
     let x = curve(expressions, against.end..rest.end);
     let parts = split(source, rest.start..against.start, ',');
     if parts.len() > CURVES {
-        expressions.error("too-large", format!("a plot cannot have more than {CURVES} curves"), span(&statement));
+        expressions.error(
+            "too-large",
+            words!("a plot cannot have more than {CURVES} curves", "una gráfica no puede tener más de {CURVES} curvas"),
+            span(&statement),
+        );
         return None;
     }
     let curves: Vec<Curve> = parts.into_iter().filter_map(|part| curve(expressions, part)).collect();

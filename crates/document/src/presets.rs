@@ -6,6 +6,7 @@ use crate::scan::{leading_text, statements};
 use crate::source::trim;
 use model::{Diagnostic, Span};
 use std::ops::Range;
+use units::words;
 
 /// How many presets a document may have.
 const PRESETS: usize = 100;
@@ -21,14 +22,25 @@ pub fn read(expressions: &mut Expressions, range: Range<usize>, presets: &mut Ve
             match leading_text(source, rest.clone()).filter(|(_, end)| *end == rest.end) {
                 Some((name, _)) => group = Some(name.to_owned()).filter(|name| !name.trim().is_empty()),
                 None => expressions.diagnostics.push(
-                    Diagnostic::error("preset-syntax", "a group is named in quotation marks", span)
-                        .with_hint("write `group \"Liquid\"`"),
+                    Diagnostic::error(
+                        "preset-syntax",
+                        words("a group is named in quotation marks", "el nombre de un grupo va entre comillas"),
+                        span,
+                    )
+                    .with_hint(words("write `group \"Liquid\"`", "escribe `group \"Líquido\"`")),
                 ),
             }
             continue;
         }
         if presets.len() == PRESETS {
-            expressions.error("too-large", format!("a document cannot have more than {PRESETS} presets"), span);
+            expressions.error(
+                "too-large",
+                words!(
+                    "a document cannot have more than {PRESETS} presets",
+                    "un documento no puede tener más de {PRESETS} ajustes"
+                ),
+                span,
+            );
             return;
         }
         presets.extend(preset(expressions, statement, &group));
@@ -45,8 +57,18 @@ fn preset(expressions: &mut Expressions, statement: Range<usize>, group: &Option
     });
     let Some((name, range)) = values else {
         expressions.diagnostics.push(
-            Diagnostic::error("preset-syntax", "a preset is a name in quotation marks, a colon and values", span)
-                .with_hint("write `\"Mercury\": rho = 13534 [kg/m^3]`"),
+            Diagnostic::error(
+                "preset-syntax",
+                words(
+                    "a preset is a name in quotation marks, a colon and values",
+                    "un ajuste es un nombre entre comillas, dos puntos y valores",
+                ),
+                span,
+            )
+            .with_hint(words(
+                "write `\"Mercury\": rho = 13534 [kg/m^3]`",
+                "escribe `\"Mercurio\": rho = 13534 [kg/m^3]`",
+            )),
         );
         return None;
     };

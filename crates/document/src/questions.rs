@@ -7,6 +7,7 @@ use crate::source::{lines, trim};
 use crate::{Question, QuestionText, Tolerance};
 use model::{Diagnostic, ExpressionKind, Span};
 use std::ops::Range;
+use units::words;
 
 /// How many questions a document may have.
 pub const QUESTIONS: usize = 200;
@@ -46,7 +47,11 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
         }
         if question.field(key).is_some() {
             let span = Span::new(line.start, line.start + key.len());
-            diagnostics.push(Diagnostic::error("duplicate-key", format!("the question has two `{key}:`"), span));
+            diagnostics.push(Diagnostic::error(
+                "duplicate-key",
+                words!("the question has two `{key}:`", "la pregunta tiene dos `{key}:`"),
+                span,
+            ));
         }
         question.fields.push((key, line.start + key.len() + 1..range.end));
     }
@@ -54,7 +59,7 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
 }
 
 /// The words of a question.
-pub fn words(prose: &mut Prose, raw: &RawQuestion) -> QuestionText {
+pub fn texts(prose: &mut Prose, raw: &RawQuestion) -> QuestionText {
     QuestionText {
         prompt: prose.fragment(raw.prompt.clone()),
         hint: raw.field("hint").map(|range| prose.fragment(range)),
@@ -68,8 +73,15 @@ pub fn check_translation(raw: &RawQuestion, diagnostics: &mut Vec<Diagnostic>) {
         if matches!(*key, "answer" | "set") {
             let span = Span::new(range.start - key.len() - 1, range.end);
             diagnostics.push(
-                Diagnostic::warning("translation", format!("`{key}:` in a translation means nothing"), span)
-                    .with_hint("the original says it; a translation has the words only"),
+                Diagnostic::warning(
+                    "translation",
+                    words!("`{key}:` in a translation means nothing", "`{key}:` no significa nada en una traducción"),
+                    span,
+                )
+                .with_hint(words(
+                    "the original says it; a translation has the words only",
+                    "lo dice el original; una traducción solo tiene los textos",
+                )),
             );
         }
     }
@@ -81,8 +93,15 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion) -> Option<Quest
     let span = Span::new(raw.place.start, raw.place.end);
     let Some(answer) = raw.field("answer") else {
         expressions.diagnostics.push(
-            Diagnostic::error("question-syntax", "the question has no answer", span)
-                .with_hint("add a line such as `answer: 2*pi/omega_d in [s] within 2 %`"),
+            Diagnostic::error(
+                "question-syntax",
+                words("the question has no answer", "la pregunta no tiene respuesta"),
+                span,
+            )
+            .with_hint(words(
+                "add a line such as `answer: 2*pi/omega_d in [s] within 2 %`",
+                "añade una línea como `answer: 2*pi/omega_d in [s] within 2 %`",
+            )),
         );
         return None;
     };
@@ -90,12 +109,19 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion) -> Option<Quest
     let answer = trim(source, answer);
     let Some(within) = find_word(source, answer.clone(), "within") else {
         expressions.diagnostics.push(
-            Diagnostic::error("question-syntax", "how exact must the answer be?", Span::new(answer.start, answer.end))
-                .with_hint("end it with `within 2 %` or, say, `within 0.1 [s]`"),
+            Diagnostic::error(
+                "question-syntax",
+                words("how exact must the answer be?", "¿qué exactitud debe tener la respuesta?"),
+                Span::new(answer.start, answer.end),
+            )
+            .with_hint(words(
+                "end it with `within 2 %` or, say, `within 0.1 [s]`",
+                "termínala con `within 2 %` o, por ejemplo, `within 0.1 [s]`",
+            )),
         );
         return None;
     };
-    let compiled = expressions.constant(answer.start..within.start, "an answer")?;
+    let compiled = expressions.constant(answer.start..within.start, &words("an answer", "una respuesta"))?;
     let tolerance = tolerance(expressions, trim(source, within.end..answer.end), &compiled)?;
     Some(Question { setup, unit: compiled.unit.clone(), answer: compiled, tolerance, span })
 }
@@ -112,7 +138,10 @@ fn tolerance(expressions: &mut Expressions, range: Range<usize>, answer: &model:
             ExpressionKind::Number { value, unit } => {
                 let unit = unit.unwrap_or_else(units::Unit::dimensionless);
                 if unit.dimension != answer.dimension() {
-                    let message = "the tolerance and the answer have different dimensions".to_owned();
+                    let message = words(
+                        "the tolerance and the answer have different dimensions",
+                        "la tolerancia y la respuesta tienen dimensiones distintas",
+                    );
                     let expected = (answer.span, answer.dimension());
                     expressions.diagnostics.push(dimension_error(message, (span, unit.dimension), expected));
                     return None;
@@ -129,8 +158,15 @@ fn tolerance(expressions: &mut Expressions, range: Range<usize>, answer: &model:
     let tolerance = tolerance.filter(is_sensible);
     if tolerance.is_none() {
         expressions.diagnostics.push(
-            Diagnostic::error("question-syntax", "a tolerance is a positive number", span)
-                .with_hint("write `within 2 %` or, say, `within 0.1 [s]`"),
+            Diagnostic::error(
+                "question-syntax",
+                words("a tolerance is a positive number", "una tolerancia es un número positivo"),
+                span,
+            )
+            .with_hint(words(
+                "write `within 2 %` or, say, `within 0.1 [s]`",
+                "escribe `within 2 %` o, por ejemplo, `within 0.1 [s]`",
+            )),
         );
     }
     tolerance

@@ -3,7 +3,7 @@
 use crate::expressions::dimension_error;
 use crate::front_matter::{FrontMatter, Value};
 use model::{Diagnostic, Model, Span};
-use units::{Dimension, Unit};
+use units::{Dimension, Unit, words};
 
 /// The front matter, checked. Values are SI.
 pub struct Settings {
@@ -43,8 +43,15 @@ pub fn read(matter: &FrontMatter, model: &Model, diagnostics: &mut Vec<Diagnosti
 
 /// What is said of a language that is none.
 pub fn no_language(language: &Value) -> Diagnostic {
-    Diagnostic::error("language", format!("`{}` is not a language", language.text), language.span)
-        .with_hint("write its code, such as `en`, `es` or `pt-BR`")
+    Diagnostic::error(
+        "language",
+        words!("`{}` is not a language", "`{}` no es un idioma", language.text),
+        language.span,
+    )
+    .with_hint(words(
+        "write its code, such as `en`, `es` or `pt-BR`",
+        "escribe su código, por ejemplo `en`, `es` o `pt-BR`",
+    ))
 }
 
 /// Whether a text can be a language code (BCP 47, roughly).
@@ -60,8 +67,15 @@ fn tolerance(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
         return Some(tolerance);
     }
     diagnostics.push(
-        Diagnostic::error("setting", "the tolerance is too large", value.span)
-            .with_hint("it is relative; `1e-8` is usual and 0.1 the greatest"),
+        Diagnostic::error(
+            "setting",
+            words("the tolerance is too large", "la tolerancia es demasiado grande"),
+            value.span,
+        )
+        .with_hint(words(
+            "it is relative; `1e-8` is usual and 0.1 the greatest",
+            "es relativa; lo habitual es `1e-8` y la mayor es 0.1",
+        )),
     );
     None
 }
@@ -74,8 +88,12 @@ fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnos
     };
     let malformed = || {
         let example = if unit.text.is_empty() { format!("{key}: 1e-8") } else { format!("{key}: 0.05 [{unit}]") };
-        Diagnostic::error("setting", format!("`{key}` must be a positive number"), value.span)
-            .with_hint(format!("write `{example}`"))
+        Diagnostic::error(
+            "setting",
+            words!("`{key}` must be a positive number", "`{key}` debe ser un número positivo"),
+            value.span,
+        )
+        .with_hint(words!("write `{example}`", "escribe `{example}`"))
     };
     let number: Option<f64> = number.parse().ok().filter(|number: &f64| number.is_finite() && *number > 0.0);
     let (Some(number), Some(stated)) = (number, stated) else {
@@ -93,7 +111,7 @@ fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnos
         }
         Err(error) => {
             let mut diagnostic = Diagnostic::error(error.code, error.message, value.span);
-            diagnostic.hints.extend(error.hint);
+            diagnostic.hints.extend(error.hint.map(|hint| *hint));
             diagnostics.push(diagnostic);
             None
         }
@@ -101,9 +119,13 @@ fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnos
 }
 
 fn mismatch(key: &str, span: Span, found: Dimension, expected: Dimension) -> Diagnostic {
-    let mut diagnostic = dimension_error(format!("`{key}` has the wrong dimension"), (span, found), (span, expected));
+    let mut diagnostic = dimension_error(
+        words!("`{key}` has the wrong dimension", "`{key}` tiene una dimensión incorrecta"),
+        (span, found),
+        (span, expected),
+    );
     // Both labels would lie on one another.
     let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
-    diagnostic = diagnostic.with_note(format!("it must be {expected}"));
+    diagnostic = diagnostic.with_note(words!("it must be {expected}", "debe ser {expected}", expected = expected));
     diagnostic
 }

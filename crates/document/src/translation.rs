@@ -6,6 +6,7 @@ use crate::source::trim;
 use model::{Diagnostic, Span, nearest};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
+use units::words;
 
 /// Texts and their translations.
 #[derive(Debug, Default)]
@@ -29,16 +30,25 @@ impl Texts {
             let span = Span::new(statement.start, statement.end);
             let Some((original, text)) = entry(source, statement) else {
                 self.diagnostics.push(
-                    Diagnostic::error("translation", "a translation is a text, `=` and a text", span)
-                        .with_hint("write `\"Damping\" = \"Amortiguamiento\"`"),
+                    Diagnostic::error(
+                        "translation",
+                        words("a translation is a text, `=` and a text", "una traducción es un texto, `=` y un texto"),
+                        span,
+                    )
+                    .with_hint(words(
+                        "write `\"Damping\" = \"Amortiguamiento\"`",
+                        "escribe `\"Damping\" = \"Amortiguamiento\"`",
+                    )),
                 );
                 continue;
             };
             let original = normalised(original);
             if let Some(first) = self.entries.get(&original) {
-                let message = format!("\"{original}\" is translated twice");
-                self.diagnostics
-                    .push(Diagnostic::error("translation", message, span).with_label(first.span, "here first"));
+                let message = words!("\"{original}\" is translated twice", "«{original}» se traduce dos veces");
+                self.diagnostics.push(
+                    Diagnostic::error("translation", message, span)
+                        .with_label(first.span, words("here first", "aquí primero")),
+                );
                 continue;
             }
             self.entries.insert(original, Entry { text: text.to_owned(), span });
@@ -67,22 +77,26 @@ impl Texts {
             if self.known.contains(original) {
                 continue;
             }
-            let message = format!("the document has no text \"{original}\"");
+            let message =
+                words!("the document has no text \"{original}\"", "el documento no tiene ningún texto «{original}»");
             let mut diagnostic = Diagnostic::warning("translation", message, entry.span);
             let near = nearest(original, self.missing.iter().map(String::as_str));
-            diagnostic.hints.extend(near.map(|near| format!("did you mean \"{near}\"?")));
+            diagnostic.hints.extend(near.map(|near| words!("did you mean \"{near}\"?", "¿querías decir «{near}»?")));
             self.diagnostics.push(diagnostic);
         }
         if !self.missing.is_empty() {
             let message = match self.missing.len() {
-                1 => "a text has no translation".to_owned(),
-                number => format!("{number} texts have no translation"),
+                1 => words("a text has no translation", "un texto no tiene traducción"),
+                number => words!("{number} texts have no translation", "{number} textos no tienen traducción"),
             };
             let mut diagnostic = Diagnostic::warning("untranslated", message, place);
             for text in self.missing.iter().take(20) {
-                diagnostic = diagnostic.with_note(format!("\"{text}\""));
+                diagnostic = diagnostic.with_note(words!("\"{text}\"", "«{text}»"));
             }
-            self.diagnostics.push(diagnostic.with_hint("add them to a `translations` block: `\"Damping\" = \"...\"`"));
+            self.diagnostics.push(diagnostic.with_hint(words(
+                "add them to a `translations` block: `\"Damping\" = \"...\"`",
+                "añádelos a un bloque `translations`: `\"Damping\" = \"...\"`",
+            )));
         }
         self.diagnostics
     }

@@ -3,6 +3,7 @@
 use crate::expressions::Expressions;
 use crate::front_matter::Value;
 use model::{ExpressionKind, Name, Span};
+use units::words;
 
 /// Reads the names of parameters, separated by commas. What is no parameter is left out.
 pub fn read(expressions: &mut Expressions, value: &Value) -> Vec<usize> {
@@ -16,25 +17,47 @@ pub fn read(expressions: &mut Expressions, value: &Value) -> Vec<usize> {
         start += piece.len() + 1;
         let span = Span::new(range.start, range.end);
         if range.is_empty() {
-            expressions.error("vary", "`vary` names parameters, with a comma between them", value.span);
+            expressions.error(
+                "vary",
+                words(
+                    "`vary` names parameters, with a comma between them",
+                    "`vary` nombra parámetros separados por comas",
+                ),
+                value.span,
+            );
             continue;
         }
         // The same reading as in the model, so that `ω₀` and `omega_0` are one name.
         let (expression, unit, found) = model::parse_expression(source, range);
         let ExpressionKind::Name { name, order: 0 } = expression.kind else {
-            let message = format!("`{}` is not the name of a parameter", &source[span.range()]);
+            let message = words!(
+                "`{}` is not the name of a parameter",
+                "`{}` no es el nombre de un parámetro",
+                &source[span.range()]
+            );
             expressions.error("vary", message, span);
             continue;
         };
         if unit.is_some() || !found.is_empty() {
-            expressions.error("vary", "only names stand in `vary`; values and units are the model's", span);
+            expressions.error(
+                "vary",
+                words(
+                    "only names stand in `vary`; values and units are the model's",
+                    "en `vary` solo van nombres; los valores y las unidades son los del modelo",
+                ),
+                span,
+            );
             continue;
         }
         let Some(parameter) = expressions.parameter(&Name { text: name, span }) else {
             continue;
         };
         if varied.contains(&parameter) {
-            let message = format!("`{}` is named twice", expressions.model().parameters[parameter].name);
+            let message = words!(
+                "`{}` is named twice",
+                "`{}` se nombra dos veces",
+                expressions.model().parameters[parameter].name
+            );
             expressions.error("duplicate-name", message, span);
         } else {
             varied.push(parameter);
@@ -50,8 +73,10 @@ mod tests {
             "---\nvary: {vary}\n---\n```model\nparameter ω₀ = 2 [1/s]\nparameter a = 1 [m]\ny' = -omega_0*y\ny(0) = a\n```\n"
         );
         let opened = crate::open(&source, &[]);
-        let said =
-            opened.diagnostics.iter().map(|(_, found)| format!("{}: {}", &source[found.span().range()], found.message));
+        let said = opened
+            .diagnostics
+            .iter()
+            .map(|(_, found)| format!("{}: {}", &source[found.span().range()], found.message.english));
         (opened.document.map_or_else(Vec::new, |document| document.vary), said.collect())
     }
 

@@ -9,7 +9,7 @@ const MODEL: &str = "```model\nparameter h = 2 [m] in 0..9 \"Height\"\ny'' = -9.
 /// The document, and `FILE: MESSAGE` of all findings.
 fn open(source: &str, translations: &[&str]) -> (Option<Document>, Vec<String>) {
     let opened = document::open(source, translations);
-    let findings = opened.diagnostics.iter().map(|(file, d)| format!("{file}: {}", d.message)).collect();
+    let findings = opened.diagnostics.iter().map(|(file, d)| format!("{file}: {}", d.message.english)).collect();
     (opened.document, findings)
 }
 

@@ -41,7 +41,7 @@ fn print(element: &Element) -> String {
 
 fn check(scene: &str, expected: &str, messages: &[&str]) {
     let opened = open(scene);
-    let found: Vec<&str> = opened.diagnostics.iter().map(|(_, d)| d.message.as_str()).collect();
+    let found: Vec<&str> = opened.diagnostics.iter().map(|(_, d)| &*d.message.english).collect();
     assert_eq!(found, messages, "{scene}");
     let document = opened.document.expect("the model is good");
     let scene = document.scene("en").map(|scene| print(&scene.root)).unwrap_or_default();

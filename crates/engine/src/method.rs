@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::str::FromStr;
+use units::{Words, words};
 
 /// How the equations are integrated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
@@ -70,18 +71,23 @@ impl fmt::Display for Method {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownMethod(pub String);
 
+impl UnknownMethod {
+    /// What is wrong, with the methods there are.
+    pub fn words(&self) -> Words {
+        let Self(name) = self;
+        let [first @ .., last] = Method::ALL.map(Method::name);
+        let first = first.join(", ");
+        words!(
+            "there is no method `{name}`; the methods are {first} and {last}",
+            "no hay ningún método `{name}`; los métodos son {first} y {last}"
+        )
+    }
+}
+
+/// In English.
 impl fmt::Display for UnknownMethod {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "there is no method `{}`; the methods are ", self.0)?;
-        for (index, method) in Method::ALL.into_iter().enumerate() {
-            let separator = match index {
-                0 => "",
-                _ if index + 1 == Method::ALL.len() => " and ",
-                _ => ", ",
-            };
-            write!(formatter, "{separator}{method}")?;
-        }
-        Ok(())
+        formatter.write_str(&self.words().english)
     }
 }
 

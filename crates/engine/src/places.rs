@@ -1,8 +1,9 @@
-//! The words of the errors of a run: names and places in the document.
+//! The errors of a run in words, with names and places in the document.
 
 use crate::adaptive::Stuck;
 use crate::{Method, RunError};
 use model::{Model, Span};
+use units::{Words, words};
 
 /// Names and places of a model's states and events.
 #[derive(Clone, Debug)]
@@ -25,15 +26,20 @@ impl Places {
         }
     }
 
-    /// `t = 3.2 s`
-    fn moment(&self, time: f64) -> String {
-        let value = units::number::shortest(self.unit.from_si(time));
-        let text = format!("{} = {value} {}", self.independent, self.unit);
-        text.trim_end().to_owned()
+    /// `t = 3.2 s`; in Spanish `3,2 s`.
+    fn moment(&self, time: f64) -> Words {
+        let (name, unit) = (&self.independent, &self.unit);
+        let value = units::number::shortest(unit.from_si(time));
+        let spanish = value.replace('.', ",");
+        if unit.text.is_empty() {
+            words!("{name} = {value}", "{name} = {spanish}")
+        } else {
+            words!("{name} = {value} {unit}", "{spanish} {unit}")
+        }
     }
 
-    fn error(&self, code: &'static str, message: String, time: f64) -> RunError {
-        RunError { code, message, time, span: None, hint: None }
+    fn error(&self, code: &'static str, message: Words, time: f64) -> RunError {
+        RunError { time, ..RunError::at_start(code, message) }
     }
 
     /// A state that is not finite after a step that started at `time`.
@@ -41,20 +47,43 @@ impl Places {
         let first = state.iter().position(|value| !value.is_finite()).unwrap_or_default();
         let (name, span) = self.states.get(first).cloned().unwrap_or_default();
         let moment = self.moment(time);
-        let (code, message, hint) = if singular {
-            let message = format!("the equations have no unique solution for the highest derivatives after {moment}");
-            ("singular-equations", message, "the determinant of the masses or coefficients has become zero there")
+        let error = if singular {
+            let message = words!(
+                "the equations have no unique solution for the highest derivatives after {moment}",
+                "las ecuaciones no tienen solución única para las derivadas de mayor orden después de {moment}",
+                moment = moment
+            );
+            self.error("singular-equations", message, time).with_hint(words(
+                "the determinant of the masses or coefficients has become zero there",
+                "el determinante de las masas o los coeficientes se anula allí",
+            ))
         } else {
-            let overflows = state.get(first).is_some_and(|value| value.is_infinite());
-            let fate = if overflows { "grows beyond all numbers" } else { "is not a number any more" };
-            let hint = match self.method {
-                Method::Rosenbrock => "check the equations for a division by zero or a root of a negative number",
-                Method::DormandPrince => "if nothing is divided by zero there, the method `rosenbrock` may help",
-                _ => "if nothing is divided by zero there, a smaller step may help",
+            let fate = match state.get(first) {
+                Some(value) if value.is_infinite() => words("grows beyond all numbers", "deja de ser un número finito"),
+                _ => words("is not a number any more", "deja de ser un número"),
             };
-            ("not-finite", format!("{name} {fate} after {moment}"), hint)
+            let message = words!(
+                "{name} {fate} after {moment}",
+                "{name} {fate} después de {moment}",
+                fate = fate,
+                moment = moment
+            );
+            self.error("not-finite", message, time).with_hint(match self.method {
+                Method::Rosenbrock => words(
+                    "check the equations for a division by zero or a root of a negative number",
+                    "busca en las ecuaciones una división entre cero o la raíz de un número negativo",
+                ),
+                Method::DormandPrince => words(
+                    "if nothing is divided by zero there, the method `rosenbrock` may help",
+                    "si allí no se divide entre cero, puede ayudar el método `rosenbrock`",
+                ),
+                _ => words(
+                    "if nothing is divided by zero there, a smaller step may help",
+                    "si allí no se divide entre cero, puede ayudar un paso menor",
+                ),
+            })
         };
-        RunError { span: Some(span), hint: Some(hint.to_owned()), ..self.error(code, message, time) }
+        error.with_span(Some(span))
     }
 
     /// An adaptive method that cannot go on from `time`.
@@ -62,38 +91,56 @@ impl Places {
         if stuck == Stuck::NotFinite {
             return self.not_finite(time, attempt, singular);
         }
-        let message = format!("no step from {} is small enough for the tolerance", self.moment(time));
-        let hint = "the solution is not smooth there, or grows beyond all bounds";
-        RunError {
-            span: self.states.first().map(|(_, span)| *span),
-            hint: Some(hint.to_owned()),
-            ..self.error("step-too-small", message, time)
-        }
+        let message = words!(
+            "no step from {moment} is small enough for the tolerance",
+            "ningún paso desde {moment} es bastante pequeño para la tolerancia",
+            moment = self.moment(time)
+        );
+        let hint = words(
+            "the solution is not smooth there, or grows beyond all bounds",
+            "la solución no es suave allí, o crece sin límite",
+        );
+        self.error("step-too-small", message, time).with_hint(hint).with_span(self.first_state())
     }
 
     /// Too much work for one row.
     pub fn too_many_steps(&self, limit: usize, time: f64) -> RunError {
-        let message = format!("{limit} steps were not enough for one row, at {}", self.moment(time));
+        let message = words!(
+            "{limit} steps were not enough for one row, at {moment}",
+            "{limit} pasos no bastaron para una fila, en {moment}",
+            moment = self.moment(time)
+        );
         let hint = match self.method {
-            Method::Rosenbrock => "a larger tolerance or rows at shorter distances may help",
-            _ => "if the equations are stiff, the method `rosenbrock` is made for them",
+            Method::Rosenbrock => words(
+                "a larger tolerance or rows at shorter distances may help",
+                "puede ayudar una tolerancia mayor o filas más próximas",
+            ),
+            _ => words(
+                "if the equations are stiff, the method `rosenbrock` is made for them",
+                "si las ecuaciones son rígidas, el método `rosenbrock` está hecho para ellas",
+            ),
         };
-        RunError {
-            span: self.states.first().map(|(_, span)| *span),
-            hint: Some(hint.to_owned()),
-            ..self.error("too-many-steps", message, time)
-        }
+        self.error("too-many-steps", message, time).with_hint(hint).with_span(self.first_state())
     }
 
     /// Events without end.
     pub fn too_many_events(&self, limit: usize, event: Option<usize>, time: f64) -> RunError {
-        let message = format!("more than {limit} events in one step, at {}", self.moment(time));
-        let hint = "the events follow one another ever faster, like the last bounces of a ball; \
-                    let an event end the motion, or stop before";
-        RunError {
-            span: event.and_then(|event| self.events.get(event).copied()),
-            hint: Some(hint.to_owned()),
-            ..self.error("too-many-events", message, time)
-        }
+        let message = words!(
+            "more than {limit} events in one step, at {moment}",
+            "más de {limit} eventos en un paso, en {moment}",
+            moment = self.moment(time)
+        );
+        let hint = words(
+            "the events follow one another ever faster, like the last bounces of a ball; let an event end the motion, or \
+             stop before",
+            "los eventos se suceden cada vez más deprisa, como los últimos botes de una pelota; haz que un evento termine \
+             el movimiento, o detente antes",
+        );
+        let span = event.and_then(|event| self.events.get(event).copied());
+        self.error("too-many-events", message, time).with_hint(hint).with_span(span)
+    }
+
+    fn first_state(&self) -> Option<Span> {
+        self.states.first().map(|(_, span)| *span)
     }
 }

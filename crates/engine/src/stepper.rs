@@ -10,6 +10,7 @@ use crate::rosenbrock::Rosenbrock;
 use crate::setup;
 use crate::{Method, Routine, RunError, Setup};
 use model::{Model, NodeId};
+use units::words;
 
 /// A model in motion: goes from one point of the grid t_n = n h to the next.
 #[derive(Clone, Debug)]
@@ -343,13 +344,11 @@ impl Stepper {
 
 /// The stiff method's derivatives would fill the memory.
 fn slopes_too_many(model: &Model) -> RunError {
-    RunError {
-        code: "model-too-large",
-        message: "the model is too large for the stiff method".to_owned(),
-        time: 0.0,
-        span: model.states.first().map(|state| state.span),
-        hint: Some("choose another method".to_owned()),
-    }
+    let message =
+        words("the model is too large for the stiff method", "el modelo es demasiado grande para el método rígido");
+    RunError::at_start("model-too-large", message)
+        .with_hint(words("choose another method", "elige otro método"))
+        .with_span(model.states.first().map(|state| state.span))
 }
 
 /// The model's initial state for `parameters`.

@@ -73,7 +73,7 @@ fn nothing_falls_through_the_floor_and_infinitely_many_bounces_stop_the_run() {
             assert!(lowest >= 0.0, "{method}, e = {e}: {lowest:e}");
             let error = error.unwrap_or_else(|| panic!("{method}, e = {e}: no end"));
             assert_eq!(error.code, "too-many-events", "{method}, e = {e}: {error}");
-            assert!(error.message.starts_with("more than 1000 events in one step, at t = "), "{error}");
+            assert!(error.message.english.starts_with("more than 1000 events in one step, at t = "), "{error}");
             assert_eq!(error.span, Some(model.events[0].span));
             let end = (2.0 / 9.8_f64).sqrt() * (1.0 + 2.0 * e / (1.0 - e));
             assert!((error.time - end).abs() < 1e-6 * end, "{method}, e = {e}: {} {end}", error.time);

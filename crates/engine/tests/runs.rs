@@ -198,7 +198,7 @@ fn messages_name_the_state_and_the_time() {
         let model = model(text);
         let mut run = Run::start(&model, setup(&model, method, 0.1)).unwrap();
         let error = (0..100).find_map(|_| run.advance().err()).unwrap_or_else(|| panic!("{text}"));
-        assert_eq!(error.message, message);
+        assert_eq!(error.message.english, message);
     }
 }
 
@@ -232,7 +232,7 @@ fn too_much_work_for_one_row_is_given_up() {
     let mut run = Run::start(&model, setup(&model, Method::DormandPrince, 1.0)).unwrap();
     let error = run.advance().unwrap_err();
     assert_eq!(error.code, "too-many-steps");
-    assert_eq!(error.hint.as_deref(), Some("if the equations are stiff, the method `rosenbrock` is made for them"));
+    assert_eq!(error.hint.unwrap().english, "if the equations are stiff, the method `rosenbrock` is made for them");
 }
 
 #[test]

@@ -4,6 +4,7 @@ use crate::app::App;
 use crate::views::*;
 use document::page::Source;
 use model::{Diagnostic, Label, Severity};
+use units::{Language, Words};
 
 /// In place of the apparatus, for a document that does not run.
 pub fn view(app: App) -> View {
@@ -33,18 +34,25 @@ fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)]) -> HtmlO
 }
 
 fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic) -> HtmlArticle {
-    let words = app.words();
+    let (words, language) = (app.words(), Language::of(app.language.get_untracked().tag()));
     let (kind, class) = match diagnostic.severity {
         Severity::Error => (words.error, "finding error"),
         Severity::Warning => (words.warning, "finding warning"),
     };
     let (text, name) = source.map_or(("", ""), |source| (&source.text, &source.name));
-    let places = if source.is_some() { places(text, &diagnostic.labels) } else { Vec::new() };
-    let note = |note: &String| pre().tabindex("0").class("reason").child(note.clone());
-    let hint = |hint: &String| p().class("remedy").child(strong().child(words.help).child(": ")).child(hint.clone());
+    let places = if source.is_some() { places(text, &diagnostic.labels, language) } else { Vec::new() };
+    let note = |note: &Words| pre().tabindex("0").class("reason").child(note.text(language).to_owned());
+    let hint = |hint: &Words| {
+        let text = hint.text(language).to_owned();
+        p().class("remedy").child(strong().child(words.help).child(": ")).child(text)
+    };
     article()
         .class(class)
-        .child(h3().child(span().class("badge").child(kind)).child(" ").child(diagnostic.message.clone()))
+        .child(
+            h3().child(span().class("badge").child(kind))
+                .child(" ")
+                .child(diagnostic.message.text(language).to_owned()),
+        )
         .each(places, |place| place.view(app, name))
         .each(&diagnostic.notes, note)
         .each(&diagnostic.hints, hint)
@@ -61,7 +69,7 @@ struct Place {
 }
 
 /// The lines that the labels mark, in the order of the labels; several labels of one line share it.
-fn places(text: &str, labels: &[Label]) -> Vec<Place> {
+fn places(text: &str, labels: &[Label], language: Language) -> Vec<Place> {
     let mut lines: Vec<(usize, usize, Vec<&Label>)> = Vec::new();
     for label in labels {
         let start = boundary(text, label.span.start);
@@ -72,7 +80,7 @@ fn places(text: &str, labels: &[Label]) -> Vec<Place> {
             None => lines.push((first, last, vec![label])),
         }
     }
-    lines.into_iter().map(|(first, last, labels)| Place::of(text, first, last, &labels)).collect()
+    lines.into_iter().map(|(first, last, labels)| Place::of(text, (first, last), &labels, language)).collect()
 }
 
 /// The nearest place at or before `at` where a character begins.
@@ -86,7 +94,7 @@ fn boundary(text: &str, at: usize) -> usize {
 
 impl Place {
     /// Of a span over several lines, what is in the first one is marked.
-    fn of(text: &str, first: usize, last: usize, labels: &[&Label]) -> Self {
+    fn of(text: &str, (first, last): (usize, usize), labels: &[&Label], language: Language) -> Self {
         let span = |label: &Label| {
             let start = boundary(text, label.span.start);
             (start, boundary(text, label.span.end).clamp(start, last))
@@ -103,7 +111,7 @@ impl Place {
         pieces.push((text[at..last].to_owned(), false));
         let remark = |label: &&Label| {
             let (start, end) = span(label);
-            (text[start..end].to_owned(), label.text.clone())
+            (text[start..end].to_owned(), label.text.text(language).to_owned())
         };
         let remarks = labels.iter().filter(|label| !label.text.is_empty()).map(remark).collect();
         Self { number: text[..first].matches('\n').count() + 1, pieces, remarks }

@@ -169,7 +169,7 @@ fn trouble(app: App) -> String {
     let words = app.words();
     app.read(|session| match session.status() {
         Status::Failed => {
-            session.problem().map(|problem| format!("{}. {}", problem.message, problem.hint)).unwrap_or_default()
+            session.problem().map(|problem| format!("{} {}", problem.message, problem.hint)).unwrap_or_default()
         }
         Status::Full => words.full.to_owned(),
         Status::Playing if session.slippage() > 0.5 => words.slow.to_owned(),

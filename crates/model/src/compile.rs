@@ -5,6 +5,7 @@ use crate::lowering::assemble;
 use crate::names::{NameCheck, Program, Unknown, check_event, definition_order, find_unknowns};
 use crate::{Diagnostic, Model, Span, Statement, has_errors, limits, parse};
 use std::ops::Range;
+use units::words;
 
 /// Compiles the model that stands in `parts` of a document's `source`, which may be several fences. Places in the
 /// diagnostics count bytes of `source`. There is no model if there are errors; there may be warnings beside one.
@@ -12,7 +13,11 @@ pub fn compile(source: &str, parts: &[Range<usize>]) -> (Option<Model>, Vec<Diag
     let length: usize = parts.iter().map(Range::len).sum();
     if length > limits::SOURCE {
         let start = parts.first().map_or(0, |part| part.start);
-        let message = format!("the model has {length} bytes; {} are the most", limits::SOURCE);
+        let message = words!(
+            "the model has {length} bytes; {} are the most",
+            "el modelo tiene {length} bytes; el máximo son {}",
+            limits::SOURCE
+        );
         return (None, vec![Diagnostic::error("model-too-large", message, Span::new(start, start))]);
     }
     let (statements, mut diagnostics) = parse(source, parts);
@@ -24,7 +29,8 @@ pub fn compile(source: &str, parts: &[Range<usize>]) -> (Option<Model>, Vec<Diag
 
 fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Option<Model> {
     if let Some(beyond) = statements.get(limits::STATEMENTS) {
-        let message = format!("the model has more than {} statements", limits::STATEMENTS);
+        let message =
+            words!("the model has more than {} statements", "el modelo tiene más de {} sentencias", limits::STATEMENTS);
         diagnostics.push(Diagnostic::error("model-too-large", message, beyond.span));
         return None;
     }
@@ -34,7 +40,11 @@ fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Opt
     let states: u32 = unknowns.iter().map(|unknown| unknown.highest).sum();
     if states as usize > limits::STATES {
         let span = unknowns.last().map(|unknown| unknown.span).unwrap_or_default();
-        let message = format!("the model has {states} states; {} are the most", limits::STATES);
+        let message = words!(
+            "the model has {states} states; {} are the most",
+            "el modelo tiene {states} estados; el máximo son {}",
+            limits::STATES
+        );
         diagnostics.push(Diagnostic::error("model-too-large", message, span));
     }
     check_names(&program, &unknowns, diagnostics);

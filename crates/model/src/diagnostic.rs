@@ -1,7 +1,8 @@
 //! What is wrong with a text, where, why, and what to do about it. A diagnostic is a value: the command line and the
-//! page render the same one.
+//! page render the same one, each in the language of its reader.
 
 use std::ops::Range;
+use units::Words;
 
 /// A range of bytes in the document's source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
@@ -44,7 +45,7 @@ pub struct Label {
     /// The place.
     pub span: Span,
     /// A few words beside it; empty where the underline says enough.
-    pub text: String,
+    pub text: Words,
 }
 
 /// One finding about a document.
@@ -55,54 +56,54 @@ pub struct Diagnostic {
     /// A stable name, such as `dimension-mismatch`; never translated.
     pub code: &'static str,
     /// What is wrong, in one sentence without a full stop.
-    pub message: String,
+    pub message: Words,
     /// Where; the first label is the primary place.
     pub labels: Vec<Label>,
     /// Why, in lines of text that may be aligned in columns (shown in a fixed-width face).
-    pub notes: Vec<String>,
+    pub notes: Vec<Words>,
     /// What to do.
-    pub hints: Vec<String>,
+    pub hints: Vec<Words>,
 }
 
 impl Diagnostic {
     /// An error at `span`.
-    pub fn error(code: &'static str, message: impl Into<String>, span: Span) -> Self {
-        Self::new(Severity::Error, code, message.into(), span)
+    pub fn error(code: &'static str, message: Words, span: Span) -> Self {
+        Self::new(Severity::Error, code, message, span)
     }
 
     /// A warning at `span`.
-    pub fn warning(code: &'static str, message: impl Into<String>, span: Span) -> Self {
-        Self::new(Severity::Warning, code, message.into(), span)
+    pub fn warning(code: &'static str, message: Words, span: Span) -> Self {
+        Self::new(Severity::Warning, code, message, span)
     }
 
-    fn new(severity: Severity, code: &'static str, message: String, span: Span) -> Self {
-        let labels = vec![Label { span, text: String::new() }];
+    fn new(severity: Severity, code: &'static str, message: Words, span: Span) -> Self {
+        let labels = vec![Label { span, text: Words::default() }];
         Self { severity, code, message, labels, notes: Vec::new(), hints: Vec::new() }
     }
 
     /// Words beside the primary place.
-    pub fn saying(mut self, text: impl Into<String>) -> Self {
+    pub fn saying(mut self, text: Words) -> Self {
         if let Some(label) = self.labels.first_mut() {
-            label.text = text.into();
+            label.text = text;
         }
         self
     }
 
     /// A further place.
-    pub fn with_label(mut self, span: Span, text: impl Into<String>) -> Self {
-        self.labels.push(Label { span, text: text.into() });
+    pub fn with_label(mut self, span: Span, text: Words) -> Self {
+        self.labels.push(Label { span, text });
         self
     }
 
     /// A reason.
-    pub fn with_note(mut self, note: impl Into<String>) -> Self {
-        self.notes.push(note.into());
+    pub fn with_note(mut self, note: Words) -> Self {
+        self.notes.push(note);
         self
     }
 
     /// A remedy.
-    pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
-        self.hints.push(hint.into());
+    pub fn with_hint(mut self, hint: Words) -> Self {
+        self.hints.push(hint);
         self
     }
 

@@ -1,6 +1,7 @@
 //! The functions an author can call: their arguments, their dimensions, and what they become in the graph.
 
 use crate::{Binary, Graph, NodeId, Unary};
+use units::{Words, words};
 
 /// A function of the language.
 #[derive(Debug)]
@@ -92,11 +93,11 @@ impl Function {
     }
 
     /// `1 argument`, `2 arguments`, `2 or more arguments`
-    pub fn arity(&self) -> String {
+    pub fn arity(&self) -> Words {
         match (self.least, self.most) {
-            (1, 1) => "1 argument".to_owned(),
-            (least, most) if least == most => format!("{least} arguments"),
-            (least, _) => format!("{least} or more arguments"),
+            (1, 1) => words("1 argument", "1 argumento"),
+            (least, most) if least == most => words!("{least} arguments", "{least} argumentos"),
+            (least, _) => words!("{least} or more arguments", "{least} o más argumentos"),
         }
     }
 

@@ -103,7 +103,8 @@ proptest! {
         let (model, diagnostics) = model::compile(&source, std::slice::from_ref(&(0..source.len())));
         prop_assert_eq!(model.is_none(), has_errors(&diagnostics));
         for diagnostic in &diagnostics {
-            prop_assert!(!diagnostic.message.is_empty() && !diagnostic.message.ends_with('.'), "{}", diagnostic.message);
+            let message = &diagnostic.message.english;
+            prop_assert!(!message.is_empty() && !message.ends_with('.'), "{message}");
             for label in &diagnostic.labels {
                 prop_assert!(source.get(label.span.range()).is_some(), "{:?}", diagnostic);
             }

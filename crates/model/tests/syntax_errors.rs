@@ -7,15 +7,15 @@ fn told(source: &str, diagnostics: &[Diagnostic]) -> String {
     let mut text = String::new();
     for diagnostic in diagnostics {
         let place = &source[diagnostic.span().range()];
-        text += &format!("{} `{place}`: {}\n", diagnostic.code, diagnostic.message);
+        text += &format!("{} `{place}`: {}\n", diagnostic.code, diagnostic.message.english);
         for label in diagnostic.labels.iter().skip(1) {
-            text += &format!("    | `{}` {}\n", &source[label.span.range()], label.text);
+            text += &format!("    | `{}` {}\n", &source[label.span.range()], label.text.english);
         }
         for note in &diagnostic.notes {
-            text += &format!("    : {note}\n");
+            text += &format!("    : {}\n", note.english);
         }
         for hint in &diagnostic.hints {
-            text += &format!("    -> {hint}\n");
+            text += &format!("    -> {}\n", hint.english);
         }
     }
     text

@@ -55,9 +55,9 @@ fn run(text: &str, method: &str, until: f64) -> Result<Run, String> {
     let mut setup = setup(text)?;
     setup.1.method = method.parse().map_err(|_| format!("no method {method}"))?;
     let (document, setup) = setup;
-    let mut run = Run::start(&document.model, setup).map_err(|error| error.message)?;
+    let mut run = Run::start(&document.model, setup).map_err(|error| error.to_string())?;
     while run.time() < until {
-        if run.advance().map_err(|error| error.message)? == Advance::Full {
+        if run.advance().map_err(|error| error.to_string())? == Advance::Full {
             break;
         }
     }
@@ -68,7 +68,7 @@ fn run(text: &str, method: &str, until: f64) -> Result<Run, String> {
 pub(crate) fn setup(text: &str) -> Result<(document::Document, Setup), String> {
     let opened = document::open(text, &[]);
     let document = opened.document.ok_or_else(|| {
-        let messages = opened.diagnostics.iter().map(|(_, diagnostic)| diagnostic.message.as_str());
+        let messages = opened.diagnostics.iter().map(|(_, diagnostic)| &*diagnostic.message.english);
         messages.collect::<Vec<_>>().join("; ")
     })?;
     let mut setup = Setup::defaults(&document.model);

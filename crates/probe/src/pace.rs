@@ -44,7 +44,7 @@ impl Pace {
             let place = model.parameters.iter().position(|parameter| parameter.name == name);
             place.map(|place| setup.parameters[place]).ok_or_else(|| format!("no parameter {name}"))
         };
-        let stepper = Stepper::new(model, &setup).map_err(|error| error.message)?;
+        let stepper = Stepper::new(model, &setup).map_err(|error| error.to_string())?;
         let [position, velocity] = *stepper.initial() else {
             return Err("a U-tube has two states".to_owned());
         };
@@ -69,7 +69,7 @@ impl Pace {
         for run in runs(steps) {
             let mut stepper = self.stepper.clone();
             for _ in 0..run {
-                stepper.advance(|_, _, _| ()).map_err(|error| error.message)?;
+                stepper.advance(|_, _, _| ()).map_err(|error| error.to_string())?;
             }
             last = stepper.state()[0];
         }

@@ -117,7 +117,7 @@ pub(crate) fn fit_error(language: Language, error: &FitError) -> String {
         FitError::VariedTwice(_) | FitError::BadBounds(_) => {
             language.pick("The ranges leave no room.", "Los intervalos no dejan sitio.")
         }
-        FitError::Model(message) => return message.clone(),
+        FitError::Model(message) => return message.text(language).to_owned(),
     };
     text.to_owned()
 }

@@ -269,13 +269,9 @@ fn defaults(document: &Document) -> (Setup, Option<RunError>) {
             setup.method = method;
             None
         }
-        Some(Err(unknown)) => Some(RunError {
-            code: "unknown-method",
-            message: unknown.to_string(),
-            time: 0.0,
-            span: Some(document.method_span),
-            hint: None,
-        }),
+        Some(Err(unknown)) => {
+            Some(RunError::at_start("unknown-method", unknown.words()).with_span(Some(document.method_span)))
+        }
     };
     (setup, error)
 }

@@ -11,9 +11,12 @@ mod quantity;
 mod scale;
 mod table;
 mod unit;
+mod unit_error;
 
 pub use dimension::Dimension;
 pub use exponent::Exponent;
 pub use language::{Language, Words, words};
 pub use parse::raised;
-pub use unit::{Unit, UnitError};
+pub use quantity::QuantityName;
+pub use unit::Unit;
+pub use unit_error::UnitError;

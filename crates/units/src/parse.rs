@@ -11,7 +11,8 @@
 
 use crate::scale::Scale;
 use crate::unit::power_text;
-use crate::{Dimension, Exponent, Unit, UnitError, table};
+use crate::unit_error::{error, hinting, too_high, unknown};
+use crate::{Dimension, Exponent, Unit, UnitError, table, words};
 use std::ops::Range;
 
 /// Parentheses in parentheses; no unit needs more.
@@ -30,7 +31,14 @@ pub(crate) fn parse(text: &str) -> Result<Unit, UnitError> {
     let (multiplier, divisor) = part.scale.quotient();
     let factor = multiplier / divisor;
     if !factor.is_normal() || !multiplier.is_finite() {
-        return Err(error("malformed-unit", 0..text.len(), "this unit is too large or too small for a number"));
+        return Err(error(
+            "malformed-unit",
+            0..text.len(),
+            words(
+                "this unit is too large or too small for a number",
+                "esta unidad es demasiado grande o demasiado pequeña para un número",
+            ),
+        ));
     }
     let text = if part.text == "1" { String::new() } else { part.text };
     Ok(Unit::new(part.dimension, (multiplier, divisor), text))
@@ -49,15 +57,6 @@ struct Reader<'a> {
     at: usize,
 }
 
-fn error(code: &'static str, range: Range<usize>, message: impl Into<String>) -> UnitError {
-    UnitError { code, range, message: message.into(), hint: None }
-}
-
-fn hinting(mut error: UnitError, hint: impl Into<String>) -> UnitError {
-    error.hint = Some(hint.into());
-    error
-}
-
 /// The text, in parentheses if one of the signs stands in it outside all parentheses.
 fn grouped(text: String, signs: &[char]) -> String {
     let mut depth = 0_usize;
@@ -70,10 +69,6 @@ fn grouped(text: String, signs: &[char]) -> String {
         depth == 0 && signs.contains(&c)
     });
     if apart { format!("({text})") } else { text }
-}
-
-fn too_high(range: Range<usize>) -> UnitError {
-    error("malformed-unit", range, "an exponent of this unit is too large")
 }
 
 impl<'a> Reader<'a> {
@@ -101,20 +96,41 @@ impl<'a> Reader<'a> {
     fn unexpected(&self) -> UnitError {
         let Some(found) = self.peek() else {
             let end = self.text.trim_end().len();
-            return error("malformed-unit", end..end, "the unit ends where a unit symbol should follow");
+            return error(
+                "malformed-unit",
+                end..end,
+                words(
+                    "the unit ends where a unit symbol should follow",
+                    "la unidad termina donde debería seguir el símbolo de una unidad",
+                ),
+            );
         };
         let range = self.at..self.at + found.len_utf8();
         match found {
             '/' => hinting(
-                error("ambiguous-unit", range, "a unit has only one `/`"),
-                "put what is divided by into parentheses, such as J/(kg K), or use powers: m/s^2",
+                error("ambiguous-unit", range, words("a unit has only one `/`", "una unidad lleva un solo `/`")),
+                words(
+                    "put what is divided by into parentheses, such as J/(kg K), or use powers: m/s^2",
+                    "pon el divisor entre paréntesis, por ejemplo J/(kg K), o usa potencias: m/s^2",
+                ),
             ),
             '0'..='9' => hinting(
-                error("malformed-unit", range, "a number cannot be part of a unit"),
-                "write the number before the bracket, and powers with ^, such as m^2",
+                error(
+                    "malformed-unit",
+                    range,
+                    words("a number cannot be part of a unit", "un número no puede formar parte de una unidad"),
+                ),
+                words(
+                    "write the number before the bracket, and powers with ^, such as m^2",
+                    "escribe el número antes del corchete, y las potencias con ^, por ejemplo m^2",
+                ),
             ),
-            ')' => error("malformed-unit", range, "this `)` closes nothing"),
-            _ => error("malformed-unit", range, format!("`{found}` cannot be part of a unit")),
+            ')' => error("malformed-unit", range, words("this `)` closes nothing", "este `)` no cierra nada")),
+            _ => error(
+                "malformed-unit",
+                range,
+                words!("`{found}` cannot be part of a unit", "`{found}` no puede formar parte de una unidad"),
+            ),
         }
     }
 
@@ -141,12 +157,16 @@ impl<'a> Reader<'a> {
                 error(
                     "ambiguous-unit",
                     range,
-                    format!(
+                    words!(
                         "it is not clear whether `{}` is divided by or multiplied with",
+                        "no está claro si `{}` divide o multiplica",
                         &self.text[start..next.range.end]
                     ),
                 ),
-                format!("write {above}/({below} {next_text}) or {top}{next_text}/{alone}"),
+                words!(
+                    "write {above}/({below} {next_text}) or {top}{next_text}/{alone}",
+                    "escribe {above}/({below} {next_text}) o {top}{next_text}/{alone}"
+                ),
             ));
         }
         let range = above.range.start..below.range.end;
@@ -193,14 +213,19 @@ impl<'a> Reader<'a> {
         let start = self.at;
         let mut part = if self.take('(') {
             if depth == DEPTH {
-                return Err(error("malformed-unit", start..start + 1, "too many parentheses in one another"));
+                return Err(error(
+                    "malformed-unit",
+                    start..start + 1,
+                    words("too many parentheses in one another", "demasiados paréntesis anidados"),
+                ));
             }
             self.blanks();
             let inner = self.unit(depth + 1)?;
             self.blanks();
             if !self.take(')') {
                 let unexpected = self.unexpected();
-                let unclosed = error("malformed-unit", start..start + 1, "this `(` is not closed");
+                let unclosed =
+                    error("malformed-unit", start..start + 1, words("this `(` is not closed", "este `(` no se cierra"));
                 return Err(if self.at == self.text.len() { unclosed } else { unexpected });
             }
             inner
@@ -269,9 +294,15 @@ impl<'a> Reader<'a> {
             self.at += digits.len();
             if digits.is_empty() {
                 let end = self.at + self.peek().map_or(0, char::len_utf8);
-                let wrong =
-                    error("malformed-unit", start..end, "an exponent is a whole number or a fraction in parentheses");
-                return Err(hinting(wrong, "such as m^2, s^-1 or m^(1/2)"));
+                let wrong = error(
+                    "malformed-unit",
+                    start..end,
+                    words(
+                        "an exponent is a whole number or a fraction in parentheses",
+                        "un exponente es un número entero o una fracción entre paréntesis",
+                    ),
+                );
+                return Err(hinting(wrong, words("such as m^2, s^-1 or m^(1/2)", "por ejemplo, m^2, s^-1 o m^(1/2)")));
             }
             *number = digits.parse().map_err(|_| too_high(start..self.at))?;
             if signed {
@@ -279,28 +310,14 @@ impl<'a> Reader<'a> {
             }
         }
         if parenthesis && !self.take(')') {
-            let wrong = error("malformed-unit", start..self.at, "the parenthesis of this exponent is not closed");
-            return Err(hinting(wrong, "such as m^(1/2)"));
+            let wrong = error(
+                "malformed-unit",
+                start..self.at,
+                words("the parenthesis of this exponent is not closed", "el paréntesis de este exponente no se cierra"),
+            );
+            return Err(hinting(wrong, words("such as m^(1/2)", "por ejemplo, m^(1/2)")));
         }
         Exponent::new(numbers[0], numbers[1]).map(Some).ok_or_else(|| too_high(start..self.at))
-    }
-}
-
-fn unknown(text: &str, range: Range<usize>) -> UnitError {
-    if matches!(text, "degC" | "°C" | "℃" | "degF" | "°F" | "℉") || text.eq_ignore_ascii_case("celsius") {
-        return hinting(
-            error(
-                "temperature-scale",
-                range,
-                format!("{text} is a scale with a zero of its own, so it cannot be multiplied like a unit"),
-            ),
-            "give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K]",
-        );
-    }
-    let wrong = error("unknown-unit", range, format!("there is no unit `{text}`"));
-    match table::near(text) {
-        Some(near) => hinting(wrong, format!("did you mean {near}?")),
-        None => wrong,
     }
 }
 

@@ -1,8 +1,7 @@
 //! Units: a dimension, a factor to SI and the text that names it.
 
-use crate::{Dimension, Exponent, parse, table};
+use crate::{Dimension, Exponent, UnitError, parse, table};
 use std::fmt;
-use std::ops::Range;
 use std::sync::LazyLock;
 
 /// A unit of measurement.
@@ -17,19 +16,6 @@ pub struct Unit {
     /// `factor` is the quotient of these, which are exact where it is not: 1 and 100 for a centimetre.
     multiplier: f64,
     divisor: f64,
-}
-
-/// Why a text is no unit.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UnitError {
-    /// A stable name: `unknown-unit`, `temperature-scale`, `ambiguous-unit`, `malformed-unit`.
-    pub code: &'static str,
-    /// Where in the text.
-    pub range: Range<usize>,
-    /// What is wrong.
-    pub message: String,
-    /// What to do.
-    pub hint: Option<String>,
 }
 
 impl Unit {
@@ -88,14 +74,6 @@ impl fmt::Display for Unit {
         formatter.write_str(&self.text)
     }
 }
-
-impl fmt::Display for UnitError {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&self.message)
-    }
-}
-
-impl std::error::Error for UnitError {}
 
 /// Base units over base units: `kg/(m s^2)`.
 fn base_text(dimension: Dimension) -> String {

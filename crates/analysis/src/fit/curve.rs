@@ -3,6 +3,7 @@
 use super::task::Target;
 use engine::{Method, Routine, Setup, Stepper};
 use model::{Kind, Model, Node, NodeId};
+use units::{Words, words};
 
 /// The errors of a step of equations of motion, relative to the greatest value of each state: while the answer is still far
 /// away, when it is near, and in the end. All steps together then stay below 1e-9.
@@ -54,7 +55,7 @@ impl Curve {
         targets: &[Target],
         parameters: &[f64],
         (method, duration): (Method, f64),
-    ) -> Result<Self, String> {
+    ) -> Result<Self, Words> {
         let mut varied: Vec<usize> = targets
             .iter()
             .filter_map(|target| match target {
@@ -64,9 +65,12 @@ impl Curve {
             .collect();
         varied.dedup();
         let states = model.states.len();
-        let mut extended = bare(model)
-            .with_sensitivities(&varied)
-            .ok_or_else(|| "the model is too large to be differentiated by what is varied".to_owned())?;
+        let mut extended = bare(model).with_sensitivities(&varied).ok_or_else(|| {
+            words(
+                "the model is too large to be differentiated by what is varied",
+                "el modelo es demasiado grande para derivarlo respecto de lo que varía",
+            )
+        })?;
         let by_parameter: Vec<Vec<NodeId>> = varied
             .iter()
             .enumerate()

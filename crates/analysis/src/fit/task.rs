@@ -119,7 +119,7 @@ pub enum FitError {
     /// More than [`super::MOST_VARIED`] numbers or [`super::MOST_VALUES`] values.
     TooLarge,
     /// The model with its sensitivities is too large, or its method cannot treat it.
-    Model(String),
+    Model(units::Words),
 }
 
 impl std::fmt::Display for FitError {
@@ -133,7 +133,7 @@ impl std::fmt::Display for FitError {
             Self::VariedTwice(_) => f.write_str("a number is varied twice, or varied and fixed"),
             Self::BadBounds(_) => f.write_str("the lower bound is not below the upper one"),
             Self::TooLarge => f.write_str("there are too many values or too many varied numbers"),
-            Self::Model(message) => f.write_str(message),
+            Self::Model(message) => f.write_str(&message.english),
         }
     }
 }

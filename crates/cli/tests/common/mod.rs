@@ -5,10 +5,10 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-/// The program, in the root of the workspace, without colours.
+/// The program, in the root of the workspace, without colours and in English.
 pub fn program() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_meniscus"));
-    command.current_dir(root()).env("NO_COLOR", "1").stdin(Stdio::null());
+    command.current_dir(root()).env("NO_COLOR", "1").env("LC_ALL", "C").stdin(Stdio::null());
     command
 }
 

@@ -5,6 +5,7 @@ use math_core::MathDisplay;
 use model::{Diagnostic, Span};
 use pulldown_cmark::{Alignment, CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use std::ops::Range;
+use units::words;
 
 /// How deep lists and quotations may be nested; beyond it they are flat.
 const DEPTH: usize = 24;
@@ -154,8 +155,15 @@ impl<'a> Writer<'a> {
         if !self.told_of_html {
             self.told_of_html = true;
             self.diagnostics.push(
-                Diagnostic::warning("raw-html", "HTML in prose is shown as text", span)
-                    .with_hint("use Markdown; the page allows no other markup"),
+                Diagnostic::warning(
+                    "raw-html",
+                    words("HTML in prose is shown as text", "el HTML dentro del texto se muestra tal cual"),
+                    span,
+                )
+                .with_hint(words(
+                    "use Markdown; the page allows no other markup",
+                    "usa Markdown; la página no admite otro marcado",
+                )),
             );
         }
         self.text(text);
@@ -265,8 +273,15 @@ impl<'a> Writer<'a> {
             self.open(&format!("<a href=\"{href}\" target=\"_blank\" rel=\"noopener noreferrer\">"), "</a>");
         } else {
             self.diagnostics.push(
-                Diagnostic::error("link", format!("a link cannot lead to `{}`", shortened(destination)), span)
-                    .with_hint("links lead to http:, https: or mailto: addresses or to a heading (`#activities`)"),
+                Diagnostic::error(
+                    "link",
+                    words!("a link cannot lead to `{}`", "un enlace no puede llevar a `{}`", shortened(destination)),
+                    span,
+                )
+                .with_hint(words(
+                    "links lead to http:, https: or mailto: addresses or to a heading (`#activities`)",
+                    "los enlaces llevan a direcciones http:, https: o mailto:, o a un título (`#activities`)",
+                )),
             );
             self.open("", "");
         }
@@ -279,8 +294,15 @@ impl<'a> Writer<'a> {
             (format!("<img src=\"{}\" alt=\"", escape(source)), "\">")
         } else {
             self.diagnostics.push(
-                Diagnostic::error("image", format!("an image cannot come from `{}`", shortened(source)), span)
-                    .with_hint("the page asks nobody for anything: embed it, `data:image/png;base64,...`"),
+                Diagnostic::error(
+                    "image",
+                    words!("an image cannot come from `{}`", "una imagen no puede venir de `{}`", shortened(source)),
+                    span,
+                )
+                .with_hint(words(
+                    "the page asks nobody for anything: embed it, `data:image/png;base64,...`",
+                    "la página no pide nada a nadie: incrústala, `data:image/png;base64,...`",
+                )),
             );
             ("<span class=\"problem\">".to_owned(), "</span>")
         };
@@ -336,7 +358,7 @@ mod tests {
             })
             .collect();
         assert_eq!(html, expected);
-        assert_eq!(diagnostics.iter().map(|d| d.message.as_str()).collect::<Vec<_>>(), messages);
+        assert_eq!(diagnostics.iter().map(|d| &*d.message.english).collect::<Vec<_>>(), messages);
     }
 
     #[test]

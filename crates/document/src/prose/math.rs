@@ -3,6 +3,7 @@
 use super::escape;
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use model::{Diagnostic, Span};
+use units::words;
 
 /// How deep a formula may be nested. The converter is recursive, and a page has little stack.
 const DEPTH: usize = 20;
@@ -24,16 +25,34 @@ impl Formulas {
     /// The MathML of `latex`, which stands at `span` of the source; in case of an error, the text itself.
     pub fn html(&self, latex: &str, display: MathDisplay, span: Span, diagnostics: &mut Vec<Diagnostic>) -> String {
         let problem = if latex.len() > LENGTH {
-            Diagnostic::error("math", format!("a formula cannot be longer than {LENGTH} bytes"), span)
+            Diagnostic::error(
+                "math",
+                words!(
+                    "a formula cannot be longer than {LENGTH} bytes",
+                    "una fórmula no puede tener más de {LENGTH} bytes"
+                ),
+                span,
+            )
         } else if nesting(latex) > DEPTH {
-            Diagnostic::error("math", format!("a formula cannot be nested deeper than {DEPTH} levels"), span)
+            Diagnostic::error(
+                "math",
+                words!(
+                    "a formula cannot be nested deeper than {DEPTH} levels",
+                    "una fórmula no puede anidarse a más de {DEPTH} niveles"
+                ),
+                span,
+            )
         } else {
             match self.converter.convert_with_local_state(latex, display) {
                 Ok(result) => return result.mathml,
                 Err(error) => {
                     let message = error.to_string();
-                    let message = message.trim_end_matches('.');
-                    Diagnostic::error("math", format!("the formula cannot be read: {}", lower(message)), span)
+                    let reason = lower(message.trim_end_matches('.'));
+                    let (label, part) = (spanish(error.label()), latex.get(error.0.clone()).unwrap_or_default().trim());
+                    let place = if part.is_empty() { String::new() } else { format!(", «{part}»") };
+                    let message =
+                        words!("the formula cannot be read: {reason}", "no se puede leer la fórmula: {label}{place}");
+                    Diagnostic::error("math", message, span)
                 }
             }
         };
@@ -46,6 +65,27 @@ impl Formulas {
 fn lower(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
+}
+
+/// The converter says what is wrong in English only; its short labels are few, and the usual ones stand here.
+fn spanish(label: &str) -> &'static str {
+    match label {
+        "a group was never closed" => "un grupo no se cierra",
+        "no matching opening for this" => "se cierra algo que no se ha abierto",
+        "expected an argument here" => "falta un argumento",
+        "expected a delimiter here" => "falta un delimitador",
+        "disallowed character" => "carácter no admitido",
+        "unknown environment" => "entorno desconocido",
+        "unknown command" => "orden desconocida",
+        "unknown color" => "color desconocido",
+        "expected a different environment name here" => "se cierra otro entorno",
+        "cannot be used here" => "no se puede usar en este lugar",
+        "duplicate" | "unexpected bound" => "subíndices o superíndices repetidos",
+        "this is not valid in text mode" => "no vale en modo de texto",
+        "this is not valid in math mode" => "no vale en modo matemático",
+        "limit exceeded" => "es demasiado complicada",
+        _ => "no se entiende una parte",
+    }
 }
 
 /// An upper bound of how deep `latex` is nested: open groups, and commands and scripts that wait for an argument.
@@ -107,7 +147,7 @@ mod tests {
     fn html(latex: &str) -> (String, Vec<String>) {
         let mut diagnostics = Vec::new();
         let html = Formulas::new().html(latex, MathDisplay::Inline, Span::new(0, 0), &mut diagnostics);
-        (html, diagnostics.into_iter().map(|d| d.message).collect())
+        (html, diagnostics.into_iter().map(|d| d.message.english.into_owned()).collect())
     }
 
     #[test]

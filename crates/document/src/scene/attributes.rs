@@ -6,6 +6,7 @@ use super::style::PREFIX;
 use super::template::{self, RawPiece};
 use super::{Attribute, Piece, Template};
 use std::ops::Range;
+use units::words;
 
 impl Builder<'_, '_> {
     /// The attribute, unless it is not allowed.
@@ -16,14 +17,24 @@ impl Builder<'_, '_> {
         }
         if !ATTRIBUTES.contains(&text.as_str()) {
             let hint = match text.as_str() {
-                "style" => Some("write the properties as attributes, `fill=\"red\"`, or in a `<style>`".to_owned()),
-                "href" | "xlink:href" => Some("a scene refers to nothing outside itself".to_owned()),
-                _ => model::nearest(&text, ATTRIBUTES).map(|near| format!("did you mean `{near}`?")),
+                "style" => Some(words(
+                    "write the properties as attributes, `fill=\"red\"`, or in a `<style>`",
+                    "escribe las propiedades como atributos, `fill=\"red\"`, o en un `<style>`",
+                )),
+                "href" | "xlink:href" => Some(words(
+                    "a scene refers to nothing outside itself",
+                    "una escena no remite a nada fuera de sí misma",
+                )),
+                _ => model::nearest(&text, ATTRIBUTES)
+                    .map(|near| words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
             };
             self.refuse(
-                format!("the attribute `{text}` is not allowed in a scene; it is left out"),
+                words!(
+                    "the attribute `{text}` is not allowed in a scene; it is left out",
+                    "el atributo `{text}` no se admite en una escena; se omite"
+                ),
                 name,
-                hint.as_deref(),
+                hint,
             );
             return None;
         }
@@ -43,10 +54,18 @@ impl Builder<'_, '_> {
             })
             .collect();
         if let Some(word) = danger(&literals) {
-            let hint = REFERRING
-                .contains(&text.as_str())
-                .then_some("only `url(#id)` with the id of an element of this scene can stand here");
-            self.refuse(format!("`{word}` is not allowed in a scene; `{text}` is left out"), value, hint);
+            let hint = REFERRING.contains(&text.as_str()).then_some(words(
+                "only `url(#id)` with the id of an element of this scene can stand here",
+                "aquí solo puede estar `url(#id)` con el id de un elemento de esta escena",
+            ));
+            self.refuse(
+                words!(
+                    "`{word}` is not allowed in a scene; `{text}` is left out",
+                    "`{word}` no se admite en una escena; `{text}` se omite"
+                ),
+                value,
+                hint,
+            );
             return None;
         }
         if matches!(text.as_str(), "id" | "class") {
@@ -70,7 +89,11 @@ impl Builder<'_, '_> {
         place: Range<usize>,
     ) -> Option<Attribute> {
         if has_values {
-            self.refuse(format!("`{name}` cannot hold values of the model"), place, None);
+            self.refuse(
+                words!("`{name}` cannot hold values of the model", "`{name}` no puede contener valores del modelo"),
+                place,
+                None,
+            );
             return None;
         }
         let text = if name == "id" {
@@ -79,7 +102,11 @@ impl Builder<'_, '_> {
             let names = || text.split_whitespace();
             let known: Vec<String> = names().filter(|name| is_id(name)).map(|name| format!("{PREFIX}{name}")).collect();
             if known.len() < names().count() {
-                self.refuse(format!("`{text}` is not a list of class names"), place, None);
+                self.refuse(
+                    words!("`{text}` is not a list of class names", "`{text}` no es una lista de nombres de clase"),
+                    place,
+                    None,
+                );
             }
             known.join(" ")
         };

@@ -3,13 +3,14 @@
 use super::allowed::{ELEMENTS, is_id};
 use super::drag::Dragging;
 use super::style::{SCENE_CLASS, confine};
-use super::values::Words;
+use super::values::SceneText;
 use super::xml::{RawChild, RawElement, parse};
 use super::{Attribute, Child, Element, Piece, Scene};
 use crate::expressions::Expressions;
 use model::{Compiled, Diagnostic, Span};
 use std::collections::BTreeSet;
 use std::ops::Range;
+use units::{Words, words};
 
 /// Reads the scene in `range`: definitions, then one `svg` element.
 pub fn build(expressions: &mut Expressions, range: Range<usize>) -> Option<Scene> {
@@ -17,8 +18,15 @@ pub fn build(expressions: &mut Expressions, range: Range<usize>) -> Option<Scene
     let opening = Span::new(range.start, range.start);
     let Some(length) = source[range.clone()].find("<svg") else {
         expressions.diagnostics.push(
-            Diagnostic::error("scene-syntax", "a scene needs a drawing", opening)
-                .with_hint("begin it with `<svg viewBox=\"0 0 400 300\">`"),
+            Diagnostic::error(
+                "scene-syntax",
+                words("a scene needs a drawing", "una escena necesita un dibujo"),
+                opening,
+            )
+            .with_hint(words(
+                "begin it with `<svg viewBox=\"0 0 400 300\">`",
+                "empiézala con `<svg viewBox=\"0 0 400 300\">`",
+            )),
         );
         return None;
     };
@@ -32,11 +40,19 @@ pub fn build(expressions: &mut Expressions, range: Range<usize>) -> Option<Scene
     for child in children {
         match child {
             RawChild::Element(element) if root.is_none() => root = builder.root(element),
-            RawChild::Element(element) => builder.refuse("a scene is one `svg` element", element.name, None),
+            RawChild::Element(element) => builder.refuse(
+                words("a scene is one `svg` element", "una escena es un solo elemento `svg`"),
+                element.name,
+                None,
+            ),
             RawChild::Text(text) => {
                 let text = crate::source::trim(source, text);
                 if !text.is_empty() {
-                    builder.refuse("this text stands outside the drawing", text, None);
+                    builder.refuse(
+                        words("this text stands outside the drawing", "este texto está fuera del dibujo"),
+                        text,
+                        None,
+                    );
                 }
             }
         }
@@ -54,7 +70,7 @@ pub struct Builder<'b, 'a> {
     /// The values so far.
     pub values: Vec<Compiled>,
     /// What the texts so far say.
-    pub words: Vec<Words>,
+    pub words: Vec<SceneText>,
     /// The ids that elements have.
     ids: BTreeSet<String>,
     /// The ids that attributes refer to.
@@ -68,9 +84,9 @@ impl Builder<'_, '_> {
     }
 
     /// Reports what is left out.
-    pub fn refuse(&mut self, message: impl Into<String>, range: Range<usize>, hint: Option<&str>) {
+    pub fn refuse(&mut self, message: Words, range: Range<usize>, hint: Option<Words>) {
         let mut diagnostic = Diagnostic::error("scene-refused", message, Span::new(range.start, range.end));
-        diagnostic.hints.extend(hint.map(str::to_owned));
+        diagnostic.hints.extend(hint);
         self.expressions.diagnostics.push(diagnostic);
     }
 
@@ -83,9 +99,17 @@ impl Builder<'_, '_> {
                 if self.source(name) == "id" {
                     let (id, place) = (self.source(value).to_owned(), value.clone());
                     if !is_id(&id) {
-                        self.refuse(format!("`{id}` cannot be an id"), place, Some("use letters, digits, `-` and `_`"));
+                        self.refuse(
+                            words!("`{id}` cannot be an id", "`{id}` no puede ser un id"),
+                            place,
+                            Some(words("use letters, digits, `-` and `_`", "usa letras, cifras, `-` y `_`")),
+                        );
                     } else if !self.ids.insert(id.clone()) {
-                        self.refuse(format!("the id `{id}` is used twice"), place, None);
+                        self.refuse(
+                            words!("the id `{id}` is used twice", "el id `{id}` se usa dos veces"),
+                            place,
+                            None,
+                        );
                     }
                 }
             }
@@ -96,23 +120,30 @@ impl Builder<'_, '_> {
     fn check_references(&mut self) {
         for (id, place) in std::mem::take(&mut self.references) {
             if !self.ids.contains(&id) {
-                self.refuse(format!("nothing in the scene has the id `{id}`"), place, None);
+                self.refuse(
+                    words!("nothing in the scene has the id `{id}`", "nada en la escena tiene el id `{id}`"),
+                    place,
+                    None,
+                );
             }
         }
     }
 
     fn root(&mut self, raw: RawElement) -> Option<Element> {
         if self.source(&raw.name) != "svg" {
-            self.refuse("a scene is one `svg` element", raw.name, None);
+            self.refuse(words("a scene is one `svg` element", "una escena es un solo elemento `svg`"), raw.name, None);
             return None;
         }
         let name = raw.name.clone();
         let mut root = self.element(raw)?;
         if !root.attributes.iter().any(|attribute| attribute.name == "viewBox") {
             self.refuse(
-                "the `svg` element needs a `viewBox`",
+                words("the `svg` element needs a `viewBox`", "el elemento `svg` necesita un `viewBox`"),
                 name,
-                Some("`viewBox=\"0 0 400 300\"` gives the drawing 400 by 300 units"),
+                Some(words(
+                    "`viewBox=\"0 0 400 300\"` gives the drawing 400 by 300 units",
+                    "`viewBox=\"0 0 400 300\"` da al dibujo 400 por 300 unidades",
+                )),
             );
         }
         let scene = || vec![Piece::Literal(SCENE_CLASS.to_owned())];
@@ -126,11 +157,15 @@ impl Builder<'_, '_> {
     fn element(&mut self, raw: RawElement) -> Option<Element> {
         let name = self.source(&raw.name).to_owned();
         if !ELEMENTS.contains(&name.as_str()) {
-            let hint = model::nearest(&name, ELEMENTS).map(|near| format!("did you mean `{near}`?"));
+            let hint = model::nearest(&name, ELEMENTS)
+                .map(|near| words!("did you mean `{near}`?", "¿querías decir `{near}`?"));
             self.refuse(
-                format!("a scene cannot contain `<{name}>`; it is left out with what it holds"),
+                words!(
+                    "a scene cannot contain `<{name}>`; it is left out with what it holds",
+                    "una escena no puede contener `<{name}>`; se omite con lo que contiene"
+                ),
                 raw.name,
-                hint.as_deref(),
+                hint,
             );
             return None;
         }
@@ -153,7 +188,12 @@ impl Builder<'_, '_> {
                 }
                 RawChild::Element(inner) if element.name == "style" || self.source(&inner.name) == "svg" => {
                     self.refuse(
-                        format!("`<{}>` cannot contain `<{}>`", element.name, self.source(&inner.name)),
+                        words!(
+                            "`<{}>` cannot contain `<{}>`",
+                            "`<{}>` no puede contener `<{}>`",
+                            element.name,
+                            self.source(&inner.name)
+                        ),
                         inner.name,
                         None,
                     );
@@ -165,7 +205,11 @@ impl Builder<'_, '_> {
                 RawChild::Text(text) => {
                     let text = crate::source::trim(self.expressions.source, text);
                     if !text.is_empty() {
-                        self.refuse("text is shown inside `<text>` only", text, None);
+                        self.refuse(
+                            words("text is shown inside `<text>` only", "el texto solo se muestra dentro de `<text>`"),
+                            text,
+                            None,
+                        );
                     }
                 }
             }

@@ -4,6 +4,7 @@ use super::Drag;
 use super::build::Builder;
 use crate::expressions::dimension_error;
 use std::ops::Range;
+use units::words;
 
 /// Where the values of the attributes for dragging stand.
 #[derive(Default)]
@@ -22,9 +23,12 @@ impl Builder<'_, '_> {
         let Some(place) = dragging.state else {
             if let Some(place) = dragging.up.or(dragging.right) {
                 self.refuse(
-                    "what does the pointer change?",
+                    words("what does the pointer change?", "¿qué cambia el puntero?"),
                     place,
-                    Some("name a state: `drag=\"y\" drag-up=\"0.01 [m]\"`"),
+                    Some(words(
+                        "name a state: `drag=\"y\" drag-up=\"0.01 [m]\"`",
+                        "nombra un estado: `drag=\"y\" drag-up=\"0.01 [m]\"`",
+                    )),
                 );
             }
             return None;
@@ -33,18 +37,31 @@ impl Builder<'_, '_> {
         let name = self.source(&place).to_owned();
         let states: Vec<String> = self.expressions.model().states.iter().map(model::State::name).collect();
         let Some(state) = states.iter().position(|known| *known == name) else {
-            let mut hint = format!("the states are {}", states.join(", "));
+            let mut hint = words!("the states are {}", "los estados son {}", states.join(", "));
             if let Some(near) = model::nearest(&name, states.iter().map(String::as_str)) {
-                hint = format!("did you mean `{near}`?");
+                hint = words!("did you mean `{near}`?", "¿querías decir `{near}`?");
             }
-            self.refuse(format!("`{name}` is not a state, so it cannot be dragged"), place, Some(&hint));
+            self.refuse(
+                words!(
+                    "`{name}` is not a state, so it cannot be dragged",
+                    "`{name}` no es un estado, así que no se puede arrastrar"
+                ),
+                place,
+                Some(hint),
+            );
             return None;
         };
         if dragging.up.is_none() && dragging.right.is_none() {
             self.refuse(
-                "dragging needs `drag-up`, `drag-right` or both",
+                words(
+                    "dragging needs `drag-up`, `drag-right` or both",
+                    "para arrastrar hacen falta `drag-up`, `drag-right` o los dos",
+                ),
                 place,
-                Some("`drag-up=\"0.01 [m]\"` is what one unit upwards adds"),
+                Some(words(
+                    "`drag-up=\"0.01 [m]\"` is what one unit upwards adds",
+                    "`drag-up=\"0.01 [m]\"` es lo que añade una unidad hacia arriba",
+                )),
             );
             return None;
         }
@@ -58,7 +75,11 @@ impl Builder<'_, '_> {
         let rate = self.expressions.number(range)?;
         let state = &self.expressions.model().states[state];
         if rate.dimension() != state.unit.dimension {
-            let message = format!("one unit of the drawing must add to `{}` something of its dimension", state.name());
+            let message = words!(
+                "one unit of the drawing must add to `{}` something of its dimension",
+                "una unidad del dibujo debe añadir a `{}` algo de su dimensión",
+                state.name()
+            );
             let expected = (state.span, state.unit.dimension);
             self.expressions.diagnostics.push(dimension_error(message, (rate.span, rate.dimension()), expected));
             return None;

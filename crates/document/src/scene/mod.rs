@@ -23,7 +23,7 @@ pub struct Scene {
     /// What the templates name, evaluated for each frame.
     pub values: Vec<Compiled>,
     /// What its texts say, in the order in which they stand.
-    words: Vec<values::Words>,
+    words: Vec<values::SceneText>,
 }
 
 /// An SVG element of the allow-list.

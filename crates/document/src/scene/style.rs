@@ -3,6 +3,7 @@
 use super::allowed::{danger, is_id, is_property};
 use model::{Diagnostic, Span};
 use std::ops::Range;
+use units::{Words, words};
 
 /// The class of the `svg` element, to which every rule is confined.
 pub const SCENE_CLASS: &str = "authored";
@@ -23,30 +24,35 @@ pub fn confine(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnost
     }
     let rest = crate::source::trim(source, at..range.end);
     if !rest.is_empty() {
-        diagnostics.push(refusal("the rule is not closed with `}`".to_owned(), rest));
+        diagnostics.push(refusal(words("the rule is not closed with `}`", "la regla no se cierra con `}`"), rest));
     }
     confined
 }
 
-fn refusal(message: String, range: Range<usize>) -> Diagnostic {
-    Diagnostic::error("scene-style", message, Span::new(range.start, range.end)).with_hint(
+fn refusal(message: Words, range: Range<usize>) -> Diagnostic {
+    Diagnostic::error("scene-style", message, Span::new(range.start, range.end)).with_hint(words(
         "a scene's style may set colours, strokes and fonts: `.spring { stroke: var(--accent) }`; it holds no values \
          of the model",
-    )
+        "el estilo de una escena puede fijar colores, trazos y letras: `.spring { stroke: var(--accent) }`; no contiene \
+         valores del modelo",
+    ))
 }
 
-type Refusal = (String, Range<usize>);
+type Refusal = (Words, Range<usize>);
 
 /// `selectors { declarations`
 fn confine_rule(source: &str, rule: Range<usize>) -> Result<String, Refusal> {
     let text = &source[rule.clone()];
     let Some((selectors, declarations)) = text.split_once('{') else {
-        return Err(("a rule is `selector { property: value }`".to_owned(), rule));
+        return Err((
+            words("a rule is `selector { property: value }`", "una regla es `selector { property: value }`"),
+            rule,
+        ));
     };
     let selectors: Option<Vec<String>> = selectors.split(',').map(confine_selector).collect();
     let Some(selectors) = selectors else {
         return Err((
-            "this selector cannot be confined to the scene".to_owned(),
+            words("this selector cannot be confined to the scene", "este selector no se puede limitar a la escena"),
             rule.start..rule.start + text.len() - declarations.len() - 1,
         ));
     };
@@ -61,7 +67,10 @@ fn confine_rule(source: &str, rule: Range<usize>) -> Result<String, Refusal> {
         let (name, value) = declaration.split_once(':').unwrap_or((declaration, ""));
         let (name, value) = (name.trim(), value.trim());
         if !is_property(name) || !is_plain(value) {
-            return Err((format!("`{}` cannot be set in a scene", &source[range.clone()]), range));
+            return Err((
+                words!("`{}` cannot be set in a scene", "`{}` no se puede fijar en una escena", &source[range.clone()]),
+                range,
+            ));
         }
         confined.push_str(&format!("{name}:{value};"));
     }
@@ -119,7 +128,7 @@ mod tests {
     fn check(style: &str, expected: &str, messages: &[&str]) {
         let mut diagnostics = Vec::new();
         assert_eq!(confine(style, 0..style.len(), &mut diagnostics), expected);
-        assert_eq!(diagnostics.iter().map(|d| d.message.as_str()).collect::<Vec<_>>(), messages);
+        assert_eq!(diagnostics.iter().map(|d| &*d.message.english).collect::<Vec<_>>(), messages);
     }
 
     #[test]

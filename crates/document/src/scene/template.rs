@@ -3,6 +3,7 @@
 use super::xml::placeholder;
 use model::{Diagnostic, Span};
 use std::ops::Range;
+use units::words;
 
 /// A part of a text, not compiled.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,11 +43,15 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
                     diagnostics.push(
                         Diagnostic::error(
                             "scene-brace",
-                            format!("this `{letter}` has no partner on its line"),
+                            words!(
+                                "this `{letter}` has no partner on its line",
+                                "este `{letter}` no tiene pareja en su línea"
+                            ),
                             Span::new(at, at + 1),
                         )
-                        .with_hint(format!(
-                            "an expression stands in `{{...}}`; for the character itself write `{letter}{letter}`"
+                        .with_hint(words!(
+                            "an expression stands in `{{...}}`; for the character itself write `{letter}{letter}`",
+                            "una expresión va entre `{{...}}`; para el propio carácter escribe `{letter}{letter}`"
                         )),
                     );
                     literal.push(letter);
@@ -106,8 +111,12 @@ fn read_entity(text: &str, place: Span, literal: &mut String, diagnostics: &mut 
         }
         _ => {
             diagnostics.push(
-                Diagnostic::error("scene-syntax", "this `&` begins no character", place)
-                    .with_hint("for the character itself write `&amp;`"),
+                Diagnostic::error(
+                    "scene-syntax",
+                    words("this `&` begins no character", "este `&` no empieza ningún carácter"),
+                    place,
+                )
+                .with_hint(words("for the character itself write `&amp;`", "para el propio carácter escribe `&amp;`")),
             );
             literal.push('&');
             1
@@ -134,7 +143,7 @@ mod tests {
             })
             .collect();
         assert_eq!(pieces, expected);
-        assert_eq!(diagnostics.iter().map(|d| d.message.as_str()).collect::<Vec<_>>(), messages);
+        assert_eq!(diagnostics.iter().map(|d| &*d.message.english).collect::<Vec<_>>(), messages);
     }
 
     #[test]

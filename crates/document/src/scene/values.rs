@@ -6,6 +6,7 @@ use super::{Child, Element, Piece, Scene, Template};
 use crate::translation::Texts;
 use model::{Compiled, Diagnostic, Kind};
 use std::ops::Range;
+use units::words;
 
 /// How many values a scene may have; all of them are computed for every frame.
 const VALUES: usize = 1_000;
@@ -16,17 +17,17 @@ impl Builder<'_, '_> {
         let raw = template::split(self.expressions.source, range.clone(), &mut self.expressions.diagnostics);
         let template: Option<Template> = raw.iter().cloned().map(|piece| self.piece(piece, false)).collect();
         let template = template.filter(|template| !template.is_empty())?;
-        let mut words = Words { key: normalised(self.source(&range)), ..Words::default() };
+        let mut text = SceneText { key: normalised(self.source(&range)), ..SceneText::default() };
         for (raw, piece) in raw.iter().zip(&template) {
             match (raw, piece) {
-                (RawPiece::Literal(text), _) => words.needed |= has_word(text),
+                (RawPiece::Literal(literal), _) => text.needed |= has_word(literal),
                 (RawPiece::Placeholder { expression, .. }, Piece::Value { index, .. }) => {
-                    words.values.push((self.source(expression).trim().to_owned(), *index));
+                    text.values.push((self.source(expression).trim().to_owned(), *index));
                 }
                 _ => {}
             }
         }
-        self.words.push(words);
+        self.words.push(text);
         Some(template)
     }
 
@@ -42,7 +43,10 @@ impl Builder<'_, '_> {
         if in_attribute && compiled.kind == Kind::Text {
             self.expressions.error(
                 "not-a-number",
-                "an attribute can hold numbers only, and this is a text",
+                words(
+                    "an attribute can hold numbers only, and this is a text",
+                    "un atributo solo puede contener números, y esto es un texto",
+                ),
                 compiled.span,
             );
             return None;
@@ -62,7 +66,10 @@ impl Builder<'_, '_> {
         if self.values.len() == VALUES {
             self.expressions.error(
                 "too-large",
-                format!("a scene cannot have more than {VALUES} values"),
+                words!(
+                    "a scene cannot have more than {VALUES} values",
+                    "una escena no puede tener más de {VALUES} valores"
+                ),
                 compiled.span,
             );
             return None;
@@ -74,7 +81,7 @@ impl Builder<'_, '_> {
 
 /// What a text of a scene says, for its translation.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Words {
+pub struct SceneText {
     /// The text as written.
     key: String,
     /// Whether there is something to translate.
@@ -83,7 +90,7 @@ pub struct Words {
     values: Vec<(String, usize)>,
 }
 
-impl Words {
+impl SceneText {
     /// The text in another language, if there is one.
     fn translate(&self, texts: &mut Texts) -> Option<Template> {
         if self.key.is_empty() {
@@ -105,7 +112,10 @@ impl Words {
         if template.is_none() {
             texts.refuse(Diagnostic::error(
                 "translation",
-                "the translation must contain the same `{expressions}` as the original",
+                words(
+                    "the translation must contain the same `{expressions}` as the original",
+                    "la traducción debe contener las mismas `{expressions}` que el original",
+                ),
                 span,
             ));
         }
@@ -122,16 +132,16 @@ impl Scene {
     }
 }
 
-/// Takes from `words` as many as there are texts in the element.
-fn translate(element: &mut Element, words: &mut std::slice::Iter<Words>, texts: &mut Texts) {
+/// Takes from `originals` as many as there are texts in the element.
+fn translate(element: &mut Element, originals: &mut std::slice::Iter<SceneText>, texts: &mut Texts) {
     if element.name == "style" {
         return;
     }
     for child in &mut element.children {
         match child {
-            Child::Element(inner) => translate(inner, words, texts),
+            Child::Element(inner) => translate(inner, originals, texts),
             Child::Text(template) => {
-                if let Some(translated) = words.next().and_then(|words| words.translate(texts)) {
+                if let Some(translated) = originals.next().and_then(|original| original.translate(texts)) {
                     *template = translated;
                 }
             }

@@ -3,6 +3,7 @@
 
 use model::{Diagnostic, Span};
 use std::ops::Range;
+use units::{Words, words};
 
 /// How deep elements may be nested.
 const DEPTH: usize = 32;
@@ -78,12 +79,12 @@ impl Reader<'_> {
         &self.source[self.at..self.end]
     }
 
-    fn error(&mut self, message: impl Into<String>, range: Range<usize>) {
+    fn error(&mut self, message: Words, range: Range<usize>) {
         self.diagnostics.push(Diagnostic::error("scene-syntax", message, Span::new(range.start, range.end)));
     }
 
     fn unclosed(&mut self, name: Range<usize>) {
-        let message = format!("`<{}>` is not closed", &self.source[name.clone()]);
+        let message = words!("`<{}>` is not closed", "`<{}>` no se cierra", &self.source[name.clone()]);
         self.error(message, name);
     }
 
@@ -102,13 +103,25 @@ impl Reader<'_> {
         let (length, message) = if let Some(comment) = rest.strip_prefix("<!--") {
             match comment.find("-->") {
                 Some(length) => (length + 7, None),
-                None => (rest.len(), Some("the comment is not closed")),
+                None => (rest.len(), Some(words("the comment is not closed", "el comentario no se cierra"))),
             }
         } else if rest.starts_with("<!") || rest.starts_with("<?") {
             let length = rest.find('>').map_or(rest.len(), |end| end + 1);
-            (length, Some("a scene holds elements and text only; this is left out"))
+            (
+                length,
+                Some(words(
+                    "a scene holds elements and text only; this is left out",
+                    "una escena solo contiene elementos y texto; esto se omite",
+                )),
+            )
         } else if !rest[1..].starts_with(|c: char| c.is_ascii_alphabetic()) {
-            (1, Some("this `<` begins no element; in text write `&lt;`"))
+            (
+                1,
+                Some(words(
+                    "this `<` begins no element; in text write `&lt;`",
+                    "este `<` no empieza ningún elemento; en un texto escribe `&lt;`",
+                )),
+            )
         } else {
             return false;
         };
@@ -132,7 +145,7 @@ impl Reader<'_> {
         self.at += length;
         let text = &self.source[name.clone()];
         let Some(depth) = open.iter().skip(1).rposition(|element| &self.source[element.name.clone()] == text) else {
-            let message = format!("`</{text}>` closes nothing");
+            let message = words!("`</{text}>` closes nothing", "`</{text}>` no cierra nada");
             self.error(message, start..name.end);
             return;
         };
@@ -161,7 +174,11 @@ impl Reader<'_> {
                     break true;
                 }
                 None | Some('<') => {
-                    let message = format!("the tag `<{}` is not closed with `>`", &self.source[name.clone()]);
+                    let message = words!(
+                        "the tag `<{}` is not closed with `>`",
+                        "la etiqueta `<{}` no se cierra con `>`",
+                        &self.source[name.clone()]
+                    );
                     self.error(message, name.clone());
                     break false;
                 }
@@ -170,7 +187,13 @@ impl Reader<'_> {
         };
         self.elements += 1;
         if self.elements == ELEMENTS + 1 {
-            self.error(format!("a scene cannot have more than {ELEMENTS} elements"), name.clone());
+            self.error(
+                words!(
+                    "a scene cannot have more than {ELEMENTS} elements",
+                    "una escena no puede tener más de {ELEMENTS} elementos"
+                ),
+                name.clone(),
+            );
         }
         let fits = self.elements <= ELEMENTS;
         if closed {
@@ -179,7 +202,13 @@ impl Reader<'_> {
             }
         } else if open.len() > DEPTH {
             // What it holds goes to the element around it; its closing tag will be reported.
-            self.error(format!("elements cannot be nested deeper than {DEPTH} levels"), name);
+            self.error(
+                words!(
+                    "elements cannot be nested deeper than {DEPTH} levels",
+                    "los elementos no se pueden anidar a más de {DEPTH} niveles"
+                ),
+                name,
+            );
         } else {
             open.push(element);
         }
@@ -191,19 +220,33 @@ impl Reader<'_> {
         if name.is_empty() {
             let start = self.at;
             self.at += self.rest().chars().next().map_or(1, char::len_utf8);
-            self.error("an attribute was expected here: `name=\"value\"`", start..self.at);
+            self.error(
+                words(
+                    "an attribute was expected here: `name=\"value\"`",
+                    "aquí se esperaba un atributo: `name=\"value\"`",
+                ),
+                start..self.at,
+            );
             return None;
         }
         self.skip_blanks();
         if !self.rest().starts_with('=') {
-            let message = format!("the attribute `{0}` has no value; write `{0}=\"...\"`", &self.source[name.clone()]);
+            let message = words!(
+                "the attribute `{0}` has no value; write `{0}=\"...\"`",
+                "el atributo `{0}` no tiene valor; escribe `{0}=\"...\"`",
+                &self.source[name.clone()]
+            );
             self.error(message, name);
             return None;
         }
         self.at += 1;
         self.skip_blanks();
         let Some(quote) = self.rest().chars().next().filter(|quote| matches!(quote, '"' | '\'')) else {
-            let message = format!("the value of `{}` must stand in quotation marks", &self.source[name.clone()]);
+            let message = words!(
+                "the value of `{}` must stand in quotation marks",
+                "el valor de `{}` debe ir entre comillas",
+                &self.source[name.clone()]
+            );
             self.error(message, name);
             self.at +=
                 self.rest().find(|c: char| c.is_whitespace() || matches!(c, '>' | '/')).unwrap_or(self.rest().len());
@@ -218,7 +261,11 @@ impl Reader<'_> {
         if self.at == self.end {
             // The quotation mark is missing: go on behind the line, or everything after it is lost.
             self.at = start + self.source[start..self.end].find('\n').unwrap_or(self.end - start);
-            let message = format!("the value of `{}` has no closing quotation mark", &self.source[name.clone()]);
+            let message = words!(
+                "the value of `{}` has no closing quotation mark",
+                "al valor de `{}` le faltan las comillas de cierre",
+                &self.source[name.clone()]
+            );
             self.error(message, name);
             return None;
         }
@@ -272,7 +319,7 @@ mod tests {
         let mut diagnostics = Vec::new();
         let children = parse(source, 0..source.len(), &mut diagnostics);
         assert_eq!(print(source, &children), expected);
-        assert_eq!(diagnostics.iter().map(|d| d.message.as_str()).collect::<Vec<_>>(), messages);
+        assert_eq!(diagnostics.iter().map(|d| &*d.message.english).collect::<Vec<_>>(), messages);
     }
 
     #[test]
@@ -313,7 +360,7 @@ mod tests {
         let mut diagnostics = Vec::new();
         let deep = "<g>".repeat(10_000);
         parse(&deep, 0..deep.len(), &mut diagnostics);
-        assert_eq!(diagnostics[0].message, "elements cannot be nested deeper than 32 levels");
+        assert_eq!(diagnostics[0].message.english, "elements cannot be nested deeper than 32 levels");
         diagnostics.clear();
         let many = "<g/>".repeat(ELEMENTS + 5);
         assert_eq!(parse(&many, 0..many.len(), &mut diagnostics).len(), ELEMENTS);

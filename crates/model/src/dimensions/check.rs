@@ -7,12 +7,13 @@
 
 use super::describe::with_article;
 use super::form::{Conflict, Form, Solver};
-use super::infer::{Inference, Type, Types};
+use super::infer::Inference;
 use super::mismatch::{Place, Term, is_bare};
+use super::types::{Type, Types};
 use crate::names::{Equation, EventEntry, InitialEntry, Meaning, Program, Unknown};
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, Span, StatedUnit, has_errors};
-use units::Dimension;
+use units::{Dimension, Words, words};
 
 /// What is known about the names of a model once it has been checked; every dimension in it is known. `order` is that of
 /// the definitions.
@@ -63,11 +64,15 @@ impl Inference<'_> {
                 let needed = Form::from(stated.unit.dimension);
                 if self.solver.unify(&own, &needed, stated.span) == Err(Conflict::Different) {
                     let written = primed(unknown.name, entry.order);
-                    let message = format!("the stated unit does not fit: `{written}` is {}", self.what(&own));
+                    let message = words!(
+                        "the stated unit does not fit: `{written}` is {what}",
+                        "la unidad declarada no concuerda: `{written}` es {what}",
+                        what = self.what(&own)
+                    );
                     let mut diagnostic =
                         Diagnostic::error("dimension-mismatch", message, stated.span).saying(self.what(&needed));
                     if let Some(origin) = self.solver.origin(&self.types.unknowns[index]) {
-                        diagnostic = diagnostic.with_label(origin, "this decides it");
+                        diagnostic = diagnostic.with_label(origin, words("this decides it", "esto la determina"));
                     }
                     self.diagnostics.push(diagnostic);
                 }
@@ -109,7 +114,7 @@ impl Inference<'_> {
     /// What becomes the value of a state must have its dimension.
     fn assigned(&mut self, value: &Expression, written: &str, own: &Form, span: Span) {
         let found = self.expression(value);
-        let Some(form) = self.as_number(value, &found, &format!("`{written}`")) else { return };
+        let Some(form) = self.as_number(value, &found, &Words::same(format!("`{written}`"))) else { return };
         match self.solver.unify(own, &form, value.span) {
             Ok(()) => {}
             Err(Conflict::TooLarge) => {
@@ -117,20 +122,25 @@ impl Inference<'_> {
             }
             Err(Conflict::Different) => {
                 let title = format!("`{written}`");
-                self.report_value((value, &form), (&title, own, span), &format!(" for {title}"));
+                let context = words!(" for {title}", " para {title}");
+                self.report_value((value, &form), (&title, own, span), &context);
             }
         }
     }
 
     /// The dimension of what must be a number.
-    fn as_number(&mut self, value: &Expression, found: &Type, user: &str) -> Option<Form> {
-        let kind = match found {
+    fn as_number(&mut self, value: &Expression, found: &Type, user: &Words) -> Option<Form> {
+        match found {
             Type::Number(form) => return Some(form.clone()),
             Type::Unknown => return None,
-            Type::Truth => "true or false",
-            Type::Text => "a text",
-        };
-        let message = format!("{user} must be a number, but this is {kind}");
+            Type::Truth | Type::Text => {}
+        }
+        let message = words!(
+            "{user} must be a number, but this is {kind}",
+            "{user} debe ser un número, pero esto es {kind}",
+            user = user,
+            kind = found.described()
+        );
         self.refuse(Diagnostic::error("type-mismatch", message, value.span));
         None
     }
@@ -143,7 +153,7 @@ impl Inference<'_> {
 
     /// Checks a value against the unit stated for it.
     pub fn check_stated(&mut self, value: &Expression, found: &Type, stated: &StatedUnit) {
-        let Some(form) = self.as_number(value, found, "what has a unit") else { return };
+        let Some(form) = self.as_number(value, found, &words("what has a unit", "lo que tiene unidad")) else { return };
         let needed = Form::from(stated.unit.dimension);
         match self.solver.unify(&form, &needed, stated.span) {
             Ok(()) => {}
@@ -152,7 +162,7 @@ impl Inference<'_> {
             }
             Err(Conflict::Different) => {
                 let title = format!("[{}]", stated.unit);
-                let context = format!(" for the stated unit {title}");
+                let context = words!(" for the stated unit {title}", " para la unidad declarada {title}");
                 self.report_value((value, &form), (&title, &needed, stated.span), &context);
             }
         }
@@ -181,7 +191,7 @@ impl Inference<'_> {
     }
 
     fn event(&mut self, event: &EventEntry) {
-        self.truth(event.condition, "the condition of an event");
+        self.truth(event.condition, &words("the condition of an event", "la condición de un evento"));
         for action in event.actions {
             match self.scope.meaning(&action.name.text) {
                 Some(Meaning::Variable(index)) => {
@@ -207,14 +217,17 @@ impl Inference<'_> {
             }
             let name = unknown.name;
             if warn && !has_errors(&self.diagnostics) {
-                let message = format!(
-                    "nothing decides the dimension of `{name}`; it is taken to be {}",
-                    with_article(Dimension::NONE)
+                let message = words!(
+                    "nothing decides the dimension of `{name}`; it is taken to be {what}",
+                    "nada determina la dimensión de `{name}`; se toma como {what}",
+                    what = with_article(Dimension::NONE)
                 );
-                self.diagnostics.push(
-                    Diagnostic::warning("undetermined-dimension", message, unknown.span)
-                        .with_hint(format!("state it with the initial value: `{name}(0) = 0 in [m]`")),
-                );
+                self.diagnostics.push(Diagnostic::warning("undetermined-dimension", message, unknown.span).with_hint(
+                    words!(
+                        "state it with the initial value: `{name}(0) = 0 in [m]`",
+                        "declárala con el valor inicial: `{name}(0) = 0 in [m]`"
+                    ),
+                ));
             }
             // A pure number fits what is free, so this cannot fail.
             let _ = self.solver.unify(&own, &Form::pure(), unknown.span);

@@ -1,43 +1,38 @@
 //! Dimensions in words and in columns.
 
 use super::form::Form;
-use units::{Dimension, Exponent};
+use units::{Dimension, Exponent, Language, QuantityName, Words, words};
 
 /// `a length`, `an energy`, `a pure number`, or `the dimension kg m^3`.
-pub(crate) fn with_article(dimension: Dimension) -> String {
-    match noun(dimension) {
-        Some(noun) => article(noun),
-        None => format!("the dimension {dimension}"),
-    }
+pub(crate) fn with_article(dimension: Dimension) -> Words {
+    named(dimension).map_or_else(
+        || words!("the dimension {dimension}", "una magnitud de dimensión {dimension}"),
+        QuantityName::with_article,
+    )
 }
 
 /// `a length`, `something with the dimension kg m^3`: what could be multiplied.
-pub(crate) fn as_factor(dimension: Dimension) -> String {
-    match noun(dimension) {
-        Some(noun) => article(noun),
-        None => format!("something with the dimension {dimension}"),
-    }
+pub(crate) fn as_factor(dimension: Dimension) -> Words {
+    named(dimension).map_or_else(
+        || words!("something with the dimension {dimension}", "una magnitud de dimensión {dimension}"),
+        QuantityName::with_article,
+    )
 }
 
 /// The usual name of what has this dimension.
-pub(crate) fn noun(dimension: Dimension) -> Option<&'static str> {
-    if dimension.is_none() { Some("pure number") } else { dimension.quantity_names().first().copied() }
-}
-
-fn article(noun: &str) -> String {
-    let vowel = noun.starts_with(['a', 'e', 'i', 'o', 'u']);
-    format!("{} {noun}", if vowel { "an" } else { "a" })
+fn named(dimension: Dimension) -> Option<QuantityName> {
+    if dimension.is_none() { Some(QuantityName::PURE_NUMBER) } else { dimension.quantity_names().first().copied() }
 }
 
 /// What stands in a comparison of dimensions.
 #[derive(Clone, Debug)]
 pub(crate) struct Row {
-    pub title: String,
+    pub title: Words,
     pub form: Form,
 }
 
 /// The rows under each other, with a column for each base unit, and at the end the usual name of such a quantity.
-pub(crate) fn table(rows: &[Row], name_of: impl Fn(usize) -> String) -> String {
+pub(crate) fn table(rows: &[Row], language: Language, name_of: impl Fn(usize) -> String) -> String {
     let cells: Vec<Vec<(String, Exponent)>> = rows.iter().map(|row| cells(&row.form, &name_of)).collect();
     let mut columns: Vec<String> = Vec::new();
     // Base units come in one order for every dimension, so the columns of all rows can be merged in that order.
@@ -48,7 +43,7 @@ pub(crate) fn table(rows: &[Row], name_of: impl Fn(usize) -> String) -> String {
             columns.push(symbol);
         }
     }
-    let mut lines: Vec<String> = rows.iter().map(|row| row.title.clone()).collect();
+    let mut lines: Vec<String> = rows.iter().map(|row| row.title.text(language).to_owned()).collect();
     align(&mut lines);
     for column in &columns {
         for (line, cells) in lines.iter_mut().zip(&cells) {
@@ -60,9 +55,9 @@ pub(crate) fn table(rows: &[Row], name_of: impl Fn(usize) -> String) -> String {
         align(&mut lines);
     }
     for (line, row) in lines.iter_mut().zip(rows) {
-        if let Some(noun) = row.form.dimension().and_then(noun) {
+        if let Some(name) = row.form.dimension().and_then(named) {
             line.push_str("  ");
-            line.push_str(noun);
+            line.push_str(name.noun().text(language));
         }
         line.truncate(line.trim_end().len());
     }
@@ -112,27 +107,51 @@ impl Factor {
         // "a length too many" says more than "a wave number is lacking".
         let oddness = |dimension: Dimension| {
             let negative = dimension.base().filter(|(_, exponent)| exponent.numerator() < 0).count();
-            let nameless = usize::from(noun(dimension).is_none());
+            let nameless = usize::from(named(dimension).is_none());
             (negative, nameless)
         };
         if oddness(inverse) < oddness(ratio) { Self::Lacking(inverse) } else { Self::Excess(ratio) }
     }
 
-    /// `lacks a factor with the dimension of mass`, `has one length too many`
-    pub fn verdict(self) -> String {
-        match self {
-            Self::Lacking(dimension) => match (single(dimension), noun(dimension)) {
-                (Some((base, count)), _) if count > 1 => {
-                    format!("lacks {} factors with the dimension of {base}", number(count))
-                }
-                (_, Some(noun)) => format!("lacks a factor with the dimension of {noun}"),
-                _ => format!("lacks a factor with the dimension {dimension}"),
-            },
-            Self::Excess(dimension) => match (single(dimension), noun(dimension)) {
-                (Some((base, count)), _) => format!("has {} too many", counted(base, count)),
-                (_, Some(noun)) => format!("has a factor with the dimension of {noun} too many"),
-                _ => format!("has a factor with the dimension {dimension} too many"),
-            },
+    /// `lacks a factor with the dimension of mass`, `has one length too many`; in Spanish what lacks or is too many in it:
+    /// `falta un factor con dimensión de masa`.
+    pub fn verdict(self) -> Words {
+        let dimension = self.dimension();
+        let name = named(dimension).map(QuantityName::noun);
+        match (self, single(dimension), name) {
+            (Self::Lacking(_), Some((base, count)), _) if count > 1 => words!(
+                "lacks {count} factors with the dimension of {base}",
+                "faltan {count} factores con dimensión de {base}",
+                base = base,
+                count = number(count)
+            ),
+            (Self::Lacking(_), _, Some(name)) => words!(
+                "lacks a factor with the dimension of {name}",
+                "falta un factor con dimensión de {name}",
+                name = name
+            ),
+            (Self::Lacking(_), ..) => {
+                words!("lacks a factor with the dimension {dimension}", "falta un factor de dimensión {dimension}")
+            }
+            (Self::Excess(_), Some((base, count)), _) => {
+                let things = counted(&base.english, count);
+                let (is, factors) = if count == 1 { ("sobra", "factor") } else { ("sobran", "factores") };
+                words!(
+                    "has {things} too many",
+                    "{is} {count} {factors} con dimensión de {base}",
+                    base = base,
+                    count = number(count)
+                )
+            }
+            (Self::Excess(_), _, Some(name)) => words!(
+                "has a factor with the dimension of {name} too many",
+                "sobra un factor con dimensión de {name}",
+                name = name
+            ),
+            (Self::Excess(_), ..) => words!(
+                "has a factor with the dimension {dimension} too many",
+                "sobra un factor de dimensión {dimension}"
+            ),
         }
     }
 
@@ -153,18 +172,18 @@ impl Factor {
 }
 
 /// The base quantity of which the dimension is a small positive whole power.
-fn single(dimension: Dimension) -> Option<(&'static str, i32)> {
+fn single(dimension: Dimension) -> Option<(Words, i32)> {
     let mut base = dimension.base();
     let (Some((symbol, exponent)), None) = (base.next(), base.next()) else {
         return None;
     };
     let is_small = exponent.is_whole() && (1..=9).contains(&exponent.numerator());
     let quantity = match symbol {
-        "kg" => "mass",
-        "m" => "length",
-        "s" => "time",
-        "K" => "temperature",
-        "A" => "current",
+        "kg" => words("mass", "masa"),
+        "m" => words("length", "longitud"),
+        "s" => words("time", "tiempo"),
+        "K" => words("temperature", "temperatura"),
+        "A" => words("current", "corriente"),
         _ => return None,
     };
     is_small.then_some((quantity, exponent.numerator()))
@@ -179,16 +198,17 @@ fn counted(base: &str, count: i32) -> String {
         (_, 1) => base.to_owned(),
         _ => format!("{base}s"),
     };
-    format!("{} {things}", number(count))
+    format!("{} {things}", number(count).english)
 }
 
-fn number(count: i32) -> String {
+/// In Spanish as it stands before a masculine noun.
+fn number(count: i32) -> Words {
     match count {
-        1 => "one".to_owned(),
-        2 => "two".to_owned(),
-        3 => "three".to_owned(),
-        4 => "four".to_owned(),
-        count => count.to_string(),
+        1 => words("one", "un"),
+        2 => words("two", "dos"),
+        3 => words("three", "tres"),
+        4 => words("four", "cuatro"),
+        count => Words::same(count.to_string()),
     }
 }
 
@@ -213,18 +233,18 @@ mod tests {
             ("m/kg", "lacks a factor with the dimension of mass per length"),
             ("m^7/A", "has a factor with the dimension m^7 A^-1 too many"),
         ] {
-            assert_eq!(Factor::of(dimension(ratio)).verdict(), verdict, "{ratio}");
+            assert_eq!(Factor::of(dimension(ratio)).verdict().english, verdict, "{ratio}");
         }
     }
 
     #[test]
     fn aligns_the_exponents() {
-        let row = |title: &str, unit| Row { title: title.to_owned(), form: Form::from(dimension(unit)) };
+        let row = |title: &str, unit| Row { title: Words::same(title.to_owned()), form: Form::from(dimension(unit)) };
         let rows = [row("left side", "N"), row("right", "m/s^2"), row("x", "A^2"), row("y", "")];
         let expected = "left side  kg  m  s^-2       force\n\
                         right          m  s^-2       acceleration\n\
                         x                       A^2\n\
                         y                            pure number";
-        assert_eq!(table(&rows, |_| String::new()), expected);
+        assert_eq!(table(&rows, Language::English, |_| String::new()), expected);
     }
 }

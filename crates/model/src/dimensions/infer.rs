@@ -1,39 +1,16 @@
-//! What kind of value an expression has, and of which dimension.
+//! Infers what kind of value an expression has, and of which dimension.
 
 use super::form::{Conflict, Form, Solver};
 use super::mismatch::{Place, Term};
+use super::types::{Type, Types};
 use crate::functions::{Function, Rule};
 use crate::names::{Meaning, Scope};
 use crate::notation::quote;
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span, UnaryOperator};
-use units::Exponent;
+use units::{Exponent, Words, words};
 
-/// What an expression's value is.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Type {
-    /// A number of this dimension.
-    Number(Form),
-    /// True or false.
-    Truth,
-    /// A text.
-    Text,
-    /// Something is wrong with it and has been told; nothing more is said about what depends on it.
-    Unknown,
-}
-
-/// What is known about the names of a model.
-#[derive(Clone, Debug)]
-pub(crate) struct Types {
-    pub independent: Form,
-    pub parameters: Vec<Form>,
-    pub definitions: Vec<Type>,
-    /// The values of definitions that are plain numbers, for exponents.
-    pub numbers: Vec<Option<f64>>,
-    /// The dimension of each unknown function, without primes.
-    pub unknowns: Vec<Form>,
-    /// The names of the unknown functions.
-    pub unknown_names: Vec<String>,
-}
+const ARITHMETIC: Words = words("an arithmetic operation", "una operación aritmética");
+const POWER: Words = words("a power", "una potencia");
 
 /// Infers the types of expressions and collects what does not fit.
 #[derive(Debug)]
@@ -56,7 +33,7 @@ impl Inference<'_> {
                 self.name(name, *order, expression.span)
             }
             ExpressionKind::Unary(UnaryOperator::Not, operand) => {
-                self.truth(operand, "the operand of `not`");
+                self.truth(operand, &words("the operand of `not`", "el operando de `not`"));
                 Type::Truth
             }
             ExpressionKind::Unary(UnaryOperator::Negate, _)
@@ -68,7 +45,7 @@ impl Inference<'_> {
             ExpressionKind::Binary(operator, left, right) => self.binary(*operator, left, right, expression.span),
             ExpressionKind::Call { function, arguments } => self.call(function, arguments),
             ExpressionKind::If(condition, chosen, other) => {
-                self.truth(condition, "the condition of `if`");
+                self.truth(condition, &words("the condition of `if`", "la condición de `if`"));
                 let (chosen_type, other_type) = (self.expression(chosen), self.expression(other));
                 self.same_kind((chosen, chosen_type), (other, other_type), Place::Branches)
             }
@@ -86,7 +63,10 @@ impl Inference<'_> {
                 Type::Number(form) => form.clone(),
                 other if order == 0 || *other == Type::Unknown => return other.clone(),
                 _ => {
-                    let message = format!("`{name}` has no derivative: it is not a number");
+                    let message = words!(
+                        "`{name}` has no derivative: it is not a number",
+                        "`{name}` no tiene derivada: no es un número"
+                    );
                     return self.refuse(Diagnostic::error("type-mismatch", message, span));
                 }
             },
@@ -113,7 +93,7 @@ impl Inference<'_> {
                 }
                 ExpressionKind::Number { value: 0.0, unit: None } => {}
                 _ => {
-                    let form = self.number(next, "an arithmetic operation");
+                    let form = self.number(next, &ARITHMETIC);
                     terms.push(Term { expression: next, form });
                 }
             }
@@ -121,33 +101,46 @@ impl Inference<'_> {
     }
 
     /// The dimension of what must be a number; `None` if it is not, which is told.
-    fn number(&mut self, expression: &Expression, user: &str) -> Option<Form> {
+    fn number(&mut self, expression: &Expression, user: &Words) -> Option<Form> {
         let found = match self.expression(expression) {
             Type::Number(form) => return Some(form),
             Type::Unknown => return None,
-            Type::Truth => "is true or false",
-            Type::Text => "is a text",
+            found => found,
         };
-        let message = format!("{user} needs numbers, but `{}` {found}", quote(expression));
+        let quoted = quote(expression);
+        let message = words!(
+            "{user} needs numbers, but `{quoted}` is {found}",
+            "{user} necesita números, pero `{quoted}` es {found}",
+            user = user,
+            found = found.described()
+        );
         let mut diagnostic = Diagnostic::error("type-mismatch", message, expression.span);
-        if found == "is true or false" {
-            diagnostic = diagnostic.with_hint(format!("`if {} then 1 else 0` is a number", quote(expression)));
+        if found == Type::Truth {
+            diagnostic = diagnostic.with_hint(words!(
+                "`if {quoted} then 1 else 0` is a number",
+                "`if {quoted} then 1 else 0` es un número"
+            ));
         }
         self.diagnostics.push(diagnostic);
         None
     }
 
     /// Checks what must be true or false.
-    pub fn truth(&mut self, expression: &Expression, user: &str) {
-        let found = match self.expression(expression) {
-            Type::Truth | Type::Unknown => return,
-            Type::Number(_) => "a number",
-            Type::Text => "a text",
-        };
-        let message = format!("{user} must be true or false, but `{}` is {found}", quote(expression));
+    pub fn truth(&mut self, expression: &Expression, user: &Words) {
+        let found = self.expression(expression);
+        if matches!(found, Type::Truth | Type::Unknown) {
+            return;
+        }
+        let quoted = quote(expression);
+        let message = words!(
+            "{user} must be true or false, but `{quoted}` is {found}",
+            "{user} debe ser un valor lógico, pero `{quoted}` es {found}",
+            user = user,
+            found = found.described()
+        );
         self.diagnostics.push(
             Diagnostic::error("type-mismatch", message, expression.span)
-                .with_hint("compare it with something: `<`, `==`"),
+                .with_hint(words("compare it with something: `<`, `==`", "compáralo con algo: `<`, `==`")),
         );
     }
 
@@ -163,8 +156,10 @@ impl Inference<'_> {
             | BinaryOperator::LessOrEqual
             | BinaryOperator::Greater
             | BinaryOperator::GreaterOrEqual => {
-                let sides =
-                    [left, right].map(|side| Term { expression: side, form: self.number(side, "a comparison") });
+                let sides = [left, right].map(|side| Term {
+                    expression: side,
+                    form: self.number(side, &words("a comparison", "una comparación")),
+                });
                 self.alike(&sides, Place::Sides);
                 Type::Truth
             }
@@ -184,10 +179,9 @@ impl Inference<'_> {
             factors.push((*operator, right));
             first = left;
         }
-        let user = "an arithmetic operation";
-        let mut product = self.number(first, user);
+        let mut product = self.number(first, &ARITHMETIC);
         for (operator, factor) in factors.into_iter().rev() {
-            let form = self.number(factor, user);
+            let form = self.number(factor, &ARITHMETIC);
             let (Some(before), Some(form)) = (&product, form) else {
                 product = None;
                 continue;
@@ -214,19 +208,19 @@ impl Inference<'_> {
         let innermost = sides.last().map_or(operator, |(operator, _)| *operator);
         sides.push((innermost, first));
         for (operator, side) in sides.into_iter().rev() {
-            self.truth(side, if operator == BinaryOperator::And { "a side of `and`" } else { "a side of `or`" });
+            self.truth(
+                side,
+                &match operator {
+                    BinaryOperator::And => words("a side of `and`", "un miembro de `and`"),
+                    _ => words("a side of `or`", "un miembro de `or`"),
+                },
+            );
         }
         Type::Truth
     }
 
     /// Two values of which one or the other is taken, or that are compared.
     fn same_kind(&mut self, left: (&Expression, Type), right: (&Expression, Type), place: Place) -> Type {
-        let kind = |found: &Type| match found {
-            Type::Number(_) => "a number",
-            Type::Truth => "true or false",
-            Type::Text => "a text",
-            Type::Unknown => "unknown",
-        };
         match (&left.1, &right.1) {
             (Type::Unknown, other) | (other, Type::Unknown) => other.clone(),
             (Type::Number(left_form), Type::Number(right_form)) => {
@@ -237,27 +231,43 @@ impl Inference<'_> {
             (Type::Truth, Type::Truth) => Type::Truth,
             (Type::Text, Type::Text) => Type::Text,
             _ => {
-                let what = if place == Place::Branches { "the branches of `if`" } else { "the sides of a comparison" };
-                let diagnostic = Diagnostic::error("type-mismatch", format!("{what} are not of one kind"), left.0.span)
-                    .saying(format!("this is {}", kind(&left.1)))
-                    .with_label(right.0.span, format!("this is {}", kind(&right.1)));
+                let what = if place == Place::Branches {
+                    words("the branches of `if`", "las ramas de `if`")
+                } else {
+                    words("the sides of a comparison", "los miembros de una comparación")
+                };
+                let diagnostic = Diagnostic::error(
+                    "type-mismatch",
+                    words!("{what} are not of one kind", "{what} no son del mismo tipo", what = what),
+                    left.0.span,
+                )
+                .saying(words!("this is {kind}", "esto es {kind}", kind = left.1.described()))
+                .with_label(right.0.span, words!("this is {kind}", "esto es {kind}", kind = right.1.described()));
                 self.refuse(diagnostic)
             }
         }
     }
 
     fn power(&mut self, base: &Expression, exponent: &Expression, span: Span) -> Type {
-        let forms = (self.number(base, "a power"), self.number(exponent, "a power"));
+        let forms = (self.number(base, &POWER), self.number(exponent, &POWER));
         let (Some(form), Some(exponent_form)) = forms else { return Type::Unknown };
         let rational = self.constant(exponent).and_then(Exponent::from_number);
         if let Some(rational) = rational {
             return form.power(rational).map_or_else(|_| self.too_large(span), Type::Number);
         }
-        self.pure(exponent, &exponent_form, "an exponent");
+        self.pure(exponent, &exponent_form, &words("an exponent", "un exponente"));
         let reason = if self.constant(exponent).is_some() {
-            format!("the base of a power with the exponent {}", quote(exponent))
+            words!(
+                "the base of a power with the exponent {}",
+                "la base de una potencia de exponente {}",
+                quote(exponent)
+            )
         } else {
-            format!("the base of a power whose exponent, `{}`, is not a fixed number", quote(exponent))
+            words!(
+                "the base of a power whose exponent, `{}`, is not a fixed number",
+                "la base de una potencia cuyo exponente, `{}`, no es un número fijo",
+                quote(exponent)
+            )
         };
         self.pure(base, &form, &reason);
         Type::Number(Form::pure())
@@ -293,13 +303,17 @@ impl Inference<'_> {
             }
             return Type::Unknown;
         };
-        let user = format!("`{}`", function.name);
+        let user = Words::same(format!("`{}`", function.name));
         let forms: Vec<Option<Form>> = arguments.iter().map(|argument| self.number(argument, &user)).collect();
         match function.dimensions {
             Rule::Pure | Rule::Whole => {
                 for (argument, form) in arguments.iter().zip(forms) {
                     if let Some(form) = form {
-                        self.pure(argument, &form, &format!("the argument of {user}"));
+                        self.pure(
+                            argument,
+                            &form,
+                            &words!("the argument of {user}", "el argumento de {user}", user = user),
+                        );
                     }
                 }
                 Type::Number(Form::pure())
@@ -319,7 +333,7 @@ impl Inference<'_> {
     }
 
     /// Requires a pure number.
-    fn pure(&mut self, expression: &Expression, form: &Form, what: &str) {
+    fn pure(&mut self, expression: &Expression, form: &Form, what: &Words) {
         match self.solver.unify(form, &Form::pure(), expression.span) {
             Ok(()) => {}
             Err(Conflict::TooLarge) => {
@@ -341,7 +355,10 @@ impl Inference<'_> {
 
     /// Tells that an exponent has left its bound.
     pub fn too_large(&mut self, span: Span) -> Type {
-        let message = "the dimension of this has an exponent beyond all reason";
+        let message = words(
+            "the dimension of this has an exponent beyond all reason",
+            "la dimensión de esto tiene un exponente desmesurado",
+        );
         self.refuse(Diagnostic::error("dimension-too-large", message, span))
     }
 }

@@ -1,16 +1,16 @@
 //! What must have one dimension and does not: which part is to blame, what it lacks, and what in the model would help.
 
-use super::describe::{Factor, Row, as_factor, noun, table, with_article};
+use super::describe::{Factor, Row, as_factor, table, with_article};
 use super::form::{Conflict, Form};
-use super::infer::{Inference, Type};
+use super::infer::Inference;
+use super::types::Type;
 use crate::limits;
-use crate::names::{Meaning, for_each_name, list};
 use crate::notation::quote;
-use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, UnaryOperator};
-use units::{Dimension, Exponent};
+use crate::{Diagnostic, Expression, ExpressionKind, Span, UnaryOperator};
+use units::{Dimension, Exponent, Words, words};
 
-/// The most names that a hint offers.
-const MOST_OFFERS: usize = 3;
+const LEFT_SIDE: Words = words("left side", "miembro izquierdo");
+const RIGHT_SIDE: Words = words("right side", "miembro derecho");
 
 /// One of several expressions that must have one dimension; without a form when something is wrong with it already.
 #[derive(Clone, Debug)]
@@ -42,13 +42,13 @@ pub(crate) fn is_bare(expression: &Expression) -> bool {
 }
 
 impl Place {
-    fn part(self, index: usize, term: &Expression) -> String {
+    fn part(self, index: usize, term: &Expression) -> Words {
         match (self, index) {
-            (Self::Sum, _) => format!("the term `{}`", quote(term)),
-            (Self::Sides, 0) => "the left side".to_owned(),
-            (Self::Sides, _) => "the right side".to_owned(),
-            (Self::Arguments, _) => format!("the argument `{}`", quote(term)),
-            (Self::Branches, _) => format!("the branch `{}`", quote(term)),
+            (Self::Sum, _) => words!("the term `{}`", "el término `{}`", quote(term)),
+            (Self::Sides, 0) => words!("the {side}", "el {side}", side = LEFT_SIDE),
+            (Self::Sides, _) => words!("the {side}", "el {side}", side = RIGHT_SIDE),
+            (Self::Arguments, _) => words!("the argument `{}`", "el argumento `{}`", quote(term)),
+            (Self::Branches, _) => words!("the branch `{}`", "la rama `{}`", quote(term)),
         }
     }
 }
@@ -111,8 +111,12 @@ impl Inference<'_> {
         };
         let row = |index: usize, term: &Term| place.part(index, term.expression);
         let subject = row(index, term);
-        let mut diagnostic =
-            self.mismatch(&subject, (term.expression, form), (&row(normal_index, normal_term), normal_form), "");
+        let mut diagnostic = self.mismatch(
+            &subject,
+            (term.expression, form),
+            (&row(normal_index, normal_term), normal_form),
+            &Words::default(),
+        );
         diagnostic = diagnostic.with_label(normal_term.expression.span, self.what(normal_form));
         for (_, other, form) in odd.iter().skip(1).take(limits::PLACES) {
             diagnostic = diagnostic.with_label(other.expression.span, self.what(form));
@@ -136,7 +140,10 @@ impl Inference<'_> {
             return diagnostic;
         }
         let name = &self.scope.independent;
-        diagnostic.with_hint(format!("or, for equations without units, add the line `independent {name}`"))
+        diagnostic.with_hint(words!(
+            "or, for equations without units, add the line `independent {name}`",
+            "o, para ecuaciones sin unidades, añade la línea `independent {name}`"
+        ))
     }
 
     /// Tells that the sides of an equation differ, each being consistent in itself.
@@ -144,13 +151,21 @@ impl Inference<'_> {
         if self.has_told_enough() {
             return;
         }
-        let verdict =
-            self.factor(left.1, right.1).map_or_else(|| "differs from the right side".to_owned(), Factor::verdict);
-        let message = format!("the left side of the equation {verdict}");
+        let message = match self.factor(left.1, right.1) {
+            Some(factor) => words!(
+                "the left side of the equation {verdict}",
+                "en el miembro izquierdo de la ecuación {verdict}",
+                verdict = factor.verdict()
+            ),
+            None => words(
+                "the left side of the equation differs from the right side",
+                "el miembro izquierdo de la ecuación difiere del derecho",
+            ),
+        };
         let diagnostic = Diagnostic::error("dimension-mismatch", message, span)
             .with_label(left.0.span, self.what(left.1))
             .with_label(right.0.span, self.what(right.1))
-            .with_note(self.table(&[("left side", left.1), ("right side", right.1)]));
+            .with_note(self.table(&[(&LEFT_SIDE, left.1), (&RIGHT_SIDE, right.1)]));
         let diagnostic = self.with_origins(diagnostic, &[left.1, right.1]);
         let hint = self.factor(left.1, right.1).map(|factor| {
             let thing = as_factor(factor.dimension());
@@ -159,11 +174,20 @@ impl Inference<'_> {
             if unitless.is_empty() {
                 unitless = self.forgotten_unit(right.0, factor.lacking().inverse());
             }
+            let (multiply, divide) = (words("multiply", "multiplica"), words("divide", "divide"));
             let (change, opposite) = match factor {
-                Factor::Lacking(_) => ("multiply", "divide"),
-                Factor::Excess(_) => ("divide", "multiply"),
+                Factor::Lacking(_) => (multiply, divide),
+                Factor::Excess(_) => (divide, multiply),
             };
-            format!("{change} the left side by {thing}{offers}, or {opposite} the right side by one{unitless}")
+            words!(
+                "{change} the left side by {thing}{offers}, or {opposite} the right side by one{unitless}",
+                "{change} el miembro izquierdo por {thing}{offers}, o {opposite} el derecho por lo mismo{unitless}",
+                change = change,
+                thing = thing,
+                offers = offers,
+                opposite = opposite,
+                unitless = unitless
+            )
         });
         let diagnostic = match hint {
             Some(hint) => diagnostic.with_hint(hint),
@@ -173,159 +197,96 @@ impl Inference<'_> {
     }
 
     /// Tells that a value has not the dimension that is stated or needed at `place`.
-    pub fn report_value(&mut self, value: (&Expression, &Form), needed: (&str, &Form, Span), context: &str) {
+    pub fn report_value(&mut self, value: (&Expression, &Form), needed: (&str, &Form, Span), context: &Words) {
         if self.has_told_enough() {
             return;
         }
-        let subject = format!("`{}`", quote(value.0));
+        let subject = Words::same(format!("`{}`", quote(value.0)));
+        let title = Words::same(needed.0.to_owned());
         let what = self.what(needed.1);
         // A stated unit stands there itself, of a name there is only the part before its primes.
-        let label = if needed.0.starts_with('`') { format!("{} is {what}", needed.0) } else { what };
-        let diagnostic = self.mismatch(&subject, value, (needed.0, needed.1), context).with_label(needed.2, label);
+        let is_name = needed.0.starts_with('`');
+        let label =
+            if is_name { words!("{title} is {what}", "{title} es {what}", title = title, what = what) } else { what };
+        let diagnostic = self.mismatch(&subject, value, (&title, needed.1), context).with_label(needed.2, label);
         let remedy = self.remedy(value.0, value.1, needed.1);
         self.diagnostics.push(self.with_origins(diagnostic, &[value.1, needed.1]).with_hint(remedy));
     }
 
     /// What must be a pure number and is not.
-    pub fn not_pure(&self, expression: &Expression, form: &Form, what: &str) -> Diagnostic {
+    pub fn not_pure(&self, expression: &Expression, form: &Form, what: &Words) -> Diagnostic {
         let kind = self.what(form);
-        let message = format!("{what} must be a pure number, but `{}` is {kind}", quote(expression));
+        let quoted = quote(expression);
+        let message = words!(
+            "{what} must be a pure number, but `{quoted}` is {kind}",
+            "{what} debe ser un número puro, pero `{quoted}` es {kind}",
+            what = what,
+            kind = kind
+        );
+        let (subject, needed) = (Words::same(format!("`{quoted}`")), words("needed", "necesario"));
         let diagnostic = Diagnostic::error("dimension-mismatch", message, expression.span)
             .saying(kind)
-            .with_note(self.table(&[(&format!("`{}`", quote(expression)), form), ("needed", &Form::pure())]));
+            .with_note(self.table(&[(&subject, form), (&needed, &Form::pure())]));
         let remedy = self.remedy(expression, form, &Form::pure());
         self.with_origins(diagnostic, &[form]).with_hint(remedy)
     }
 
     fn mismatch(
         &self,
-        subject: &str,
+        subject: &Words,
         (expression, found): (&Expression, &Form),
-        (other, expected): (&str, &Form),
-        context: &str,
+        (other, expected): (&Words, &Form),
+        context: &Words,
     ) -> Diagnostic {
-        let verdict = match self.factor(found, expected) {
-            Some(_) if is_bare(expression) => format!("has no unit, but {} is needed", self.what(expected)),
-            Some(factor) => factor.verdict(),
-            None => format!("does not fit {other}"),
+        let message = match self.factor(found, expected) {
+            Some(_) if is_bare(expression) => words!(
+                "{subject} has no unit, but {needed} is needed{context}",
+                "{subject} no tiene unidad, pero hace falta {needed}{context}",
+                subject = subject,
+                needed = self.what(expected),
+                context = context
+            ),
+            Some(factor) => words!(
+                "{subject} {verdict}{context}",
+                "en {subject} {verdict}{context}",
+                subject = subject,
+                verdict = factor.verdict(),
+                context = context
+            ),
+            None => words!(
+                "{subject} does not fit {other}{context}",
+                "{subject} no concuerda con {other}{context}",
+                subject = subject,
+                other = other,
+                context = context
+            ),
         };
-        let message = format!("{subject} {verdict}{context}");
         Diagnostic::error("dimension-mismatch", message, expression.span)
             .saying(self.what(found))
             .with_note(self.table(&[(subject, found), (other, expected)]))
     }
 
-    fn factor(&self, found: &Form, expected: &Form) -> Option<Factor> {
+    pub fn factor(&self, found: &Form, expected: &Form) -> Option<Factor> {
         let ratio = found.per(expected).and_then(|ratio| self.solver.resolve(&ratio)).ok()?;
         ratio.dimension().map(Factor::of)
     }
 
     /// `a length`, `the dimension kg m^3`
-    pub fn what(&self, form: &Form) -> String {
+    pub fn what(&self, form: &Form) -> Words {
         let resolved = self.solver.resolve(form).ok().and_then(|form| form.dimension());
-        resolved.map_or_else(|| "of unknown dimension".to_owned(), with_article)
+        resolved.map_or_else(|| words("of unknown dimension", "de dimensión desconocida"), with_article)
     }
 
-    fn table(&self, rows: &[(&str, &Form)]) -> String {
+    fn table(&self, rows: &[(&Words, &Form)]) -> Words {
         let rows: Vec<Row> = rows
             .iter()
             .map(|(title, form)| {
                 let form = self.solver.resolve(form).unwrap_or_else(|_| (*form).clone());
-                Row { title: (*title).to_owned(), form }
+                Row { title: (*title).clone(), form }
             })
             .collect();
-        table(&rows, |index| format!("[{}]", self.types.unknown_names.get(index).map_or("?", String::as_str)))
-    }
-
-    /// What to do about a part of the wrong dimension.
-    fn remedy(&self, expression: &Expression, found: &Form, expected: &Form) -> String {
-        let expected_unit = self.solver.resolve(expected).ok().and_then(|form| form.dimension()).map(units::Unit::si);
-        if let (true, Some(unit)) = (is_bare(expression), expected_unit) {
-            return format!("give the number a unit: `{} [{unit}]`", quote(expression));
-        }
-        let Some(factor) = self.factor(found, expected) else {
-            return "state the units of the quantities involved".to_owned();
-        };
-        let thing = as_factor(factor.dimension());
-        let offers = self.offers(factor, expression);
-        let unitless = self.forgotten_unit(expression, factor.lacking());
-        match factor {
-            Factor::Lacking(_) => format!("multiply it by {thing}{offers}{unitless}"),
-            Factor::Excess(_) => format!("divide it by {thing}{offers}{unitless}"),
-        }
-    }
-
-    /// `, or give `omega` the unit [1/s]`, if a parameter without a unit is a factor of the expression.
-    fn forgotten_unit(&self, expression: &Expression, lacking: Dimension) -> String {
-        match self.factor_without_unit(expression) {
-            Some(name) => format!(", or give `{name}` the unit [{}]", units::Unit::si(lacking)),
-            None => String::new(),
-        }
-    }
-
-    /// A parameter among the factors of a product that is a pure number: perhaps its unit was forgotten.
-    fn factor_without_unit<'e>(&self, product: &'e Expression) -> Option<&'e str> {
-        let mut waiting = vec![product];
-        while let Some(next) = waiting.pop() {
-            match &next.kind {
-                ExpressionKind::Unary(UnaryOperator::Negate, inner) => waiting.push(inner),
-                ExpressionKind::Binary(BinaryOperator::Multiply, left, right) => {
-                    waiting.extend([right.as_ref(), left.as_ref()])
-                }
-                ExpressionKind::Binary(BinaryOperator::Divide, numerator, _) => waiting.push(numerator),
-                ExpressionKind::Name { name, order: 0 } => {
-                    if let Some(Meaning::Parameter(index)) = self.scope.meaning(name)
-                        && self.types.parameters[index] == Form::pure()
-                    {
-                        return Some(name);
-                    }
-                }
-                _ => {}
-            }
-        }
-        None
-    }
-
-    /// `, such as L, h_l or h_r`: the names of the model with just this dimension. What is too many is first looked for in
-    /// the expression itself, what is lacking everywhere.
-    fn offers(&self, factor: Factor, expression: &Expression) -> String {
-        let wanted = factor.dimension();
-        if noun(wanted) == Some("pure number") {
-            return String::new();
-        }
-        let fits = |name: &str| self.dimension_of(name) == Some(wanted);
-        let mut names: Vec<&str> = Vec::new();
-        let quoted = quote(expression);
-        let alone = |name: &str| quoted.trim_start_matches('-') == name;
-        if matches!(factor, Factor::Excess(_)) {
-            for_each_name(expression, |name, order, _| {
-                if order == 0 && fits(name) && !alone(name) && !names.contains(&name) {
-                    names.push(name);
-                }
-            });
-        }
-        if names.is_empty() {
-            names = self.scope.names().filter(|name| fits(name) && !alone(name)).collect();
-        }
-        names.truncate(MOST_OFFERS);
-        if names.is_empty() {
-            return String::new();
-        }
-        let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-        format!(", such as {}", list(&names).replace(" and ", " or "))
-    }
-
-    /// The dimension of a parameter, definition or unknown; the independent variable is no factor to offer.
-    fn dimension_of(&self, name: &str) -> Option<Dimension> {
-        let form = match self.scope.meaning(name)? {
-            Meaning::Parameter(index) => self.types.parameters.get(index)?,
-            Meaning::Definition(index) => match self.types.definitions.get(index)? {
-                Type::Number(form) => form,
-                _ => return None,
-            },
-            Meaning::Variable(_) | Meaning::Independent | Meaning::Pi => return None,
-        };
-        self.solver.resolve(form).ok()?.dimension()
+        let name_of = |index| format!("[{}]", self.types.unknown_names.get(index).map_or("?", String::as_str));
+        Words::each(|language| table(&rows, language, name_of))
     }
 
     /// Adds where the dimensions of unknown functions come from.
@@ -340,8 +301,14 @@ impl Inference<'_> {
             let told =
                 diagnostic.labels.iter().any(|label| label.span.start <= origin.start && origin.end <= label.span.end);
             if !told {
-                diagnostic =
-                    diagnostic.with_label(origin, format!("from here `{name}` is taken to be {}", self.what(form)));
+                diagnostic = diagnostic.with_label(
+                    origin,
+                    words!(
+                        "from here `{name}` is taken to be {what}",
+                        "desde aquí `{name}` se toma como {what}",
+                        what = self.what(form)
+                    ),
+                );
             }
         }
         diagnostic

@@ -5,7 +5,10 @@ mod describe;
 mod form;
 mod infer;
 mod mismatch;
+mod remedy;
+mod types;
 
 pub(crate) use check::check_dimensions;
 pub(crate) use form::{Form, Solver};
-pub(crate) use infer::{Inference, Type, Types};
+pub(crate) use infer::Inference;
+pub(crate) use types::{Type, Types};

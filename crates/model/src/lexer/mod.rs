@@ -9,6 +9,7 @@ use crate::alphabet::{greek_name, lowered, primes};
 use crate::{Diagnostic, Span, limits};
 use std::ops::Range;
 use token::{FOREIGN, KEYWORDS, SYMBOLS};
+use units::words;
 
 /// The tokens of `source[range]`, ending with [`TokenKind::End`]. `range` lies on character boundaries.
 pub(crate) fn tokens(source: &str, range: Range<usize>) -> (Vec<Token>, Vec<Diagnostic>) {
@@ -106,7 +107,10 @@ impl<'a> Lexer<'a> {
         if self.rest().starts_with('.') && !self.rest().starts_with("..") {
             self.skip(|c| c.is_ascii_digit() || c == '.');
             let text = &self.source[start..self.at];
-            let wrong = format!("`{text}` is not a number: it has a second point");
+            let wrong = words!(
+                "`{text}` is not a number: it has a second point",
+                "`{text}` no es un número: tiene un segundo punto"
+            );
             self.diagnostics.push(Diagnostic::error("malformed-number", wrong, Span::new(start, self.at)));
             return self.push(TokenKind::Unknown, start);
         }
@@ -115,9 +119,11 @@ impl<'a> Lexer<'a> {
             return self.push(TokenKind::Number(value), start);
         }
         let span = Span::new(start, self.at);
-        let wrong = "this number is too large";
-        self.diagnostics
-            .push(Diagnostic::error("malformed-number", wrong, span).with_note("the largest is about 1.8e308"));
+        let wrong = words("this number is too large", "este número es demasiado grande");
+        self.diagnostics.push(
+            Diagnostic::error("malformed-number", wrong, span)
+                .with_note(words("the largest is about 1.8e308", "el mayor es aproximadamente 1.8e308")),
+        );
         self.push(TokenKind::Unknown, start);
     }
 
@@ -148,8 +154,11 @@ impl<'a> Lexer<'a> {
         }
         if let Some(span) = foreign {
             let letter = &self.source[span.range()];
-            let wrong = format!("`{letter}` cannot be part of a name");
-            let hint = "names are made of the letters a to z, Greek letters, digits and _";
+            let wrong = words!("`{letter}` cannot be part of a name", "`{letter}` no puede formar parte de un nombre");
+            let hint = words(
+                "names are made of the letters a to z, Greek letters, digits and _",
+                "los nombres se forman con las letras de la a a la z, letras griegas, cifras y _",
+            );
             self.diagnostics.push(Diagnostic::error("name-character", wrong, span).with_hint(hint));
         }
         if let Some((_, keyword)) = KEYWORDS.iter().find(|(word, _)| *word == text) {
@@ -158,8 +167,12 @@ impl<'a> Lexer<'a> {
         let end = self.at;
         let order: u32 = self.skip(|c| primes(c).is_some()).chars().filter_map(primes).sum();
         if order > limits::ORDER {
-            let wrong = format!("{order} primes are too many");
-            let note = format!("derivatives up to the order {} are possible", limits::ORDER);
+            let wrong = words!("{order} primes are too many", "{order} primas son demasiadas");
+            let note = words!(
+                "derivatives up to the order {} are possible",
+                "se admiten derivadas hasta el orden {}",
+                limits::ORDER
+            );
             let diagnostic = Diagnostic::error("order-too-high", wrong, Span::new(end, self.at)).with_note(note);
             self.diagnostics.push(diagnostic);
             return self.push(TokenKind::Unknown, start);
@@ -185,12 +198,18 @@ impl<'a> Lexer<'a> {
             token.span.end == start && matches!(token.kind, TokenKind::Name { .. } | TokenKind::Primes)
         });
         self.at = start + opening.len_utf8() + inside.trim_end().len();
-        let mut diagnostic =
-            Diagnostic::error("unclosed-text", "this text has no closing quotation mark", Span::new(start, self.at));
+        let mut diagnostic = Diagnostic::error(
+            "unclosed-text",
+            words("this text has no closing quotation mark", "a este texto le faltan las comillas de cierre"),
+            Span::new(start, self.at),
+        );
         diagnostic = if after_name {
-            diagnostic.with_hint("for the second derivative write two primes: y''")
+            diagnostic.with_hint(words(
+                "for the second derivative write two primes: y''",
+                "para la segunda derivada escribe dos primas: y''",
+            ))
         } else {
-            diagnostic.with_hint("end it with \" on the same line")
+            diagnostic.with_hint(words("end it with \" on the same line", "ciérralo con \" en la misma línea"))
         };
         self.diagnostics.push(diagnostic);
         self.push(TokenKind::Unknown, start);
@@ -207,9 +226,10 @@ impl<'a> Lexer<'a> {
             return self.push(TokenKind::Brackets(inside), start);
         }
         self.at = inside_start + inside.trim_end().len();
-        let wrong = "this `[` is not closed";
+        let wrong = words("this `[` is not closed", "este `[` no se cierra");
         self.diagnostics.push(
-            Diagnostic::error("unclosed-bracket", wrong, Span::new(start, start + 1)).with_hint("end the unit with ]"),
+            Diagnostic::error("unclosed-bracket", wrong, Span::new(start, start + 1))
+                .with_hint(words("end the unit with ]", "termina la unidad con ]")),
         );
         self.push(TokenKind::Unknown, start);
     }
@@ -221,7 +241,11 @@ impl<'a> Lexer<'a> {
             return self.push(TokenKind::Raised(exponent), start);
         }
         let span = Span::new(start, self.at);
-        self.diagnostics.push(Diagnostic::error("malformed-number", "this is not an exponent", span));
+        self.diagnostics.push(Diagnostic::error(
+            "malformed-number",
+            words("this is not an exponent", "esto no es un exponente"),
+            span,
+        ));
         self.push(TokenKind::Unknown, start);
     }
 
@@ -239,7 +263,7 @@ impl<'a> Lexer<'a> {
         }
         if let Some((text, kind, ours)) = foreign {
             self.at += text.len();
-            let wrong = format!("`{text}` is written `{ours}` here");
+            let wrong = words!("`{text}` is written `{ours}` here", "`{text}` se escribe aquí `{ours}`");
             self.diagnostics.push(Diagnostic::error("foreign-operator", wrong, Span::new(start, self.at)));
             return self.push(kind.clone(), start);
         }
@@ -254,14 +278,31 @@ impl<'a> Lexer<'a> {
 
 fn strange_character(character: char, span: Span) -> Diagnostic {
     let shown = if character.is_control() { format!("U+{:04X}", character as u32) } else { character.to_string() };
-    let wrong = format!("the character `{shown}` has no meaning in a model");
+    let wrong = words!(
+        "the character `{shown}` has no meaning in a model",
+        "el carácter `{shown}` no tiene significado en un modelo"
+    );
     let diagnostic = Diagnostic::error("unexpected-character", wrong, span);
     match character {
-        '%' => diagnostic.with_hint("a percentage is written 5 [%], a remainder mod(a, b)"),
-        '\u{307}' | '\u{308}' => diagnostic.with_hint("derivatives are written with primes: y' and y''"),
-        '$' => diagnostic.with_hint("formulas in $...$ belong to the prose around the model"),
-        '\\' => diagnostic.with_hint("write names without a backslash: omega_0, sqrt(x)"),
-        ']' => Diagnostic::error("unmatched-bracket", "this `]` closes nothing", span),
+        '%' => diagnostic.with_hint(words(
+            "a percentage is written 5 [%], a remainder mod(a, b)",
+            "un porcentaje se escribe 5 [%]; un resto, mod(a, b)",
+        )),
+        '\u{307}' | '\u{308}' => diagnostic.with_hint(words(
+            "derivatives are written with primes: y' and y''",
+            "las derivadas se escriben con primas: y' e y''",
+        )),
+        '$' => diagnostic.with_hint(words(
+            "formulas in $...$ belong to the prose around the model",
+            "las fórmulas entre $...$ van en el texto que rodea al modelo",
+        )),
+        '\\' => diagnostic.with_hint(words(
+            "write names without a backslash: omega_0, sqrt(x)",
+            "escribe los nombres sin barra invertida: omega_0, sqrt(x)",
+        )),
+        ']' => {
+            Diagnostic::error("unmatched-bracket", words("this `]` closes nothing", "este `]` no cierra nada"), span)
+        }
         _ => diagnostic,
     }
 }

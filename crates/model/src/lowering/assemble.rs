@@ -11,7 +11,7 @@ use crate::{
     Compiled, Diagnostic, Event, Expression, ExpressionKind, Graph, Independent, Kind, Model, Node, NodeId, Parameter,
     Quantity, State,
 };
-use units::{Dimension, Exponent, Unit};
+use units::{Dimension, Exponent, Unit, words};
 
 /// Builds the model, all but its statements. `order` is that of the definitions.
 pub(crate) fn assemble(
@@ -175,10 +175,20 @@ fn close_initial_values(model: &mut Model) -> Result<(), Vec<Diagnostic>> {
             continue;
         }
         let (what, hint) = match dependence.states.first().map(|&number| model.states[number as usize].name()) {
-            Some(name) => (format!("`{name}`"), format!("for its initial value write `{name}(0)`")),
-            None => (format!("`{}`", model.independent.name), "leave it out: the run starts at 0".to_owned()),
+            Some(name) => (
+                name.clone(),
+                words!("for its initial value write `{name}(0)`", "para su valor inicial escribe `{name}(0)`"),
+            ),
+            None => (
+                model.independent.name.clone(),
+                words("leave it out: the run starts at 0", "omítela: la simulación empieza en 0"),
+            ),
         };
-        let message = format!("the initial value of `{}` depends on {what}, which changes", state.name());
+        let message = words!(
+            "the initial value of `{}` depends on `{what}`, which changes",
+            "el valor inicial de `{}` depende de `{what}`, que cambia",
+            state.name()
+        );
         diagnostics.push(Diagnostic::error("initial-value-varies", message, state.span).with_hint(hint));
     }
     let needs: Vec<Vec<usize>> = dependences
@@ -215,13 +225,21 @@ fn initial_circle(model: &Model, members: &[usize]) -> Diagnostic {
     let names: Vec<String> = members.iter().map(written).collect();
     let span = |number: usize| model.states[number].span;
     let message = if names.len() == 1 {
-        format!("the initial value {} is given by itself", list(&names))
+        words!(
+            "the initial value {names} is given by itself",
+            "el valor inicial {names} se da por sí mismo",
+            names = list(&names)
+        )
     } else {
-        format!("the initial values {} go in a circle", list(&names))
+        words!(
+            "the initial values {names} go in a circle",
+            "los valores iniciales {names} forman un círculo",
+            names = list(&names)
+        )
     };
     let mut diagnostic = Diagnostic::error("cycle", message, span(members[0]));
     for &other in &members[1..] {
-        diagnostic = diagnostic.with_label(span(other), "and this");
+        diagnostic = diagnostic.with_label(span(other), words("and this", "y este"));
     }
     diagnostic
 }

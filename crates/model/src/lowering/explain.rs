@@ -6,6 +6,7 @@ use super::solve::highest_names;
 use crate::names::{Equation, Meaning, Program, Unknown, children};
 use crate::notation::quote;
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Node, Span};
+use units::{Words, words};
 
 /// Finds the innermost part of an equation that is not linear in the highest derivatives, through definitions.
 pub(crate) fn nonlinear(
@@ -41,29 +42,43 @@ pub(crate) fn nonlinear(
             None => break,
         }
     }
-    let message = format!("the equation is not linear in its highest derivatives: {}", reason(at));
+    let message = words!(
+        "the equation is not linear in its highest derivatives: {reason}",
+        "la ecuación no es lineal en sus derivadas de mayor orden: {reason}",
+        reason = reason(at)
+    );
     let mut diagnostic = Diagnostic::error("nonlinear-highest-derivative", message, at.span)
-        .with_label(equation.span, "in this equation");
+        .with_label(equation.span, words("in this equation", "en esta ecuación"));
     for index in through {
         let name = program.definitions[index].name;
-        diagnostic = diagnostic.with_label(name.span, format!("through `{}`", name.text));
+        diagnostic = diagnostic.with_label(name.span, words!("through `{}`", "a través de `{}`", name.text));
     }
-    Ok(diagnostic.with_hint(
+    Ok(diagnostic.with_hint(words(
         "equations are solved for their highest derivatives, which may be added and multiplied by what contains none: \
          rewrite the equation so",
-    ))
+        "de las ecuaciones se despejan las derivadas de mayor orden, que pueden sumarse y multiplicarse por lo que no \
+         contenga ninguna: reescribe así la ecuación",
+    )))
 }
 
-fn reason(expression: &Expression) -> String {
+fn reason(expression: &Expression) -> Words {
     let quoted = quote(expression);
     match &expression.kind {
-        ExpressionKind::Binary(BinaryOperator::Multiply, ..) => format!("`{quoted}` multiplies them with each other"),
-        ExpressionKind::Binary(BinaryOperator::Divide, ..) => format!("`{quoted}` divides by one"),
-        ExpressionKind::Binary(BinaryOperator::Power, ..) => format!("`{quoted}` is a power of one"),
-        ExpressionKind::Binary(..) => format!("`{quoted}` compares one"),
-        ExpressionKind::Call { function, .. } => format!("one stands inside `{}`", function.text),
-        ExpressionKind::If(..) => format!("one decides `{quoted}`"),
-        _ => format!("`{quoted}` depends on them in another way"),
+        ExpressionKind::Binary(BinaryOperator::Multiply, ..) => {
+            words!("`{quoted}` multiplies them with each other", "`{quoted}` las multiplica entre sí")
+        }
+        ExpressionKind::Binary(BinaryOperator::Divide, ..) => {
+            words!("`{quoted}` divides by one", "`{quoted}` divide por una")
+        }
+        ExpressionKind::Binary(BinaryOperator::Power, ..) => {
+            words!("`{quoted}` is a power of one", "`{quoted}` es una potencia de una")
+        }
+        ExpressionKind::Binary(..) => words!("`{quoted}` compares one", "`{quoted}` compara una"),
+        ExpressionKind::Call { function, .. } => {
+            words!("one stands inside `{}`", "hay una dentro de `{}`", function.text)
+        }
+        ExpressionKind::If(..) => words!("one decides `{quoted}`", "una decide `{quoted}`"),
+        _ => words!("`{quoted}` depends on them in another way", "`{quoted}` depende de ellas de otro modo"),
     }
 }
 
@@ -78,10 +93,18 @@ pub(crate) fn not_solvable(
     for (index, unknown) in unknowns.iter().enumerate().filter(|(index, _)| equation_of[*index].is_none()) {
         let highest = highest_names(unknowns, &[index]);
         let diagnostic = if contains.iter().any(|members| members.contains(&index)) {
-            let message = format!("the equations do not determine {highest}");
+            let message = words!(
+                "the equations do not determine {highest}",
+                "las ecuaciones no determinan {highest}",
+                highest = highest
+            );
             Diagnostic::error("equations-dependent", message, unknown.span)
         } else {
-            let message = format!("the coefficient of {highest} is 0, so no equation can be solved for it");
+            let message = words!(
+                "the coefficient of {highest} is 0, so no equation can be solved for it",
+                "el coeficiente de {highest} es 0, así que no se puede despejar de ninguna ecuación",
+                highest = highest
+            );
             Diagnostic::error("coefficient-zero", message, unknown.span)
         };
         diagnostics.push(diagnostic);
@@ -91,7 +114,10 @@ pub(crate) fn not_solvable(
             && let Some(first) = diagnostics.first_mut()
             && !first.labels.iter().any(|label| label.span == equation.span)
         {
-            *first = first.clone().with_label(equation.span, "nothing is left here to solve for");
+            *first = first.clone().with_label(
+                equation.span,
+                words("nothing is left here to solve for", "aquí no queda nada que despejar"),
+            );
         }
     }
     diagnostics
@@ -102,14 +128,24 @@ pub(crate) fn dependent(unknowns: &[Unknown], members: &[usize], equations: &[Sp
     let highest = highest_names(unknowns, members);
     let (&first, rest) = equations.split_first().unwrap_or((const { &Span { start: 0, end: 0 } }, &[]));
     if members.len() == 1 {
-        let message = format!("the coefficient of {highest} is 0, so the equation cannot be solved for it");
+        let message = words!(
+            "the coefficient of {highest} is 0, so the equation cannot be solved for it",
+            "el coeficiente de {highest} es 0, así que no se puede despejar de la ecuación",
+            highest = highest
+        );
         return Diagnostic::error("coefficient-zero", message, first);
     }
-    let message =
-        format!("these equations do not determine {highest}: in these, one of them says no more than the others");
+    let message = words!(
+        "these equations do not determine {highest}: in these, one of them says no more than the others",
+        "estas ecuaciones no determinan {highest}: una de ellas no dice más que las demás",
+        highest = highest
+    );
     let mut diagnostic = Diagnostic::error("equations-dependent", message, first);
     for &span in rest {
-        diagnostic = diagnostic.with_label(span, "depends on the others");
+        diagnostic = diagnostic.with_label(span, words("depends on the others", "depende de las demás"));
     }
-    diagnostic.with_hint("replace one of them by an equation that says something else")
+    diagnostic.with_hint(words(
+        "replace one of them by an equation that says something else",
+        "sustituye una de ellas por una ecuación que diga otra cosa",
+    ))
 }

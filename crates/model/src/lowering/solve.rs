@@ -9,6 +9,7 @@ use crate::matching::{blocks, match_equations};
 use crate::names::{Equation, Meaning, Program, Unknown, for_each_name, list};
 use crate::notation::primed;
 use crate::{Diagnostic, Graph, LinearSystem, Node, NodeId, Span, limits};
+use units::{Words, words};
 
 /// The highest derivative of each unknown as an expression in `graph`. `order` is that of the definitions.
 pub(crate) fn solve(
@@ -61,8 +62,9 @@ pub(crate) fn solve(
 }
 
 fn too_coupled(members: &[usize], unknowns: &[Unknown]) -> Diagnostic {
-    let message = format!(
+    let message = words!(
         "{} equations are coupled through their highest derivatives; {} are the most",
+        "{} ecuaciones están acopladas por sus derivadas de mayor orden; el máximo son {}",
         members.len(),
         limits::COUPLED
     );
@@ -116,7 +118,10 @@ fn linear_equations(
 
 /// The model asks for too much.
 pub(crate) fn too_many_nodes(span: Span) -> Diagnostic {
-    let message = "the model becomes too large here: the expressions it stands for have too many operations";
+    let message = words(
+        "the model becomes too large here: the expressions it stands for have too many operations",
+        "el modelo se hace aquí demasiado grande: las expresiones que representa tienen demasiadas operaciones",
+    );
     Diagnostic::error("model-too-large", message, span)
 }
 
@@ -147,7 +152,10 @@ fn uses_initial_highest(graph: &Graph, root: NodeId, states: u32) -> bool {
 }
 
 fn initial_highest(equation: &Equation) -> Diagnostic {
-    let message = "the equation uses the initial value of a highest derivative, which only its solution gives";
+    let message = words(
+        "the equation uses the initial value of a highest derivative, which only its solution gives",
+        "la ecuación usa el valor inicial de una derivada de mayor orden, que solo da su solución",
+    );
     Diagnostic::error("initial-value-of-highest", message, equation.span)
 }
 
@@ -220,7 +228,7 @@ impl Solved<'_> {
 }
 
 /// `y''`, `x''` and so on, in quotation marks.
-pub(crate) fn highest_names(unknowns: &[Unknown], members: &[usize]) -> String {
+pub(crate) fn highest_names(unknowns: &[Unknown], members: &[usize]) -> Words {
     let quoted = |&member: &usize| format!("`{}`", primed(unknowns[member].name, unknowns[member].highest));
     list(&members.iter().map(quoted).collect::<Vec<_>>())
 }

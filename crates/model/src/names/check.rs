@@ -6,6 +6,7 @@ use crate::functions::Function;
 use crate::limits;
 use crate::notation::{primed, quote};
 use crate::{Diagnostic, Expression, ExpressionKind, Name, Span};
+use units::{Words, words};
 
 /// Collects what is wrong with the names of expressions. An unknown name is told once, with all its places.
 #[derive(Debug)]
@@ -36,14 +37,19 @@ impl<'a> NameCheck<'a> {
     fn name(&mut self, name: &'a str, order: u32, span: Span) {
         let (what, value) = match self.scope.meaning(name) {
             None => return self.unknown(name, order, span),
-            Some(Meaning::Parameter(_)) => ("a parameter", 0),
-            Some(Meaning::Pi) => ("a constant", 0),
-            Some(Meaning::Independent) => ("the independent variable", 1),
+            Some(Meaning::Parameter(_)) => (words("a parameter", "un parámetro"), 0),
+            Some(Meaning::Pi) => (words("a constant", "una constante"), 0),
+            Some(Meaning::Independent) => (words("the independent variable", "la variable independiente"), 1),
             Some(Meaning::Definition(_) | Meaning::Variable(_)) => return,
         };
         if order > 0 {
             let value = if order == 1 { value } else { 0 };
-            let message = format!("`{}` is always {value}: `{name}` is {what}", primed(name, order));
+            let written = primed(name, order);
+            let message = words!(
+                "`{written}` is always {value}: `{name}` is {what}",
+                "`{written}` es siempre {value}: `{name}` es {what}",
+                what = what
+            );
             self.diagnostics.push(Diagnostic::error("prime-of-constant", message, span));
         }
     }
@@ -53,11 +59,14 @@ impl<'a> NameCheck<'a> {
         if order == 0
             && let Some(Meaning::Parameter(_) | Meaning::Pi | Meaning::Independent) = self.scope.meaning(name)
         {
-            let message = format!("`{name}` has no initial value: it is not an unknown of the equations");
-            self.diagnostics.push(
-                Diagnostic::error("initial-value-of-constant", message, span)
-                    .with_hint(format!("write `{name}` alone, or `{name}*0` for a product")),
+            let message = words!(
+                "`{name}` has no initial value: it is not an unknown of the equations",
+                "`{name}` no tiene valor inicial: no es una incógnita de las ecuaciones"
             );
+            self.diagnostics.push(Diagnostic::error("initial-value-of-constant", message, span).with_hint(words!(
+                "write `{name}` alone, or `{name}*0` for a product",
+                "escribe solo `{name}`, o `{name}*0` para un producto"
+            )));
         }
     }
 
@@ -84,25 +93,41 @@ impl<'a> NameCheck<'a> {
             return;
         }
         let text = &name.text;
-        let message = format!("there is no function `{text}`");
+        let message = words!("there is no function `{text}`", "no hay ninguna función `{text}`");
         let mut diagnostic = Diagnostic::error("unknown-function", message, name.span);
         if self.scope.meaning(text).is_some() {
-            diagnostic.message = format!("`{text}` is not a function");
+            diagnostic.message = words!("`{text}` is not a function", "`{text}` no es una función");
             if let [Expression { kind: ExpressionKind::Name { name, order: 0 }, .. }] = arguments
                 && let Some(Meaning::Independent) = self.scope.meaning(name)
             {
-                diagnostic = diagnostic.with_hint(format!("`{text}` alone is its value at `{name}`"));
+                diagnostic = diagnostic.with_hint(words!(
+                    "`{text}` alone is its value at `{name}`",
+                    "`{text}` solo es ya su valor en `{name}`"
+                ));
             } else if let [argument] = arguments {
-                diagnostic = diagnostic.with_hint(format!("for a product write `{text}*({})`", quote(argument)));
+                diagnostic = diagnostic.with_hint(words!(
+                    "for a product write `{text}*({})`",
+                    "para un producto escribe `{text}*({})`",
+                    quote(argument)
+                ));
             }
         } else if let Some(near) = Scope::near_function(text) {
-            diagnostic = diagnostic.with_hint(format!("did you mean `{near}`?"));
+            diagnostic = diagnostic.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?"));
         }
         self.diagnostics.push(diagnostic);
     }
 
     fn wrong_count(&mut self, function: &Function, given: usize, span: Span) {
-        let message = format!("`{}` takes {}, and {given} {} given", function.name, function.arity(), were(given));
+        let message = match (function.name, function.arity(), given) {
+            (name, takes, 1) => {
+                words!("`{name}` takes {takes}, and 1 was given", "`{name}` toma {takes}, y se dio 1", takes = takes)
+            }
+            (name, takes, given) => words!(
+                "`{name}` takes {takes}, and {given} were given",
+                "`{name}` toma {takes}, y se dieron {given}",
+                takes = takes
+            ),
+        };
         self.diagnostics.push(Diagnostic::error("wrong-argument-count", message, span));
     }
 
@@ -118,53 +143,72 @@ impl<'a> NameCheck<'a> {
 /// Only names so short are taken for products.
 const LONGEST_PRODUCT: usize = 16;
 
-fn were(count: usize) -> &'static str {
-    if count == 1 { "was" } else { "were" }
-}
-
 fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagnostic {
     let (&first, rest) = places.split_first().unwrap_or((const { &Span { start: 0, end: 0 } }, &[]));
     let message = if order > 0 {
-        format!("nothing determines `{}`: `{name}` is neither defined nor in an equation", primed(name, order))
+        words!(
+            "nothing determines `{}`: `{name}` is neither defined nor in an equation",
+            "nada determina `{}`: `{name}` no se define ni aparece en una ecuación",
+            primed(name, order)
+        )
     } else {
-        format!("`{name}` is not known")
+        words!("`{name}` is not known", "no se conoce `{name}`")
     };
     let mut diagnostic = Diagnostic::error("unknown-name", message, first);
     for &place in rest.iter().take(limits::PLACES) {
-        diagnostic = diagnostic.with_label(place, "and here");
+        diagnostic = diagnostic.with_label(place, words("and here", "y aquí"));
     }
     if let Some(factors) = as_product(scope, name) {
-        return diagnostic.with_hint(format!("for a product write `{factors}`"));
+        return diagnostic.with_hint(words!("for a product write `{factors}`", "para un producto escribe `{factors}`"));
     }
     if let Some(hint) = as_differential(scope, name).filter(|_| order == 0) {
         return diagnostic.with_hint(hint);
     }
     if let Some(near) = scope.near(name) {
-        return diagnostic.with_hint(format!("did you mean `{near}`?"));
+        return diagnostic.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?"));
     }
     if Function::named(name).is_some() {
-        return diagnostic.with_hint(format!("`{name}` is a function: write `{name}(...)`"));
+        return diagnostic.with_hint(words!(
+            "`{name}` is a function: write `{name}(...)`",
+            "`{name}` es una función: escribe `{name}(...)`"
+        ));
     }
     match name {
         _ if order > 0 => {
             let highest = primed(name, order.max(2));
-            diagnostic
-                .with_hint(format!("write an equation for it, such as `{highest} = ...`, or define `{name} = ...`"))
+            diagnostic.with_hint(words!(
+                "write an equation for it, such as `{highest} = ...`, or define `{name} = ...`",
+                "escribe una ecuación para ella, por ejemplo `{highest} = ...`, o define `{name} = ...`"
+            ))
         }
-        "t" => diagnostic.with_hint(format!("the independent variable is `{}`", scope.independent)),
-        "e" => diagnostic.with_hint("for a power of 2.718... write `exp(x)`"),
-        _ => diagnostic.with_hint(format!("declare it: `parameter {name} = 1 [unit]` or `{name} = ...`")),
+        "t" => diagnostic.with_hint(words!(
+            "the independent variable is `{}`",
+            "la variable independiente es `{}`",
+            scope.independent
+        )),
+        "e" => diagnostic.with_hint(words(
+            "for a power of 2.718... write `exp(x)`",
+            "para una potencia de 2,718... escribe `exp(x)`",
+        )),
+        _ => diagnostic.with_hint(words!(
+            "declare it: `parameter {name} = 1 [unit]` or `{name} = ...`",
+            "declárala: `parameter {name} = 1 [unit]` o `{name} = ...`"
+        )),
     }
 }
 
 /// What to write instead of the parts of `dy/dt`.
-fn as_differential(scope: &Scope, name: &str) -> Option<String> {
+fn as_differential(scope: &Scope, name: &str) -> Option<Words> {
     let variable = name.strip_prefix('d')?;
     match scope.meaning(variable)? {
-        Meaning::Independent => Some("derivatives are written with primes: `y'`, `y''`".to_owned()),
-        Meaning::Variable(_) | Meaning::Definition(_) => {
-            Some(format!("the derivative of `{variable}` is written `{variable}'`"))
-        }
+        Meaning::Independent => Some(words(
+            "derivatives are written with primes: `y'`, `y''`",
+            "las derivadas se escriben con primas: `y'`, `y''`",
+        )),
+        Meaning::Variable(_) | Meaning::Definition(_) => Some(words!(
+            "the derivative of `{variable}` is written `{variable}'`",
+            "la derivada de `{variable}` se escribe `{variable}'`"
+        )),
         Meaning::Parameter(_) | Meaning::Pi => None,
     }
 }

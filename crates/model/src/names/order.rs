@@ -5,6 +5,7 @@ use super::scope::Meaning;
 use super::traverse::for_each_name;
 use crate::Diagnostic;
 use crate::matching::blocks;
+use units::{Words, words};
 
 /// Indices of definitions, each after those it uses. Members of circles, and what uses them, are left out; each circle
 /// is told.
@@ -74,16 +75,27 @@ fn circle(program: &Program, members: &[usize], uses: &[Vec<usize>]) -> Diagnost
     let first = name(members[0]);
     if members.len() == 1 {
         let text = &first.text;
-        return Diagnostic::error("cycle", format!("`{text}` is defined by itself"), first.span)
-            .with_hint(format!("for a differential equation write `{text}' = ...` and give `{text}(0)`"));
+        return Diagnostic::error(
+            "cycle",
+            words!("`{text}` is defined by itself", "`{text}` se define por sí misma"),
+            first.span,
+        )
+        .with_hint(words!(
+            "for a differential equation write `{text}' = ...` and give `{text}(0)`",
+            "para una ecuación diferencial escribe `{text}' = ...` y da `{text}(0)`"
+        ));
     }
     let names: Vec<String> = members.iter().map(|&index| format!("`{}`", name(index).text)).collect();
-    let message = format!("the definitions of {} go in a circle", list(&names));
+    let message = words!(
+        "the definitions of {names} go in a circle",
+        "las definiciones de {names} forman un círculo",
+        names = list(&names)
+    );
     let mut diagnostic = Diagnostic::error("cycle", message, first.span);
     for (position, &index) in members.iter().enumerate() {
         let used = uses[index].iter().filter(|used| members.contains(used));
         let used: Vec<String> = used.map(|&used| format!("`{}`", name(used).text)).collect();
-        let text = format!("uses {}", list(&used));
+        let text = words!("uses {used}", "usa {used}", used = list(&used));
         diagnostic =
             if position == 0 { diagnostic.saying(text) } else { diagnostic.with_label(name(index).span, text) };
     }
@@ -94,14 +106,23 @@ fn circle(program: &Program, members: &[usize], uses: &[Vec<usize>]) -> Diagnost
 const LONGEST_LIST: usize = 8;
 
 /// `a`, `a and b`, `a, b and c`; of very many, the first ones and how many others.
-pub(crate) fn list(items: &[String]) -> String {
+pub(crate) fn list(items: &[String]) -> Words {
+    joined(items, words("and", "y"))
+}
+
+/// As [`list`], with another word before the last item.
+pub(crate) fn joined(items: &[String], and: Words) -> Words {
     if items.len() > LONGEST_LIST {
         let (first, others) = items.split_at(LONGEST_LIST - 1);
-        return format!("{} and {} others", first.join(", "), others.len());
+        let (first, others) = (first.join(", "), others.len());
+        return words!("{first} {and} {others} others", "{first} {and} otros {others}", and = and);
     }
     match items {
-        [] => String::new(),
-        [only] => only.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+        [] => Words::default(),
+        [only] => Words::same(only.clone()),
+        [first @ .., last] => {
+            let first = first.join(", ");
+            words!("{first} {and} {last}", "{first} {and} {last}", and = and)
+        }
     }
 }

@@ -5,7 +5,7 @@ use super::scope::{Meaning, PI, Scope};
 use crate::functions::Function;
 use crate::{Action, Diagnostic, Expression, Name, ParameterStatement, Span, StatedUnit, Statement, StatementKind};
 use std::collections::HashMap;
-use units::Unit;
+use units::{Unit, words};
 
 /// A model by kinds of statement, each in the order of the text.
 #[derive(Debug)]
@@ -113,30 +113,36 @@ impl<'a> Program<'a> {
     ) -> bool {
         let text = name.text.as_str();
         if let Some(&first) = declared.get(text) {
-            let message = format!("`{text}` is declared twice");
+            let message = words!("`{text}` is declared twice", "`{text}` se declara dos veces");
             diagnostics.push(
                 Diagnostic::error("duplicate-name", message, name.span)
-                    .saying("declared again here")
-                    .with_label(first, "first declared here")
-                    .with_hint("give one of them another name"),
+                    .saying(words("declared again here", "se declara de nuevo aquí"))
+                    .with_label(first, words("first declared here", "se declara primero aquí"))
+                    .with_hint(words("give one of them another name", "da otro nombre a una de ellas")),
             );
             return false;
         }
         declared.insert(text, name.span);
         let reason = if text == PI {
-            "it is the number 3.14159".to_owned()
+            words("it is the number 3.14159", "es el número 3,14159")
         } else if text == self.independent.0 {
-            "it is the independent variable".to_owned()
+            words("it is the independent variable", "es la variable independiente")
         } else if Function::named(text).is_some() {
-            "it is a function".to_owned()
+            words("it is a function", "es una función")
         } else {
             return true;
         };
-        let mut diagnostic =
-            Diagnostic::error("reserved-name", format!("`{text}` cannot be declared: {reason}"), name.span)
-                .with_hint(format!("choose another name, such as `{text}_1`"));
+        let mut diagnostic = Diagnostic::error(
+            "reserved-name",
+            words!("`{text}` cannot be declared: {reason}", "`{text}` no se puede declarar: {reason}", reason = reason),
+            name.span,
+        )
+        .with_hint(words!("choose another name, such as `{text}_1`", "elige otro nombre, por ejemplo `{text}_1`"));
         if text == self.independent.0 {
-            let hint = "or name another independent variable: `independent x in [m]`";
+            let hint = words(
+                "or name another independent variable: `independent x in [m]`",
+                "o declara otra variable independiente: `independent x in [m]`",
+            );
             diagnostic = diagnostic.with_hint(hint);
         }
         diagnostics.push(diagnostic);
@@ -153,14 +159,25 @@ fn independent(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> (
         };
         if let Some((first, _)) = &stated {
             diagnostics.push(
-                Diagnostic::error("duplicate-independent", "there is more than one independent variable", name.span)
-                    .with_label(first.span, "the first is named here")
-                    .with_hint("partial differential equations are not solved here; keep one of them"),
+                Diagnostic::error(
+                    "duplicate-independent",
+                    words("there is more than one independent variable", "hay más de una variable independiente"),
+                    name.span,
+                )
+                .with_label(first.span, words("the first is named here", "la primera se declara aquí"))
+                .with_hint(words(
+                    "partial differential equations are not solved here; keep one of them",
+                    "aquí no se resuelven ecuaciones en derivadas parciales; deja solo una",
+                )),
             );
             continue;
         }
         if name.text == PI || Function::named(&name.text).is_some() {
-            let message = format!("`{}` cannot be the independent variable: the name is reserved", name.text);
+            let message = words!(
+                "`{}` cannot be the independent variable: the name is reserved",
+                "`{}` no puede ser la variable independiente: el nombre está reservado",
+                name.text
+            );
             diagnostics.push(Diagnostic::error("reserved-name", message, name.span));
         }
         let unit = unit.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
@@ -177,7 +194,10 @@ fn check_parameter(parameter: &ParameterStatement, diagnostics: &mut Vec<Diagnos
     let unit = parameter.unit.as_ref().map(|stated| format!(" {}", stated.unit)).unwrap_or_default();
     let value = parameter.value;
     if !value.is_finite() {
-        let message = format!("the value of `{name}` is too large for a number");
+        let message = words!(
+            "the value of `{name}` is too large for a number",
+            "el valor de `{name}` es demasiado grande para un número"
+        );
         diagnostics.push(Diagnostic::error("number-too-large", message, parameter.value_span));
     }
     if let Some(bounds) = &parameter.range {
@@ -186,27 +206,39 @@ fn check_parameter(parameter: &ParameterStatement, diagnostics: &mut Vec<Diagnos
             diagnostics.push(
                 Diagnostic::error(
                     "empty-range",
-                    format!("the range of `{name}` is empty: {low} is greater than {high}"),
+                    words!(
+                        "the range of `{name}` is empty: {low} is greater than {high}",
+                        "el intervalo de `{name}` está vacío: {low} es mayor que {high}"
+                    ),
                     bounds.span,
                 )
-                .with_hint(format!("write `in {high}..{low}`")),
+                .with_hint(words!("write `in {high}..{low}`", "escribe `in {high}..{low}`")),
             );
         } else if !(low..=high).contains(&value) {
             diagnostics.push(
                 Diagnostic::error(
                     "default-out-of-range",
-                    format!("the value of `{name}`, {value}{unit}, lies outside its range {low}..{high}{unit}"),
+                    words!(
+                        "the value of `{name}`, {value}{unit}, lies outside its range {low}..{high}{unit}",
+                        "el valor de `{name}`, {value}{unit}, está fuera de su intervalo {low}..{high}{unit}"
+                    ),
                     parameter.value_span,
                 )
-                .with_label(bounds.span, "the range, in the unit of the value")
-                .with_hint("widen the range or change the value"),
+                .with_label(
+                    bounds.span,
+                    words("the range, in the unit of the value", "el intervalo, en la unidad del valor"),
+                )
+                .with_hint(words("widen the range or change the value", "amplía el intervalo o cambia el valor")),
             );
         }
     }
     if let Some(step) = parameter.step
         && !(step > 0.0 && step.is_finite())
     {
-        let message = format!("the step of `{name}` is {step}: it must be greater than 0");
+        let message = words!(
+            "the step of `{name}` is {step}: it must be greater than 0",
+            "el paso de `{name}` es {step}: debe ser mayor que 0"
+        );
         diagnostics.push(Diagnostic::error("step-not-positive", message, parameter.name.span));
     }
 }

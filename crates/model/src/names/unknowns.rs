@@ -10,6 +10,7 @@ use crate::matching::match_equations;
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, Span, limits};
 use std::collections::BTreeMap;
+use units::{Words, words};
 
 /// An unknown function of the independent variable.
 #[derive(Clone, Debug)]
@@ -58,7 +59,11 @@ pub(crate) fn find_unknowns<'a>(
     unknowns.retain(|unknown| unknown.highest > 0);
     let too_high = unknowns.iter().find(|unknown| unknown.highest > limits::ORDER);
     if let Some(Unknown { name, span, .. }) = too_high {
-        let message = format!("`{name}` is differentiated too often; {} times are the most", limits::ORDER);
+        let message = words!(
+            "`{name}` is differentiated too often; {} times are the most",
+            "`{name}` se deriva demasiadas veces; el máximo son {}",
+            limits::ORDER
+        );
         diagnostics.push(Diagnostic::error("too-many-primes", message, *span));
         unknowns.retain(|unknown| unknown.highest <= limits::ORDER);
     }
@@ -69,8 +74,14 @@ pub(crate) fn find_unknowns<'a>(
         program.scope.declare(unknown.name, Meaning::Variable(index));
     }
     if let Some(Unknown { name, span, .. }) = unknowns.iter().find(|unknown| Function::named(unknown.name).is_some()) {
-        let message = format!("`{name}` cannot be an unknown: it is a function");
-        diagnostics.push(Diagnostic::error("reserved-name", message, *span).with_hint("choose another name"));
+        let message = words!(
+            "`{name}` cannot be an unknown: it is a function",
+            "`{name}` no puede ser una incógnita: es una función"
+        );
+        diagnostics.push(
+            Diagnostic::error("reserved-name", message, *span)
+                .with_hint(words("choose another name", "elige otro nombre")),
+        );
         // Its initial value was read as a call, so the counts below would be wrong.
         return unknowns;
     }
@@ -143,15 +154,22 @@ fn check_counts(
         } else {
             let solved: Vec<String> = contains[index].iter().map(|&unknown| highest[unknown].clone()).collect();
             let count = program.equations.len();
-            let message = format!("there are more equations than unknowns: {count} for {}", list(&highest));
-            let mut diagnostic = Diagnostic::error("too-many-equations", message, equation.span)
-                .saying(format!("{} is already determined without this one", list(&solved)));
+            let message = words!(
+                "there are more equations than unknowns: {count} for {highest}",
+                "hay más ecuaciones que incógnitas: {count} para {highest}",
+                highest = list(&highest)
+            );
+            let mut diagnostic = Diagnostic::error("too-many-equations", message, equation.span).saying(words!(
+                "{solved} is already determined without this one",
+                "{solved} ya se determina sin esta",
+                solved = list(&solved)
+            ));
             let shares = |other: &usize| contains[*other].iter().any(|unknown| contains[index].contains(unknown));
             let others = (0..program.equations.len()).filter(|other| *other != index && shares(other));
             for other in others.take(limits::PLACES) {
-                diagnostic = diagnostic.with_label(program.equations[other].span, "by this one");
+                diagnostic = diagnostic.with_label(program.equations[other].span, words("by this one", "por esta"));
             }
-            diagnostic.with_hint("leave one of them out")
+            diagnostic.with_hint(words("leave one of them out", "omite una de ellas"))
         });
     }
     // If an equation is left over and the number is right, that equation was meant for the unknown: it was told.
@@ -171,16 +189,22 @@ fn nothing_to_solve_for(
     orders: &Orders,
     unknowns: &[Unknown],
 ) -> Diagnostic {
-    let message = "there is nothing that this equation could be solved for";
+    let message =
+        words("there is nothing that this equation could be solved for", "esta ecuación no tiene nada que despejar");
     let mut diagnostic = Diagnostic::error("nothing-to-solve-for", message, equation.span);
     let lower: Vec<&Unknown> = unknowns.iter().filter(|unknown| orders.contains_key(unknown.name)).collect();
     if let Some(unknown) = lower.first() {
         let highest = primed(unknown.name, unknown.highest);
-        diagnostic = diagnostic
-            .saying(format!("contains no `{highest}`"))
-            .with_label(unknown.span, format!("`{highest}`, the highest derivative, is here"));
+        diagnostic = diagnostic.saying(words!("contains no `{highest}`", "no contiene `{highest}`")).with_label(
+            unknown.span,
+            words!(
+                "`{highest}`, the highest derivative, is here",
+                "`{highest}`, la derivada de mayor orden, está aquí"
+            ),
+        );
     } else {
-        diagnostic = diagnostic.saying("contains no derivative of an unknown");
+        diagnostic = diagnostic
+            .saying(words("contains no derivative of an unknown", "no contiene ninguna derivada de una incógnita"));
     }
     let mut defined = None;
     for side in [equation.left, equation.right] {
@@ -194,20 +218,37 @@ fn nothing_to_solve_for(
     }
     if let Some(index) = defined {
         let name = program.definitions[index].name;
-        diagnostic = diagnostic.with_label(name.span, format!("`{}` is defined here, and so is no unknown", name.text));
+        diagnostic = diagnostic.with_label(
+            name.span,
+            words!(
+                "`{}` is defined here, and so is no unknown",
+                "`{}` se define aquí, así que no es una incógnita",
+                name.text
+            ),
+        );
     }
-    diagnostic.with_hint("to define a quantity, write its name alone on the left: `v = y'`")
+    diagnostic.with_hint(words(
+        "to define a quantity, write its name alone on the left: `v = y'`",
+        "para definir una magnitud, escribe solo su nombre a la izquierda: `v = y'`",
+    ))
 }
 
 fn no_equation_for(program: &Program, unknown: &Unknown, highest: &[String], unknowns: &[Unknown]) -> Diagnostic {
     let equations = match program.equations.len() {
-        1 => "1 equation".to_owned(),
-        count => format!("{count} equations"),
+        1 => words("1 equation", "1 ecuación"),
+        count => words!("{count} equations", "{count} ecuaciones"),
     };
     let missing = primed(unknown.name, unknown.highest);
-    let message = format!("there are more unknowns than equations: {} and {equations}", list(highest));
-    let diagnostic = Diagnostic::error("too-few-equations", message, unknown.span)
-        .saying(format!("no equation is left to determine `{missing}`"));
+    let message = words!(
+        "there are more unknowns than equations: {highest} and {equations}",
+        "hay más incógnitas que ecuaciones: {highest} y {equations}",
+        highest = list(highest),
+        equations = equations
+    );
+    let diagnostic = Diagnostic::error("too-few-equations", message, unknown.span).saying(words!(
+        "no equation is left to determine `{missing}`",
+        "no queda ninguna ecuación que determine `{missing}`"
+    ));
     let mut known = Scope::new(&program.independent.0);
     for other in unknowns.iter().filter(|other| other.name != unknown.name) {
         known.declare(other.name, Meaning::Pi);
@@ -216,10 +257,14 @@ fn no_equation_for(program: &Program, unknown: &Unknown, highest: &[String], unk
         known.declare(&entry.name.text, Meaning::Pi);
     }
     match known.near(unknown.name) {
-        Some(near) => diagnostic.with_hint(format!("did you mean `{}`?", primed(near, unknown.highest))),
-        None => {
-            diagnostic.with_hint(format!("write an equation for `{missing}`, or define it: `{} = ...`", unknown.name))
+        Some(near) => {
+            diagnostic.with_hint(words!("did you mean `{}`?", "¿querías decir `{}`?", primed(near, unknown.highest)))
         }
+        None => diagnostic.with_hint(words!(
+            "write an equation for `{missing}`, or define it: `{} = ...`",
+            "escribe una ecuación para `{missing}`, o define `{} = ...`",
+            unknown.name
+        )),
     }
 }
 
@@ -228,7 +273,7 @@ fn assign_initial_values<'a>(program: &Program<'a>, unknowns: &mut [Unknown<'a>]
     for entry in &program.initial_values {
         let name = entry.name.text.as_str();
         let written = format!("{}(0)", primed(name, entry.order));
-        let error = |code, message: String| Diagnostic::error(code, message, entry.name.span);
+        let error = |code, message: Words| Diagnostic::error(code, message, entry.name.span);
         let diagnostic = match program.scope.meaning(name) {
             Some(Meaning::Variable(index)) => {
                 let unknown = &mut unknowns[index];
@@ -238,36 +283,59 @@ fn assign_initial_values<'a>(program: &Program<'a>, unknowns: &mut [Unknown<'a>]
                         *slot = Some(*entry);
                         continue;
                     }
-                    Some(Some(first)) => error("duplicate-initial-value", format!("`{written}` is given twice"))
-                        .saying("given again here")
-                        .with_label(first.name.span, "first given here"),
+                    Some(Some(first)) => error(
+                        "duplicate-initial-value",
+                        words!("`{written}` is given twice", "`{written}` se da dos veces"),
+                    )
+                    .saying(words("given again here", "se da de nuevo aquí"))
+                    .with_label(first.name.span, words("first given here", "se da primero aquí")),
                     None => error(
                         "initial-value-of-highest",
-                        format!("`{written}` cannot be given: the equation determines `{highest}`"),
+                        words!(
+                            "`{written}` cannot be given: the equation determines `{highest}`",
+                            "`{written}` no se puede dar: la ecuación determina `{highest}`"
+                        ),
                     )
-                    .with_label(unknown.span, "by this equation")
-                    .with_hint("leave it out"),
+                    .with_label(unknown.span, words("by this equation", "por esta ecuación"))
+                    .with_hint(words("leave it out", "omítelo")),
                 }
             }
             Some(Meaning::Definition(index)) => {
                 let defined = program.definitions[index].name;
                 error(
                     "initial-value-of-definition",
-                    format!("`{name}` is defined, so it has no initial value to be given"),
+                    words!(
+                        "`{name}` is defined, so it has no initial value to be given",
+                        "`{name}` está definida, así que no se le puede dar un valor inicial"
+                    ),
                 )
-                .with_label(defined.span, "defined here")
+                .with_label(defined.span, words("defined here", "se define aquí"))
             }
             Some(Meaning::Parameter(_) | Meaning::Independent | Meaning::Pi) => error(
                 "initial-value-of-constant",
-                format!("`{name}` is not an unknown of the equations, so it has no initial value"),
+                words!(
+                    "`{name}` is not an unknown of the equations, so it has no initial value",
+                    "`{name}` no es una incógnita de las ecuaciones, así que no tiene valor inicial"
+                ),
             ),
             None => {
-                let diagnostic =
-                    error("initial-value-without-equation", format!("no equation contains a derivative of `{name}`"))
-                        .saying(format!("`{written}` is the initial value of nothing"));
+                let diagnostic = error(
+                    "initial-value-without-equation",
+                    words!(
+                        "no equation contains a derivative of `{name}`",
+                        "ninguna ecuación contiene una derivada de `{name}`"
+                    ),
+                )
+                .saying(words!(
+                    "`{written}` is the initial value of nothing",
+                    "`{written}` no es el valor inicial de nada"
+                ));
                 match program.scope.near(name) {
-                    Some(near) => diagnostic.with_hint(format!("did you mean `{near}`?")),
-                    None => diagnostic.with_hint(format!("write an equation with `{name}'`, or define `{name} = ...`")),
+                    Some(near) => diagnostic.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
+                    None => diagnostic.with_hint(words!(
+                        "write an equation with `{name}'`, or define `{name} = ...`",
+                        "escribe una ecuación con `{name}'`, o define `{name} = ...`"
+                    )),
                 }
             }
         };
@@ -300,16 +368,22 @@ fn check_initial_values(unknown: &Unknown, diagnostics: &mut Vec<Diagnostic>) {
         return;
     }
     let highest = primed(unknown.name, unknown.highest);
-    let (verb, value) = if missing.len() == 1 { ("is", "its initial value") } else { ("are", "their initial values") };
+    let names = list(&missing);
+    let (message, needs) = if missing.len() == 1 {
+        (
+            words!("{names} is not given", "falta {names}", names = names),
+            words!("`{highest}` here needs its initial value", "`{highest}` necesita aquí su valor inicial"),
+        )
+    } else {
+        (
+            words!("{names} are not given", "faltan {names}", names = names),
+            words!("`{highest}` here needs their initial values", "`{highest}` necesita aquí sus valores iniciales"),
+        )
+    };
+    let given: Vec<String> = missing.iter().map(|written| format!("{} = 0", written.trim_matches('`'))).collect();
     diagnostics.push(
-        Diagnostic::error("missing-initial-value", format!("{} {verb} not given", list(&missing)), unknown.span)
-            .saying(format!("`{highest}` here needs {value}"))
-            .with_hint(
-                missing
-                    .iter()
-                    .map(|written| format!("{} = 0", written.trim_matches('`')))
-                    .collect::<Vec<_>>()
-                    .join(", "),
-            ),
+        Diagnostic::error("missing-initial-value", message, unknown.span)
+            .saying(needs)
+            .with_hint(Words::same(given.join(", "))),
     );
 }

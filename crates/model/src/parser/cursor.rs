@@ -3,7 +3,7 @@
 use crate::lexer::{Keyword, Symbol, Token, TokenKind};
 use crate::{Diagnostic, Span, StatedUnit};
 use std::ops::Range;
-use units::Unit;
+use units::{Unit, Words, words};
 
 /// A diagnostic has been said; the statement cannot be read any further.
 #[derive(Clone, Copy, Debug)]
@@ -131,12 +131,12 @@ impl<'a> Cursor<'a> {
     }
 
     /// The next token in words.
-    pub(super) fn found(&self) -> String {
+    pub(super) fn found(&self) -> Words {
         match self.peek() {
-            TokenKind::Newline => "the end of the line".to_owned(),
-            TokenKind::End => "the end".to_owned(),
-            TokenKind::Text(_) => "a text".to_owned(),
-            _ => format!("`{}`", &self.source[self.span().range()]),
+            TokenKind::Newline => words("the end of the line", "el final de la línea"),
+            TokenKind::End => words("the end", "el final"),
+            TokenKind::Text(_) => words("a text", "un texto"),
+            _ => Words::same(format!("`{}`", &self.source[self.span().range()])),
         }
     }
 
@@ -148,7 +148,7 @@ impl<'a> Cursor<'a> {
             let end = inside.start + error.range.end;
             let span = if start < end { Span::new(start, end) } else { Span::new(inside.start - 1, inside.end + 1) };
             let mut diagnostic = Diagnostic::error(error.code, error.message, span);
-            diagnostic.hints.extend(error.hint);
+            diagnostic.hints.extend(error.hint.map(|hint| *hint));
             self.say(diagnostic);
             Told
         })
@@ -161,8 +161,15 @@ impl<'a> Cursor<'a> {
         };
         let span = self.span();
         let TokenKind::Brackets(inside) = self.peek().clone() else {
-            let wrong = format!("after `in` a unit in brackets is expected, not {}", self.found());
-            let hint = "such as in [m/s]; ranges belong to parameters";
+            let wrong = words!(
+                "after `in` a unit in brackets is expected, not {found}",
+                "después de `in` se espera una unidad entre corchetes, no {found}",
+                found = self.found()
+            );
+            let hint = words(
+                "such as in [m/s]; ranges belong to parameters",
+                "por ejemplo, in [m/s]; los intervalos son para los parámetros",
+            );
             let at = if self.at_line_end() { keyword } else { span };
             return self.fail(Diagnostic::error("missing-unit", wrong, at).with_hint(hint));
         };

@@ -5,14 +5,16 @@ use super::cursor::{Cursor, Read, Told};
 use super::statement::{Salvaged, nothing, unread};
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{Action, Bounds, Diagnostic, ParameterStatement, Span, StatedUnit, StatementKind};
+use units::{Words, words};
 
-const EVENT_FORM: &str = "the form is: when CONDITION { y' = EXPRESSION }";
+const EVENT_FORM: Words =
+    words("the form is: when CONDITION { y' = EXPRESSION }", "la forma es: when CONDICIÓN { y' = EXPRESIÓN }");
 
 impl Cursor<'_> {
     /// `parameter b = 50 [kg/s] in 0..20000 step 1`
     pub(super) fn parameter(&mut self) -> Salvaged {
         let start = self.advance();
-        let name = match self.plain_name("a parameter") {
+        let name = match self.plain_name(&words("a parameter", "un parámetro")) {
             Ok(name) => name,
             Err(told) => return (nothing(start), Err(told)),
         };
@@ -25,9 +27,17 @@ impl Cursor<'_> {
 
     fn parameter_parts(&mut self, parameter: &mut ParameterStatement) -> Read<()> {
         if self.take(Symbol::Equals).is_none() {
-            let wrong = format!("the parameter `{}` needs a default value", parameter.name.text);
+            let wrong = words!(
+                "the parameter `{}` needs a default value",
+                "el parámetro `{}` necesita un valor predeterminado",
+                parameter.name.text
+            );
             let diagnostic = Diagnostic::error("parameter-without-value", wrong, parameter.name.span);
-            return self.fail(diagnostic.with_hint(format!("such as: parameter {} = 1", parameter.name.text)));
+            return self.fail(diagnostic.with_hint(words!(
+                "such as: parameter {} = 1",
+                "por ejemplo: parameter {} = 1",
+                parameter.name.text
+            )));
         }
         let start = self.span();
         let value = self.signed_number();
@@ -40,8 +50,16 @@ impl Cursor<'_> {
         );
         let Some(value) = value.filter(|_| !goes_on) else {
             let place = if self.at_line_end() && self.span() == start { self.last_span() } else { start };
-            let wrong = format!("the default of the parameter `{}` must be a number", parameter.name.text);
-            let hint = format!("a value that is computed is a definition: {} = ...", parameter.name.text);
+            let wrong = words!(
+                "the default of the parameter `{}` must be a number",
+                "el valor predeterminado del parámetro `{}` debe ser un número",
+                parameter.name.text
+            );
+            let hint = words!(
+                "a value that is computed is a definition: {} = ...",
+                "un valor que se calcula es una definición: {} = ...",
+                parameter.name.text
+            );
             return self.fail(Diagnostic::error("parameter-value", wrong, place).with_hint(hint));
         };
         if let TokenKind::Name { .. } = self.peek()
@@ -49,8 +67,15 @@ impl Cursor<'_> {
         {
             let place = self.span();
             let unit = &self.source[place.range()];
-            let wrong = format!("`{unit}` cannot stand directly after a number");
-            let hint = format!("a unit stands in brackets: {} [{unit}]", &self.source[parameter.value_span.range()]);
+            let wrong = words!(
+                "`{unit}` cannot stand directly after a number",
+                "`{unit}` no puede ir justo después de un número"
+            );
+            let hint = words!(
+                "a unit stands in brackets: {} [{unit}]",
+                "una unidad va entre corchetes: {} [{unit}]",
+                &self.source[parameter.value_span.range()]
+            );
             return self.fail(Diagnostic::error("unit-without-brackets", wrong, place).with_hint(hint));
         }
         if let TokenKind::Brackets(inside) = self.peek().clone() {
@@ -73,10 +98,14 @@ impl Cursor<'_> {
             } else if parameter.step.is_none() && self.at_word("step") {
                 self.advance();
                 let Some(step) = self.signed_number() else {
-                    let wrong = format!("after `step` a number is expected, not {}", self.found());
+                    let wrong = words!(
+                        "after `step` a number is expected, not {found}",
+                        "después de `step` se espera un número, no {found}",
+                        found = self.found()
+                    );
                     return self.fail(Diagnostic::error("parameter-step", wrong, start));
                 };
-                self.refuse_unit("a step")?;
+                self.refuse_unit(&words("a step", "un paso"))?;
                 parameter.step = Some(step);
             } else {
                 return Ok(());
@@ -88,35 +117,57 @@ impl Cursor<'_> {
     fn bounds(&mut self, keyword: Span) -> Read<Bounds> {
         let start = self.span();
         if let TokenKind::Brackets(_) = self.peek() {
-            let wrong = "after the `in` of a parameter its range is expected, not a unit";
-            let hint = "write the unit directly after the number, without `in`";
+            let wrong = words(
+                "after the `in` of a parameter its range is expected, not a unit",
+                "después del `in` de un parámetro se espera su intervalo, no una unidad",
+            );
+            let hint = words(
+                "write the unit directly after the number, without `in`",
+                "escribe la unidad justo después del número, sin `in`",
+            );
             return self.fail(Diagnostic::error("parameter-range", wrong, start).with_hint(hint));
         }
-        let form = "a range is written LOW..HIGH, such as: in 0..30";
+        let form = words(
+            "a range is written LOW..HIGH, such as: in 0..30",
+            "un intervalo se escribe MÍNIMO..MÁXIMO, por ejemplo: in 0..30",
+        );
         let Some(low) = self.signed_number() else {
-            let wrong = format!("after the `in` of a parameter its range is expected, not {}", self.found());
-            return self.fail(Diagnostic::error("parameter-range", wrong, keyword).with_hint(form));
+            let wrong = words!(
+                "after the `in` of a parameter its range is expected, not {found}",
+                "después del `in` de un parámetro se espera su intervalo, no {found}",
+                found = self.found()
+            );
+            return self.fail(Diagnostic::error("parameter-range", wrong, keyword).with_hint(form.clone()));
         };
-        self.refuse_unit("a range")?;
+        self.refuse_unit(&words("a range", "un intervalo"))?;
         if self.take(Symbol::Dots).is_none() {
-            let wrong = format!("`..` is expected in this range, not {}", self.found());
+            let wrong = words!(
+                "`..` is expected in this range, not {found}",
+                "en este intervalo se espera `..`, no {found}",
+                found = self.found()
+            );
             let place = if self.at_line_end() { start.to(self.last_span()) } else { self.span() };
-            return self.fail(Diagnostic::error("parameter-range", wrong, place).with_hint(form));
+            return self.fail(Diagnostic::error("parameter-range", wrong, place).with_hint(form.clone()));
         }
         let Some(high) = self.signed_number() else {
-            let wrong = "this range has no upper end";
-            return self.fail(Diagnostic::error("parameter-range", wrong, start.to(self.last_span())).with_hint(form));
+            let wrong = words("this range has no upper end", "este intervalo no tiene extremo superior");
+            return self
+                .fail(Diagnostic::error("parameter-range", wrong, start.to(self.last_span())).with_hint(form.clone()));
         };
         let span = start.to(self.last_span());
-        self.refuse_unit("a range")?;
+        self.refuse_unit(&words("a range", "un intervalo"))?;
         Ok(Bounds { low, high, span })
     }
 
-    fn refuse_unit(&mut self, what: &str) -> Read<()> {
+    fn refuse_unit(&mut self, what: &Words) -> Read<()> {
         let TokenKind::Brackets(_) = self.peek() else {
             return Ok(());
         };
-        let wrong = format!("{what} is given in the parameter's own unit, without brackets");
+        let wrong = words!(
+            "{what} is given in the parameter's own unit, without brackets",
+            "{what} se da en la unidad del propio parámetro, sin corchetes",
+            what = what
+        );
         let place = self.span();
         self.say(Diagnostic::error("unit-in-range", wrong, place));
         self.advance();
@@ -143,7 +194,7 @@ impl Cursor<'_> {
     /// `independent x in [m]`
     pub(super) fn independent(&mut self) -> Salvaged {
         let start = self.advance();
-        let name = match self.plain_name("the independent variable") {
+        let name = match self.plain_name(&words("the independent variable", "la variable independiente")) {
             Ok(name) => name,
             Err(told) => return (nothing(start), Err(told)),
         };
@@ -159,7 +210,7 @@ impl Cursor<'_> {
             Ok(tree) => tree.expression,
             Err(told) => return (nothing(start), Err(told)),
         };
-        self.refuse_equals("condition");
+        self.refuse_equals(words("condition", "una condición"));
         let mut actions = Vec::new();
         if matches!(self.peek(), TokenKind::Newline) && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftBrace) {
             self.skip_lines();
@@ -170,9 +221,11 @@ impl Cursor<'_> {
 
     fn actions(&mut self, start: Span, actions: &mut Vec<Action>) -> Read<()> {
         let Some(open) = self.take(Symbol::LeftBrace) else {
-            let wrong = format!("`{{` is expected here, not {}", self.found());
+            let wrong =
+                words!("`{{` is expected here, not {found}", "aquí se espera `{{`, no {found}", found = self.found());
             let place = if self.at_line_end() { self.last_span() } else { self.span() };
-            let diagnostic = Diagnostic::error("missing-braces", wrong, place).with_label(start, "of this event");
+            let diagnostic = Diagnostic::error("missing-braces", wrong, place)
+                .with_label(start, words("of this event", "de este evento"));
             return self.fail(diagnostic.with_hint(EVENT_FORM));
         };
         let mut wrong_actions = false;
@@ -188,13 +241,16 @@ impl Cursor<'_> {
                 TokenKind::End | TokenKind::Keyword(Keyword::Parameter | Keyword::Independent | Keyword::When)
             );
             if unclosed {
-                self.say(Diagnostic::error("unclosed-brace", "this `{` is not closed", open).with_hint(EVENT_FORM));
+                self.say(
+                    Diagnostic::error("unclosed-brace", words("this `{` is not closed", "esta `{` no se cierra"), open)
+                        .with_hint(EVENT_FORM),
+                );
                 self.back_to_line_end();
                 return Ok(());
             }
             if let Some(end) = self.take(Symbol::RightBrace) {
                 if actions.is_empty() && !wrong_actions {
-                    let wrong = "this event changes nothing";
+                    let wrong = words("this event changes nothing", "este evento no cambia nada");
                     let diagnostic = Diagnostic::error("empty-event", wrong, open.to(end));
                     self.say(diagnostic.with_hint(EVENT_FORM));
                 }
@@ -213,16 +269,24 @@ impl Cursor<'_> {
     fn action(&mut self) -> Read<Action> {
         let span = self.span();
         let TokenKind::Name { text, order, end } = self.peek().clone() else {
-            let wrong = format!("an action such as y' = 0 [m/s] is expected here, not {}", self.found());
+            let wrong = words!(
+                "an action such as y' = 0 [m/s] is expected here, not {found}",
+                "aquí se espera una acción como y' = 0 [m/s], no {found}",
+                found = self.found()
+            );
             return self.fail(Diagnostic::error("event-action", wrong, span));
         };
         self.advance();
         if self.take(Symbol::Equals).is_none() {
             let diagnostic = if *self.peek() == TokenKind::Symbol(Symbol::LeftParenthesis) {
-                let wrong = "an action sets the value at the event, not the one at the start";
+                let wrong = words(
+                    "an action sets the value at the event, not the one at the start",
+                    "una acción fija el valor en el evento, no el inicial",
+                );
                 Diagnostic::error("event-action", wrong, span)
             } else {
-                let wrong = format!("`=` is expected here, not {}", self.found());
+                let wrong =
+                    words!("`=` is expected here, not {found}", "aquí se espera `=`, no {found}", found = self.found());
                 let place = if self.at_line_end() { span } else { self.span() };
                 Diagnostic::error("event-action", wrong, place)
             };
@@ -260,9 +324,13 @@ impl Cursor<'_> {
     }
 
     fn assignment(&mut self, assignments: &mut Vec<Assignment>) -> Read<()> {
-        let name = self.plain_name("a parameter")?;
+        let name = self.plain_name(&words("a parameter", "un parámetro"))?;
         if self.take(Symbol::Equals).is_none() {
-            let wrong = format!("`=` and a value are expected after `{}`", name.text);
+            let wrong = words!(
+                "`=` and a value are expected after `{}`",
+                "después de `{}` se esperan `=` y un valor",
+                name.text
+            );
             return self.fail(Diagnostic::error("missing-equals", wrong, name.span));
         }
         let read = self.expression();

@@ -6,6 +6,7 @@ use super::statement::unread;
 use crate::functions::Function;
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, StatedUnit, UnaryOperator};
+use units::{Words, words};
 
 /// Parentheses, prefixes, exponents and branches in one another.
 pub(super) const DEEPEST: usize = 64;
@@ -95,7 +96,10 @@ impl Cursor<'_> {
 
     fn climb(&mut self, weakest: Strength) -> Read<Tree> {
         if self.depth >= DEEPEST {
-            return self.too_deep(self.span(), "this is nested too deeply");
+            return self.too_deep(
+                self.span(),
+                words("this is nested too deeply", "esto está anidado a demasiada profundidad"),
+            );
         }
         self.depth += 1;
         let read = self.prefix(weakest).and_then(|left| self.infix(left, weakest));
@@ -103,9 +107,11 @@ impl Cursor<'_> {
         read
     }
 
-    pub(super) fn too_deep<T>(&mut self, span: Span, wrong: &str) -> Read<T> {
-        let diagnostic =
-            Diagnostic::error("too-deep", wrong, span).with_hint("define parts of it as quantities of their own");
+    pub(super) fn too_deep<T>(&mut self, span: Span, wrong: Words) -> Read<T> {
+        let diagnostic = Diagnostic::error("too-deep", wrong, span).with_hint(words(
+            "define parts of it as quantities of their own",
+            "define partes de ella como magnitudes propias",
+        ));
         self.fail(diagnostic)
     }
 
@@ -171,7 +177,7 @@ impl Cursor<'_> {
     fn join(&mut self, operator: BinaryOperator, left: Tree, right: Tree, place: Span) -> Read<Tree> {
         let height = left.height.max(right.height) + 1;
         if height > HIGHEST {
-            return self.too_deep(place, "this expression is too long");
+            return self.too_deep(place, words("this expression is too long", "esta expresión es demasiado larga"));
         }
         let span = left.expression.span.to(right.expression.span);
         let kind = ExpressionKind::Binary(operator, Box::new(left.expression), Box::new(right.expression));
@@ -193,8 +199,16 @@ impl Cursor<'_> {
         let middle = &source[middle.span.range()];
         let first = &source[left.expression.span.range()];
         let sign = &source[place.range()];
-        let hint = format!("write both: {first} and {middle} {sign} ...");
-        self.say(Diagnostic::error("chained-comparison", "comparisons cannot be chained", place).with_hint(hint));
+        let hint =
+            words!("write both: {first} and {middle} {sign} ...", "escribe las dos: {first} and {middle} {sign} ...");
+        self.say(
+            Diagnostic::error(
+                "chained-comparison",
+                words("comparisons cannot be chained", "las comparaciones no se pueden encadenar"),
+                place,
+            )
+            .with_hint(hint),
+        );
         Ok(())
     }
 
@@ -224,11 +238,17 @@ impl Cursor<'_> {
         if let ExpressionKind::Name { name, order: 0 } = &last.kind
             && Function::named(name).is_some()
         {
-            let wrong = format!("the argument of `{before}` stands in parentheses");
+            let wrong = words!(
+                "the argument of `{before}` stands in parentheses",
+                "el argumento de `{before}` va entre paréntesis"
+            );
             let diagnostic = Diagnostic::error("missing-parentheses", wrong, last.span.to(next));
-            return self.say(diagnostic.with_hint(format!("write {before}({now})")));
+            return self.say(diagnostic.with_hint(words!("write {before}({now})", "escribe {before}({now})")));
         }
-        let wrong = format!("an operator is missing between `{before}` and `{now}`");
+        let wrong = words!(
+            "an operator is missing between `{before}` and `{now}`",
+            "falta un operador entre `{before}` y `{now}`"
+        );
         let is_call = *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftParenthesis);
         let rest = match now {
             "(" => "...)",
@@ -236,12 +256,18 @@ impl Cursor<'_> {
             _ if is_call => "(...)",
             _ => "",
         };
-        let hint = format!("a product is written with *: {before}*{now}{rest}");
+        let hint = words!(
+            "a product is written with *: {before}*{now}{rest}",
+            "un producto se escribe con *: {before}*{now}{rest}"
+        );
         let mut diagnostic = Diagnostic::error("missing-operator", wrong, place).with_hint(hint);
         let is_number = matches!(last.kind, ExpressionKind::Number { unit: None, .. });
         let is_name = matches!(self.peek(), TokenKind::Name { order: 0, .. });
         if is_number && is_name && units::Unit::parse(now).is_ok() {
-            diagnostic = diagnostic.with_hint(format!("a unit stands in brackets: {before} [{now}]"));
+            diagnostic = diagnostic.with_hint(words!(
+                "a unit stands in brackets: {before} [{now}]",
+                "una unidad va entre corchetes: {before} [{now}]"
+            ));
         }
         self.say(diagnostic);
     }
@@ -254,13 +280,22 @@ impl Cursor<'_> {
         if unit.dimension.is_none() {
             return;
         }
-        let diagnostic =
-            Diagnostic::error("unit-in-exponent", format!("`[{unit}]` belongs to the exponent {value} here"), *span);
+        let diagnostic = Diagnostic::error(
+            "unit-in-exponent",
+            words!("`[{unit}]` belongs to the exponent {value} here", "`[{unit}]` pertenece aquí al exponente {value}"),
+            *span,
+        );
         let is_ten = matches!(base.expression.kind, ExpressionKind::Number { value, unit: None } if value == 10.0);
         self.say(if is_ten {
-            diagnostic.with_hint(format!("powers of ten are part of a number: 1e{value} [{unit}]"))
+            diagnostic.with_hint(words!(
+                "powers of ten are part of a number: 1e{value} [{unit}]",
+                "las potencias de diez forman parte del número: 1e{value} [{unit}]"
+            ))
         } else {
-            diagnostic.with_hint(format!("to state the unit of the expression, write: in [{unit}]"))
+            diagnostic.with_hint(words!(
+                "to state the unit of the expression, write: in [{unit}]",
+                "para declarar la unidad de la expresión, escribe: in [{unit}]"
+            ))
         });
         exponent.expression.kind = ExpressionKind::Error;
     }
@@ -268,14 +303,14 @@ impl Cursor<'_> {
     fn branches(&mut self) -> Read<Tree> {
         let start = self.advance();
         let condition = self.expression()?;
-        self.refuse_equals("condition");
+        self.refuse_equals(words("condition", "una condición"));
         self.expect_keyword(Keyword::Then, "then", start)?;
         let yes = self.expression()?;
         self.expect_keyword(Keyword::Else, "else", start)?;
         let no = self.expression()?;
         let height = condition.height.max(yes.height).max(no.height) + 1;
         if height > HIGHEST {
-            return self.too_deep(start, "this expression is too long");
+            return self.too_deep(start, words("this expression is too long", "esta expresión es demasiado larga"));
         }
         let span = start.to(no.expression.span);
         let [condition, yes, no] = [condition, yes, no].map(|tree| Box::new(tree.expression));
@@ -289,29 +324,46 @@ impl Cursor<'_> {
         }
         let code = if keyword == Keyword::Then { "missing-then" } else { "missing-else" };
         let diagnostic = if self.at_line_end() && *self.peek_ahead(1) == TokenKind::Keyword(keyword) {
-            let wrong = format!("the line ends before the `{word}` of this `if`");
+            let wrong = words!(
+                "the line ends before the `{word}` of this `if`",
+                "la línea termina antes del `{word}` de este `if`"
+            );
             let end = after(self.last_span());
             // What follows on the next line belongs to the same mistake.
             self.advance();
             Diagnostic::error(code, wrong, start)
-                .with_label(end, "the statement ends here")
-                .with_hint(format!("put `{word}` at the end of this line, or the whole `if` into parentheses"))
+                .with_label(end, words("the statement ends here", "la sentencia termina aquí"))
+                .with_hint(words!(
+                    "put `{word}` at the end of this line, or the whole `if` into parentheses",
+                    "pon `{word}` al final de esta línea, o todo el `if` entre paréntesis"
+                ))
         } else {
-            let wrong = format!("`{word}` is expected here, not {}", self.found());
+            let wrong = words!(
+                "`{word}` is expected here, not {found}",
+                "aquí se espera `{word}`, no {found}",
+                found = self.found()
+            );
             let place = if self.at_line_end() { after(self.last_span()) } else { self.span() };
-            Diagnostic::error(code, wrong, place)
-                .with_label(start, "of this `if`")
-                .with_hint("the form is: if CONDITION then VALUE else VALUE")
+            Diagnostic::error(code, wrong, place).with_label(start, words("of this `if`", "de este `if`")).with_hint(
+                words(
+                    "the form is: if CONDITION then VALUE else VALUE",
+                    "la forma es: if CONDICIÓN then VALOR else VALOR",
+                ),
+            )
         };
         self.fail(diagnostic)
     }
 
     /// After a condition, `=` is a comparison written as an equation.
-    pub(super) fn refuse_equals(&mut self, what: &str) {
+    pub(super) fn refuse_equals(&mut self, what: Words) {
         if *self.peek() == TokenKind::Symbol(Symbol::Equals) {
-            let wrong = format!("`=` does not compare; it cannot stand in a {what}");
+            let wrong = words!(
+                "`=` does not compare; it cannot stand in a {what}",
+                "`=` no compara; no puede estar en {what}",
+                what = what
+            );
             let diagnostic = Diagnostic::error("equals-in-condition", wrong, self.span());
-            self.say(diagnostic.with_hint("to compare, write =="));
+            self.say(diagnostic.with_hint(words("to compare, write ==", "para comparar, escribe ==")));
             self.advance();
             // What it was compared with; if that is wrong too, one message is enough.
             let _ = self.climb(Strength::Sum);

@@ -6,6 +6,7 @@ use super::expression::{DEEPEST, Tree, leaf};
 use crate::functions::Function;
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{Diagnostic, Expression, ExpressionKind, Name, Span};
+use units::words;
 
 impl Cursor<'_> {
     pub(super) fn operand(&mut self) -> Read<Tree> {
@@ -26,7 +27,7 @@ impl Cursor<'_> {
             TokenKind::Symbol(Symbol::LeftParenthesis) => {
                 self.advance();
                 let mut inside = self.expression()?;
-                self.refuse_equals("parenthesis");
+                self.refuse_equals(words("parenthesis", "un paréntesis"));
                 let end = self.close(span)?;
                 inside.expression.span = span.to(end);
                 inside.parenthesised = true;
@@ -36,7 +37,10 @@ impl Cursor<'_> {
             TokenKind::Symbol(Symbol::Root) => {
                 self.advance();
                 if self.depth >= DEEPEST {
-                    return self.too_deep(span, "this is nested too deeply");
+                    return self.too_deep(
+                        span,
+                        words("this is nested too deeply", "esto está anidado a demasiada profundidad"),
+                    );
                 }
                 self.depth += 1;
                 let inside = self.operand();
@@ -83,7 +87,7 @@ impl Cursor<'_> {
         if *self.peek() != TokenKind::Symbol(Symbol::RightParenthesis) {
             loop {
                 arguments.push(self.expression()?);
-                self.refuse_equals("function's argument");
+                self.refuse_equals(words("function's argument", "el argumento de una función"));
                 if self.take(Symbol::Comma).is_none() && self.take(Symbol::Semicolon).is_none() {
                     break;
                 }
@@ -92,9 +96,15 @@ impl Cursor<'_> {
         let end = self.close(parenthesis)?;
         self.refuse_prime()?;
         if name.text == "log" {
-            let diagnostic =
-                Diagnostic::error("ambiguous-logarithm", "it is not clear which logarithm `log` is", name.span)
-                    .with_hint("write ln for the natural logarithm or log10 for the decimal one");
+            let diagnostic = Diagnostic::error(
+                "ambiguous-logarithm",
+                words("it is not clear which logarithm `log` is", "no está claro qué logaritmo es `log`"),
+                name.span,
+            )
+            .with_hint(words(
+                "write ln for the natural logarithm or log10 for the decimal one",
+                "escribe ln para el logaritmo natural o log10 para el decimal",
+            ));
             self.say(diagnostic);
             return Ok(leaf(ExpressionKind::Error, span.to(end)));
         }
@@ -108,13 +118,22 @@ impl Cursor<'_> {
         let written = &self.source[span.range()];
         let diagnostic = Diagnostic::error(
             "initial-value-not-at-zero",
-            format!("only 0 can stand in the parenthesis after `{written}`"),
+            words!(
+                "only 0 can stand in the parenthesis after `{written}`",
+                "tras `{written}` solo puede haber un 0 entre paréntesis"
+            ),
             argument.expression.span,
         )
-        .with_note(format!("{written}(0) is the value at the start, {written} alone the present one"));
+        .with_note(words!(
+            "{written}(0) is the value at the start, {written} alone the present one",
+            "{written}(0) es el valor inicial; {written} solo, el actual"
+        ));
         let diagnostic = match argument.expression.kind {
             ExpressionKind::Number { .. } | ExpressionKind::Name { .. } => diagnostic,
-            _ => diagnostic.with_hint(format!("a product is written with *: {written}*(...)")),
+            _ => diagnostic.with_hint(words!(
+                "a product is written with *: {written}*(...)",
+                "un producto se escribe con *: {written}*(...)"
+            )),
         };
         self.say(diagnostic);
         Ok(leaf(ExpressionKind::Name { name: name.text.clone(), order }, span.to(end)))
@@ -129,11 +148,16 @@ impl Cursor<'_> {
             return self.decimal_comma();
         }
         let diagnostic = if self.at_line_end() {
-            Diagnostic::error("unclosed-parenthesis", "this `(` is not closed", open)
-                .with_label(after(self.last_span()), "`)` is missing, here at the latest")
+            Diagnostic::error("unclosed-parenthesis", words("this `(` is not closed", "este `(` no se cierra"), open)
+                .with_label(
+                    after(self.last_span()),
+                    words("`)` is missing, here at the latest", "falta `)`, aquí como muy tarde"),
+                )
         } else {
-            let wrong = format!("`)` is expected here, not {}", self.found());
-            Diagnostic::error("unclosed-parenthesis", wrong, self.span()).with_label(open, "closes this `(`")
+            let wrong =
+                words!("`)` is expected here, not {found}", "aquí se espera `)`, no {found}", found = self.found());
+            Diagnostic::error("unclosed-parenthesis", wrong, self.span())
+                .with_label(open, words("closes this `(`", "cierra este `(`"))
         };
         self.fail(diagnostic)
     }
@@ -145,9 +169,20 @@ impl Cursor<'_> {
         let bytes = self.source.as_bytes();
         let before = comma.start.checked_sub(1).and_then(|at| bytes.get(at));
         let diagnostic = if digit(before) && digit(bytes.get(comma.end)) {
-            Diagnostic::error("decimal-comma", "a number has a decimal point here, not a comma", comma)
+            Diagnostic::error(
+                "decimal-comma",
+                words(
+                    "a number has a decimal point here, not a comma",
+                    "aquí los números llevan punto decimal, no coma",
+                ),
+                comma,
+            )
         } else {
-            Diagnostic::error("unexpected-token", "a comma cannot stand here", comma)
+            Diagnostic::error(
+                "unexpected-token",
+                words("a comma cannot stand here", "aquí no puede haber una coma"),
+                comma,
+            )
         };
         self.fail(diagnostic)
     }
@@ -157,8 +192,15 @@ impl Cursor<'_> {
         if *self.peek() != TokenKind::Primes {
             return Ok(());
         }
-        let diagnostic = Diagnostic::error("prime-after-expression", "a prime belongs to a name", self.span())
-            .with_hint("give the expression a name (v = ...) and write v'");
+        let diagnostic = Diagnostic::error(
+            "prime-after-expression",
+            words("a prime belongs to a name", "una prima va unida a un nombre"),
+            self.span(),
+        )
+        .with_hint(words(
+            "give the expression a name (v = ...) and write v'",
+            "da un nombre a la expresión (v = ...) y escribe v'",
+        ));
         self.fail(diagnostic)
     }
 
@@ -170,24 +212,58 @@ impl Cursor<'_> {
         let place = if line_end { last } else { span };
         let found = self.found();
         let diagnostic = match self.peek() {
-            TokenKind::Brackets(_) => Diagnostic::error("unit-without-number", "a unit belongs to a number", span)
-                .with_hint("such as 1 [m]; to state the unit of an expression, write `in [m]` after it"),
-            TokenKind::Primes => Diagnostic::error("prime-after-expression", "a prime belongs to a name", span)
-                .with_hint("write it directly after the name: y'"),
+            TokenKind::Brackets(_) => Diagnostic::error(
+                "unit-without-number",
+                words("a unit belongs to a number", "una unidad acompaña a un número"),
+                span,
+            )
+            .with_hint(words(
+                "such as 1 [m]; to state the unit of an expression, write `in [m]` after it",
+                "por ejemplo, 1 [m]; para declarar la unidad de una expresión, escribe `in [m]` tras ella",
+            )),
+            TokenKind::Primes => Diagnostic::error(
+                "prime-after-expression",
+                words("a prime belongs to a name", "una prima va unida a un nombre"),
+                span,
+            )
+            .with_hint(words("write it directly after the name: y'", "escríbela justo después del nombre: y'")),
             TokenKind::Keyword(Keyword::Then | Keyword::Else | Keyword::In) => {
-                let wrong = format!("an expression is expected before {found}");
+                let wrong = words!(
+                    "an expression is expected before {found}",
+                    "se espera una expresión antes de {found}",
+                    found = found
+                );
                 Diagnostic::error("missing-expression", wrong, place)
             }
             TokenKind::Keyword(Keyword::Parameter | Keyword::Independent | Keyword::When) => {
-                let wrong = format!("{found} is a word of the language and cannot be a name");
+                let wrong = words!(
+                    "{found} is a word of the language and cannot be a name",
+                    "{found} es una palabra del lenguaje y no puede ser un nombre",
+                    found = found
+                );
                 Diagnostic::error("reserved-word", wrong, place)
             }
             _ if line_end && last.start < last.end => {
-                let wrong = format!("an expression is expected after `{written}`");
+                let wrong = words!(
+                    "an expression is expected after `{written}`",
+                    "se espera una expresión después de `{written}`"
+                );
                 Diagnostic::error("missing-expression", wrong, place)
             }
-            _ if line_end => Diagnostic::error("missing-expression", "an expression is expected here", place),
-            _ => Diagnostic::error("missing-expression", format!("an expression is expected here, not {found}"), place),
+            _ if line_end => Diagnostic::error(
+                "missing-expression",
+                words("an expression is expected here", "aquí se espera una expresión"),
+                place,
+            ),
+            _ => Diagnostic::error(
+                "missing-expression",
+                words!(
+                    "an expression is expected here, not {found}",
+                    "aquí se espera una expresión, no {found}",
+                    found = found
+                ),
+                place,
+            ),
         };
         self.fail(diagnostic)
     }

@@ -6,6 +6,7 @@ use super::cursor::{Cursor, Read, Told};
 use super::expression::Tree;
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{Diagnostic, Expression, ExpressionKind, Name, Quoted, Span, Statement, StatementKind};
+use units::{Words, words};
 
 /// What other languages write, and the word it stands for here.
 const OTHER_WORDS: &[(&str, &[&str])] = &[
@@ -40,7 +41,7 @@ impl Cursor<'_> {
         self.depth = 0;
         let (kind, mut read) = match self.peek() {
             TokenKind::Keyword(_) if *self.peek_ahead(1) == TokenKind::Symbol(Symbol::Equals) => {
-                (nothing(start), self.plain_name("a quantity").map(|_| ()))
+                (nothing(start), self.plain_name(&words("a quantity", "una magnitud")).map(|_| ()))
             }
             TokenKind::Name { .. } if self.meant_word().is_some() => (nothing(start), self.unknown_word()),
             TokenKind::Keyword(Keyword::Parameter) => self.parameter(),
@@ -70,10 +71,14 @@ impl Cursor<'_> {
     }
 
     fn unknown_word(&mut self) -> Read<()> {
-        let wrong = format!("{} is not a word of the language", self.found());
+        let wrong = words!(
+            "{found} is not a word of the language",
+            "{found} no es una palabra del lenguaje",
+            found = self.found()
+        );
         let diagnostic = Diagnostic::error("unknown-word", wrong, self.span());
         let meant = self.meant_word().unwrap_or_default();
-        self.fail(diagnostic.with_hint(format!("did you mean {meant}?")))
+        self.fail(diagnostic.with_hint(words!("did you mean {meant}?", "¿querías decir {meant}?")))
     }
 
     fn label(&mut self) -> Option<Quoted> {
@@ -88,24 +93,44 @@ impl Cursor<'_> {
             return Ok(());
         }
         if let Some(span) = self.take(Symbol::Semicolon) {
-            let diagnostic = Diagnostic::error("semicolon", "a statement ends with its line, not with `;`", span);
+            let diagnostic = Diagnostic::error(
+                "semicolon",
+                words("a statement ends with its line, not with `;`", "una sentencia termina con su línea, no con `;`"),
+                span,
+            );
             let another = !self.at_line_end();
             self.say(if another {
-                diagnostic.with_hint("put the next statement on a line of its own")
+                diagnostic.with_hint(words(
+                    "put the next statement on a line of its own",
+                    "pon la siguiente sentencia en una línea propia",
+                ))
             } else {
                 diagnostic
             });
             return Ok(());
         }
         if let Some(label) = label {
-            let wrong = format!("the label is the last part of a statement, but {} follows", self.found());
+            let wrong = words!(
+                "the label is the last part of a statement, but {found} follows",
+                "la etiqueta es la última parte de una sentencia, pero le sigue {found}",
+                found = self.found()
+            );
             let diagnostic = Diagnostic::error("label-not-last", wrong, label.span);
-            return self.fail(diagnostic.with_label(self.span(), "belongs before the label"));
+            return self.fail(
+                diagnostic.with_label(self.span(), words("belongs before the label", "va antes de la etiqueta")),
+            );
         }
         let span = self.span();
         if let (TokenKind::Keyword(Keyword::In), StatementKind::Equation { .. }) = (self.peek(), kind) {
-            let diagnostic = Diagnostic::error("unit-of-equation", "an equation has no unit to be stated", span);
-            return self.fail(diagnostic.with_hint("state units where a name or an initial value is defined"));
+            let diagnostic = Diagnostic::error(
+                "unit-of-equation",
+                words("an equation has no unit to be stated", "una ecuación no tiene unidad que declarar"),
+                span,
+            );
+            return self.fail(diagnostic.with_hint(words(
+                "state units where a name or an initial value is defined",
+                "declara las unidades donde se define un nombre o un valor inicial",
+            )));
         }
         self.unexpected_after_expression()
     }
@@ -121,44 +146,97 @@ impl Cursor<'_> {
             {
                 let index = self.source[inside.clone()].trim();
                 let before = &self.source[self.last_span().range()];
-                Diagnostic::error("no-indices", "names have no indices", span)
-                    .with_hint(format!("give each its own name, such as {before}_{index}"))
+                Diagnostic::error("no-indices", words("names have no indices", "los nombres no llevan índices"), span)
+                    .with_hint(words!(
+                        "give each its own name, such as {before}_{index}",
+                        "da a cada uno su propio nombre, por ejemplo {before}_{index}"
+                    ))
             }
             TokenKind::Brackets(_) => {
-                let wrong = format!("{found} follows something that is not a number");
+                let wrong = words!(
+                    "{found} follows something that is not a number",
+                    "{found} sigue a algo que no es un número",
+                    found = found
+                );
                 Diagnostic::error("unit-without-number", wrong, span)
-                    .with_note("after a name or a parenthesis, brackets are kept for indices")
-                    .with_hint(format!("to state the unit of the expression, write: in {}", &self.source[span.range()]))
+                    .with_note(words(
+                        "after a name or a parenthesis, brackets are kept for indices",
+                        "tras un nombre o un paréntesis, los corchetes se reservan para los índices",
+                    ))
+                    .with_hint(words!(
+                        "to state the unit of the expression, write: in {}",
+                        "para declarar la unidad de la expresión, escribe: in {}",
+                        &self.source[span.range()]
+                    ))
             }
-            TokenKind::Symbol(Symbol::Equals) => Diagnostic::error("second-equals", "there is an `=` already", span)
-                .with_hint("write each equation on a line of its own; to compare, write =="),
-            TokenKind::Symbol(Symbol::RightParenthesis) => {
-                Diagnostic::error("unmatched-parenthesis", "this `)` closes nothing", span)
+            TokenKind::Symbol(Symbol::Equals) => {
+                Diagnostic::error("second-equals", words("there is an `=` already", "ya hay un `=`"), span).with_hint(
+                    words(
+                        "write each equation on a line of its own; to compare, write ==",
+                        "escribe cada ecuación en una línea propia; para comparar, escribe ==",
+                    ),
+                )
             }
+            TokenKind::Symbol(Symbol::RightParenthesis) => Diagnostic::error(
+                "unmatched-parenthesis",
+                words("this `)` closes nothing", "este `)` no cierra nada"),
+                span,
+            ),
             TokenKind::Symbol(Symbol::RightBrace) => {
-                Diagnostic::error("unmatched-brace", "this `}` closes nothing", span)
+                Diagnostic::error("unmatched-brace", words("this `}` closes nothing", "esta `}` no cierra nada"), span)
             }
-            TokenKind::Symbol(Symbol::LeftBrace) => {
-                Diagnostic::error("unexpected-token", "braces belong to events", span)
-                    .with_hint("such as: when y < 0 [m] { y' = -y' }")
-            }
+            TokenKind::Symbol(Symbol::LeftBrace) => Diagnostic::error(
+                "unexpected-token",
+                words("braces belong to events", "las llaves son para los eventos"),
+                span,
+            )
+            .with_hint(words("such as: when y < 0 [m] { y' = -y' }", "por ejemplo: when y < 0 [m] { y' = -y' }")),
             TokenKind::Primes => {
                 let rest = self.source[span.end..].lines().next().unwrap_or_default();
-                let diagnostic = Diagnostic::error("prime-after-expression", "a prime belongs to a name", span);
+                let diagnostic = Diagnostic::error(
+                    "prime-after-expression",
+                    words("a prime belongs to a name", "una prima va unida a un nombre"),
+                    span,
+                );
                 if rest.contains(['\'', '’']) {
-                    diagnostic.with_hint("a text stands in double quotation marks")
+                    diagnostic.with_hint(words(
+                        "a text stands in double quotation marks",
+                        "un texto va entre comillas dobles",
+                    ))
                 } else {
-                    diagnostic.with_hint("write it directly after the name: y'")
+                    diagnostic.with_hint(words(
+                        "write it directly after the name: y'",
+                        "escríbela justo después del nombre: y'",
+                    ))
                 }
             }
-            TokenKind::Keyword(Keyword::In) => {
-                Diagnostic::error("unexpected-token", "`in` can stand here only once, and not in parentheses", span)
-            }
-            TokenKind::Keyword(Keyword::Then | Keyword::Else) => {
-                Diagnostic::error("unexpected-token", format!("there is no `if` to which this {found} belongs"), span)
-            }
-            TokenKind::Text(_) => Diagnostic::error("unexpected-token", "a text cannot stand here", span),
-            _ => Diagnostic::error("unexpected-token", format!("{found} cannot stand here"), span),
+            TokenKind::Keyword(Keyword::In) => Diagnostic::error(
+                "unexpected-token",
+                words(
+                    "`in` can stand here only once, and not in parentheses",
+                    "`in` solo puede aparecer aquí una vez, y no entre paréntesis",
+                ),
+                span,
+            ),
+            TokenKind::Keyword(Keyword::Then | Keyword::Else) => Diagnostic::error(
+                "unexpected-token",
+                words!(
+                    "there is no `if` to which this {found} belongs",
+                    "no hay ningún `if` al que corresponda este {found}",
+                    found = found
+                ),
+                span,
+            ),
+            TokenKind::Text(_) => Diagnostic::error(
+                "unexpected-token",
+                words("a text cannot stand here", "aquí no puede haber un texto"),
+                span,
+            ),
+            _ => Diagnostic::error(
+                "unexpected-token",
+                words!("{found} cannot stand here", "{found} no puede estar aquí", found = found),
+                span,
+            ),
         };
         self.fail(diagnostic)
     }
@@ -202,7 +280,10 @@ impl Cursor<'_> {
                     && outcome.is_ok()
                 {
                     let name = &function.text;
-                    let wrong = format!("the start is at 0: a value is given for {name}(0) only");
+                    let wrong = words!(
+                        "the start is at 0: a value is given for {name}(0) only",
+                        "el inicio está en 0: solo se da un valor para {name}(0)"
+                    );
                     self.say(Diagnostic::error("initial-value-not-at-zero", wrong, *span));
                     outcome = Err(Told);
                 }
@@ -224,22 +305,35 @@ impl Cursor<'_> {
             let place = Span::new(first.span.end, first.span.end);
             let sign = self.source[first.span.end..span.end].find("==").map(|at| first.span.end + at);
             let place = sign.map_or(place, |at| Span::new(at, at + 2));
-            let wrong = "`==` compares; an equation is written with one `=`";
+            let wrong = words(
+                "`==` compares; an equation is written with one `=`",
+                "`==` compara; una ecuación se escribe con un solo `=`",
+            );
             return self.fail(Diagnostic::error("missing-equals", wrong, place));
         }
         if !self.at_line_end() && !matches!(self.peek(), TokenKind::Text(_)) {
             return self.unexpected_after_expression();
         }
-        let mut diagnostic = Diagnostic::error("missing-equals", "this is an expression, but not a statement", span);
+        let mut diagnostic = Diagnostic::error(
+            "missing-equals",
+            words("this is an expression, but not a statement", "esto es una expresión, pero no una sentencia"),
+            span,
+        );
         diagnostic = if self.next_line_continues() {
             let end = after(self.last_span());
             // What follows on the next line belongs to the same mistake.
             self.advance();
             diagnostic
-                .with_label(end, "the statement ends with its line")
-                .with_hint("to go on with the next line, end this one with the operator, or put all into parentheses")
+                .with_label(end, words("the statement ends with its line", "la sentencia termina con su línea"))
+                .with_hint(words(
+                    "to go on with the next line, end this one with the operator, or put all into parentheses",
+                    "para continuar en la línea siguiente, termina esta con el operador o ponlo todo entre paréntesis",
+                ))
         } else {
-            diagnostic.with_hint("a definition is written NAME = EXPRESSION, an equation LEFT = RIGHT")
+            diagnostic.with_hint(words(
+                "a definition is written NAME = EXPRESSION, an equation LEFT = RIGHT",
+                "una definición se escribe NOMBRE = EXPRESIÓN; una ecuación, IZQUIERDA = DERECHA",
+            ))
         };
         self.fail(diagnostic)
     }
@@ -254,7 +348,7 @@ impl Cursor<'_> {
     }
 
     /// Reads a name without primes.
-    pub(super) fn plain_name(&mut self, what: &str) -> Read<Name> {
+    pub(super) fn plain_name(&mut self, what: &Words) -> Read<Name> {
         let span = self.span();
         match self.peek().clone() {
             TokenKind::Name { text, order: 0, .. } => {
@@ -262,15 +356,24 @@ impl Cursor<'_> {
                 Ok(Name { text, span })
             }
             TokenKind::Name { .. } => {
-                let wrong = format!("{what} cannot have a prime");
+                let wrong = words!("{what} cannot have a prime", "{what} no puede llevar prima", what = what);
                 self.fail(Diagnostic::error("unexpected-token", wrong, span))
             }
             TokenKind::Keyword(_) => {
-                let wrong = format!("{} is a word of the language and cannot be a name", self.found());
+                let wrong = words!(
+                    "{found} is a word of the language and cannot be a name",
+                    "{found} es una palabra del lenguaje y no puede ser un nombre",
+                    found = self.found()
+                );
                 self.fail(Diagnostic::error("reserved-word", wrong, span))
             }
             _ => {
-                let wrong = format!("the name of {what} is expected here, not {}", self.found());
+                let wrong = words!(
+                    "the name of {what} is expected here, not {found}",
+                    "aquí se espera el nombre de {what}, no {found}",
+                    what = what,
+                    found = self.found()
+                );
                 let place = if self.at_line_end() { self.last_span() } else { span };
                 self.fail(Diagnostic::error("missing-name", wrong, place))
             }

@@ -21,18 +21,18 @@ pub fn render(source: &str, diagnostics: &[Diagnostic]) -> String {
     let mut text = String::new();
     for diagnostic in diagnostics {
         let severity = if diagnostic.severity == Severity::Error { "error" } else { "warning" };
-        text += &format!("{severity} [{}]: {}\n", diagnostic.code, diagnostic.message);
+        text += &format!("{severity} [{}]: {}\n", diagnostic.code, diagnostic.message.english);
         for label in &diagnostic.labels {
             let line = source[..label.span.start].matches('\n').count() + 1;
             let quoted = source[label.span.range()].replace('\n', " ");
-            let says = if label.text.is_empty() { String::new() } else { format!(": {}", label.text) };
+            let says = if label.text.is_empty() { String::new() } else { format!(": {}", label.text.english) };
             text += &format!("  {line}: `{quoted}`{says}\n");
         }
-        for note in diagnostic.notes.iter().flat_map(|note| note.lines()) {
+        for note in diagnostic.notes.iter().flat_map(|note| note.english.lines()) {
             text += &format!("  | {note}\n");
         }
         for hint in &diagnostic.hints {
-            text += &format!("  hint: {hint}\n");
+            text += &format!("  hint: {}\n", hint.english);
         }
     }
     text

@@ -1,0 +1,72 @@
+//! Why a text is no unit, in words.
+
+use crate::{Words, table, words};
+use std::fmt;
+use std::ops::Range;
+
+/// Why a text is no unit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnitError {
+    /// A stable name: `unknown-unit`, `temperature-scale`, `ambiguous-unit`, `malformed-unit`.
+    pub code: &'static str,
+    /// Where in the text.
+    pub range: Range<usize>,
+    /// What is wrong.
+    pub message: Words,
+    /// What to do.
+    pub hint: Option<Box<Words>>,
+}
+
+/// In English.
+impl fmt::Display for UnitError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.message.english)
+    }
+}
+
+impl std::error::Error for UnitError {}
+
+/// An error at `range` of the text.
+pub(crate) fn error(code: &'static str, range: Range<usize>, message: Words) -> UnitError {
+    UnitError { code, range, message, hint: None }
+}
+
+/// The error with what to do about it.
+pub(crate) fn hinting(mut error: UnitError, hint: Words) -> UnitError {
+    error.hint = Some(Box::new(hint));
+    error
+}
+
+/// An exponent leaves its bound.
+pub(crate) fn too_high(range: Range<usize>) -> UnitError {
+    error(
+        "malformed-unit",
+        range,
+        words("an exponent of this unit is too large", "un exponente de esta unidad es demasiado grande"),
+    )
+}
+
+/// No unit has this symbol.
+pub(crate) fn unknown(text: &str, range: Range<usize>) -> UnitError {
+    if matches!(text, "degC" | "°C" | "℃" | "degF" | "°F" | "℉") || text.eq_ignore_ascii_case("celsius") {
+        return hinting(
+            error(
+                "temperature-scale",
+                range,
+                words!(
+                    "{text} is a scale with a zero of its own, so it cannot be multiplied like a unit",
+                    "{text} es una escala con su propio cero, así que no se puede multiplicar como una unidad"
+                ),
+            ),
+            words(
+                "give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K]",
+                "da las temperaturas en [K] (20 degC son 293.15 [K]); una diferencia de 1 degC es 1 [K]",
+            ),
+        );
+    }
+    let wrong = error("unknown-unit", range, words!("there is no unit `{text}`", "no hay ninguna unidad `{text}`"));
+    match table::near(text) {
+        Some(near) => hinting(wrong, words!("did you mean {near}?", "¿querías decir {near}?")),
+        None => wrong,
+    }
+}

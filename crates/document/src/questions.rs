@@ -13,7 +13,7 @@ use units::words;
 pub const QUESTIONS: usize = 200;
 
 /// The keys of a question; what stands before the first is the question itself.
-const KEYS: [&str; 4] = ["set", "answer", "hint", "explanation"];
+const KEYS: [&str; 5] = ["set", "hide", "answer", "hint", "explanation"];
 
 /// A question as written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -70,7 +70,7 @@ pub fn texts(prose: &mut Prose, raw: &RawQuestion) -> QuestionText {
 /// A question of a translation has words only.
 pub fn check_translation(raw: &RawQuestion, diagnostics: &mut Vec<Diagnostic>) {
     for (key, range) in &raw.fields {
-        if matches!(*key, "answer" | "set") {
+        if matches!(*key, "answer" | "set" | "hide") {
             let span = Span::new(range.start - key.len() - 1, range.end);
             diagnostics.push(
                 Diagnostic::warning(
@@ -106,6 +106,7 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion) -> Option<Quest
         return None;
     };
     let setup = raw.field("set").map_or(Vec::new(), |range| expressions.assignments(range));
+    let hides = raw.field("hide").map_or(Vec::new(), |range| hidden(expressions, range));
     let answer = trim(source, answer);
     let Some(within) = find_word(source, answer.clone(), "within") else {
         expressions.diagnostics.push(
@@ -123,7 +124,50 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion) -> Option<Quest
     };
     let compiled = expressions.constant(answer.start..within.start, &words("an answer", "una respuesta"))?;
     let tolerance = tolerance(expressions, trim(source, within.end..answer.end), &compiled)?;
-    Some(Question { setup, unit: compiled.unit.clone(), answer: compiled, tolerance, span })
+    Some(Question { setup, hides, unit: compiled.unit.clone(), answer: compiled, tolerance, span })
+}
+
+/// `T_d, omega_d`: the quantities whose values are hidden until the question is answered.
+fn hidden(expressions: &mut Expressions, range: Range<usize>) -> Vec<usize> {
+    let source = expressions.source;
+    let mut quantities = Vec::new();
+    let mut start = range.start;
+    for piece in source[range].split(',') {
+        let range = trim(source, start..start + piece.len());
+        start += piece.len() + 1;
+        let span = Span::new(range.start, range.end);
+        // The same reading as in the model, so that `ω₀` and `omega_0` are one name.
+        let (expression, unit, found) = model::parse_expression(source, range);
+        let ExpressionKind::Name { name, order: 0 } = expression.kind else {
+            let message = words(
+                "`hide:` names quantities, with a comma between them",
+                "`hide:` nombra magnitudes, separadas por comas",
+            );
+            expressions.error("question-syntax", message, span);
+            continue;
+        };
+        let named = &expressions.model().quantities;
+        let Some(quantity) = named.iter().position(|quantity| quantity.name == name) else {
+            let near = model::nearest(&name, named.iter().map(|quantity| quantity.name.as_str())).map(str::to_owned);
+            let message = words!("`{name}` is not a quantity of the model", "`{name}` no es una magnitud del modelo");
+            let hint = match near {
+                Some(near) => words!("did you mean `{near}`?", "¿querías decir `{near}`?"),
+                None => words(
+                    "only quantities, `name = expression`, can be hidden",
+                    "solo se pueden ocultar magnitudes, `nombre = expresión`",
+                ),
+            };
+            expressions.diagnostics.push(Diagnostic::error("unknown-name", message, span).with_hint(hint));
+            continue;
+        };
+        if unit.is_some() || !found.is_empty() {
+            let message = words("only names stand in `hide:`", "en `hide:` solo hay nombres");
+            expressions.error("question-syntax", message, span);
+        } else if !quantities.contains(&quantity) {
+            quantities.push(quantity);
+        }
+    }
+    quantities
 }
 
 /// `2 %` or `0.1 [s]`

@@ -49,7 +49,7 @@ pub fn view(app: App, index: usize) -> View {
         .attr("aria-describedby", format!("prompt-{index} verdict-{index}"))
         .attr("aria-invalid", move || (grade() == "unreadable").then_some("true"))
         .when(events::input, move |_| verdict.set(None));
-    let reveal = move |_| revealed.set(Some(app.read(|session| session.reveal_answer(index))));
+    let reveal = move |_| revealed.set(Some(app.act(|session| session.reveal_answer(index))));
     let form = form()
         .class("answer")
         .when(events::submit, check)

@@ -19,23 +19,36 @@ pub fn view(app: App) -> HtmlSection {
         let rows = first.iter().enumerate().filter(|(_, readout)| belongs(readout));
         let any = first.iter().any(belongs);
         any.then(|| {
-            let rows = dl().each(rows, |(index, readout)| row(now, index, readout));
+            let rows = dl().each(rows, |(index, readout)| row(now, index, readout, words.hidden_why));
             div().class("values").child(h3().child(title)).child(rows)
         })
     };
+    let hides = app.read(|session| session.hides_values());
+    let shown = input()
+        .r#type("checkbox")
+        .prop("checked", move || {
+            app.changes.values.track();
+            app.read(|session| session.shows_hidden())
+        })
+        .when(events::change, move |event| app.act(|session| session.show_hidden(is_checked(&event))));
     part("readouts", "readouts card", words.readouts)
         .maybe(list(true, words.changing))
         .maybe(list(false, words.constants))
+        .maybe(hides.then(|| switch(shown, words.show_hidden)))
 }
 
-fn row(now: ReadSignal<Vec<Readout>>, index: usize, readout: &Readout) -> HtmlDiv {
+/// A row; `why` says why its value is hidden, where it is.
+fn row(now: ReadSignal<Vec<Readout>>, index: usize, readout: &Readout, why: &'static str) -> HtmlDiv {
+    let hidden = move || now.with(|list| list.get(index).is_some_and(|readout| readout.hidden));
     let get =
         move |part: fn(&Readout) -> &String| now.with(|list| list.get(index).map(part).cloned().unwrap_or_default());
     // A name that is a word says what the label says.
     let symbol = (!readout.name.eq_ignore_ascii_case(&readout.label))
         .then(|| span().class("symbol").inner_html(model::typeset_name(&readout.name)));
     div().child(dt().child(span().class("label").child(readout.label.clone())).maybe(symbol)).child(
-        dd().child(span().class("value").child(text(move || get(|readout| &readout.value))))
+        dd().attr("title", move || hidden().then_some(why))
+            .attr("data-hidden", move || hidden().then_some("true"))
+            .child(span().class("value").child(text(move || get(|readout| &readout.value))))
             .child(unit_of(text(move || get(|readout| &readout.unit)))),
     )
 }

@@ -135,6 +135,8 @@ words! {
     readouts: "Values", "Valores";
     constants: "Derived quantities", "Magnitudes derivadas";
     changing: "Changing with time", "Cambian con el tiempo";
+    hidden_why: "Hidden until the question about it is answered", "Oculto hasta que se responda la pregunta sobre él";
+    show_hidden: "Show the values that questions ask for", "Mostrar los valores por los que se pregunta";
 
     // Plots.
     plots: "Plots", "Gráficas";

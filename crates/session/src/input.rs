@@ -1,5 +1,6 @@
 //! What people type: a number, perhaps with a unit, or an expression.
 
+use crate::arithmetic::{Candidate, candidates, names, stated_units};
 use crate::{Refusal, Session, number};
 use engine::Readings;
 use model::Kind;
@@ -8,29 +9,75 @@ use units::Unit;
 /// Significant digits of a value that stands still.
 pub(crate) const DIGITS: usize = 6;
 
-/// No expression that is typed is longer.
-const LONGEST: usize = 300;
+/// How a unit of 1/s counts turns.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Turns {
+    /// Whole ones: hertz.
+    Whole,
+    /// By their angle: `rad/s`, `deg/s`.
+    Angle,
+    /// It does not say.
+    Unsaid,
+}
+
+impl Turns {
+    fn of(unit: &Unit) -> Self {
+        let symbols = || unit.text.split(|c: char| !c.is_alphabetic() && c != '°');
+        if unit.dimension != Unit::parse("Hz").map_or(unit.dimension, |hertz| hertz.dimension) {
+            Self::Unsaid
+        } else if symbols().any(|symbol| symbol.ends_with("Hz")) {
+            Self::Whole
+        } else if symbols().any(|symbol| symbol.ends_with("rad") || matches!(symbol, "deg" | "°")) {
+            Self::Angle
+        } else {
+            Self::Unsaid
+        }
+    }
+}
+
+/// What was typed, for a message.
+pub(crate) fn shortened(typed: &str) -> String {
+    typed.trim().chars().take(40).collect()
+}
 
 impl Session {
-    /// Reads a value, SI: a number in `unit`, or with a unit of its own of the same dimension.
+    /// Reads a value, SI: a number in `unit`, or with a unit of its own of the same dimension. Hertz are no unit of an angular
+    /// frequency, nor radians per second of a frequency, although their dimension is the same.
     pub(crate) fn read_value(&self, typed: &str, unit: &Unit) -> Result<f64, Refusal> {
-        let (value, rest) = number::parse(typed, self.style)
-            .ok_or_else(|| Refusal::NotANumber { typed: typed.trim().chars().take(40).collect() })?;
+        let no_number = || Refusal::NotANumber { typed: shortened(typed) };
+        let (value, rest) = number::parse(typed, self.style).ok_or_else(no_number)?;
         let value = if rest.is_empty() {
             unit.to_si(value)
         } else {
-            let typed = rest.chars().take(40).collect();
-            let own = Unit::parse(rest).map_err(|_| Refusal::UnknownUnit { typed: rest.chars().take(40).collect() })?;
+            let unknown =
+                || match rest.starts_with(|c: char| c.is_ascii_punctuation() && c != '%' || "×·÷−±".contains(c)) {
+                    true => no_number(),
+                    false => Refusal::UnknownUnit { typed: shortened(rest) },
+                };
+            let own = Unit::parse(rest).map_err(|_| unknown())?;
             if own.dimension != unit.dimension {
-                return Err(Refusal::WrongUnit { typed, expected: number::unit_text(&unit.text) });
+                return Err(Refusal::WrongUnit { typed: shortened(rest), expected: number::unit_text(&unit.text) });
             }
-            own.to_si(value)
+            let si = own.to_si(value);
+            self.refuse_other_frequency(value, &own, si, unit)?;
+            si
         };
-        if value.is_finite() {
-            Ok(value)
-        } else {
-            Err(Refusal::NotANumber { typed: typed.trim().chars().take(40).collect() })
-        }
+        if value.is_finite() { Ok(value) } else { Err(no_number()) }
+    }
+
+    /// Refuses `value` of the unit `own` (`si` in SI) where `unit` counts turns in another way.
+    fn refuse_other_frequency(&self, value: f64, own: &Unit, si: f64, unit: &Unit) -> Result<(), Refusal> {
+        let turn = std::f64::consts::TAU;
+        let (angular, meant) = match (Turns::of(own), Turns::of(unit)) {
+            (Turns::Whole, Turns::Angle) => (true, si * turn),
+            (Turns::Angle, Turns::Whole) => (false, si / turn),
+            _ => return Ok(()),
+        };
+        Err(Refusal::OtherFrequency {
+            typed: self.with_unit(number::plain(value, DIGITS, self.style), own),
+            meant: self.with_unit(number::plain(unit.from_si(meant), 3, self.style), unit),
+            angular,
+        })
     }
 
     /// What was typed into a field that shows `shown`: nothing new if that stands there still, although it may be
@@ -41,31 +88,67 @@ impl Session {
         }
         match self.read_value(typed, unit) {
             Ok(value) => Ok(Some(value)),
-            Err(refusal) => self.read_expression(typed, unit).map(Some).ok_or(refusal),
+            Err(refusal @ Refusal::OtherFrequency { .. }) => Err(refusal),
+            Err(refusal) => self.read_expression(typed, unit).map(Some).map_err(|why| why.unwrap_or(refusal)),
         }
     }
 
-    /// The value, SI, of an expression as presets have them: `2*m*omega_0`, `y(0)/2`. A pure number is one in `unit`.
-    fn read_expression(&self, typed: &str, unit: &Unit) -> Option<f64> {
-        if typed.len() > LONGEST {
-            return None;
+    /// The value, SI, of an expression as presets have them, `2*m*omega_0`, `y(0)/2`, or of arithmetic with units as people
+    /// type them, `15/4 s`. A pure number is one in `unit`.
+    ///
+    /// # Errors
+    /// Why it cannot be taken, if there is more to say than that it is no number.
+    pub(crate) fn read_expression(&self, typed: &str, unit: &Unit) -> Result<f64, Option<Refusal>> {
+        let mut why = None;
+        for candidate in candidates(typed, self.style) {
+            match self.evaluate(&candidate, unit) {
+                Ok(value) => return Ok(value),
+                Err(refusal) => why = why.or(refusal),
+            }
         }
-        let typed = if self.style.decimal_comma { typed.replace(',', ".") } else { typed.to_owned() };
-        let (expression, stated, diagnostics) = model::parse_expression(&typed, 0..typed.len());
+        Err(why)
+    }
+
+    fn evaluate(&self, candidate: &Candidate, unit: &Unit) -> Result<f64, Option<Refusal>> {
+        let text = &candidate.expression;
+        let (expression, stated, diagnostics) = model::parse_expression(text, 0..text.len());
         if model::has_errors(&diagnostics) {
-            return None;
+            return Err(None);
         }
         // What is typed once leaves nothing behind in the graph.
         let mut model = self.model().clone();
-        let compiled = model.compile_expression(&expression, stated.as_ref()).ok()?;
-        let fits = compiled.dimension() == unit.dimension || compiled.dimension().is_none();
-        if compiled.kind != Kind::Number || !fits || model.depends(compiled.node).varies() {
-            return None;
+        let compiled = model.compile_expression(&expression, stated.as_ref()).map_err(|_| None)?;
+        if compiled.kind != Kind::Number || model.depends(compiled.node).varies() {
+            return Err(None);
         }
         let (parameters, initial) = (self.course.parameters(), self.course.initial());
-        let value = *Readings::new(&model, &[compiled.node]).at(parameters, initial, 0.0, initial).first()?;
-        let value = if compiled.dimension() == unit.dimension { value } else { unit.to_si(value) };
-        value.is_finite().then_some(value)
+        let mut readings = Readings::new(&model, &[compiled.node]);
+        let value = readings.at(parameters, initial, 0.0, initial).first().copied().unwrap_or(f64::NAN);
+        let (pure, fits) = (compiled.dimension().is_none(), compiled.dimension() == unit.dimension);
+        let names = names(&expression);
+        let si = match &candidate.unit {
+            Some(own) if pure && own.dimension == unit.dimension => {
+                self.refuse_other_frequency(value, own, own.to_si(value), unit)?;
+                own.to_si(value)
+            }
+            Some(own) if pure => {
+                let (typed, expected) = (number::unit_text(&own.text), number::unit_text(&unit.text));
+                return Err(Some(Refusal::WrongUnit { typed, expected }));
+            }
+            Some(_) => return Err(None),
+            // `60/2` is 30 degrees where degrees are asked for, but `pi/6` and `theta_0/2` are angles themselves.
+            None if pure && (!fits || (names.is_empty() && !text.contains('['))) => unit.to_si(value),
+            None if fits => {
+                // `2*pi*(0.27 Hz)` is an angular frequency, `0.54/2 Hz` is none.
+                let unconverted = stated_units(text).filter(|_| names.is_empty());
+                for own in unconverted {
+                    self.refuse_other_frequency(own.from_si(value), &own, value, unit)?;
+                }
+                value
+            }
+            None => return Err(None),
+        };
+        if si.is_finite() { Ok(si) } else { Err(None) }
     }
 
     /// A value with its unit, for people: `0,05 m²`.

@@ -15,7 +15,7 @@
 //! | measured data | [`Session::records`], [`Session::record_cells`], [`Session::add_record`], [`Session::begin_record`], [`Session::advance_record`], [`Session::record_progress`], [`Session::cancel_record`], [`Session::add_sample`], [`Session::sample_names`], [`Session::measure`], [`Session::measurement_form`], [`Session::measurement_units`], [`Session::show_record`], [`Session::remove_record`], [`Session::measurable`], [`Session::set_column_quantity`], [`Session::set_column_unit`], [`Session::set_column_fitted`], [`Session::make_derivatives`], [`Session::forget_derivatives`], [`Session::has_points`], [`Session::ghost_follows`], [`Session::ghost_values`], [`Session::saved_records`], [`Session::restore_records`], [`Session::adopt_records`] |
 //! | cycle by cycle | [`Session::open_cycles`], [`Session::looks_at_cycles`], [`Session::cycle_columns`], [`Session::choose_cycles`], [`Session::cycle_quantities`], [`Session::show_cycles`], [`Session::cycles_against_amplitude`], [`Session::cycles`], [`Session::cycle_plot`], [`Session::export_cycles`] |
 //! | fits | [`Session::fit_records`], [`Session::fit_with`], [`Session::chosen_record`], [`Session::choose_record`], [`Session::fit_choices`], [`Session::vary`], [`Session::set_same`], [`Session::set_known`], [`Session::fit_window`], [`Session::set_fit_window`], [`Session::begin_fit`], [`Session::begin_ranking`], [`Session::advance_fit`], [`Session::cancel_fit`], [`Session::fit_progress`], [`Session::fits`], [`Session::fit_detail`], [`Session::fit_texts`], [`Session::apply_fit`], [`Session::remove_fit`], [`Session::export_fit`], [`Session::export_ranking`], [`Session::saved_fits`], [`Session::restore_fits`], [`Session::has_fits_waiting`] |
-//! | questions | [`Session::check_answer`], [`Session::reveal_answer`], [`Session::question_unit`], [`Session::question_setup`], [`Session::apply_question_setup`] |
+//! | questions | [`Session::check_answer`], [`Session::reveal_answer`], [`Session::question_unit`], [`Session::question_setup`], [`Session::apply_question_setup`], [`Session::hides_values`], [`Session::shows_hidden`], [`Session::show_hidden`] |
 //! | method | [`Session::methods`], [`Session::set_method`], [`Session::step`], [`Session::step_text`], [`Session::set_step`], [`Session::set_step_text`] |
 //! | sharing | [`Session::share`], [`Session::restore`] |
 //! | words | [`Session::take_announcement`], [`Session::announcement_text`], [`Session::refusal_text`], [`speed_text`], [`symbol`], [`number`] |
@@ -24,6 +24,8 @@
 //! the session's language. No method panics; an index that does not exist is ignored or refused.
 
 mod announcement;
+mod answer;
+mod arithmetic;
 mod course;
 mod cycle_plot;
 mod cycles;

@@ -36,22 +36,34 @@ pub enum Grade {
 const CLOSE: f64 = 5.0;
 
 impl Session {
-    /// Judges an answer: a number in the unit asked for, or with a unit of the same dimension.
+    /// Judges an answer: a number or arithmetic in the unit asked for, or with units of its own of the same dimension; with an
+    /// error after `±` that is not graded, but compared with the truth.
     pub fn check_answer(&mut self, question: usize, text: &str) -> Verdict {
         let right = self.right_answer(question);
         let Some(asked) = self.document.questions.get(question) else {
             return self.verdict(Grade::Unanswerable);
         };
-        match self.read_value(text, &asked.unit) {
-            Err(refusal) => Verdict { grade: Grade::Unreadable, text: self.refusal_text(&refusal) },
-            Ok(given) => self.verdict(grade(given, right, asked.tolerance)),
+        let answer = match self.read_answer(text, &asked.unit) {
+            Err(refusal) => return Verdict { grade: Grade::Unreadable, text: self.refusal_text(&refusal) },
+            Ok(answer) => answer,
+        };
+        let mut verdict = self.verdict(grade(answer.value, right, asked.tolerance));
+        let correct = verdict.grade == Grade::Correct;
+        if let Some(error) = answer.error.filter(|_| verdict.grade != Grade::Unanswerable) {
+            let within = (answer.value - right).abs() <= error;
+            verdict.text = [&verdict.text, " ", words::stated_error(self.language, correct, within)].concat();
         }
+        if correct {
+            self.solve(question);
+        }
+        verdict
     }
 
     /// The right answer with its unit, for the parameters as they are (or as the question supposes); a dash if there is
     /// none.
     pub fn reveal_answer(&mut self, question: usize) -> String {
         let right = self.right_answer(question);
+        self.solve(question);
         let Some(asked) = self.document.questions.get(question) else {
             return String::new();
         };
@@ -81,6 +93,36 @@ impl Session {
         self.change_parameters(parameters);
         self.announce(Announcement::QuestionSetup(question));
         Ok(())
+    }
+
+    /// Whether questions of the document hide values.
+    pub fn hides_values(&self) -> bool {
+        self.document.questions.iter().any(|question| !question.hides.is_empty())
+    }
+
+    /// Whether the values that questions hide are shown all the same.
+    pub fn shows_hidden(&self) -> bool {
+        self.shows_hidden
+    }
+
+    /// Shows the values that questions hide, or hides them again until the questions are answered. Links say which.
+    pub fn show_hidden(&mut self, show: bool) {
+        self.shows_hidden = show;
+        self.revision.frame += 1;
+    }
+
+    /// Whether the value of a quantity is hidden: an open question asks for it.
+    pub(crate) fn is_hidden(&self, quantity: usize) -> bool {
+        let open = self.document.questions.iter().zip(&self.solved).filter(|(_, solved)| !**solved);
+        !self.shows_hidden && open.map(|(question, _)| question).any(|question| question.hides.contains(&quantity))
+    }
+
+    /// The answer to a question is known: what it hides is shown.
+    fn solve(&mut self, question: usize) {
+        if let Some(solved) = self.solved.get_mut(question).filter(|solved| !**solved) {
+            *solved = true;
+            self.revision.frame += 1;
+        }
     }
 
     fn verdict(&self, grade: Grade) -> Verdict {

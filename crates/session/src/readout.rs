@@ -31,6 +31,8 @@ pub struct Readout {
     pub unit: String,
     /// Whether it changes while the parameters do not.
     pub varies: bool,
+    /// Whether a question hides the value; a word stands in its place.
+    pub hidden: bool,
 }
 
 /// Significant digits of a value that moves.
@@ -50,6 +52,7 @@ impl Session {
             value: self.time_number(self.course.time()),
             unit: number::unit_text(&model.independent.unit.text),
             varies: true,
+            hidden: false,
         }];
         for (index, state) in model.states.iter().enumerate() {
             let value = self.course.state().get(index).copied().unwrap_or(f64::NAN);
@@ -63,13 +66,16 @@ impl Session {
                 value,
                 unit,
                 varies: true,
+                hidden: false,
             });
         }
         let values = self.quantity_values();
         for (index, (quantity, &value)) in self.document.model.quantities.iter().zip(&values).enumerate() {
             let scale = self.scales.get(self.document.model.states.len() + index).copied().unwrap_or_default();
             let unit = &quantity.value.unit;
+            let hidden = self.is_hidden(index);
             let (value, unit) = match quantity.value.kind {
+                _ if hidden => (words::hidden(self.language).to_owned(), String::new()),
                 Kind::Number if quantity.varies => self.moving(value, scale, Some(quantity.value.node), unit),
                 Kind::Number => self.constant(value, quantity.value.node, unit),
                 Kind::Truth | Kind::Text => (self.word_value(&quantity.value, value), number::unit_text(&unit.text)),
@@ -81,6 +87,7 @@ impl Session {
                 value,
                 unit,
                 varies: quantity.varies,
+                hidden,
             });
         }
         readouts

@@ -23,6 +23,20 @@ pub enum Refusal {
         /// A unit that would do; empty for a pure number.
         expected: String,
     },
+    /// A frequency where an angular frequency is needed, or the other way round.
+    OtherFrequency {
+        /// What was typed, with its unit.
+        typed: String,
+        /// The same as it would have to be, with its unit.
+        meant: String,
+        /// Whether an angular frequency is needed.
+        angular: bool,
+    },
+    /// An answer names a quantity of the document instead of giving a number.
+    NameInAnswer {
+        /// The name.
+        name: String,
+    },
     /// The value is below the least allowed one.
     TooSmall {
         /// The label of what was to be set.

@@ -74,6 +74,10 @@ pub struct Session {
     /// The file that is being read.
     pub(crate) intake: Option<Intake>,
     pub(crate) looking: Looking,
+    /// For each question whether it has been answered, or its answer shown.
+    pub(crate) solved: Vec<bool>,
+    /// Whether the values that questions hide are shown all the same.
+    pub(crate) shows_hidden: bool,
     pub(crate) cycle_plot: CyclePlot,
     /// For each node of the model whether it is a count.
     pub(crate) whole: Vec<bool>,
@@ -110,6 +114,7 @@ impl Session {
             Some(error) => Course::failed(model, defaults.clone(), error),
         };
         let tag = document.language.clone();
+        let solved = vec![false; document.questions.len()];
         let mut session = Self {
             language: Language::of(&tag),
             style: Style::of(&tag),
@@ -139,6 +144,8 @@ impl Session {
             fits: Fits::default(),
             intake: None,
             looking: Looking::default(),
+            solved,
+            shows_hidden: false,
             cycle_plot: CyclePlot::default(),
         };
         let vary = |index| session.document.vary.contains(&index);

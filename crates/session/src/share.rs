@@ -13,6 +13,7 @@
 //! | `t` | the time shown |
 //! | `k` | (no value) a kept run: the fields up to the next `k` describe it and not the present one |
 //! | `x` | the speed |
+//! | `w` | (no value) the values that questions hide are shown |
 //! | `v` | plots not shown: `0,2` |
 //! | `z` | what a plot is zoomed to, once for each: the plot, then the limits of the horizontal axis (empty if automatic) and of each vertical one: `0,1:2.5,-3:3` |
 
@@ -47,6 +48,9 @@ impl Session {
             };
         }
         self.write_recipe(&recipe, &mut fields);
+        if self.shows_hidden {
+            fields.push("w".to_owned());
+        }
         if self.speed != 1.0 {
             fields.push(format!("x={}", exact(self.speed)));
         }
@@ -204,6 +208,7 @@ impl Reader<'_> {
             "e" => recipe.front = number(value).filter(|&time| time >= 0.0)?,
             "t" => recipe.time = number(value).filter(|&time| time >= 0.0)?,
             "x" => self.session.set_speed(number(value)?),
+            "w" => self.session.show_hidden(true),
             "v" => {
                 for index in value.split(',') {
                     let index: usize = index.parse().ok()?;

@@ -11,6 +11,14 @@ use units::number::Layout;
 /// Significant digits of the greatest number of a column.
 const DIGITS: usize = 6;
 
+/// How the cells of a column are written.
+enum ColumnLayout {
+    Number(Layout),
+    Count,
+    /// A question hides them.
+    Hidden,
+}
+
 impl Session {
     /// `t [s]`, `y [m]`, ...: the heads of the columns.
     pub fn table_header(&self) -> Vec<String> {
@@ -38,16 +46,17 @@ impl Session {
         let mut table = Table::new(self.model());
         let layouts = self.column_layouts(&table);
         let rows = rows.start..rows.end.min(self.course.rows());
-        let text = |(cell, layout): (&Cell, &Option<Layout>)| match (cell, layout) {
-            (Cell::Number(value), Some(layout)) => layout.number(*value, self.style),
+        let text = |(cell, column): (&Cell, &ColumnLayout)| match (cell, column) {
+            (_, ColumnLayout::Hidden) => words::hidden(self.language).to_owned(),
+            (Cell::Number(value), ColumnLayout::Number(layout)) => layout.number(*value, self.style),
             _ => self.cell_text(cell),
         };
         rows.map(|row| table.row(history, row).iter().zip(&layouts).map(text).collect()).collect()
     }
 
     /// How the numbers of each column are written: with the same decimals, which are those of the greatest number that the
-    /// column has had in this run; times with those of the step. `None` for counts.
-    fn column_layouts(&self, table: &Table) -> Vec<Option<Layout>> {
+    /// column has had in this run; times with those of the step.
+    fn column_layouts(&self, table: &Table) -> Vec<ColumnLayout> {
         let model = self.model();
         let varying = model.quantities.iter().enumerate().filter(|(_, quantity)| quantity.varies);
         let states = (0..model.states.len()).map(|index| (index, model.graph.find(Node::State(index as u32))));
@@ -56,11 +65,16 @@ impl Session {
         let off_grid = !model.events.is_empty() || self.course.begun().method.adaptive();
         let time = Layout::of_decimals(self.time_decimals().max(if off_grid { 4 } else { 0 }));
         let scaled = states.chain(others).zip(table.columns().iter().skip(1)).map(|((place, node), column)| {
-            let counts = node.is_some_and(|node| self.is_count(node, &column.unit));
             let scale = self.scales.get(place).copied().unwrap_or_default();
-            (!counts).then(|| Layout::of_scale(column.unit.from_si(scale), DIGITS))
+            if place.checked_sub(model.states.len()).is_some_and(|quantity| self.is_hidden(quantity)) {
+                ColumnLayout::Hidden
+            } else if node.is_some_and(|node| self.is_count(node, &column.unit)) {
+                ColumnLayout::Count
+            } else {
+                ColumnLayout::Number(Layout::of_scale(column.unit.from_si(scale), DIGITS))
+            }
         });
-        std::iter::once(Some(time)).chain(scaled).collect()
+        std::iter::once(ColumnLayout::Number(time)).chain(scaled).collect()
     }
 
     /// The last row at or before the time shown.

@@ -88,6 +88,31 @@ pub(crate) fn truth_is(language: Language, truth: &str, off: Option<&str>) -> St
     language.pick(format!("truth: {truth}{off}"), format!("verdad: {truth}{off}"))
 }
 
+/// Stands in the place of a value that a question hides.
+pub(crate) fn hidden(language: Language) -> &'static str {
+    language.pick("hidden", "oculto")
+}
+
+/// Whether the true value lies within the error that was stated with an answer.
+pub(crate) fn stated_error(language: Language, correct: bool, within: bool) -> &'static str {
+    match (correct, within) {
+        (true, true) => {
+            language.pick("The true value lies within your error.", "El valor verdadero está dentro de tu error.")
+        }
+        (true, false) => language.pick(
+            "But the true value lies outside your error: it is too small.",
+            "Pero el valor verdadero queda fuera de tu error, que es demasiado pequeño.",
+        ),
+        (false, true) => language.pick(
+            "Your error covers the true value, but the value itself is what counts.",
+            "Tu error abarca el valor verdadero, pero lo que cuenta es el valor mismo.",
+        ),
+        (false, false) => {
+            language.pick("The true value lies outside your error.", "El valor verdadero queda fuera de tu error.")
+        }
+    }
+}
+
 /// What an answer is worth.
 pub(crate) fn grade(language: Language, grade: Grade) -> &'static str {
     match grade {
@@ -123,6 +148,18 @@ pub(crate) fn refusal_text(language: Language, refusal: &Refusal) -> String {
         Refusal::UnknownUnit { typed } => {
             language.pick(format!("“{typed}” is not a known unit."), format!("«{typed}» no es una unidad conocida."))
         }
+        Refusal::OtherFrequency { typed, meant, angular: true } => language.pick(
+            format!("{typed} is a frequency; the angular frequency is {meant}."),
+            format!("{typed} es una frecuencia; la frecuencia angular es {meant}."),
+        ),
+        Refusal::OtherFrequency { typed, meant, angular: false } => language.pick(
+            format!("{typed} is an angular frequency; the frequency is {meant}."),
+            format!("{typed} es una frecuencia angular; la frecuencia es {meant}."),
+        ),
+        Refusal::NameInAnswer { name } => language.pick(
+            format!("An answer consists of numbers and units; “{name}” is a quantity of the simulation."),
+            format!("Una respuesta consta de números y unidades; «{name}» es una magnitud de la simulación."),
+        ),
         Refusal::WrongUnit { typed, expected } if expected.is_empty() => language.pick(
             format!("{typed} measures something else; this is a pure number."),
             format!("{typed} mide otra cosa; esto es un número puro."),

@@ -121,7 +121,7 @@ fn the_plot_reads_values_with_errors_and_the_run_beside_them() {
     session.show_cycles(frequency, false);
     assert_eq!(session.plots()[index].title, "Angular frequency against time");
     let measured = read(&mut session, 10.0);
-    assert!(measured.iter().any(|text| text.starts_with("ω = 1.9") && text.contains(" ± ")), "{measured:?}");
+    assert!(measured.iter().any(|text| text.starts_with("ω = (1.9") && text.contains(" ± ")), "{measured:?}");
     assert!(!measured.iter().any(|text| text.starts_with("simulation")), "{measured:?}");
     // A run of another frequency beside it, once it stands still.
     set(&mut session, "b", 0.0);

@@ -59,5 +59,5 @@ fn is_worked_with(document: Document) {
     session.step_back();
     let shared = session.share();
     let _ = session.restore(&shared);
-    session.reset();
+    session.back_to_start();
 }

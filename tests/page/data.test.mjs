@@ -64,7 +64,7 @@ visit("the table on the page follows the run", async (lab) => {
   assert.equal(await lab.rows(), 1);
   await record(lab, 3);
   assert.ok((await lab.rows()) > 60);
-  await lab.press("Reset");
+  await lab.press("Back to start");
   await eventually(async () => assert.ok((await lab.page.locator(".data tbody tr").count()) >= 1));
 });
 

@@ -79,7 +79,7 @@ visit("a virtual measurement is fitted, and the truth is found", async (lab) => 
   await records(lab).waitFor();
   assert.equal(await records(lab).locator(".tag").innerText(), "synthetic");
   // Somewhere else, as if nobody knew.
-  await lab.press("Reset parameters");
+  await lab.press("Restore defaults");
   const found = await fit(lab);
   const length = found.get("Length of the column");
   assert.ok(Math.abs(length.value - 0.3) < 3 * length.spread, JSON.stringify(length));

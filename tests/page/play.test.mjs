@@ -18,7 +18,7 @@ visit("it plays, pauses, steps and goes back to the start", async (lab) => {
   await lab.press("Step back");
   await lab.press("Step back");
   assert.ok((await lab.time()) < ahead);
-  await lab.press("Reset");
+  await lab.press("Back to start");
   assert.equal(await lab.time(), 0);
   assert.equal(await lab.number("Displacement"), 0.5);
 });
@@ -82,7 +82,7 @@ visit("a level restarts the run", async (lab) => {
   await lab.enter("Height of the left column", "5");
   assert.equal(await lab.time(), 0);
   assert.equal(await lab.number("Displacement"), 1.5);
-  await lab.press("Reset parameters");
+  await lab.press("Restore defaults");
   assert.equal(await lab.number("Height of the left column"), 3);
 });
 
@@ -105,15 +105,18 @@ visit("presets set what they name", async (lab) => {
   assert.ok((await lab.number("Gravitational acceleration")) < 2);
 });
 
-visit("the state is edited while it stands still, until reset", async (lab) => {
+visit("the state is edited while it stands still, and is the start until the defaults are restored", async (lab) => {
   await lab.enter("Displacement", "-0.8");
   await lab.enter("Velocity", "1");
   assert.equal(await lab.number("Displacement"), -0.8);
   await lab.press("Play");
   assert.equal(await lab.field("Displacement").isEditable(), false);
   await lab.watchUntil(0.3);
-  await lab.press("Reset");
-  assert.equal(await lab.number("Displacement"), 0.5);
+  await lab.press("Back to start");
+  assert.deepEqual([await lab.number("Displacement"), await lab.number("Velocity")], [-0.8, 1]);
+  await lab.page.getByText("The run starts from a state that was set by hand").waitFor();
+  await lab.press("Restore defaults");
+  assert.deepEqual([await lab.number("Displacement"), await lab.number("Velocity")], [0.5, 0]);
 });
 
 visit("the liquid is dragged and let go", async (lab) => {
@@ -126,8 +129,17 @@ visit("the liquid is dragged and let go", async (lab) => {
   await lab.page.mouse.up();
   const lifted = await lab.number("Displacement");
   assert.ok(lifted > 0.6, `the left column was lifted to ${lifted} m`);
+  // At the start the heights follow, one as much as the other, and the run can be taken back there.
+  const heights = async () => [await lab.number("Height of the left column"), await lab.number("Height of the right column")];
+  const [left, right] = await heights();
+  assert.ok(Math.abs(left - right - 2 * lifted) < 2e-3 && Math.abs(left + right - 5) < 1e-4, `${left} m and ${right} m`);
   await lab.press("Play");
   await lab.watchUntil(0.5);
+  await lab.press("Back to start");
+  assert.equal(await lab.number("Displacement"), lifted);
+  assert.deepEqual(await heights(), [left, right]);
+  await lab.press("Restore defaults");
+  assert.deepEqual([await lab.number("Displacement"), ...(await heights())], [0.5, 3, 2]);
 });
 
 visit("a run is kept and the next one drawn over it", async (lab) => {

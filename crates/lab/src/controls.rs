@@ -14,14 +14,15 @@ pub fn symbol(name: &str) -> HtmlSpan {
 /// The controls.
 pub fn view(app: App) -> HtmlSection {
     let words = app.words();
-    let reset = button()
+    let restore = button()
         .class("quiet")
-        .id("reset-parameters")
-        .when(events::click, move |_| app.act(Session::reset_parameters))
-        .child(words.reset_parameters);
+        .id("restore-defaults")
+        .title(words.restore_defaults_title)
+        .when(events::click, move |_| app.act(Session::restore_defaults))
+        .child(words.restore_defaults);
     let parameters = div()
         .class("block")
-        .child(div().class("block-head").child(h3().child(words.parameters)).child(reset))
+        .child(div().class("block-head").child(h3().child(words.parameters)).child(restore))
         .each(app.read(|session| session.parameters()), |first| parameters::control(app, first));
     part("controls", "controls card", words.controls)
         .child(parameters)
@@ -103,11 +104,16 @@ fn states(app: App) -> View {
             .child(with_unit(field.view(), state.unit))
             .child(refusal_of(error).id(format!("{id}-error")))
     };
+    let hint = move || {
+        app.changes.parameters.track();
+        let by_hand = app.read(|session| session.is_started_by_hand());
+        (if by_hand { words.started_by_hand } else { words.state_hint }).to_owned()
+    };
     div()
         .class("block")
         .child(div().class("block-head").child(h3().child(words.state)))
         .each(states, field)
-        .child(note(words.state_hint))
+        .child(note(text(hint)))
         .into()
 }
 

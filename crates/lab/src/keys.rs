@@ -31,7 +31,7 @@ fn pressed(app: App, event: &KeyboardEvent) {
     match event.key().as_str() {
         " " if !within(TAKES_SPACE) => app.act(Session::toggle),
         "k" | "K" => app.act(Session::toggle),
-        "r" | "R" => app.act(Session::reset),
+        "r" | "R" => app.act(Session::back_to_start),
         "," => app.act(Session::step_back),
         "." => app.act(Session::step_forward),
         "<" => app.act(|session| change_speed(session, false)),
@@ -75,7 +75,7 @@ pub fn dialog(app: App) -> HtmlDialog {
             vec![
                 (vec![words.key_space, "K"], words.key_play),
                 (vec![",", "."], words.key_step),
-                (vec!["R"], words.key_reset),
+                (vec!["R"], words.back_to_start),
                 (vec!["<", ">"], words.key_speed),
                 (vec!["S"], words.key_keep),
                 (vec!["?"], words.key_help),

@@ -1,4 +1,4 @@
-//! The transport: play, step, reset, time line, speed, sound.
+//! The transport: play, step, back to the start, time line, speed, sound.
 
 use crate::app::App;
 use crate::views::*;
@@ -74,7 +74,7 @@ pub fn view(app: App) -> HtmlSection {
         .child(changing(move || if playing.get() { icons::pause() } else { icons::play() }));
     let buttons = div()
         .class("buttons")
-        .child(step("reset", words.reset, 'R', icons::reset(), Session::reset))
+        .child(step("back-to-start", words.back_to_start, 'R', icons::reset(), Session::back_to_start))
         .child(step("step-back", words.step_back, ',', icons::step_back(), Session::step_back))
         .child(toggle)
         .child(step("step-forward", words.step_forward, '.', icons::step_forward(), Session::step_forward));

@@ -90,14 +90,14 @@ words! {
     pause: "Pause", "Pausar";
     step_back: "Step back", "Paso atrás";
     step_forward: "Step forward", "Paso adelante";
-    reset: "Reset", "Reiniciar";
+    back_to_start: "Back to start", "Volver al inicio";
     speed: "Speed", "Velocidad";
     time: "Time", "Tiempo";
     time_line: "Time line", "Línea de tiempo";
     sound: "Sound", "Sonido";
     sound_title: "Hear the displacement as a pitch", "Oír el desplazamiento como un tono";
     slow: "The computation cannot keep up with the clock at this speed.", "El cálculo no alcanza al reloj a esta velocidad.";
-    full: "The recording is full. Reset, or scrub back and continue from there.", "El registro está lleno. Reinicia, o retrocede y continúa desde ahí.";
+    full: "The recording is full. Go back to the start, or scrub back and continue from there.", "El registro está lleno. Vuelve al inicio, o retrocede y continúa desde ahí.";
 
     // Keys.
     keys_title: "Keyboard shortcuts", "Atajos de teclado";
@@ -108,7 +108,6 @@ words! {
     keys_scene: "On a handle of the scene", "En un asa de la escena";
     key_space: "Space", "Espacio";
     key_play: "Play or pause", "Reproducir o pausar";
-    key_reset: "Back to the start", "Volver al inicio";
     key_step: "Step back, step forward", "Paso atrás, paso adelante";
     key_speed: "Slower, faster", "Más lento, más rápido";
     key_keep: "Keep this run", "Guardar esta serie";
@@ -123,10 +122,12 @@ words! {
     controls: "Controls", "Controles";
     parameters: "Parameters", "Parámetros";
     presets: "Presets", "Ajustes";
-    reset_parameters: "Reset parameters", "Restablecer parámetros";
+    restore_defaults: "Restore defaults", "Restaurar valores del documento";
+    restore_defaults_title: "Give all parameters and the start of the run the values of the document", "Dar a todos los parámetros y al inicio de la serie los valores del documento";
     restarts: "Changing it starts the run anew", "Al cambiarlo, la serie comienza de nuevo";
     state: "State", "Estado";
     state_hint: "Pause to edit; the run then begins from there.", "Pausa para editar; la serie parte entonces de ahí.";
+    started_by_hand: "The run starts from a state that was set by hand. Restore defaults brings the document's start back.", "La serie parte de un estado fijado a mano. Restaurar valores del documento recupera el inicio del documento.";
     method: "Method", "Método";
     step: "Step", "Paso";
     numerics: "Numerical method", "Método numérico";

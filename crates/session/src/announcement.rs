@@ -14,18 +14,27 @@ pub enum Announcement {
     Stepped(f64),
     /// An earlier time is shown.
     Scrubbed(f64),
-    /// Back at the initial values.
-    Reset,
+    /// Back at time 0, with the parameters and the start as they are.
+    BackAtStart,
     /// The run began anew because this parameter decides an initial value.
     Restarted(usize),
     /// A parameter has this SI value now.
     ParameterSet(usize, f64),
-    /// All parameters have their defaults.
-    ParametersReset,
+    /// All parameters and the start are the document's.
+    DefaultsRestored,
     /// A preset was applied.
     Preset(usize),
     /// A state was given this SI value, and the run begins from there.
     StateSet(usize, f64),
+    /// The start of a state was dragged to this SI value by changing parameters.
+    StartSet {
+        /// Which of [`model::Model::states`].
+        state: usize,
+        /// Its value at the start, SI.
+        value: f64,
+        /// The parameters before, SI.
+        before: Vec<f64>,
+    },
     /// Model time passes so many times as fast as wall time.
     Speed(f64),
     /// The run was kept under this name.

@@ -83,13 +83,12 @@ impl Course {
         }
     }
 
-    /// Runs a recipe with at most `budget` steps. Returns whether it could be followed to its end.
-    pub fn replay(model: &Model, recipe: &Recipe, overhead: usize, budget: usize) -> (Self, bool) {
+    /// Runs a recipe with at most `left` steps, which are counted down. Returns whether it could be followed to its end.
+    pub fn replay(model: &Model, recipe: &Recipe, overhead: usize, left: &mut usize) -> (Self, bool) {
         let mut course = Self::start(model, recipe.setup.clone(), overhead);
-        let mut left = budget;
         for (row, parameters) in &recipe.changes {
-            while course.rows_computed() < *row && left > 0 {
-                left -= 1;
+            while course.rows_computed() < *row && *left > 0 {
+                *left -= 1;
                 if matches!(course.advance(), None | Some(Advance::Full)) {
                     break;
                 }
@@ -100,7 +99,7 @@ impl Course {
             }
             course.set_parameters(model, parameters.clone());
         }
-        let complete = course.proceed(recipe.front, left) == Outcome::Reached;
+        let complete = course.proceed_within(recipe.front, left) == Outcome::Reached;
         course.show(recipe.time.min(course.front));
         (course, complete)
     }
@@ -186,15 +185,19 @@ impl Course {
     }
 
     /// Goes on to `to` with at most `budget` steps and shows that moment. Only from the front: see [`Course::resume`].
-    pub fn proceed(&mut self, to: f64, budget: usize) -> Outcome {
+    pub fn proceed(&mut self, to: f64, mut budget: usize) -> Outcome {
+        self.proceed_within(to, &mut budget)
+    }
+
+    /// The same, counting the budget down.
+    fn proceed_within(&mut self, to: f64, left: &mut usize) -> Outcome {
         let mut outcome = Outcome::Reached;
-        let mut left = budget;
         while self.last_time() < to {
-            if left == 0 {
+            if *left == 0 {
                 outcome = Outcome::Behind(to - self.last_time());
                 break;
             }
-            left -= 1;
+            *left -= 1;
             match self.advance() {
                 Some(Advance::Full) => {
                     outcome = Outcome::Full;
@@ -237,7 +240,7 @@ impl Course {
         if self.begun.method.adaptive() {
             // What such a method does next depends on the steps behind it. They are made again, so that the run stays one
             // that can be repeated to the bit.
-            (*self, _) = Self::replay(model, &self.recipe(), self.overhead, usize::MAX);
+            (*self, _) = Self::replay(model, &self.recipe(), self.overhead, &mut { usize::MAX });
         } else if let Some(run) = &mut self.run {
             run.truncate(row);
             self.error = None;

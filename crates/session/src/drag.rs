@@ -1,14 +1,25 @@
 //! Dragging a part of the scene: the state follows the pointer; let go, the run begins from there.
+//!
+//! At the start of a run that begins with the document's initial values, the drag changes the parameters that decide the
+//! initial value held, as little as possible ([`Start::solve`]); the other initial values stay those of the document. Where
+//! no parameter decides it, where a range ends, or at any later time, the state itself becomes the start of the run, and
+//! what is held is at rest. It stays the start until another one is set or [`Session::restore_defaults`].
 
+use crate::start::Start;
 use crate::{Announcement, Session};
 use document::{Child, Document, Drag, Element, Piece};
+use engine::Setup;
 
 /// A part of the scene that is held.
 #[derive(Clone, Debug)]
 pub(crate) struct Hold {
     state: usize,
-    /// The state when it was taken hold of; the variable held is at rest.
+    /// The state when it was taken hold of; except at the start the variable held is at rest.
     from: Vec<f64>,
+    /// The parameters when it was taken hold of.
+    parameters: Vec<f64>,
+    /// What decides the value held, at the start of a run.
+    start: Option<Start>,
     /// What a scene unit to the right and upwards adds.
     right: f64,
     up: f64,
@@ -20,6 +31,14 @@ pub(crate) struct Hold {
     moved: bool,
     /// Whether the run goes on afterwards.
     playing: bool,
+}
+
+/// What a run begins with when a handle has been pulled.
+struct Pulled {
+    parameters: Vec<f64>,
+    state: Vec<f64>,
+    /// Whether the state is not the one that the parameters decide.
+    by_hand: bool,
 }
 
 /// How finely the place is found at which the drawing stops following: parts of the way, as a power of two.
@@ -40,7 +59,12 @@ impl Session {
         if drag.state >= from.len() || from.iter().any(|value| !value.is_finite()) {
             return;
         }
-        self.rest(drag.state, &mut from);
+        let at_start = self.course.time() == 0.0 && !self.is_started_by_hand();
+        if !at_start {
+            self.rest(drag.state, &mut from);
+        }
+        let start = if at_start { Start::of(&self.document.model, drag.state) } else { None };
+        let parameters = self.course.parameters().to_vec();
         let reach = extent(&self.document, &self.tag);
         let mut shaping = Vec::new();
         if let Some(scene) = self.document.scene(&self.tag) {
@@ -48,7 +72,8 @@ impl Session {
         }
         let playing = self.playing;
         self.pause();
-        self.hold = Some(Hold { state: drag.state, from, right, up, reach, shaping, moved: false, playing });
+        self.hold =
+            Some(Hold { state: drag.state, from, parameters, start, right, up, reach, shaping, moved: false, playing });
     }
 
     /// The pointer is now `right` and `up` scene units from where it took hold (up is positive). It pulls the state no
@@ -62,8 +87,9 @@ impl Session {
             let right = right.clamp(-hold.reach.0, hold.reach.0);
             let up = up.clamp(-hold.reach.1, hold.reach.1);
             let way = right * hold.right + up * hold.up;
-            if let Some(state) = self.followed(&hold, way) {
-                self.start_from(state);
+            if let Some(Pulled { parameters, state, by_hand }) = self.followed(&mut hold, way) {
+                let start = by_hand.then_some(state);
+                self.restart(Setup { parameters, start, ..self.course.begun().clone() });
                 hold.moved = true;
             }
         }
@@ -74,7 +100,11 @@ impl Session {
     pub fn drag_end(&mut self) {
         let Some(hold) = self.hold.take() else { return };
         if let (true, Some(&value)) = (hold.moved, self.course.state().get(hold.state)) {
-            self.announce(Announcement::StateSet(hold.state, value));
+            self.announce(if self.is_started_by_hand() {
+                Announcement::StateSet(hold.state, value)
+            } else {
+                Announcement::StartSet { state: hold.state, value, before: hold.parameters }
+            });
         }
         if hold.playing {
             self.play();
@@ -97,39 +127,50 @@ impl Session {
         }
     }
 
-    /// The state as far along `way` (SI) as the drawing follows; `None` where it cannot be drawn.
-    fn followed(&mut self, hold: &Hold, way: f64) -> Option<Vec<f64>> {
-        let at = |part: f64| {
-            let mut state = hold.from.clone();
-            if let Some(value) = state.get_mut(hold.state) {
-                *value += way * part;
-            }
-            state
+    /// What the run begins with when the value held is pulled by `way` (SI).
+    fn pulled(&mut self, hold: &mut Hold, way: f64) -> Pulled {
+        let mut state = hold.from.clone();
+        let Some(value) = state.get_mut(hold.state) else {
+            return Pulled { parameters: hold.parameters.clone(), state, by_hand: true };
         };
-        let here = self.drawing(hold, &at(0.0));
-        let there = self.drawing(hold, &at(1.0));
-        if !way.is_finite() || here.iter().zip(&there).any(|(here, there)| here.is_finite() && !there.is_finite()) {
+        *value += way;
+        match hold.start.as_mut().and_then(|start| start.solve(&hold.parameters, *value)) {
+            Some(parameters) => {
+                let state = self.initial_for(&parameters);
+                Pulled { parameters, state, by_hand: false }
+            }
+            None => Pulled { parameters: hold.parameters.clone(), state, by_hand: true },
+        }
+    }
+
+    /// The start as far along `way` (SI) as the drawing follows; `None` where it cannot be drawn.
+    fn followed(&mut self, hold: &mut Hold, way: f64) -> Option<Pulled> {
+        let there = self.pulled(hold, way);
+        let here = self.pulled(hold, 0.0);
+        let (here, drawn) = (self.drawing(hold, &here), self.drawing(hold, &there));
+        if !way.is_finite() || here.iter().zip(&drawn).any(|(here, there)| here.is_finite() && !there.is_finite()) {
             return None;
         }
-        if same(&here, &there) {
+        if same(&here, &drawn) {
             // What is held does not shape the drawing at all, or is beyond its limits already.
-            return Some(at(1.0));
+            return Some(there);
         }
         let (mut follows, mut stands) = (0.0, 1.0);
         for _ in 0..HALVINGS {
             let middle = (follows + stands) / 2.0;
-            if same(&self.drawing(hold, &at(middle)), &there) {
+            let pulled = self.pulled(hold, way * middle);
+            if same(&self.drawing(hold, &pulled), &drawn) {
                 stands = middle;
             } else {
                 follows = middle;
             }
         }
-        Some(at(stands))
+        Some(self.pulled(hold, way * stands))
     }
 
-    /// The values that shape the drawing when a run begins with `state`.
-    fn drawing(&mut self, hold: &Hold, state: &[f64]) -> Vec<f64> {
-        let values = self.evaluators.scene.at(self.course.parameters(), state, 0.0, state);
+    /// The values that shape the drawing when a run begins like this.
+    fn drawing(&mut self, hold: &Hold, Pulled { parameters, state, .. }: &Pulled) -> Vec<f64> {
+        let values = self.evaluators.scene.at(parameters, state, 0.0, state);
         hold.shaping.iter().filter_map(|&index| values.get(index).copied()).collect()
     }
 }

@@ -55,16 +55,18 @@ impl Session {
         Ok(())
     }
 
-    /// Keeps a run by making it again.
-    pub(crate) fn keep_recipe(&mut self, recipe: &Recipe, budget: usize) -> Result<(), Refusal> {
+    /// Keeps a run by computing it again with at most `steps` steps, which are counted down. Returns whether they were
+    /// enough for all of it.
+    pub(crate) fn keep_recipe(&mut self, recipe: &Recipe, steps: &mut usize) -> Result<bool, Refusal> {
         let overhead = self.columns.bytes_per_row();
-        let (mut course, _) = Course::replay(&self.document.model, recipe, overhead, budget);
+        let (mut course, complete) = Course::replay(&self.document.model, recipe, overhead, steps);
         course.show(course.front());
         let mut present = Vec::new();
         let mut traces = Traces::default();
         self.columns.present(&course, &mut present);
         traces.follow(&course, &mut self.columns, &present);
-        self.keep_traces(recipe.clone(), traces.thinned(0, ROWS_KEPT))
+        self.keep_traces(recipe.clone(), traces.thinned(0, ROWS_KEPT))?;
+        Ok(complete)
     }
 
     fn keep_traces(&mut self, recipe: Recipe, traces: Traces) -> Result<(), Refusal> {

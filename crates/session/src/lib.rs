@@ -4,8 +4,8 @@
 //! | subject | what it offers |
 //! |---|---|
 //! | opening | [`Session::open`], [`Session::document`], [`Session::model`], [`Session::language`], [`Session::set_language`], [`Session::style`], [`Session::text`], [`Session::revision`] |
-//! | clock and transport | [`Session::tick`], [`Session::play`], [`Session::pause`], [`Session::toggle`], [`Session::step_forward`], [`Session::step_back`], [`Session::reset`], [`Session::scrub`], [`Session::set_speed`], [`Session::status`], [`Session::time`], [`Session::time_text`], [`Session::time_words`], [`Session::end`], [`Session::is_scrubbed`], [`Session::slippage`], [`Session::problem`] |
-//! | parameters | [`Session::parameters`], [`Session::parameter`], [`Session::parameter_values`], [`Session::set_parameter`], [`Session::set_parameter_text`], [`Session::slide`], [`Session::reset_parameter`], [`Session::reset_parameters`] |
+//! | clock and transport | [`Session::tick`], [`Session::play`], [`Session::pause`], [`Session::toggle`], [`Session::step_forward`], [`Session::step_back`], [`Session::back_to_start`], [`Session::scrub`], [`Session::set_speed`], [`Session::status`], [`Session::time`], [`Session::time_text`], [`Session::time_words`], [`Session::end`], [`Session::is_scrubbed`], [`Session::slippage`], [`Session::problem`] |
+//! | parameters | [`Session::parameters`], [`Session::parameter`], [`Session::parameter_values`], [`Session::set_parameter`], [`Session::set_parameter_text`], [`Session::slide`], [`Session::restore_default`], [`Session::restore_defaults`] |
 //! | presets | [`Session::presets`], [`Session::apply_preset`] |
 //! | state | [`Session::states`], [`Session::set_state`], [`Session::set_state_text`], [`Session::is_started_by_hand`], [`Session::drag_begin`], [`Session::drag_move`], [`Session::drag_end`], [`Session::is_dragging`] |
 //! | what is shown | [`Session::readouts`], [`Session::scene_values`], [`Session::scene_text`], [`Session::pitch`] |
@@ -60,6 +60,7 @@ mod session;
 mod share;
 mod showing;
 mod slider;
+mod start;
 mod state;
 mod symbol;
 mod table;

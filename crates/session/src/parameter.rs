@@ -97,16 +97,22 @@ impl Session {
     }
 
     /// Sets one parameter to its default.
-    pub fn reset_parameter(&mut self, index: usize) {
+    pub fn restore_default(&mut self, index: usize) {
         if let Some(value) = self.model().parameters.get(index).map(|parameter| parameter.value) {
             let _ = self.set_parameter(index, value);
         }
     }
 
-    /// Sets all parameters to their defaults.
-    pub fn reset_parameters(&mut self) {
-        self.change_parameters(self.defaults.parameters.clone());
-        self.announce(Announcement::ParametersReset);
+    /// Sets all parameters to their defaults. A run that began from a state set by hand begins again, with the document's
+    /// initial values.
+    pub fn restore_defaults(&mut self) {
+        let parameters = self.defaults.parameters.clone();
+        if self.is_started_by_hand() {
+            self.restart(Setup { parameters, start: None, ..self.course.begun().clone() });
+        } else {
+            self.change_parameters(parameters);
+        }
+        self.announce(Announcement::DefaultsRestored);
     }
 
     /// The label of a parameter in the session's language; its name where it has none.
@@ -152,7 +158,7 @@ impl Session {
         self.revision.parameters += 1;
         if decides.is_some() || self.course.history().is_none() {
             let setup = Setup { parameters, start: None, ..self.course.begun().clone() };
-            let begun = self.course.front() > 0.0;
+            let begun = self.course.front() > 0.0 || self.is_started_by_hand();
             self.restart(setup);
             if let (Some(index), true) = (decides, begun) {
                 self.announce(Announcement::Restarted(index));

@@ -18,7 +18,7 @@
 //! | `z` | what a plot is zoomed to, once for each: the plot, then the limits of the horizontal axis (empty if automatic) and of each vertical one: `0,1:2.5,-3:3` |
 
 use crate::course::{Course, Recipe};
-use crate::{Announcement, Refusal, Session};
+use crate::{Announcement, MOST_KEPT, Refusal, Session};
 use engine::{Method, Setup};
 use figure::{Interval, View};
 use units::number::compact as exact;
@@ -26,8 +26,12 @@ use units::number::compact as exact;
 /// What the text begins with.
 const VERSION: &str = "1";
 
-/// The most steps that a run is made again with.
-const MOST_STEPS: usize = 200_000;
+/// The most steps that all runs of a link together are computed again with: a link may come from a stranger, and the page
+/// stands still meanwhile.
+const MOST_STEPS: usize = 400_000;
+
+/// The most parts of a link that a refusal names one by one.
+const MOST_NAMED: usize = 12;
 
 /// More changes of parameters than this do not fit into a link: its run begins at the state shown.
 const MOST_CHANGES: usize = 300;
@@ -73,7 +77,16 @@ impl Session {
     }
 
     /// Brings back a state. What does not fit the document is left out and named in the refusal; the rest is applied.
+    ///
+    /// # Errors
+    /// A text that is no state, or parts that do not fit: an unknown key, a value out of range, a kept run too many, a run
+    /// that takes more than the steps that a link may cost.
     pub fn restore(&mut self, fragment: &str) -> Result<(), Refusal> {
+        self.restore_within(fragment, &mut { MOST_STEPS })
+    }
+
+    /// The same with at most `steps` steps for all runs together; what is left of them stays in `steps`.
+    fn restore_within(&mut self, fragment: &str, steps: &mut usize) -> Result<(), Refusal> {
         let fragment = fragment.trim_start_matches('#');
         if fragment.is_empty() {
             return Ok(());
@@ -91,10 +104,12 @@ impl Session {
         let fields: Vec<&str> = fields.collect();
         let mut sections = fields.split(|field| *field == "k");
         let present = reader.recipe(sections.next().unwrap_or_default());
-        let kept: Vec<Recipe> = sections.map(|section| reader.recipe(section)).collect();
+        // Counted before anything is computed: a link can name far more runs than can be kept.
+        let kept: Vec<Recipe> = sections.by_ref().take(MOST_KEPT).map(|section| reader.recipe(section)).collect();
         let mut left_out = reader.left_out;
+        left_out.extend(sections.map(|_| "k".to_owned()).take(MOST_NAMED + 1));
         let overhead = self.columns.bytes_per_row();
-        let (course, complete) = Course::replay(&self.document.model, &present, overhead, MOST_STEPS);
+        let (course, complete) = Course::replay(&self.document.model, &present, overhead, steps);
         if !complete {
             left_out.push(format!("t={}", exact(present.front)));
         }
@@ -105,12 +120,16 @@ impl Session {
         self.revision.runs += 1;
         self.replace_course(course);
         for recipe in &kept {
-            if self.keep_recipe(recipe, MOST_STEPS).is_err() {
-                left_out.push("k".to_owned());
+            if self.keep_recipe(recipe, steps) != Ok(true) {
+                left_out.push(format!("k, t={}", exact(recipe.front)));
             }
         }
         self.announcements.clear();
         self.announce(Announcement::Restored);
+        if left_out.len() > MOST_NAMED {
+            left_out.truncate(MOST_NAMED);
+            left_out.push("…".to_owned());
+        }
         if left_out.is_empty() { Ok(()) } else { Err(Refusal::PartlyRestored { left_out }) }
     }
 
@@ -164,7 +183,7 @@ impl Reader<'_> {
         for field in fields {
             let (key, value) = field.split_once('=').unwrap_or((field, ""));
             if self.field(key, value, &mut recipe).is_none() {
-                self.left_out.push(field.chars().take(40).collect());
+                self.leave_out(field);
             }
         }
         if recipe.time.is_nan() {
@@ -237,10 +256,17 @@ impl Reader<'_> {
             });
             match admitted.and_then(|(index, value)| parameters.get_mut(index).zip(Some(value))) {
                 Some((parameter, value)) => *parameter = value,
-                None => self.left_out.push(text.chars().take(40).collect()),
+                None => self.leave_out(text),
             }
         }
         parameters
+    }
+
+    /// Notes a part that does not fit; a link of megabytes gets no list of megabytes.
+    fn leave_out(&mut self, part: &str) {
+        if self.left_out.len() <= MOST_NAMED {
+            self.left_out.push(part.chars().take(40).collect());
+        }
     }
 }
 
@@ -265,4 +291,55 @@ fn view(limits: &str) -> Option<View> {
 
 fn number(text: &str) -> Option<f64> {
     text.parse().ok().filter(|value: &f64| value.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MOST_NAMED, MOST_STEPS};
+    use crate::{MOST_KEPT, Refusal, Session};
+
+    fn opened() -> Session {
+        let source = "---\ntitle: Swing\nstep: 0.01 [s]\n---\n```model\nparameter k = 1 [1/s^2] in 0..9\n\
+                      x'' + k*x = 0\nx(0) = 1\nx'(0) = 0\n```\n";
+        Session::open(document::open(source, &[]).document.unwrap())
+    }
+
+    /// What restoring a link computes, in steps, and how many parts are named as left out.
+    fn cost(link: &str) -> (usize, usize) {
+        let (mut session, mut steps) = (opened(), MOST_STEPS);
+        let left_out = match session.restore_within(link, &mut steps) {
+            Ok(()) => 0,
+            Err(Refusal::PartlyRestored { left_out }) => left_out.len(),
+            Err(refusal) => panic!("{refusal:?}"),
+        };
+        assert!(session.kept().len() <= MOST_KEPT);
+        (MOST_STEPS - steps, left_out)
+    }
+
+    #[test]
+    fn kept_runs_beyond_the_most_cost_nothing() {
+        assert_eq!(cost("1&t=10"), (1_000, 0));
+        assert_eq!(cost(&format!("1&t=10{}", "&k&t=20".repeat(MOST_KEPT))), (1_000 + 2_000 * MOST_KEPT, 0));
+        assert_eq!(cost(&format!("1&t=10{}", "&k&t=20".repeat(MOST_KEPT + 1))), (1_000 + 2_000 * MOST_KEPT, 1));
+        let many = format!("1&t=10{}", "&k&t=20".repeat(100_000));
+        assert_eq!(cost(&many), (1_000 + 2_000 * MOST_KEPT, MOST_NAMED + 1));
+    }
+
+    #[test]
+    fn all_runs_of_a_link_share_one_budget() {
+        let long = format!("1&t=1500{}", "&k&t=1500".repeat(MOST_KEPT));
+        assert_eq!(
+            cost(&long),
+            (MOST_STEPS, MOST_KEPT - 1),
+            "the present run, one whole kept run and a part of the next"
+        );
+        assert_eq!(cost("1&h=1e-9&t=1&k&t=1"), (MOST_STEPS, 2));
+        assert_eq!(cost("1&c=100,k:2&c=200,k:3&t=3"), (300, 0));
+    }
+
+    #[test]
+    fn what_is_left_out_is_named_up_to_a_length() {
+        assert_eq!(cost(&format!("1{}", "&zzz".repeat(100_000))).1, MOST_NAMED + 1);
+        assert_eq!(cost(&format!("1&p={}", "q:1,".repeat(100_000))).1, MOST_NAMED + 1);
+    }
 }

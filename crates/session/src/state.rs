@@ -1,4 +1,5 @@
-//! The state by hand: typed while the run stands still. It starts a new run from there, until reset.
+//! The state by hand: typed while the run stands still. It starts a new run from there, and stays the start of the run
+//! until another one is set or the defaults are restored.
 
 use crate::readout::MOVING_DIGITS;
 use crate::{Announcement, Refusal, Session, number};

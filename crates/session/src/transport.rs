@@ -11,7 +11,7 @@ pub enum Status {
     Paused,
     /// Going on with the clock.
     Playing,
-    /// Standing still because the history is full; reset, or scrub back, to go on.
+    /// Standing still because the history is full; back to the start, or scrub back, to go on.
     Full,
     /// Standing still because the run cannot go on; [`Session::problem`] says why.
     Failed,
@@ -90,16 +90,16 @@ impl Session {
         self.announce(Announcement::Stepped(self.course.time()));
     }
 
-    /// Back to time 0 and to the initial values of the present parameters; paused. A state set by hand and the ghost are
-    /// forgotten.
-    pub fn reset(&mut self) {
+    /// Back to time 0 with the present parameters; paused. A start set by hand stays the start
+    /// ([`Session::restore_defaults`] gives it up); the ghost is removed.
+    pub fn back_to_start(&mut self) {
         self.stop();
         self.hold = None;
         let parameters = self.course.parameters().to_vec();
-        let setup = Setup { parameters, start: None, ..self.course.begun().clone() };
+        let setup = Setup { parameters, ..self.course.begun().clone() };
         self.restart(setup);
         self.clear_ghost();
-        self.announce(Announcement::Reset);
+        self.announce(Announcement::BackAtStart);
     }
 
     /// Pauses and shows an earlier time (clamped to what is recorded).
@@ -182,7 +182,7 @@ impl Session {
         number::fixed(unit.from_si(time), self.time_decimals(), self.style)
     }
 
-    /// Wall seconds by which the run has fallen behind the clock since it was last started or reset, because the
+    /// Wall seconds by which the run has fallen behind the clock since it was last started or taken back to the start, because the
     /// machine could not compute more than [`STEPS_PER_TICK`] steps in each tick.
     pub fn slippage(&self) -> f64 {
         self.slippage

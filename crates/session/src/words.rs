@@ -253,7 +253,10 @@ impl Session {
             Announcement::Paused(at) => with("Paused at {}", "En pausa en {}", &time(*at)),
             Announcement::Stepped(at) => with("Step, {}", "Paso, {}", &time(*at)),
             Announcement::Scrubbed(at) => time(*at),
-            Announcement::Reset => say("Reset to the initial values", "De vuelta a los valores iniciales"),
+            Announcement::BackAtStart if self.is_started_by_hand() => {
+                say("Back at the start that was set by hand", "De vuelta en el inicio fijado a mano")
+            }
+            Announcement::BackAtStart => say("Back at the start", "De vuelta en el inicio"),
             Announcement::Restarted(index) => with(
                 "The run starts anew: {} changed",
                 "La serie comienza de nuevo: cambió {}",
@@ -264,9 +267,10 @@ impl Session {
                 let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
                 format!("{}: {value}", self.parameter_label(*index))
             }
-            Announcement::ParametersReset => {
-                say("All parameters have their initial settings", "Todos los parámetros tienen su ajuste inicial")
-            }
+            Announcement::DefaultsRestored => say(
+                "Defaults restored: parameters and start are those of the document",
+                "Valores restaurados: los parámetros y el inicio son los del documento",
+            ),
             Announcement::Preset(index) => {
                 self.document.presets.get(*index).map_or("", |preset| self.text(&preset.name)).to_owned()
             }
@@ -275,6 +279,13 @@ impl Session {
                 let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
                 let label = self.state_label(*index);
                 with("{}; the run starts from there", "{}; la serie parte de ahí", &format!("{label}: {value}"))
+            }
+            Announcement::StartSet { state, value, before } => {
+                let changed = self.parameters().into_iter().zip(before).filter(|(now, before)| now.value != **before);
+                let changed: Vec<String> = changed.map(|(now, _)| format!("{}: {}", now.label, now.spoken)).collect();
+                let unit = self.model().states.get(*state).map(|state| &state.unit);
+                let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
+                format!("{}: {value}; {}", self.state_label(*state), changed.join(", "))
             }
             Announcement::Speed(speed) => with("Speed {}", "Velocidad {}", &speed_text(*speed)),
             Announcement::Kept(name) => with("Run kept: {}", "Serie guardada: {}", name),

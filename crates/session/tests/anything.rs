@@ -71,7 +71,7 @@ fn perform(session: &mut Session, deed: Deed) {
         Deed::Toggle => session.toggle(),
         Deed::StepForward => session.step_forward(),
         Deed::StepBack => session.step_back(),
-        Deed::Reset => session.reset(),
+        Deed::Reset => session.back_to_start(),
         Deed::Scrub(time) => session.scrub(time),
         Deed::Speed(speed) => session.set_speed(speed),
         Deed::Slide(index, position) => session.slide(index, position),

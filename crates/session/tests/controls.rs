@@ -72,7 +72,7 @@ fn what_is_typed_is_taken_in_any_unit_or_refused_in_words() {
     assert!(session.set_parameter(99, 1.0).is_err() && session.set_parameter_text(99, "1").is_err());
     assert!(session.set_parameter(0, f64::NAN).is_err());
     session.slide(99, 1);
-    session.reset_parameter(99);
+    session.restore_default(99);
 }
 
 #[test]
@@ -98,7 +98,7 @@ fn controls_show_what_they_set() {
     session.slide(view.index, 9);
     let view = session.parameter(view.index).unwrap();
     assert_eq!((view.value, view.is_default), (0.1, false));
-    session.reset_parameters();
+    session.restore_defaults();
     assert!(session.parameters().iter().all(|parameter| parameter.is_default));
 }
 
@@ -223,6 +223,113 @@ fn the_liquid_goes_no_further_than_the_drawing() {
     assert_eq!(told, Some(Announcement::StateSet(0, -4.5)));
 }
 
+/// `y(0) = (h_l - h_r)/2` with room in the ranges: one column rises by as much as the other falls.
+#[test]
+fn a_drag_at_the_start_sets_the_parameters_that_decide_it() {
+    let source = support::UTUBE.replace("in 2..9", "in 0..9");
+    let mut session = support::open(&source, &[]);
+    let drag = handle(&session);
+    let heights = |session: &Session| ["h_l", "h_r"].map(|name| session.parameter_values()[parameter(session, name)]);
+    // 0.025 m for a unit of the scene.
+    for (up, y, h_l, h_r) in
+        [(12.0, 0.8, 3.3, 1.7), (-12.0, 0.5, 3.0, 2.0), (-20.0, 0.0, 2.5, 2.5), (-24.0, -0.6, 1.9, 3.1)]
+    {
+        session.drag_begin(&drag);
+        session.drag_move(0.0, 3.0);
+        session.drag_move(0.0, up);
+        session.drag_end();
+        let near = |value: f64, expected: f64| (value - expected).abs() < 1e-12;
+        let [left, right] = heights(&session);
+        assert!(near(state(&session)[0], y) && near(left, h_l) && near(right, h_r), "{up}: {left} {right}");
+        assert!(!session.is_started_by_hand());
+    }
+    let told = std::iter::from_fn(|| session.take_announcement()).last().unwrap();
+    let text = session.announcement_text(&told);
+    assert_eq!(text, "Displacement: -0.6 m; Left height: 1.9 m, Right height: 3.1 m".replace('-', "−"));
+    // Played and taken back, the run starts there again; the document's values come back on request.
+    play(&mut session, [1.0]);
+    session.back_to_start();
+    assert!((state(&session)[0] + 0.6).abs() < 1e-12);
+    session.restore_defaults();
+    assert_eq!((state(&session), heights(&session)), (vec![0.5, 0.0], [3.0, 2.0]));
+}
+
+#[test]
+fn a_drag_at_the_start_leaves_the_other_initial_values() {
+    let mut session = utube();
+    set(&mut session, "v_0", 2.0);
+    let drag = handle(&session);
+    session.drag_begin(&drag);
+    session.drag_move(0.0, -12.0);
+    assert!((state(&session)[0] - 0.2).abs() < 1e-12);
+    session.drag_end();
+    assert_eq!(state(&session)[1], 2.0);
+    // Any other moment is one of the hand, which holds still what it holds.
+    play(&mut session, [0.5]);
+    session.drag_begin(&drag);
+    session.drag_move(0.0, -12.0);
+    session.drag_end();
+    assert_eq!(state(&session)[1], 0.0);
+    assert!(session.is_started_by_hand());
+}
+
+/// Where a range ends, or no parameter decides, the state itself is the start: it is played from, gone back to, shared,
+/// and given up with a word.
+#[test]
+fn what_no_parameter_can_follow_is_kept_as_the_start() {
+    let literal = support::UTUBE.replace("y(0)  = (h_l - h_r)/2 ", "y(0)  = 0.5 [m] ");
+    for source in [support::UTUBE, &literal] {
+        let mut session = support::open(source, &[]);
+        let drag = handle(&session);
+        let parameters = session.parameter_values().to_vec();
+        session.drag_begin(&drag);
+        session.drag_move(0.0, 12.0);
+        session.drag_end();
+        assert!(session.is_started_by_hand(), "the right height is at the end of its range");
+        assert_eq!(session.parameter_values(), parameters);
+        assert!((state(&session)[0] - 0.8).abs() < 1e-12);
+        play(&mut session, [1.0]);
+        session.back_to_start();
+        assert!(session.is_started_by_hand() && (state(&session)[0] - 0.8).abs() < 1e-12);
+        let told = std::iter::from_fn(|| session.take_announcement()).last().unwrap();
+        assert_eq!(session.announcement_text(&told), "Back at the start that was set by hand");
+        let mut other = support::open(source, &[]);
+        other.restore(&session.share()).unwrap();
+        assert_eq!(state(&other), state(&session));
+        session.restore_defaults();
+        assert!(!session.is_started_by_hand());
+        assert_eq!(state(&session), [0.5, 0.0]);
+        let told = std::iter::from_fn(|| session.take_announcement()).last();
+        assert_eq!(told, Some(Announcement::DefaultsRestored));
+    }
+    // A parameter that decides the start gives it up too, and says so although no time has passed.
+    let mut session = utube();
+    session.set_state(0, 0.7).unwrap();
+    set(&mut session, "h_l", 4.0);
+    let told: Vec<_> = std::iter::from_fn(|| session.take_announcement()).collect();
+    assert!(told.contains(&Announcement::Restarted(parameter(&session, "h_l"))), "{told:?}");
+}
+
+/// A start that is no linear function of its parameters, one without a range among them.
+#[test]
+fn a_curved_start_is_met_exactly() {
+    let source = "---\ntitle: Ball\n---\n```model\nparameter v = 3 [m/s] in 0..20\nparameter c = 2 [s^2/m]\n\
+                  y' = -y/(1 [s])\ny(0) = c*v^2 in [m]\n```\n```scene\n<svg viewBox=\"0 0 100 100\">\
+                  <circle cx=\"5\" cy=\"{y/(1 [m])}\" r=\"5\" drag=\"y\" drag-up=\"1 [m]\"/></svg>\n```\n";
+    let mut session = support::open(source, &[]);
+    let drag = handle(&session);
+    for up in [1.0, 7.0, -15.0, 40.0, -0.001] {
+        let before = state(&session)[0];
+        session.drag_begin(&drag);
+        session.drag_move(0.0, up);
+        session.drag_end();
+        assert!(!session.is_started_by_hand(), "{up}");
+        assert!((state(&session)[0] - (before + up)).abs() < 1e-7 * (before + up).abs(), "{up}: {:?}", state(&session));
+        let [v, c] = session.parameter_values() else { panic!() };
+        assert!((0.0..=20.0).contains(v) && c.is_finite());
+    }
+}
+
 #[test]
 fn a_click_on_the_liquid_changes_nothing() {
     let mut session = utube();
@@ -281,15 +388,12 @@ fn everything_is_announced() {
     session.set_speed(0.25);
     session.apply_preset(1).unwrap();
     session.step_forward();
-    session.reset();
+    session.back_to_start();
     let mut texts = Vec::new();
     while let Some(announcement) = session.take_announcement() {
         texts.push(session.announcement_text(&announcement));
     }
-    assert_eq!(
-        texts,
-        ["Playing", "Paused at 1.00 s", "Speed 1/4×", "Mercury", "Step, 1.05 s", "Reset to the initial values"]
-    );
+    assert_eq!(texts, ["Playing", "Paused at 1.00 s", "Speed 1/4×", "Mercury", "Step, 1.05 s", "Back at the start"]);
     session.set_language("es");
     let h_l = parameter(&session, "h_l");
     for (announcement, expected) in [

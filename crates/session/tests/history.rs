@@ -140,21 +140,32 @@ fn moving_a_slider_leaves_the_ghost_of_the_real_run() {
     let svg = session.plot_svg(0, &settings, &session::figure::Palette::LIGHT);
     assert!(session.has_ghost());
     assert!(svg.contains("10"), "the axis still has room for the ghost's 10 s");
-    session.reset();
+    session.back_to_start();
     assert!(!session.has_ghost());
 }
 
 #[test]
-fn reset_gives_the_initial_values_of_the_present_parameters() {
+fn back_to_start_keeps_parameters_and_start_and_restoring_defaults_neither() {
     let mut session = utube();
+    let b = parameter(&session, "b");
     set(&mut session, "b", 0.0);
+    play(&mut session, [1.0]);
+    session.back_to_start();
+    assert_eq!((session.time(), state(&session), session.parameter_values()[b]), (0.0, vec![0.5, 0.0], 0.0));
     session.set_state(0, 0.75).unwrap();
     play(&mut session, [1.0]);
-    assert!(session.is_started_by_hand());
-    session.reset();
-    assert!(!session.is_started_by_hand() && !session.is_playing());
-    assert_eq!((session.time(), state(&session)), (0.0, vec![0.5, 0.0]));
-    assert_eq!(session.parameter_values()[parameter(&session, "b")], 0.0);
+    session.back_to_start();
+    assert!(session.is_started_by_hand() && !session.is_playing());
+    assert_eq!((session.time(), state(&session), session.parameter_values()[b]), (0.0, vec![0.75, 0.0], 0.0));
+    play(&mut session, [1.0]);
+    session.restore_defaults();
+    assert!(!session.is_started_by_hand());
+    assert_eq!((session.time(), state(&session), session.parameter_values()[b]), (0.0, vec![0.5, 0.0], 50.0));
+    // Without a start set by hand, a run in progress goes on.
+    set(&mut session, "b", 0.0);
+    play(&mut session, [1.0]);
+    session.restore_defaults();
+    assert_eq!((session.time(), session.parameter_values()[b]), (1.0, 50.0));
 }
 
 #[test]
@@ -165,7 +176,7 @@ fn runs_are_kept_by_what_differs() {
     set(&mut session, "b", 200.0);
     play(&mut session, [1.0]);
     session.keep().unwrap();
-    session.reset();
+    session.back_to_start();
     set(&mut session, "rho", 13534.0);
     session.set_state(0, 0.3).unwrap();
     session.set_method("euler").unwrap();

@@ -148,7 +148,7 @@ fn a_measurement_without_errors_leaves_nothing_over() {
     let (zero, finite): (Vec<_>, Vec<_>) = plot.iter().partition(|(_, left)| left.abs() < 1e-4);
     assert!(zero.len() > 50 && zero.iter().all(|(time, _)| *time <= session.time() + 1e-6), "{plot:?}");
     assert!(finite.iter().all(|(_, left)| left.abs() < 0.01), "{finite:?}");
-    session.reset();
+    session.back_to_start();
     assert!(dots(&mut session, residuals).len() <= 2);
 }
 

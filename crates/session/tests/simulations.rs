@@ -69,7 +69,7 @@ fn every_preset_can_be_chosen_and_shows_itself_as_chosen() {
     let presets: Vec<_> = session.presets().into_iter().flat_map(|group| group.presets).collect();
     assert!(presets.len() > 10);
     for preset in presets {
-        session.reset_parameters();
+        session.restore_defaults();
         session.apply_preset(preset.index).unwrap_or_else(|refusal| panic!("{}: {refusal:?}", preset.name));
         let selected = session.presets().into_iter().flat_map(|group| group.presets);
         let selected: Vec<_> = selected.filter(|preset| preset.selected).map(|preset| preset.index).collect();
@@ -91,7 +91,7 @@ fn every_question_has_an_answer_that_is_taken_in_both_languages() {
             }
             assert_eq!(session.reveal_answer(question), before, "the answer supposes what the question sets");
             assert_eq!(session.check_answer(question, &before).grade, Grade::Correct, "{question}: {before}");
-            session.reset_parameters();
+            session.restore_defaults();
         }
     }
 }

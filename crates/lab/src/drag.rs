@@ -1,13 +1,11 @@
-//! Parts of the scene that follow the hand: by pointer, or focused and moved with the arrow keys.
+//! Parts of the scene that follow the hand: focused and moved with the arrow keys, or by pointer ([`crate::grip`]).
 
 use crate::app::App;
 use document::Drag;
 use session::Session;
-use std::cell::Cell;
-use std::rc::Rc;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
-use web_sys::{Event, KeyboardEvent, PointerEvent, SvgElement, SvgGraphicsElement};
+use web_sys::{Event, KeyboardEvent, SvgElement, SvgGraphicsElement};
 
 /// An arrow key moves a handle by this part of the scene's height, with Shift five times as far.
 const KEY_STEP: f64 = 0.01;
@@ -24,6 +22,11 @@ impl Handle {
     /// Makes a node a handle.
     pub fn new(node: SvgElement, drag: Drag) -> Self {
         Self { node, drag, listeners: Vec::new(), shown: String::new() }
+    }
+
+    /// What takes hold of it by pointer.
+    pub fn part(&self) -> (SvgElement, Drag) {
+        (self.node.clone(), self.drag.clone())
     }
 
     /// Says where it is to those who do not see it. Left alone while the run is playing: a screen reader on the handle
@@ -49,7 +52,8 @@ impl Handle {
     }
 }
 
-/// Makes a handle follow pointer and keys. `root` is the scene's `svg`, whose user units the document counts in.
+/// Makes a handle known to readers of the screen, and follow keys. `root` is the scene's `svg`, whose user units the
+/// document counts in.
 pub fn attach(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
     for (name, value) in [
         ("role", "slider"),
@@ -63,50 +67,7 @@ pub fn attach(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
         let _ = handle.node.set_attribute(name, value);
     }
     let _ = handle.node.set_attribute("part", "handle");
-    pointer(app, handle, root);
     keyboard(app, handle, root);
-}
-
-fn pointer(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
-    // The pointer that holds the handle, and where it took hold.
-    let held: Rc<Cell<Option<(i32, f64, f64)>>> = Rc::default();
-    let (drag, node, grip) = (handle.drag.clone(), handle.node.clone(), held.clone());
-    handle.listen("pointerdown", move |event| {
-        let Ok(event) = event.dyn_into::<PointerEvent>() else { return };
-        if event.button() != 0 || grip.get().is_some() {
-            return;
-        }
-        // Otherwise the browser selects text or scrolls.
-        event.prevent_default();
-        let _ = node.set_pointer_capture(event.pointer_id());
-        let _ = node.focus();
-        let _ = node.set_attribute("part", "handle held");
-        grip.set(Some((event.pointer_id(), event.client_x().into(), event.client_y().into())));
-        app.act(|session| session.drag_begin(&drag));
-    });
-    let (grip, root) = (held.clone(), root.clone());
-    handle.listen("pointermove", move |event| {
-        let Ok(event) = event.dyn_into::<PointerEvent>() else { return };
-        if let Some((id, x, y)) = grip.get()
-            && id == event.pointer_id()
-            && let Some(matrix) = root.get_screen_ctm()
-        {
-            let right = (f64::from(event.client_x()) - x) / f64::from(matrix.a());
-            let up = (y - f64::from(event.client_y())) / f64::from(matrix.d());
-            app.slide(|session| session.drag_move(right, up));
-        }
-    });
-    for kind in ["pointerup", "pointercancel"] {
-        let (grip, node) = (held.clone(), handle.node.clone());
-        handle.listen(kind, move |event| {
-            let Ok(event) = event.dyn_into::<PointerEvent>() else { return };
-            if grip.get().is_some_and(|(id, ..)| id == event.pointer_id()) {
-                grip.set(None);
-                let _ = node.set_attribute("part", "handle");
-                app.act(Session::drag_end);
-            }
-        });
-    }
 }
 
 fn keyboard(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {

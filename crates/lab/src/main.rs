@@ -15,6 +15,7 @@ mod fit_setup;
 mod fitting;
 mod frame;
 mod gestures;
+mod grip;
 mod header;
 mod icons;
 mod keys;

@@ -3,6 +3,7 @@
 
 use crate::app::App;
 use crate::drag::{self, Handle};
+use crate::grip::Grips;
 use crate::views::document as page;
 use document::{Child, Element, Piece, Scene, Template};
 use session::{Follows, Session};
@@ -15,6 +16,7 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 pub struct SceneNodes {
     bindings: Vec<Binding>,
     handles: Vec<Handle>,
+    grips: Option<Grips>,
     ghost: Ghost,
     /// The values drawn last.
     drawn: Vec<f64>,
@@ -41,6 +43,7 @@ impl SceneNodes {
         let mut nodes = Self {
             bindings: Vec::new(),
             handles: Vec::new(),
+            grips: None,
             ghost: Ghost::default(),
             drawn: Vec::new(),
             values: Vec::new(),
@@ -58,6 +61,7 @@ impl SceneNodes {
         for handle in &mut nodes.handles {
             drag::attach(app, handle, &root);
         }
+        nodes.grips = Some(Grips::new(app, root, nodes.handles.iter().map(Handle::part).collect()));
         Some(nodes)
     }
 

@@ -3,6 +3,7 @@
 use crate::browser;
 use crate::frame::{self, Stage};
 use crate::opening::Findings;
+use crate::saved::{self, Saved};
 use crate::sound::Sound;
 use crate::views::*;
 use crate::words::{Language, Words};
@@ -25,6 +26,10 @@ pub struct Lab {
     pub stage: Stage,
     /// What is heard.
     pub sound: Sound,
+    /// What is stored of the laboratory.
+    pub saved: Saved,
+    /// A file that a link needs, and the state of its document.
+    pub awaited: Option<(String, String)>,
     /// Whether fits are being worked on.
     pub fitting: bool,
     /// What the views have been told of.
@@ -191,6 +196,10 @@ impl App {
             Some((before, now, told.join(" ")))
         });
         let Some((before, now, told)) = news.flatten() else { return };
+        let lasting = |revision: &Revision| (revision.records, revision.fits, revision.answers);
+        if lasting(&before) != lasting(&now) {
+            saved::later(self);
+        }
         let changes = self.changes;
         let raise = |(changed, counter): (bool, Signal<u64>)| {
             if changed {

@@ -58,11 +58,28 @@ pub fn remembered(key: &str) -> Option<String> {
     window().local_storage().ok().flatten()?.get_item(&format!("meniscus:{key}")).ok().flatten()
 }
 
-/// Remembers a text for the next visit where the browser allows it; forgets it when there is none.
-pub fn remember(key: &str, text: &str) {
-    let Ok(Some(storage)) = window().local_storage() else { return };
+/// All remembered texts whose keys begin like this, with their keys.
+pub fn all_remembered(prefix: &str) -> Vec<(String, String)> {
+    let Ok(Some(storage)) = window().local_storage() else { return Vec::new() };
+    let read = |index: u32| {
+        let key = storage.key(index).ok().flatten()?;
+        let own = key.strip_prefix("meniscus:").filter(|own| own.starts_with(prefix))?.to_owned();
+        Some((own, storage.get_item(&key).ok().flatten()?))
+    };
+    (0..storage.length().unwrap_or(0)).filter_map(read).collect()
+}
+
+/// Remembers a text for the next visit; forgets it when there is none. Whether the browser has taken it: it refuses where the
+/// storage is full or forbidden.
+pub fn remember(key: &str, text: &str) -> bool {
+    let Ok(Some(storage)) = window().local_storage() else { return text.is_empty() };
     let key = format!("meniscus:{key}");
-    let _ = if text.is_empty() { storage.remove_item(&key) } else { storage.set_item(&key, text) };
+    if text.is_empty() { storage.remove_item(&key) } else { storage.set_item(&key, text) }.is_ok()
+}
+
+/// Forgets a remembered text.
+pub fn forget(key: &str) {
+    remember(key, "");
 }
 
 /// Lets the browser save a text as a file.

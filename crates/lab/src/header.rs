@@ -4,7 +4,7 @@ use crate::app::App;
 use crate::theme::Theme;
 use crate::views::*;
 use crate::words::Language;
-use crate::{browser, icons, keys, library, opening};
+use crate::{browser, icons, keys, library, links, opening};
 use web_sys::HtmlInputElement;
 
 /// The head of the page.
@@ -19,7 +19,7 @@ pub fn view(app: App) -> HtmlHeader {
     let share = labelled(icons::link(), words.share)
         .id("share")
         .title(words.share_title)
-        .when(events::click, move |_| share(app));
+        .when(events::click, move |_| links::share(app));
     let help = button()
         .class("icon")
         .id("help")
@@ -115,21 +115,4 @@ fn open_button(app: App) -> View {
         .attr("aria-label", words.open_title)
         .when(events::change, read);
     View::from((open, input))
-}
-
-/// Puts the state into the address bar and the clipboard.
-fn share(app: App) {
-    let words = app.words();
-    let fragment = app.read(|session| session.share());
-    let location = window().location();
-    let href = location.href().unwrap_or_default();
-    let base = href.split('#').next().unwrap_or_default();
-    let link = if fragment.is_empty() { base.to_owned() } else { format!("{base}#{fragment}") };
-    // Refused inside some frames; the clipboard may still work.
-    if let Ok(history) = window().history() {
-        let _ = history.replace_state_with_url(&wasm_bindgen::JsValue::NULL, "", Some(&link));
-    }
-    browser::copy(&link, move |allowed| {
-        app.say(if allowed { words.link_copied } else { words.link_not_copied }.to_owned())
-    });
 }

@@ -6,6 +6,7 @@ use crate::views::*;
 use crate::{browser, opening, views};
 use document::Document;
 use document::page::{self, Source};
+use session::Subject;
 use web_sys::HtmlDialogElement;
 
 /// Where the theories stand.
@@ -69,9 +70,26 @@ pub fn theories() -> Vec<Entry> {
     entries().into_iter().filter(|entry| entry.file().starts_with(THEORIES)).collect()
 }
 
-/// What the laboratory opens with unless the page was exported with documents of its own.
-pub fn first() -> Vec<Source> {
-    entries().into_iter().next().map_or_else(Vec::new, |entry| entry.files)
+/// What the page opens with: the document it was exported with, else the first of the library.
+pub fn home() -> Vec<Source> {
+    let element = crate::views::document().get_element_by_id("documents");
+    let exported = element.and_then(|element| page::read(&element.outer_html()));
+    exported.unwrap_or_else(|| entries().into_iter().next().map_or_else(Vec::new, |entry| entry.files))
+}
+
+/// The files of the entry of this name.
+pub fn find(name: &str) -> Option<Vec<Source>> {
+    entries().into_iter().find(|entry| entry.file() == name).map(|entry| entry.files)
+}
+
+/// What a link calls a document: the page's own, one of the library, or one that only its author has.
+pub fn subject(files: &[Source]) -> Subject {
+    if files == home() {
+        return Subject::Home;
+    }
+    let entry = entries().into_iter().find(|entry| entry.files == files);
+    let name = files.first().map_or("", |file| &file.name).to_owned();
+    if entry.is_some() { Subject::Library(name) } else { Subject::File(name) }
 }
 
 fn document_text(id: &str) -> String {
@@ -80,8 +98,8 @@ fn document_text(id: &str) -> String {
 
 /// Opens the entry of this file. Whether there is one.
 pub fn open(app: App, file: &str) -> bool {
-    let Some(entry) = entries().into_iter().find(|entry| entry.file() == file) else { return false };
-    opening::open_sources(app, entry.files);
+    let Some(files) = find(file) else { return false };
+    opening::open_sources(app, files);
     true
 }
 

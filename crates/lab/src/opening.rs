@@ -2,8 +2,8 @@
 //! comes back with them.
 
 use crate::app::App;
-use crate::views::*;
-use crate::{browser, fitting, frame, library, measurements};
+use crate::links::Arrival;
+use crate::{browser, fitting, frame, measurements, saved, visited};
 use document::page::{self, Source};
 use model::Diagnostic;
 use session::Session;
@@ -12,18 +12,27 @@ use web_sys::{DragEvent, Event, File, FileList};
 /// What was found in the files, each with the number of its file.
 pub type Findings = Vec<(usize, Diagnostic)>;
 
-/// Opens what the page was exported with; a page that was not opens with the first document of the library.
-pub fn open_embedded(app: App) {
-    let sources = document()
-        .get_element_by_id("documents")
-        .and_then(|element| page::read(&element.outer_html()))
-        .unwrap_or_else(library::first);
-    let fragment = window().location().hash().unwrap_or_default();
-    open(app, sources, fragment.trim_start_matches('#'));
+/// Opens what a link or the history leads to.
+pub fn arrive(app: App, arrival: Arrival) {
+    let Arrival { sources, state, refusal, awaited } = arrival;
+    let is_open = app.with(|lab| lab.session.is_some() && lab.sources == sources) == Some(true);
+    if is_open && !state.is_empty() {
+        if let Some(refusal) = app.attempt(|session| session.restore(&state)) {
+            app.say(refusal);
+        }
+    } else if !is_open {
+        leave(app);
+        open(app, sources, &state);
+    }
+    app.with(|lab| lab.awaited = awaited);
+    visited::note(app, None);
+    if let Some(refusal) = refusal {
+        app.say(app.read(|session| session.refusal_text(&refusal)));
+    }
 }
 
 /// Opens a document from its files. `state` is a shared state; without one the state of the last visit is taken.
-fn open(app: App, sources: Vec<Source>, state: &str) {
+pub fn open(app: App, sources: Vec<Source>, state: &str) {
     let texts: Vec<&str> = sources.iter().map(|source| source.text.as_str()).collect();
     let (session, findings) = match texts.split_first() {
         Some((source, translations)) => {
@@ -32,70 +41,64 @@ fn open(app: App, sources: Vec<Source>, state: &str) {
         }
         None => (None, Vec::new()),
     };
-    app.with(|lab| {
-        let mut session = session;
+    let closed = app.with(|lab| {
+        let (mut session, mut closed) = (session, 0);
         match (&mut lab.session, &mut session) {
             (Some(before), Some(session)) => session.adopt_records(before),
-            (None, Some(session)) => {
-                session.restore_records(&browser::remembered("records").unwrap_or_default());
-                session.restore_fits(&browser::remembered("fits").unwrap_or_default());
-            }
+            (None, Some(session)) => closed = saved::restore_measured(&mut lab.saved, session),
             (_, None) => {}
+        }
+        if let Some(session) = &mut session {
+            saved::restore_answers(&mut lab.saved, &sources, session);
         }
         lab.session = session;
         lab.sources = sources;
         lab.findings = findings;
+        closed
     });
     // Nobody is told: what shows the tabs is built anew below.
     app.tab.set_silent(0);
     let language = app.language.get_untracked();
-    let remembered = browser::remembered(&key(app)).unwrap_or_default();
-    let state = if state.is_empty() { remembered.as_str() } else { state };
-    app.read(|session| {
+    let left = saved::state(app);
+    let state = if state.is_empty() { left.as_str() } else { state };
+    let refusal = app.read(|session| {
         session.set_language(language.tag());
-        if !state.is_empty()
-            && let Err(refusal) = session.restore(state)
-        {
-            // A state of another document or version: what does not fit is left out, and that is said.
-            web_sys::console::warn_1(&session.refusal_text(&refusal).into());
-        }
+        let refusal = if state.is_empty() { None } else { session.restore(state).err() };
+        refusal.map(|refusal| session.refusal_text(&refusal))
     });
     app.rebuild();
+    if let Some(refusal) = refusal {
+        app.say(refusal);
+    }
+    if closed.is_some_and(|closed| closed > 0) {
+        app.say(app.words().records_closed.to_owned());
+    }
     if app.read(|session| session.has_fits_waiting()) {
         fitting::go_on(app);
     }
 }
 
-/// Opens a document of the library.
+/// Opens a document of the library, or that of a fit.
 pub fn open_sources(app: App, sources: Vec<Source>) {
-    remember_now(app);
+    leave(app);
     open(app, sources, "");
+    visited::step(app);
 }
 
-/// Under which name the state of this document is remembered: by its file and title, so that documents keep apart.
-fn key(app: App) -> String {
-    let name = app.with(|lab| lab.sources.first().map(|source| source.name.clone())).flatten().unwrap_or_default();
-    format!("state:{name}:{}", app.read(|session| session.document().title.clone()))
+/// Saves what there is of the open document before another one takes its place.
+pub fn leave(app: App) {
+    saved::now(app);
 }
 
-/// Remembers the state for the next visit, whenever the page is about to go out of sight: the only moment that every
-/// browser announces.
-pub fn remember_state(app: App) {
-    browser::listen("pagehide", move |_: &Event| remember_now(app));
+/// Saves everything for the next visit, whenever the page is about to go out of sight: the only moment that every browser
+/// announces.
+pub fn save_when_left(app: App) {
+    browser::listen("pagehide", move |_: &Event| saved::now(app));
     browser::listen("visibilitychange", move |_: &Event| {
-        remember_now(app);
+        saved::now(app);
         // Back in sight, the frames go on.
         frame::wake(app);
     });
-}
-
-fn remember_now(app: App) {
-    if let Some(state) = app.read(|session| Some(session.share())) {
-        browser::remember(&key(app), &state);
-    }
-    let (records, _) = app.read(|session| session.saved_records());
-    browser::remember("records", &records);
-    browser::remember("fits", &app.read(|session| session.saved_fits()));
 }
 
 /// Opens files that the user picked: a document with its translations, one exported page, or records.
@@ -127,8 +130,13 @@ pub fn open_files(app: App, files: &FileList) {
         if sources.is_empty() {
             return app.say(app.words().unreadable.to_owned());
         }
-        remember_now(app);
-        open(app, sources, "");
+        leave(app);
+        // A link may have been waiting for this file.
+        let name = sources.first().map(|source| source.name.clone());
+        let awaited = app.with(|lab| lab.awaited.take_if(|(awaited, _)| Some(&*awaited) == name.as_ref()));
+        let state = awaited.flatten().map(|(_, state)| state).unwrap_or_default();
+        open(app, sources, &state);
+        visited::step(app);
         measurements::read_all(app, records).await;
         browser::focus_later("play".to_owned());
     });
@@ -143,16 +151,4 @@ pub fn accept_drops(app: App) {
             open_files(app, &files);
         }
     });
-    browser::listen("hashchange", move |_: &Event| {
-        let fragment = window().location().hash().unwrap_or_default();
-        restore(app, fragment.trim_start_matches('#'));
-    });
-}
-
-/// A link to another state of the same page was followed. Links to headings are not states.
-fn restore(app: App, fragment: &str) {
-    let is_heading = document().get_element_by_id(fragment).is_some();
-    if !fragment.is_empty() && !is_heading {
-        app.attempt(|session| session.restore(fragment));
-    }
 }

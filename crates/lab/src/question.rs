@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use session::{Grade, Verdict};
+use session::Grade;
 use web_sys::{HtmlInputElement, SubmitEvent};
 
 /// The question of this number.
@@ -11,8 +11,9 @@ pub fn view(app: App, index: usize) -> View {
     let language = app.language.get_untracked().tag();
     let asked = app.read(|session| Some(session.document().question_text(language, index).clone())).unwrap_or_default();
     let unit = app.read(|session| session.question_unit(index));
-    let verdict = create_signal(None::<Verdict>);
-    let revealed = create_signal(None::<String>);
+    let given = app.read(|session| session.answer(index));
+    let verdict = create_signal(given.verdict);
+    let revealed = create_signal(given.revealed.then(|| app.read(|session| session.reveal_answer(index))));
     let (field, number) = (format!("answer-{index}"), index + 1);
     let mut input = short_field(field.clone());
     let node: HtmlInputElement = input.node();
@@ -48,7 +49,11 @@ pub fn view(app: App, index: usize) -> View {
         .placeholder(words.answer)
         .attr("aria-describedby", format!("prompt-{index} verdict-{index}"))
         .attr("aria-invalid", move || (grade() == "unreadable").then_some("true"))
-        .when(events::input, move |_| verdict.set(None));
+        .prop("value", given.typed)
+        .when(events::input, move |event| {
+            verdict.set(None);
+            app.act(|session| session.type_answer(index, &value_of(&event)));
+        });
     let reveal = move |_| revealed.set(Some(app.act(|session| session.reveal_answer(index))));
     let form = form()
         .class("answer")

@@ -72,6 +72,11 @@ words! {
     share_title: "Copy a link that reopens this state", "Copiar un enlace que reabre este estado";
     link_copied: "Link copied", "Enlace copiado";
     link_not_copied: "The link could not be copied; it is in the address bar", "No se pudo copiar el enlace; está en la barra de direcciones";
+    link_without: "Not in the link", "No están en el enlace";
+    link_without_translations: "The translations are too long for a link", "Las traducciones son demasiado largas para un enlace";
+    link_needs_file: "The document is too long for a link; whoever opens it also needs the file", "El documento es demasiado largo para un enlace; quien lo abra necesita también el archivo";
+    not_saved: "The browser does not let this page store anything (storage full or forbidden): records, fits and answers will be lost when the page is closed", "El navegador no deja que esta página guarde nada (almacenamiento lleno o prohibido): los registros, los ajustes y las respuestas se perderán al cerrar la página";
+    records_closed: "More records are stored than can be open at once. Remove one and load the page again to see the others", "Hay más registros guardados de los que pueden estar abiertos a la vez. Quita uno y vuelve a cargar la página para ver los demás";
     open: "Open", "Abrir";
     open_title: "Open a simulation document or an exported page", "Abrir un documento de simulación o una página exportada";
     close: "Close", "Cerrar";

@@ -1,36 +1,43 @@
 //! The page as a whole: head, apparatus, notebook, and what is said to those who do not see it.
 
 use crate::app::App;
+use crate::links::Arrival;
 use crate::scene::SceneNodes;
 use crate::theme::Theme;
 use crate::views::*;
 use crate::words::Language;
 use crate::{
-    browser, controls, diagnostics, frame, header, keys, library, notebook, opening, plots, readouts, transport,
+    browser, controls, diagnostics, frame, header, keys, library, links, notebook, opening, plots, readouts, transport,
+    visited,
 };
 
 /// Starts the laboratory in the element `lab`.
 pub fn start() {
     let Some(place) = browser::by_id::<web_sys::HtmlElement>("lab") else { return };
-    place.set_inner_html("");
     let tag = browser::remembered("language").or_else(|| window().navigator().language()).unwrap_or_default();
     let single_keys = browser::remembered("keys").is_none();
-    // The laboratory lives as long as the page.
-    let laboratory = move || {
-        let app = App::new(Language::of(&tag), single_keys);
-        prepare(app);
-        page(app)
-    };
-    sycamore_web::render_to(laboratory, &place);
+    wasm_bindgen_futures::spawn_local(async move {
+        // A link may hold its document, which the browser inflates.
+        let arrival = links::first().await;
+        place.set_inner_html("");
+        // The laboratory lives as long as the page.
+        let laboratory = move || {
+            let app = App::new(Language::of(&tag), single_keys);
+            prepare(app, arrival);
+            page(app)
+        };
+        sycamore_web::render_to(laboratory, &place);
+    });
 }
 
-fn prepare(app: App) {
+fn prepare(app: App, arrival: Arrival) {
     Theme::remembered().apply(app);
     browser::on_match_change("(prefers-color-scheme: dark)", move || Theme::remembered().apply(app));
     frame::start(app);
-    opening::open_embedded(app);
-    opening::remember_state(app);
+    opening::arrive(app, arrival);
+    opening::save_when_left(app);
     opening::accept_drops(app);
+    visited::listen(app);
     keys::listen(app);
 }
 

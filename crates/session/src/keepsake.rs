@@ -1,9 +1,9 @@
-//! Records as a text, for the next visit.
+//! Records as texts, for the next visit.
 
 use crate::Session;
 use crate::recognise::Meaning;
-use crate::record::Use;
-use std::fmt::Write as _;
+use crate::record::{Record, Use};
+use crate::shelf::name_of;
 use units::Unit;
 
 /// What the text begins with.
@@ -13,35 +13,29 @@ const VERSION: &str = "meniscus records 1\n";
 pub(crate) const LONGEST: usize = 1 << 20;
 
 impl Session {
-    /// The records as a text that [`Session::restore_records`] reads, and how many did not fit.
-    pub fn saved_records(&self) -> (String, usize) {
-        let (mut saved, mut missing) = (String::new(), 0);
-        for record in &self.data.records {
-            if !self.is_lasting(record.id) {
-                missing += 1;
-                continue;
+    /// The records for the next visit: for each a name, which is the same at every visit and in every page, and a text that
+    /// [`Session::restore_records`] reads. Those that are too long are left out.
+    pub fn saved_records(&self) -> Vec<(String, String)> {
+        let named = self.record_names().into_iter();
+        named.filter_map(|(id, name)| Some((name, saved(self.record(id)?)))).collect()
+    }
+
+    /// The names of the records that will be there at the next visit, by their ids: by their content, and by their order where
+    /// two are the same.
+    pub(crate) fn record_names(&self) -> Vec<(u32, String)> {
+        let mut names: Vec<(u32, String)> = Vec::new();
+        for record in self.data.records.iter().filter(|record| self.is_lasting(record.id)) {
+            let truth = write_values(record.truth.iter().flatten().map(|(name, value)| (name.as_str(), *value)));
+            let own = line(&record.name);
+            let mut again = 0;
+            let mut name = name_of(&[&own, &truth, &record.text]);
+            while names.iter().any(|(_, other)| *other == name) {
+                again += 1;
+                name = name_of(&[&own, &truth, &record.text, &again.to_string()]);
             }
-            let truth = record.truth.iter().flatten().map(|(name, value)| (name.as_str(), *value));
-            let known = record.known.iter().map(|(name, value)| (name.as_str(), *value));
-            let chosen = record.uses.iter().enumerate().filter(|(_, used)| used.chosen);
-            let kind = if record.truth.is_some() { "virtual" } else { "measured" };
-            let shown = if record.shown { "shown" } else { "hidden" };
-            let _ = writeln!(
-                saved,
-                "{}\n{kind} {shown} {} {} {}\n{}\n{}\n{}",
-                line(&record.name),
-                record.text.len(),
-                record.saved_made(),
-                write_values(known),
-                write_values(truth),
-                write_uses(chosen),
-                record.text
-            );
+            names.push((record.id, name));
         }
-        if !saved.is_empty() {
-            saved.insert_str(0, VERSION);
-        }
-        (saved, missing)
+        names
     }
 
     /// Whether a record will be there at the next visit: it, and those before it, leave it room.
@@ -90,6 +84,25 @@ impl Session {
         self.records_changed();
         Some(rest)
     }
+}
+
+/// A record as [`Session::restore_records`] reads it.
+fn saved(record: &Record) -> String {
+    let truth = record.truth.iter().flatten().map(|(name, value)| (name.as_str(), *value));
+    let known = record.known.iter().map(|(name, value)| (name.as_str(), *value));
+    let chosen = record.uses.iter().enumerate().filter(|(_, used)| used.chosen);
+    let kind = if record.truth.is_some() { "virtual" } else { "measured" };
+    let shown = if record.shown { "shown" } else { "hidden" };
+    format!(
+        "{VERSION}{}\n{kind} {shown} {} {} {}\n{}\n{}\n{}\n",
+        line(&record.name),
+        record.text.len(),
+        record.saved_made(),
+        write_values(known),
+        write_values(truth),
+        write_uses(chosen),
+        record.text
+    )
 }
 
 /// A name without what would end its line.

@@ -15,9 +15,9 @@
 //! | measured data | [`Session::records`], [`Session::record_cells`], [`Session::add_record`], [`Session::begin_record`], [`Session::advance_record`], [`Session::record_progress`], [`Session::cancel_record`], [`Session::add_sample`], [`Session::sample_names`], [`Session::measure`], [`Session::measurement_form`], [`Session::measurement_units`], [`Session::show_record`], [`Session::remove_record`], [`Session::measurable`], [`Session::set_column_quantity`], [`Session::set_column_unit`], [`Session::set_column_fitted`], [`Session::make_derivatives`], [`Session::forget_derivatives`], [`Session::has_points`], [`Session::ghost_follows`], [`Session::ghost_values`], [`Session::saved_records`], [`Session::restore_records`], [`Session::adopt_records`] |
 //! | cycle by cycle | [`Session::open_cycles`], [`Session::looks_at_cycles`], [`Session::cycle_columns`], [`Session::choose_cycles`], [`Session::cycle_quantities`], [`Session::show_cycles`], [`Session::cycles_against_amplitude`], [`Session::cycles`], [`Session::cycle_plot`], [`Session::export_cycles`] |
 //! | fits | [`Session::fit_records`], [`Session::fit_with`], [`Session::chosen_record`], [`Session::choose_record`], [`Session::fit_choices`], [`Session::vary`], [`Session::set_same`], [`Session::set_known`], [`Session::fit_window`], [`Session::set_fit_window`], [`Session::begin_fit`], [`Session::begin_ranking`], [`Session::advance_fit`], [`Session::cancel_fit`], [`Session::fit_progress`], [`Session::fits`], [`Session::fit_detail`], [`Session::fit_texts`], [`Session::apply_fit`], [`Session::remove_fit`], [`Session::export_fit`], [`Session::export_ranking`], [`Session::saved_fits`], [`Session::restore_fits`], [`Session::has_fits_waiting`] |
-//! | questions | [`Session::check_answer`], [`Session::reveal_answer`], [`Session::question_unit`], [`Session::question_setup`], [`Session::apply_question_setup`], [`Session::hides_values`], [`Session::shows_hidden`], [`Session::show_hidden`] |
+//! | questions | [`Session::check_answer`], [`Session::reveal_answer`], [`Session::answer`], [`Session::type_answer`], [`Session::saved_answers`], [`Session::restore_answer`], [`Session::question_unit`], [`Session::question_setup`], [`Session::apply_question_setup`], [`Session::hides_values`], [`Session::shows_hidden`], [`Session::show_hidden`] |
 //! | method | [`Session::methods`], [`Session::set_method`], [`Session::step`], [`Session::step_text`], [`Session::set_step`], [`Session::set_step_text`] |
-//! | sharing | [`Session::share`], [`Session::restore`] |
+//! | sharing | [`Session::share`], [`Session::missing_in_link`], [`Session::restore`], [`Link`] |
 //! | words | [`Session::take_announcement`], [`Session::announcement_text`], [`Session::refusal_text`], [`speed_text`], [`symbol`], [`number`] |
 //!
 //! A [`Refusal`] is the answer to input that cannot be taken; nothing has changed then. Getters that return texts use
@@ -25,6 +25,7 @@
 
 mod announcement;
 mod answer;
+mod answered;
 mod arithmetic;
 mod course;
 mod cycle_plot;
@@ -39,6 +40,7 @@ mod input;
 mod intake;
 mod keepsake;
 mod kept;
+mod link;
 mod measurement;
 mod method;
 mod observed;
@@ -58,6 +60,7 @@ mod residual_plot;
 mod sample;
 mod session;
 mod share;
+mod shelf;
 mod showing;
 mod slider;
 mod start;
@@ -76,6 +79,7 @@ pub use model;
 pub use units::number;
 
 pub use announcement::Announcement;
+pub use answered::AnswerView;
 pub use cycles::{CycleColumn, CyclesView};
 pub use fit_setup::{ChoiceView, FitRecordView, KnownView};
 pub use fitted::{EstimateView, FitDetail, FitView, MOST_FITS};
@@ -83,6 +87,7 @@ pub use fitting::FitProgress;
 pub use ghost::Follows;
 pub use intake::RecordProgress;
 pub use kept::{KeptView, MOST_KEPT};
+pub use link::{LONGEST_PACKED, LONGEST_UNPACKED, Link, Subject, packed_length};
 pub use measurement::{MEASUREMENT_FIELDS, MeasurementForm};
 pub use method::MethodView;
 pub use parameter::ParameterView;
@@ -96,6 +101,7 @@ pub use refusal::Refusal;
 pub use reporting::{Export, ExportKind, Imprint};
 pub use sample::{SAMPLES, Sample};
 pub use session::{Revision, Session};
+pub use shelf::{Change, Shelf};
 pub use slider::Slider;
 pub use state::StateView;
 pub use symbol::symbol;

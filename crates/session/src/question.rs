@@ -37,8 +37,14 @@ const CLOSE: f64 = 5.0;
 
 impl Session {
     /// Judges an answer: a number or arithmetic in the unit asked for, or with units of its own of the same dimension; with an
-    /// error after `±` that is not graded, but compared with the truth.
+    /// error after `±` that is not graded, but compared with the truth. It is kept with the question.
     pub fn check_answer(&mut self, question: usize, text: &str) -> Verdict {
+        let verdict = self.judge(question, text);
+        self.note_grade(question, text, verdict.grade);
+        verdict
+    }
+
+    fn judge(&mut self, question: usize, text: &str) -> Verdict {
         let right = self.right_answer(question);
         let Some(asked) = self.document.questions.get(question) else {
             return self.verdict(Grade::Unanswerable);
@@ -62,6 +68,7 @@ impl Session {
     /// The right answer with its unit, for the parameters as they are (or as the question supposes); a dash if there is
     /// none.
     pub fn reveal_answer(&mut self, question: usize) -> String {
+        self.note_revealed(question);
         let right = self.right_answer(question);
         self.solve(question);
         let Some(asked) = self.document.questions.get(question) else {
@@ -118,7 +125,7 @@ impl Session {
     }
 
     /// The answer to a question is known: what it hides is shown.
-    fn solve(&mut self, question: usize) {
+    pub(crate) fn solve(&mut self, question: usize) {
         if let Some(solved) = self.solved.get_mut(question).filter(|solved| !**solved) {
             *solved = true;
             self.revision.frame += 1;

@@ -103,6 +103,13 @@ pub enum Refusal {
     },
     /// A saved state was not written by this program, or by a later version of it.
     UnreadableState,
+    /// The document inside a link is too long.
+    DocumentTooLong,
+    /// A link is about a document that is neither in it nor in the page.
+    DocumentNeeded {
+        /// The name of its file.
+        name: String,
+    },
     /// Parts of a saved state do not fit this document and were left out.
     PartlyRestored {
         /// Which, as written in it.

@@ -1,10 +1,11 @@
-//! Fits as a text, for the next visit: what each was asked for and the numbers that it found. From those it is made again
+//! Fits as texts, for the next visit: what each was asked for and the numbers that it found. From those it is made again
 //! in a few trials, so that nothing of its outcome has to be kept.
 
 use crate::Session;
 use crate::fitting::{Definition, Job, Part};
 use crate::keepsake::{line, read_uses, write_uses};
 use crate::record::Record;
+use crate::shelf::name_of;
 use analysis::fit::{Target, Varied};
 use document::Document;
 use std::fmt::Write as _;
@@ -12,7 +13,7 @@ use std::fmt::Write as _;
 /// What the text begins with.
 const VERSION: &str = "meniscus fits 1\n";
 
-/// The longest text: the records need their room too.
+/// The longest texts together: the records need their room too.
 const LONGEST: usize = 1 << 20;
 
 /// A fit of an earlier visit.
@@ -44,31 +45,31 @@ impl Waiting {
 }
 
 impl Session {
-    /// The fits as a text that [`Session::restore_fits`] reads; those whose records will not be there are left out.
-    pub fn saved_fits(&self) -> String {
-        let lasting: Vec<u32> =
-            self.data.records.iter().map(|record| record.id).filter(|id| self.is_lasting(*id)).collect();
-        let mut book = Book { lasting, documents: Vec::new(), fits: String::new(), length: 0 };
+    /// The fits for the next visit: for each a name, which is the same at every visit and in every page, and a text that
+    /// [`Session::restore_fits`] reads. Those whose records will not be there are left out, and those for which there is no
+    /// room.
+    pub fn saved_fits(&self) -> Vec<(String, String)> {
+        let mut book = Book { records: self.record_names(), fits: Vec::new(), length: 0 };
         for fit in &self.fits.finished {
             let found: Vec<f64> = fit.outcome.parameters.iter().map(|estimate| estimate.value).collect();
-            book.write(&fit.definition, texts(&fit.document), &found);
+            book.write(&fit.definition, &texts(&fit.document), &found);
         }
         if let Some(job) = self.being_remade()
             && let Some(found) = &job.found
         {
-            book.write(&job.definition, texts(&job.document), found);
+            book.write(&job.definition, &texts(&job.document), found);
         }
         for Waiting { definition, texts, found } in &self.fits.waiting {
-            book.write(definition, texts.clone(), found);
+            book.write(definition, texts, found);
         }
-        book.text()
+        book.fits
     }
 
     /// Brings back fits of the records that are there, to be made again by [`Session::advance_fit`]. What cannot be read is
     /// left out.
     pub fn restore_fits(&mut self, saved: &str) {
         let Some(text) = saved.strip_prefix(VERSION) else { return };
-        let mut pages = Pages { rest: text, documents: Vec::new() };
+        let mut pages = Pages { rest: text, documents: Vec::new(), names: self.record_names() };
         while let Some(waiting) = pages.next(&self.data.records) {
             self.fits.waiting.extend(waiting);
         }
@@ -91,63 +92,47 @@ fn texts(document: &Document) -> Vec<String> {
 
 /// What is being written.
 struct Book {
-    /// The records that will be there, in their order.
-    lasting: Vec<u32>,
-    /// Each document once: many fits have the same.
-    documents: Vec<Vec<String>>,
-    fits: String,
+    /// The records that will be there: their ids and names.
+    records: Vec<(u32, String)>,
+    /// Names and texts.
+    fits: Vec<(String, String)>,
     length: usize,
 }
 
 impl Book {
     /// Writes a fit, unless there is no room for it.
-    fn write(&mut self, definition: &Definition, texts: Vec<String>, found: &[f64]) {
-        let known = self.documents.iter().position(|known| *known == texts);
-        let number = known.unwrap_or(self.documents.len());
-        let Some(fit) = self.fit(definition, number, found) else { return };
-        let new = known.map_or_else(|| texts.iter().map(String::len).sum(), |_| 0);
-        if self.length + fit.len() + new > LONGEST {
-            return;
-        }
-        self.length += fit.len() + new;
-        self.fits.push_str(&fit);
-        if known.is_none() {
-            self.documents.push(texts);
+    fn write(&mut self, definition: &Definition, texts: &[String], found: &[f64]) {
+        let Some(fit) = self.fit(definition) else { return };
+        let mut parts: Vec<&str> = texts.iter().map(String::as_str).collect();
+        parts.push(&fit);
+        // What it has found is no part of the name: made again, its last digits may differ.
+        let name = name_of(&parts);
+        let lengths: Vec<String> = texts.iter().map(|text| text.len().to_string()).collect();
+        let document = format!("document {}\n{}\n", lengths.join(" "), texts.concat());
+        let text = format!("{VERSION}{document}{fit}found {}\nend\n", write_numbers(found));
+        if self.length + text.len() <= LONGEST && self.fits.iter().all(|(other, _)| *other != name) {
+            self.length += text.len();
+            self.fits.push((name, text));
         }
     }
 
-    fn fit(&self, definition: &Definition, document: usize, found: &[f64]) -> Option<String> {
-        let mut text = format!("fit {document} {}\n", line(&definition.file));
+    /// A fit without what it has found; `None` if one of its records will not be there.
+    fn fit(&self, definition: &Definition) -> Option<String> {
+        let mut text = format!("fit 0 {}\n", line(&definition.file));
         let window = definition.window.map(|end| end.map_or_else(|| "-".to_owned(), |end| format!("{end:e}")));
         let varied: Vec<String> = definition.varied.iter().map(write_varied).collect();
         // Writing to a string cannot fail.
         let _ = writeln!(text, "window {}", window.join(" "));
         let _ = writeln!(text, "values {}", write_numbers(&definition.parameters));
         let _ = writeln!(text, "varied {}", varied.join(" "));
-        let _ = writeln!(text, "found {}", write_numbers(found));
         for part in &definition.parts {
-            let place = self.lasting.iter().position(|id| *id == part.record)?;
+            let (_, record) = self.records.iter().find(|(id, _)| *id == part.record)?;
             let uses = write_uses(part.uses.iter().enumerate());
             let fixed: Vec<String> = part.fixed.iter().map(|(index, value)| format!("{index}={value:e}")).collect();
-            let _ = writeln!(text, "record {place} {:e} {} {}", part.origin, fixed.join(";"), line(&part.name));
+            let _ = writeln!(text, "record #{record} {:e} {} {}", part.origin, fixed.join(";"), line(&part.name));
             let _ = writeln!(text, "uses {uses}");
         }
-        text.push_str("end\n");
         Some(text)
-    }
-
-    fn text(self) -> String {
-        if self.fits.is_empty() {
-            return String::new();
-        }
-        let mut text = VERSION.to_owned();
-        for document in &self.documents {
-            let lengths: Vec<String> = document.iter().map(|text| text.len().to_string()).collect();
-            let _ = writeln!(text, "document {}", lengths.join(" "));
-            document.iter().for_each(|one| text.push_str(one));
-            text.push('\n');
-        }
-        text + &self.fits
     }
 }
 
@@ -155,6 +140,8 @@ impl Book {
 struct Pages<'a> {
     rest: &'a str,
     documents: Vec<Vec<String>>,
+    /// The ids and names of the records that are there.
+    names: Vec<(u32, String)>,
 }
 
 impl<'a> Pages<'a> {
@@ -205,7 +192,7 @@ impl<'a> Pages<'a> {
         for (place, line) in lines.iter().enumerate() {
             if let Some(head) = line.strip_prefix("record ") {
                 let uses = lines.get(place + 1)?.strip_prefix("uses ")?;
-                parts.push(part(head, uses, records)?);
+                parts.push(part(head, uses, records, &self.names)?);
             }
         }
         let definition = Definition {
@@ -219,12 +206,19 @@ impl<'a> Pages<'a> {
     }
 }
 
-/// A part of a fit, if its record is there: the one in the same place, of the same name.
-fn part(head: &str, uses: &str, records: &[Record]) -> Option<Part> {
+/// A part of a fit, if its record is there: by its name in the storage, in texts of earlier versions by its place.
+fn part(head: &str, uses: &str, records: &[Record], names: &[(u32, String)]) -> Option<Part> {
     let mut fields = head.splitn(4, ' ');
-    let (place, origin) = (fields.next()?.parse::<usize>().ok()?, fields.next()?.parse().ok()?);
+    let (place, origin) = (fields.next()?, fields.next()?.parse().ok()?);
     let (fixed, name) = (fields.next()?, fields.next()?);
-    let record = records.get(place).filter(|record| line(&record.name) == name)?;
+    let record = match place.strip_prefix('#') {
+        Some(place) => {
+            let (id, _) = names.iter().find(|(_, name)| name == place)?;
+            records.iter().find(|record| record.id == *id)?
+        }
+        None => records.get(place.parse::<usize>().ok()?)?,
+    };
+    let record = Some(record).filter(|record| line(&record.name) == name)?;
     let fixed = fixed.split(';').filter_map(|entry| {
         let (index, value) = entry.split_once('=')?;
         Some((index.parse().ok()?, value.parse().ok()?))

@@ -1,6 +1,7 @@
 //! The session itself: a document, a run of it, and what the person has chosen.
 
 use crate::announcement::{Announcement, Announcements};
+use crate::answered::Answer;
 use crate::course::Course;
 use crate::cycle_plot::CyclePlot;
 use crate::cycles::Looking;
@@ -36,6 +37,8 @@ pub struct Revision {
     pub records: u64,
     /// What fits vary, what is being fitted, and what has come of it.
     pub fits: u64,
+    /// What has been answered to questions.
+    pub answers: u64,
     /// The language.
     pub language: u64,
 }
@@ -69,6 +72,8 @@ pub struct Session {
     pub(crate) kept: Vec<Kept>,
     pub(crate) plots: Vec<PlotState>,
     pub(crate) evaluators: Evaluators,
+    /// One for each question, once anything has been answered.
+    pub(crate) answers: Vec<Answer>,
     pub(crate) data: Data,
     pub(crate) fits: Fits,
     /// The file that is being read.
@@ -140,6 +145,7 @@ impl Session {
             present: Vec::new(),
             ghost: None,
             kept: Vec::new(),
+            answers: Vec::new(),
             data: Data::default(),
             fits: Fits::default(),
             intake: None,

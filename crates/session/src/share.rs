@@ -76,6 +76,23 @@ impl Session {
         if fields.is_empty() { String::new() } else { format!("{VERSION}&{}", fields.join("&")) }
     }
 
+    /// What of the laboratory a link does not hold, in the session's language.
+    pub fn missing_in_link(&self) -> Vec<&'static str> {
+        let pick = |english, spanish| self.language.pick(english, spanish);
+        [
+            (!self.data.records.is_empty(), pick("records", "registros")),
+            (!self.saved_fits().is_empty(), pick("fits", "ajustes")),
+            (!self.saved_answers().is_empty(), pick("answers", "respuestas")),
+            (
+                self.course.recipe().changes.len() > MOST_CHANGES,
+                pick("the run before the moment shown", "la serie anterior al momento mostrado"),
+            ),
+        ]
+        .into_iter()
+        .filter_map(|(missing, name)| missing.then_some(name))
+        .collect()
+    }
+
     /// Brings back a state. What does not fit the document is left out and named in the refusal; the rest is applied.
     ///
     /// # Errors

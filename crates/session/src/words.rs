@@ -227,6 +227,14 @@ pub(crate) fn refusal_text(language: Language, refusal: &Refusal) -> String {
                 "No se entendió el enlace; el documento se abre tal como es.",
             )
             .to_owned(),
+        Refusal::DocumentTooLong => language.pick(
+            "The document in this link is too long. Ask for its file and open that.",
+            "El documento de este enlace es demasiado largo. Pide el archivo y ábrelo.",
+        ).to_owned(),
+        Refusal::DocumentNeeded { name } => language.pick(
+            format!("This link is about the document {name}, which is not in this page. Open that file, and you will see what the link shows."),
+            format!("Este enlace trata del documento {name}, que no está en esta página. Abre ese archivo y verás lo que muestra el enlace."),
+        ),
         Refusal::PartlyRestored { left_out } => {
             let parts = left_out.join(", ");
             language.pick(

@@ -406,3 +406,43 @@ fn everything_is_announced() {
         assert_eq!(session.announcement_text(&announcement), expected);
     }
 }
+
+#[test]
+fn answers_stay_with_their_questions() {
+    let mut session = utube();
+    session.check_answer(0, "123456");
+    session.type_answer(1, "1");
+    session.check_answer(1, "1");
+    session.reveal_answer(1);
+    session.check_answer(99, "1");
+    let saved = session.saved_answers();
+    assert_eq!(saved.len(), 2);
+    session.set_language("es");
+    assert_eq!(session.saved_answers(), saved, "the same in both languages");
+    let answer = session.answer(0);
+    assert_eq!(answer.verdict.map(|verdict| verdict.text).as_deref(), Some("Todavía no."));
+    assert_eq!((answer.typed.as_str(), answer.revealed), ("123456", false));
+    // Another question in front of them, and a later visit in Spanish.
+    let source = support::UTUBE.replacen(
+        "```question\n",
+        "```question\nWhat is g?\nanswer: g within 1 %\n```\n\n```question\n",
+        1,
+    );
+    let mut later = support::open(&source, &[]);
+    later.set_language("es");
+    for (name, text) in &saved {
+        later.restore_answer(name, text);
+    }
+    assert_eq!((later.answer(0), later.answer(1)), (session::AnswerView::default(), session.answer(0)));
+    assert_eq!(later.answer(2), session.answer(1));
+    assert_eq!(later.answer(2).verdict.map(|verdict| verdict.grade), Some(session::Grade::Correct));
+    assert!(later.answer(2).revealed);
+    // Typing takes the verdict away; nonsense in the storage changes nothing.
+    later.type_answer(2, "2\n3");
+    assert_eq!((later.answer(2).typed.as_str(), later.answer(2).verdict), ("2 3", None));
+    let before = later.saved_answers();
+    for (name, text) in [("", ""), (saved[0].0.as_str(), "one line"), ("0000000000000000", "1\nright\n")] {
+        later.restore_answer(name, text);
+    }
+    assert_eq!(later.saved_answers(), before);
+}

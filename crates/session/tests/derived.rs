@@ -72,9 +72,9 @@ fn what_was_made_follows_its_source_and_comes_back() {
     session.set_column_unit(id, 1, "cm").unwrap();
     let made = |session: &Session| columns(session)[2].clone();
     assert_eq!(made(&session), ("y' [cm/ms]".into(), "y'".into(), "forward differences".into()));
-    let (saved, _) = session.saved_records();
+    let saved = session.saved_records();
     let mut later = utube();
-    later.restore_records(&saved);
+    support::bring_back_records(&mut later, &saved);
     assert_eq!(columns(&later), columns(&session));
     assert_eq!(later.record_cells(0, 3, 0..99), session.record_cells(id, 3, 0..99));
     // What its source no longer measures, it does not measure either.

@@ -40,6 +40,16 @@ pub fn play(session: &mut Session, frames: impl IntoIterator<Item = f64>) {
     session.pause();
 }
 
+/// Brings back records as at the next visit.
+pub fn bring_back_records(session: &mut Session, saved: &[(String, String)]) {
+    saved.iter().for_each(|(_, text)| session.restore_records(text));
+}
+
+/// Brings back fits as at the next visit; their records must be there.
+pub fn bring_back_fits(session: &mut Session, saved: &[(String, String)]) {
+    saved.iter().for_each(|(_, text)| session.restore_fits(text));
+}
+
 /// The states shown.
 pub fn state(session: &Session) -> Vec<f64> {
     session.states().into_iter().map(|state| state.value).collect()

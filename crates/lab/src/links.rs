@@ -1,0 +1,122 @@
+//! Links: what the address asks for, and the link that reopens what is seen.
+
+use crate::app::App;
+use crate::views::window;
+use crate::{browser, library, packing, visited};
+use document::page::{self, Source};
+use session::{LONGEST_PACKED, LONGEST_UNPACKED, Link, Refusal, Subject, packed_length};
+
+/// What a link leads to.
+pub struct Arrival {
+    /// The files of the document.
+    pub sources: Vec<Source>,
+    /// The state of it; empty where there is none.
+    pub state: String,
+    /// What could not be done.
+    pub refusal: Option<Refusal>,
+    /// The file that the link needs, and the state of that document.
+    pub awaited: Option<(String, String)>,
+}
+
+/// The fragment of the address, without `#`.
+pub fn fragment() -> String {
+    window().location().hash().unwrap_or_default().trim_start_matches('#').to_owned()
+}
+
+/// The address of this page with another fragment.
+pub fn address(fragment: &str) -> String {
+    let address = window().location().href().unwrap_or_default();
+    let base = address.split('#').next().unwrap_or_default();
+    if fragment.is_empty() { base.to_owned() } else { format!("{base}#{fragment}") }
+}
+
+/// Whether a fragment leads to a heading and not to a state.
+pub fn is_heading(fragment: &str) -> bool {
+    !fragment.contains(['&', '='])
+}
+
+/// What the page opens with: the document of this step of the history, else what its address says.
+pub async fn first() -> Arrival {
+    match visited::present() {
+        Some(sources) => Arrival { sources, state: String::new(), refusal: None, awaited: None },
+        None => read(&fragment()).await,
+    }
+}
+
+/// What a fragment leads to. Where that cannot be opened, the page's own document is.
+pub async fn read(fragment: &str) -> Arrival {
+    let mut arrival = Arrival { sources: library::home(), state: String::new(), refusal: None, awaited: None };
+    if is_heading(fragment) {
+        return arrival;
+    }
+    let Link { subject, state } = match Link::read(fragment) {
+        Ok(link) => link,
+        Err(refusal) => {
+            arrival.refusal = Some(refusal);
+            return arrival;
+        }
+    };
+    let found = match &subject {
+        Subject::Home => Ok(library::home()),
+        Subject::Library(name) => library::find(name).ok_or_else(|| Refusal::DocumentNeeded { name: name.to_owned() }),
+        Subject::Packed(bytes) => {
+            let list = packing::inflate(bytes, LONGEST_UNPACKED).await;
+            list.and_then(|list| page::read_list(&list)).ok_or(Refusal::UnreadableState)
+        }
+        Subject::File(name) => Err(Refusal::DocumentNeeded { name: name.to_owned() }),
+    };
+    match found {
+        Ok(sources) => (arrival.sources, arrival.state) = (sources, state),
+        Err(Refusal::DocumentNeeded { name }) => {
+            arrival.awaited = Some((name.clone(), state));
+            arrival.refusal = Some(Refusal::DocumentNeeded { name });
+        }
+        Err(refusal) => arrival.refusal = Some(refusal),
+    }
+    arrival
+}
+
+/// Puts a link to what is seen into the address bar and the clipboard, and says what it does not hold.
+pub fn share(app: App) {
+    wasm_bindgen_futures::spawn_local(async move {
+        let words = app.words();
+        let sources = app.with(|lab| lab.sources.clone()).unwrap_or_default();
+        let (subject, remark) = pack(app, &sources).await;
+        let (state, missing) = app.read(|session| (session.share(), session.missing_in_link()));
+        let link = address(&Link { subject, state }.write());
+        // Refused inside some frames; the clipboard may still work.
+        visited::note(app, Some(&link));
+        browser::copy(&link, move |allowed| {
+            let copied = if allowed { words.link_copied } else { words.link_not_copied };
+            let mut sentences = vec![format!("{copied}.")];
+            sentences.extend(remark);
+            if !missing.is_empty() {
+                sentences.push(format!("{}: {}.", words.link_without, missing.join(", ")));
+            }
+            app.say(sentences.join(" "));
+        });
+    });
+}
+
+/// The document part of a link, and what has to be said of it. The document with its translations if they are short enough,
+/// else without, else only its name.
+async fn pack(app: App, sources: &[Source]) -> (Subject, Option<String>) {
+    let words = app.words();
+    let known = library::subject(sources);
+    if !matches!(known, Subject::File(_)) {
+        return (known, None);
+    }
+    for count in [sources.len(), 1] {
+        let files = sources.get(..count).unwrap_or_default();
+        let packed = packing::deflate(&page::write_list(files)).await;
+        let size: usize = files.iter().map(|file| file.text.len()).sum();
+        if let Some(bytes) = packed.filter(|bytes| packed_length(bytes.len()) <= LONGEST_PACKED)
+            && size <= LONGEST_UNPACKED / 2
+        {
+            let remark = (count < sources.len()).then(|| words.link_without_translations.to_owned());
+            return (Subject::Packed(bytes), remark);
+        }
+    }
+    let name = sources.first().map_or("", |file| &file.name);
+    (known, Some(format!("{} {name}.", words.link_needs_file)))
+}

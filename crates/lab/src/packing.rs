@@ -1,0 +1,46 @@
+//! Texts deflated and inflated by the browser, for documents inside links.
+
+use crate::browser;
+use js_sys::{Array, Function, Reflect, Uint8Array};
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{ReadableStream, ReadableStreamDefaultReader, WritableStream, WritableStreamDefaultWriter};
+
+/// Deflates a text; `None` where the browser cannot.
+pub async fn deflate(text: &str) -> Option<Vec<u8>> {
+    through("CompressionStream", text.as_bytes(), usize::MAX).await
+}
+
+/// Inflates a text of at most `most` bytes. What comes from a link may be a bomb: no more than that is unpacked.
+pub async fn inflate(bytes: &[u8], most: usize) -> Option<String> {
+    String::from_utf8(through("DecompressionStream", bytes, most).await?).ok()
+}
+
+/// What a transforming stream of the browser makes of some bytes; `None` if it fails or gives more than `most`.
+async fn through(kind: &str, bytes: &[u8], most: usize) -> Option<Vec<u8>> {
+    // Made by name: in `web_sys` they exist only behind an unstable flag.
+    let maker: Function = Reflect::get(&js_sys::global(), &kind.into()).ok()?.dyn_into().ok()?;
+    let stream = Reflect::construct(&maker, &Array::of1(&"deflate-raw".into())).ok()?;
+    let end = |name: &str| Reflect::get(&stream, &name.into()).ok();
+    let writable: WritableStream = end("writable")?.dyn_into().ok()?;
+    let readable: ReadableStream = end("readable")?.dyn_into().ok()?;
+    let writer = WritableStreamDefaultWriter::new(&writable).ok()?;
+    let reader = ReadableStreamDefaultReader::new(&readable).ok()?;
+    // Faults in what is written are met where it is read.
+    for promise in [writer.write_with_chunk(&Uint8Array::from(bytes)), writer.close()] {
+        wasm_bindgen_futures::spawn_local(async move { drop(browser::wait(promise).await) });
+    }
+    let mut result = Vec::new();
+    loop {
+        let next = browser::wait(reader.read()).await.ok()?;
+        let part = |name: &str| Reflect::get(&next, &name.into()).unwrap_or(JsValue::UNDEFINED);
+        if part("done").is_truthy() {
+            return Some(result);
+        }
+        let chunk: Uint8Array = part("value").dyn_into().ok()?;
+        if result.len() + chunk.length() as usize > most {
+            drop(browser::wait(reader.cancel()).await);
+            return None;
+        }
+        result.extend(chunk.to_vec());
+    }
+}

@@ -1,0 +1,139 @@
+//! What is there again at the next visit: the state of each document, records, fits, answers. Other pages of this site share
+//! the storage: see [`session::Shelf`].
+
+use crate::app::{App, Lab};
+use crate::browser;
+use crate::library;
+use crate::views::window;
+use document::page::Source;
+use session::{Change, Session, Shelf, Subject};
+use wasm_bindgen::JsCast;
+use wasm_bindgen::closure::Closure;
+
+const RECORDS: &str = "record:";
+const FITS: &str = "fit:";
+
+/// Changes are saved so many milliseconds later, all of them at once.
+const DELAY: i32 = 300;
+
+/// What this page knows of the storage.
+#[derive(Default)]
+pub struct Saved {
+    records: Shelf,
+    fits: Shelf,
+    /// The answers to the questions of the document that is open.
+    answers: Shelf,
+    /// Whether something is about to be saved.
+    is_due: bool,
+    /// Whether it has been said that the browser refuses to store anything.
+    refused: bool,
+}
+
+/// A document's name in the storage: by its file and title. Own documents keep apart from those of the page, which a link
+/// from a stranger could otherwise give another state.
+fn document_key(sources: &[Source], session: &Session) -> String {
+    let own = if matches!(library::subject(sources), Subject::File(_)) { "own:" } else { "" };
+    let name = sources.first().map_or("", |file| &file.name);
+    format!("{own}{name}:{}", session.document().title)
+}
+
+/// The state in which a document was left.
+pub fn state(app: App) -> String {
+    let key = app.with(|lab| lab.session.as_ref().map(|session| document_key(&lab.sources, session))).flatten();
+    key.and_then(|key| browser::remembered(&format!("state:{key}"))).unwrap_or_default()
+}
+
+/// Brings back records and fits, those of earlier versions too. How many records there was no room for.
+pub fn restore_measured(saved: &mut Saved, session: &mut Session) -> usize {
+    for (key, read) in
+        [("records", Session::restore_records as fn(&mut Session, &str)), ("fits", Session::restore_fits)]
+    {
+        if let Some(text) = browser::remembered(key) {
+            read(session, &text);
+            browser::forget(key);
+        }
+    }
+    let (records, fits) = (browser::all_remembered(RECORDS), browser::all_remembered(FITS));
+    Shelf::ordered(records.clone()).iter().for_each(|(_, text)| session.restore_records(text));
+    Shelf::ordered(fits.clone()).iter().for_each(|(_, text)| session.restore_fits(text));
+    saved.records = shelf(&records, RECORDS, &session.saved_records());
+    saved.fits = shelf(&fits, FITS, &session.saved_fits());
+    let open = session.saved_records();
+    let closed =
+        records.iter().filter(|(key, _)| open.iter().all(|(name, _)| *key != format!("{RECORDS}{name}"))).count();
+    if closed == 0 {
+        // A fit that cannot be made again has lost its record, in another page.
+        let open = session.saved_fits();
+        let lost = fits.iter().filter(|(key, _)| open.iter().all(|(name, _)| *key != format!("{FITS}{name}")));
+        lost.for_each(|(key, _)| browser::forget(key));
+    }
+    closed
+}
+
+/// Brings back the answers to the questions of a document that has been opened.
+pub fn restore_answers(saved: &mut Saved, sources: &[Source], session: &mut Session) {
+    let prefix = answers_of(&document_key(sources, session));
+    let stored = browser::all_remembered(&prefix);
+    for (key, text) in Shelf::ordered(stored.clone()) {
+        session.restore_answer(key.strip_prefix(&prefix).unwrap_or_default(), &text);
+    }
+    saved.answers = shelf(&stored, &prefix, &session.saved_answers());
+}
+
+fn answers_of(document: &str) -> String {
+    format!("answer:{document}:")
+}
+
+/// What of the storage this page holds.
+fn shelf(stored: &[(String, String)], prefix: &str, held: &[(String, String)]) -> Shelf {
+    let mut shelf = Shelf::default();
+    for (name, _) in held {
+        let key = format!("{prefix}{name}");
+        if let Some((_, stored)) = stored.iter().find(|(other, _)| *other == key) {
+            shelf.has_read(&key, stored);
+        }
+    }
+    shelf
+}
+
+/// Saves soon: what changes again until then is saved once.
+pub fn later(app: App) {
+    if app.with(|lab| std::mem::replace(&mut lab.saved.is_due, true)) == Some(false) {
+        let save = Closure::once_into_js(move || now(app));
+        let _ = window().set_timeout_with_callback_and_timeout_and_arguments_0(save.unchecked_ref(), DELAY);
+    }
+}
+
+/// Saves everything. What the browser refuses to store is said once.
+pub fn now(app: App) {
+    if app.with(save) == Some(true) {
+        app.say(app.words().not_saved.to_owned());
+    }
+}
+
+/// Whether it has to be said that something was refused.
+fn save(lab: &mut Lab) -> bool {
+    let Lab { session: Some(session), saved, sources, .. } = lab else { return false };
+    saved.is_due = false;
+    let key = document_key(sources, session);
+    let mut stored = browser::remember(&format!("state:{key}"), &session.share());
+    let now = js_sys::Date::now() as u64;
+    for (shelf, prefix, items) in [
+        (&mut saved.records, RECORDS.to_owned(), session.saved_records()),
+        (&mut saved.fits, FITS.to_owned(), session.saved_fits()),
+        (&mut saved.answers, answers_of(&key), session.saved_answers()),
+    ] {
+        let items = items.into_iter().map(|(name, text)| (format!("{prefix}{name}"), text)).collect();
+        for change in shelf.keep(items, now, |key| browser::remembered(key).is_some()) {
+            match change {
+                Change::Write(key, text) if !browser::remember(&key, &text) => {
+                    shelf.has_failed(&key);
+                    stored = false;
+                }
+                Change::Write(..) => {}
+                Change::Remove(key) => browser::forget(&key),
+            }
+        }
+    }
+    !stored && !std::mem::replace(&mut saved.refused, true)
+}

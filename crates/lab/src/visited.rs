@@ -1,0 +1,91 @@
+//! The documents of the browser's history. Each step remembers its document, an own one with its text, so that a reload and
+//! the buttons Back and Forward show it again.
+
+use crate::app::App;
+use crate::views::window;
+use crate::{browser, library, links, opening};
+use document::page::{self, Source};
+use session::{Link, Subject};
+use wasm_bindgen::JsValue;
+use web_sys::{Event, History};
+
+/// What the state of a step begins with.
+const OURS: &str = "meniscus ";
+
+/// The document of the present step; `None` where the page has not been here yet.
+pub fn present() -> Option<Vec<Source>> {
+    let state = history()?.state().ok()?.as_string()?;
+    match state.strip_prefix(OURS)?.split_once(' ')? {
+        ("home", _) => Some(library::home()),
+        ("library", name) => library::find(name),
+        ("own", list) => page::read_list(list),
+        _ => None,
+    }
+}
+
+/// Makes the open document a new step. A document of the library has its name in the address.
+pub fn step(app: App) {
+    let subject = match library::subject(&sources(app)) {
+        // Its text is in the step and would make the address unreadable.
+        Subject::Packed(_) | Subject::File(_) => Subject::Home,
+        subject => subject,
+    };
+    let fragment = Link { subject, state: String::new() }.write();
+    if let Some(history) = history() {
+        // Refused inside some frames: there Back leaves the laboratory.
+        let _ = history.push_state_with_url(&state(app), "", Some(&links::address(&fragment)));
+    }
+}
+
+/// Notes the open document in the present step; with another address if there is one.
+pub fn note(app: App, address: Option<&str>) {
+    if let Some(history) = history() {
+        let _ = match address {
+            Some(address) => history.replace_state_with_url(&state(app), "", Some(address)),
+            None => history.replace_state(&state(app), ""),
+        };
+    }
+}
+
+/// Follows the history, and links to other states of this page.
+pub fn listen(app: App) {
+    browser::listen("popstate", move |_: &Event| {
+        if let Some(before) = present().filter(|before| *before != sources(app)) {
+            opening::leave(app);
+            opening::open(app, before, "");
+        }
+    });
+    browser::listen("hashchange", move |_: &Event| {
+        if present().is_some() {
+            // Back or forward: the document is open already.
+            return;
+        }
+        let fragment = links::fragment();
+        if links::is_heading(&fragment) {
+            return note(app, None);
+        }
+        wasm_bindgen_futures::spawn_local(async move {
+            let arrival = links::read(&fragment).await;
+            opening::arrive(app, arrival);
+        });
+    });
+}
+
+fn history() -> Option<History> {
+    window().history().ok()
+}
+
+fn sources(app: App) -> Vec<Source> {
+    app.with(|lab| lab.sources.clone()).unwrap_or_default()
+}
+
+/// What a step remembers.
+fn state(app: App) -> JsValue {
+    let sources = sources(app);
+    let what = match library::subject(&sources) {
+        Subject::Home => "home ".to_owned(),
+        Subject::Library(name) => format!("library {name}"),
+        Subject::Packed(_) | Subject::File(_) => format!("own {}", page::write_list(&sources)),
+    };
+    format!("{OURS}{what}").into()
+}

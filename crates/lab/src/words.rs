@@ -127,12 +127,12 @@ words! {
     controls: "Controls", "Controles";
     parameters: "Parameters", "Parámetros";
     presets: "Presets", "Ajustes";
-    restore_defaults: "Restore defaults", "Restaurar valores del documento";
+    restore_defaults: "Restore defaults", "Restaurar valores";
     restore_defaults_title: "Give all parameters and the start of the run the values of the document", "Dar a todos los parámetros y al inicio de la serie los valores del documento";
     restarts: "Changing it starts the run anew", "Al cambiarlo, la serie comienza de nuevo";
     state: "State", "Estado";
     state_hint: "Pause to edit; the run then begins from there.", "Pausa para editar; la serie parte entonces de ahí.";
-    started_by_hand: "The run starts from a state that was set by hand. Restore defaults brings the document's start back.", "La serie parte de un estado fijado a mano. Restaurar valores del documento recupera el inicio del documento.";
+    started_by_hand: "The run starts from a state that was set by hand. Restore defaults brings the document's start back.", "La serie parte de un estado fijado a mano. Restaurar valores recupera el del documento.";
     method: "Method", "Método";
     step: "Step", "Paso";
     numerics: "Numerical method", "Método numérico";

@@ -51,6 +51,8 @@ const handles = (lab) => lab.page.locator("#scene [role=slider]");
 
 /** The middle of a handle, and CSS pixels for a unit of the drawing. */
 async function grip(lab, handle) {
+  // A scene that has just been opened stands in its place once it has been drawn.
+  await lab.time();
   await handle.evaluate((node) => node.scrollIntoView({ block: "center" }));
   return handle.evaluate((node) => {
     const box = node.getBoundingClientRect();

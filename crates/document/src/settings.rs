@@ -74,7 +74,7 @@ fn tolerance(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
         )
         .with_hint(words(
             "it is relative; `1e-8` is usual and 0.1 the greatest",
-            "es relativa; lo habitual es `1e-8` y la mayor es 0.1",
+            "es relativa; lo habitual es `1e-8` y la mayor es 0,1",
         )),
     );
     None

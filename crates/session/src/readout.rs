@@ -25,6 +25,8 @@ pub struct Readout {
     pub name: String,
     /// The label in the session's language; empty where the author gave none.
     pub label: String,
+    /// Whether the name is a symbol to be shown beside the label, and not a word of the author's language.
+    pub has_symbol: bool,
     /// The value in the unit; a dash when it is not finite; a text in the session's language.
     pub value: String,
     /// The unit for people; empty for a pure number, a text or a truth value.
@@ -49,6 +51,7 @@ impl Session {
             kind: ReadoutKind::Independent,
             name: model.independent.name.clone(),
             label: String::new(),
+            has_symbol: true,
             value: self.time_number(self.course.time()),
             unit: number::unit_text(&model.independent.unit.text),
             varies: true,
@@ -63,6 +66,7 @@ impl Session {
                 kind: ReadoutKind::State(index),
                 name: state.name(),
                 label: state.label.as_deref().map_or("", |label| self.text(label)).to_owned(),
+                has_symbol: has_symbol(&state.name(), state.label.as_deref(), Kind::Number),
                 value,
                 unit,
                 varies: true,
@@ -84,6 +88,7 @@ impl Session {
                 kind: ReadoutKind::Quantity(index),
                 name: quantity.name.clone(),
                 label: quantity.label.as_deref().map_or("", |label| self.text(label)).to_owned(),
+                has_symbol: has_symbol(&quantity.name, quantity.label.as_deref(), quantity.value.kind),
                 value,
                 unit,
                 varies: quantity.varies,
@@ -199,4 +204,10 @@ impl Session {
             _ => words::truth(self.language, value != 0.0).to_owned(),
         }
     }
+}
+
+/// No formula holds the name of a text or a truth value, and `power` beside "Power" says nothing new, nor beside its
+/// translation. Without a label the name is all there is.
+fn has_symbol(name: &str, label: Option<&str>, kind: Kind) -> bool {
+    label.is_none_or(|label| kind == Kind::Number && !name.eq_ignore_ascii_case(label))
 }

@@ -7,7 +7,7 @@ mod support;
 use session::document::{Child, Drag, Element};
 use session::figure::Settings;
 use session::{Grade, Session};
-use support::{bits, play, state};
+use support::{bits, open, play, state};
 
 const UTUBE: &str = include_str!("../../../simulations/utube.md");
 const UTUBE_ES: &str = include_str!("../../../simulations/utube.es.md");
@@ -131,4 +131,17 @@ fn everything_is_said_in_spanish() {
             assert_ne!(label, &readout.label);
         }
     }
+    let regime = session.readouts().into_iter().find(|readout| readout.name == "regime").unwrap();
+    assert_eq!((regime.label.as_str(), regime.value.as_str()), ("Régimen", "subamortiguado"));
+    assert!(!regime.has_symbol, "an English word is no symbol");
+}
+
+#[test]
+fn only_symbols_stand_beside_labels() {
+    let source = "```model\nparameter k = 1\npower = k*2 \"Power\"\nRe = k*3 \"Reynolds number\"\n\
+                  bare = k*4\nmode = if k > 0 then \"up\" else \"down\" \"Direction\"\nis_big = k > 1 \"Large\"\n\
+                  sign_of = if k > 0 then \"+\" else \"-\"\n```\n";
+    let shown: Vec<String> =
+        open(source, &[]).readouts().into_iter().filter(|one| one.has_symbol).map(|one| one.name).collect();
+    assert_eq!(shown, ["t", "Re", "bare", "sign_of"]);
 }

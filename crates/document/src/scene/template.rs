@@ -45,7 +45,7 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
                             "scene-brace",
                             words!(
                                 "this `{letter}` has no partner on its line",
-                                "este `{letter}` no tiene pareja en su línea"
+                                "esta `{letter}` no tiene pareja en su línea"
                             ),
                             Span::new(at, at + 1),
                         )

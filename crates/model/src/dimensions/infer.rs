@@ -265,7 +265,7 @@ impl Inference<'_> {
         } else {
             words!(
                 "the base of a power whose exponent, `{}`, is not a fixed number",
-                "la base de una potencia cuyo exponente, `{}`, no es un número fijo",
+                "la base de una potencia cuyo exponente (`{}`) no es un número fijo",
                 quote(exponent)
             )
         };

@@ -6,7 +6,7 @@ use super::form::Form;
 use super::infer::Inference;
 use super::mismatch::is_bare;
 use super::types::Type;
-use crate::names::{Meaning, for_each_name, joined};
+use crate::names::{Meaning, alternatives, for_each_name};
 use crate::notation::quote;
 use crate::{BinaryOperator, Expression, ExpressionKind, UnaryOperator};
 use units::{Dimension, Words, words};
@@ -108,7 +108,7 @@ impl Inference<'_> {
             return Words::default();
         }
         let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-        words!(", such as {names}", ", por ejemplo {names}", names = joined(&names, words("or", "o")))
+        words!(", such as {names}", ", por ejemplo {names}", names = alternatives(&names))
     }
 
     /// The dimension of a parameter, definition or unknown; the independent variable is no factor to offer.

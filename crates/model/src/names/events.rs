@@ -21,7 +21,7 @@ pub(crate) fn check_event(
                 "event-at-equality",
                 words(
                     "this is hardly ever true exactly, so the event may never fire",
-                    "esto casi nunca se cumple exactamente, así que el evento puede no ocurrir nunca",
+                    "esto casi nunca se cumple exactamente: puede que el evento no ocurra nunca",
                 ),
                 event.condition.span,
             )

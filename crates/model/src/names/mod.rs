@@ -11,7 +11,7 @@ mod unknowns;
 
 pub(crate) use check::NameCheck;
 pub(crate) use events::check_event;
-pub(crate) use order::{definition_order, joined, list};
+pub(crate) use order::{alternatives, definition_order, list};
 pub(crate) use program::{Equation, EventEntry, InitialEntry, ParameterEntry, Program};
 pub use scope::nearest;
 pub(crate) use scope::{Meaning, Scope};

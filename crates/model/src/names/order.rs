@@ -107,22 +107,34 @@ const LONGEST_LIST: usize = 8;
 
 /// `a`, `a and b`, `a, b and c`; of very many, the first ones and how many others.
 pub(crate) fn list(items: &[String]) -> Words {
-    joined(items, words("and", "y"))
-}
-
-/// As [`list`], with another word before the last item.
-pub(crate) fn joined(items: &[String], and: Words) -> Words {
     if items.len() > LONGEST_LIST {
         let (first, others) = items.split_at(LONGEST_LIST - 1);
         let (first, others) = (first.join(", "), others.len());
-        return words!("{first} {and} {others} others", "{first} {and} otros {others}", and = and);
+        return words!("{first} and {others} others", "{first} y otros {others}");
     }
+    // "y" becomes "e" before its own sound: `x` e `y`.
+    let and = |last: &str| if sounds_like(last, &['i', 'I', 'y', 'Y']) { "e" } else { "y" };
+    joined(items, "and", and)
+}
+
+/// `a`, `a or b`, `a, b or c`
+pub(crate) fn alternatives(items: &[String]) -> Words {
+    let or = |last: &str| if sounds_like(last, &['o', 'O']) { "u" } else { "o" };
+    joined(items, "or", or)
+}
+
+/// Whether a name in backquotes begins with one of these letters.
+fn sounds_like(name: &str, letters: &[char]) -> bool {
+    name.trim_start_matches('`').starts_with(letters)
+}
+
+fn joined(items: &[String], english: &str, spanish: impl Fn(&str) -> &'static str) -> Words {
     match items {
         [] => Words::default(),
         [only] => Words::same(only.clone()),
         [first @ .., last] => {
-            let first = first.join(", ");
-            words!("{first} {and} {last}", "{first} {and} {last}", and = and)
+            let (first, spanish) = (first.join(", "), spanish(last));
+            words!("{first} {english} {last}", "{first} {spanish} {last}")
         }
     }
 }

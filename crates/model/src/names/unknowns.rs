@@ -241,7 +241,7 @@ fn no_equation_for(program: &Program, unknown: &Unknown, highest: &[String], unk
     let missing = primed(unknown.name, unknown.highest);
     let message = words!(
         "there are more unknowns than equations: {highest} and {equations}",
-        "hay más incógnitas que ecuaciones: {highest} y {equations}",
+        "hay más incógnitas que ecuaciones: {highest} frente a {equations}",
         highest = list(highest),
         equations = equations
     );

@@ -151,7 +151,7 @@ impl Cursor<'_> {
             Diagnostic::error("unclosed-parenthesis", words("this `(` is not closed", "este `(` no se cierra"), open)
                 .with_label(
                     after(self.last_span()),
-                    words("`)` is missing, here at the latest", "falta `)`, aquí como muy tarde"),
+                    words("`)` is missing, here at the latest", "falta `)`, a más tardar aquí"),
                 )
         } else {
             let wrong =

@@ -1,5 +1,6 @@
 //! What was noticed about a file, and what its measurement hides, in words.
 
+use crate::import::readings;
 use crate::sampling::Gap;
 use crate::stencil::Stencil;
 use units::number::{self, Style};
@@ -45,6 +46,46 @@ pub enum Finding {
         /// What stands there.
         unit: String,
     },
+    /// A comma or a point could be read in two ways, and a column contradicts one of them.
+    Separator {
+        /// The line of the first number with it.
+        line: usize,
+        /// That number: `1,295`.
+        text: String,
+        /// A number without it in the same column: `926`.
+        beside: String,
+        /// Whether it was taken to group digits, and not for a decimal sign.
+        thousands: bool,
+    },
+    /// All commas have three digits behind them; they were taken for decimal signs.
+    DecimalSign {
+        /// The line of the first.
+        line: usize,
+        /// The number: `1,295`.
+        text: String,
+    },
+    /// Clock times or dates were read as seconds from the first row.
+    Clock {
+        /// The column.
+        column: String,
+        /// Whether it holds dates alone.
+        days: bool,
+        /// How often the clock began again at zero.
+        wrapped: usize,
+        /// Whether `12:30` was taken for minutes and seconds without anything that says so.
+        minutes: bool,
+    },
+    /// The time stamps of a serial monitor were left out for the times of the device itself.
+    Stamps {
+        /// The unit in which those are.
+        unit: String,
+    },
+    /// The runs of a logger, each with its own clock.
+    Runs(Vec<String>),
+    /// No unit is stated for a time; it is taken for seconds, or in a fit for the unit of the model's time.
+    AssumedSeconds(String),
+    /// The times of these columns are all the same, or there are none.
+    NoTimes(String),
     /// Frames are missing.
     Missing {
         /// Where.
@@ -143,6 +184,50 @@ impl Finding {
                 format!("`{unit}`, the unit of {column}, is not known; its numbers are taken as they are"),
                 format!("«{unit}», la unidad de {column}, no se conoce; sus números se toman tal cual"),
             ),
+            Self::Separator { line, text, beside, thousands } => separator(*line, text, beside, *thousands, spanish),
+            Self::DecimalSign { line, text } => {
+                let [decimal, thousands] = readings(text, spanish);
+                say(
+                    format!(
+                        "line {line}: the comma of `{text}` is taken for a decimal sign: {decimal}, not {thousands}"
+                    ),
+                    format!("línea {line}: la coma de «{text}» se toma como signo decimal: {decimal}, no {thousands}"),
+                )
+            }
+            Self::Clock { column, days, wrapped, minutes } => clock(column, *days, *wrapped, *minutes, spanish),
+            Self::Stamps { unit } => say(
+                format!(
+                    "each line has a time stamp; the column behind it shows the same times in {unit} and is used instead, as \
+                     it was not delayed on the way"
+                ),
+                format!(
+                    "cada línea tiene una marca de tiempo; la columna siguiente da los mismos tiempos en {unit} y se usa en su \
+                     lugar, pues no sufrió el retardo de la transmisión"
+                ),
+            ),
+            Self::Runs(names) => runs(names, spanish),
+            Self::AssumedSeconds(column) => {
+                let column = called(column, spanish);
+                say(
+                    format!(
+                        "no unit is stated for the times of {column}: they are taken for seconds, or in a fit for the unit of \
+                         the model's time; the header `t [ms]` states one"
+                    ),
+                    format!(
+                        "no se indica la unidad de los tiempos de {column}: se toman como segundos o, en un ajuste, en la \
+                         unidad del tiempo del modelo; el encabezado «t [ms]» la indica"
+                    ),
+                )
+            }
+            Self::NoTimes(column) => {
+                let column = called(column, spanish);
+                say(
+                    format!("the times in {column} are missing or all the same: nothing can be measured against them"),
+                    format!(
+                        "los tiempos de {column} faltan o son todos iguales: no se puede medir nada frente a ellos"
+                    ),
+                )
+            }
             Self::Missing { gaps, unit } => missing(gaps, unit, spanish),
             Self::Doubled { time, unit, count: 1 } => say(
                 format!("the time {} stands twice", reading(*time, unit, spanish)),
@@ -193,6 +278,58 @@ impl Finding {
                 )
             }
         }
+    }
+}
+
+fn separator(line: usize, text: &str, beside: &str, thousands: bool, spanish: bool) -> String {
+    let [decimal, large] = readings(text, spanish);
+    let (taken, other) = if thousands { (large, decimal) } else { (decimal, large) };
+    if spanish {
+        format!(
+            "línea {line}: «{text}» se lee como {taken} y no como {other}, pues en la misma columna está «{beside}»"
+        )
+    } else {
+        format!("line {line}: `{text}` is read as {taken} and not as {other}, as `{beside}` stands in the same column")
+    }
+}
+
+fn clock(column: &str, days: bool, wrapped: usize, minutes: bool, spanish: bool) -> String {
+    let column = called(column, spanish);
+    let mut text = match (days, spanish) {
+        (false, false) => format!("{column} holds clock times; they are read as seconds from the first row"),
+        (false, true) => format!("{column} contiene horas; se leen como segundos desde la primera fila"),
+        (true, false) => format!("{column} holds dates; they are read as seconds from the first row"),
+        (true, true) => format!("{column} contiene fechas; se leen como segundos desde la primera fila"),
+    };
+    if wrapped > 0 {
+        text.push_str(&if spanish {
+            format!(", y el reloj volvió a cero {wrapped}×")
+        } else {
+            format!(", and the clock began again at zero {wrapped}×")
+        });
+    }
+    if minutes {
+        text.push_str(if spanish {
+            "; «12:30» se toma como 12 minutos y 30 segundos: si son horas y minutos, indíquelo en el encabezado, «t [hh:mm]»"
+        } else {
+            "; `12:30` is taken for 12 minutes and 30 seconds: if these are hours and minutes, say so in the header, `t [hh:mm]`"
+        });
+    }
+    text
+}
+
+fn runs(names: &[String], spanish: bool) -> String {
+    const SHOWN: usize = 8;
+    let mut list = names.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
+    if names.len() > SHOWN {
+        list.push_str(", …");
+    }
+    let count = names.len();
+    let name = names.last().map_or("", String::as_str);
+    if spanish {
+        format!("hay {count} series con su propio reloj: {list}; una columna se nombra con la suya, «{name}.y»")
+    } else {
+        format!("there are {count} runs, each with its own clock: {list}; a column is named with its run, `{name}.y`")
     }
 }
 

@@ -106,6 +106,30 @@ impl Inspector {
     }
 }
 
+/// What is doubtful about the times themselves: those of no use, and those for which no unit is stated, each name once.
+pub fn doubtful_times(table: &Table) -> Vec<Finding> {
+    let mut names: Vec<&str> = Vec::new();
+    let mut findings = Vec::new();
+    for index in table.independent() {
+        let column = &table.columns[index];
+        let mut measured =
+            table.observed_columns().filter(|other| table.columns[*other].independent == index).peekable();
+        if measured.peek().is_none() || names.contains(&column.name.as_str()) {
+            continue;
+        }
+        let label = if column.name.is_empty() { table.label(index) } else { column.name.clone() };
+        if !measured.any(|other| table.has_times(other)) {
+            findings.push(Finding::NoTimes(label));
+        } else if column.unit.is_none() && column.origin.unit.unknown().is_none() {
+            findings.push(Finding::AssumedSeconds(label));
+        } else {
+            continue;
+        }
+        names.push(&column.name);
+    }
+    findings
+}
+
 /// What stands behind a reading of the independent variable in SI. Without a unit it is in seconds, unless it counts.
 fn unit_of(unit: Option<&Unit>, times: &[f64]) -> &'static str {
     let counts = || times.iter().all(|time| time.is_nan() || time.fract() == 0.0);

@@ -1,5 +1,7 @@
 //! Measured data as columns.
 
+use crate::import;
+use crate::origin::Origin;
 use units::Unit;
 
 /// Measured data: columns of equal length.
@@ -22,6 +24,8 @@ pub struct Column {
     pub independent: usize,
     /// The values in the column's unit; NaN where the cell is empty.
     pub values: Vec<f64>,
+    /// How it stood in the file.
+    pub origin: Origin,
 }
 
 impl Column {
@@ -47,7 +51,9 @@ impl Table {
     }
 
     /// The column that is called `which`: by its name (`y`), the body's and its name (`mass_A.y`), else by its number,
-    /// from 1. Where several have the name it is the first of them; capitals matter only if there is a choice.
+    /// from 1; a
+    /// whole cell of the header (`time_ms`) will do too. Where several have the name it is the first of them; capitals matter
+    /// only if there is a choice.
     pub fn column(&self, which: &str) -> Option<usize> {
         let which = which.trim();
         let named = |same: &dyn Fn(&str, &str) -> bool| {
@@ -59,8 +65,10 @@ impl Table {
         if which.is_empty() {
             return None;
         }
+        let headed = || self.columns.iter().position(|column| column.origin.heading == which);
         named(&|name, wanted| name == wanted)
-            .or_else(|| named(&|name, wanted| name.eq_ignore_ascii_case(wanted)))
+            .or_else(headed)
+            .or_else(|| named(&|name, wanted| name.to_lowercase() == wanted.to_lowercase()))
             .or_else(|| which.parse().ok().and_then(|number: usize| number.checked_sub(1)))
             .filter(|index| *index < self.columns.len())
     }
@@ -86,6 +94,29 @@ impl Table {
         times.map_or(&[], |times| &times.values)
     }
 
+    /// Whether the times of a column are of any use: at least two of the rows in which it has a value are at different times.
+    pub fn has_times(&self, column: usize) -> bool {
+        let Some(own) = self.columns.get(column) else { return false };
+        let rows = self.times_of(column).iter().zip(&own.values);
+        let mut times = rows.filter(|(time, value)| time.is_finite() && value.is_finite()).map(|(time, _)| *time);
+        times.next().is_some_and(|first| times.any(|time| time != first))
+    }
+
+    /// The runs of a logger, by name, with their columns, if the table has several and each has a clock of its own. Other bodies,
+    /// as those of a film, belong together.
+    pub fn runs(&self) -> Vec<(String, Vec<usize>)> {
+        let mut runs: Vec<(String, Vec<usize>)> = Vec::new();
+        for (index, column) in self.columns.iter().enumerate() {
+            let Some(name) = column.body.as_ref().filter(|body| import::is_run(body)) else { return Vec::new() };
+            match runs.iter_mut().find(|(run, _)| run == name) {
+                Some((_, columns)) => columns.push(index),
+                None => runs.push((name.clone(), vec![index])),
+            }
+        }
+        let own_clock = |(_, columns): &(String, Vec<usize>)| columns.iter().any(|index| self.is_independent(*index));
+        if runs.len() > 1 && runs.iter().all(own_clock) { runs } else { Vec::new() }
+    }
+
     /// What a column is called for a person: its name; `body.name` where that is not enough; its number without a name.
     pub fn label(&self, index: usize) -> String {
         let Some(column) = self.columns.get(index) else { return String::new() };
@@ -100,6 +131,7 @@ impl Table {
 
 /// Whether `which` is `body.name`.
 fn is_in_body(which: &str, body: &str, name: &str, same: &dyn Fn(&str, &str) -> bool) -> bool {
-    let (Some(first), Some(rest)) = (which.get(..body.len()), which.get(body.len()..)) else { return false };
-    same(first, body) && rest.strip_prefix('.').is_some_and(|rest| same(name, rest))
+    // `Run #2.Angle` as well as `Run 2.Angle`.
+    let is_body = |first: &str| same(first, body) || import::run_name(first).is_some_and(|run| same(&run, body));
+    which.match_indices('.').any(|(dot, _)| is_body(&which[..dot]) && same(name, &which[dot + 1..]))
 }

@@ -135,7 +135,8 @@ const CASES: &[Case] = &[
 1:v [m/s^2]=2 2
 1:ω(t)=3 3
 1:p [Pa]=4 4
-1:y (left)=5 5",
+1:y (left)=5 5
+! `left`, the unit of y (left), is not known; its numbers are taken as they are",
     ),
     (
         "units between blanks",

@@ -235,6 +235,10 @@ pub struct Cycles {
     #[arg(long, value_name = "y[=COLUMN]", value_parser = crate::data::observe)]
     pub observe: Option<crate::data::Observe>,
 
+    /// State the unit of a column that the file does not, such as t=ms
+    #[arg(long, value_name = "NAME=UNIT", value_parser = assignment)]
+    pub unit: Vec<Assignment>,
+
     /// Leave out what is before this time, in the unit of the file or as '500 [ms]'
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub from: Option<String>,
@@ -274,6 +278,10 @@ pub struct Derivatives {
     /// What is differentiated, and its column by name, body.name or number
     #[arg(long, value_name = "y[=COLUMN]", value_parser = crate::data::observe)]
     pub observe: crate::data::Observe,
+
+    /// State the unit of a column that the file does not, such as t=ms
+    #[arg(long, value_name = "NAME=UNIT", value_parser = assignment)]
+    pub unit: Vec<Assignment>,
 
     /// The finite differences
     #[arg(long, value_enum, default_value_t = Difference::Central, conflicts_with = "smooth")]

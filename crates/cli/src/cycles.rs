@@ -4,6 +4,7 @@ mod figure;
 mod text;
 
 use crate::arguments::{Cycles, CyclesFormat};
+use crate::columns;
 use crate::data::{self, Measured, Observe};
 use crate::failure::Failure;
 use crate::output;
@@ -29,7 +30,7 @@ struct Record<'a> {
 
 /// Reads the data, measures the cycles and writes them.
 pub fn run(arguments: &Cycles, terminal: Terminal) -> Result<(), Failure> {
-    let data = data::read(&arguments.data)?;
+    let data = data::read(&arguments.data, &arguments.unit)?;
     let record = record(&data, arguments)?;
     let format = format(arguments);
     let text = match format {
@@ -41,6 +42,7 @@ pub fn run(arguments: &Cycles, terminal: Terminal) -> Result<(), Failure> {
     output::deliver(arguments.output.as_deref(), std::slice::from_ref(&arguments.data), text.as_bytes())?;
     // A table of numbers and a figure have no place for these.
     if matches!(format, CyclesFormat::Csv | CyclesFormat::Svg) {
+        terminal.print(&columns::as_text(&data));
         for finding in &data.findings {
             terminal.print(&format!("note: {}\n", finding.text(false)));
         }
@@ -114,7 +116,9 @@ fn widest(data: &Measured) -> Result<usize, Failure> {
         high - low
     };
     let most = measured.iter().filter(alike).copied().rev().max_by(|one, other| range(*one).total_cmp(&range(*other)));
-    Ok(most.unwrap_or(first))
+    let widest = most.unwrap_or(first);
+    data.check_times(widest)?;
+    Ok(widest)
 }
 
 fn as_json(record: &Record) -> String {
@@ -145,6 +149,7 @@ fn as_json(record: &Record) -> String {
         "time_unit": "s",
         "rows": record.times.len(),
         "findings": findings,
+        "columns": columns::as_json(record.data),
         "cycles": cycles,
         "lost_from": record.found.lost,
     });

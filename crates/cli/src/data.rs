@@ -1,9 +1,12 @@
 //! Files of measured data: text in any form, and spreadsheets.
 
+use crate::arguments::Assignment;
+use crate::columns;
 use crate::failure::Failure;
 use analysis::finding::Finding;
-use analysis::import::{self, Import};
-use analysis::inspection::{Derived, inspect};
+use analysis::import::{self, Format, Import};
+use analysis::inspection::{Derived, doubtful_times, inspect};
+use analysis::origin::UnitOrigin;
 use analysis::reading::{self, ReadingError};
 use analysis::table::Table;
 use analysis::workbook;
@@ -30,10 +33,12 @@ pub struct Measured {
     pub findings: Vec<Finding>,
     /// Columns that were computed from others.
     pub derived: Vec<Derived>,
+    /// How the file is written.
+    pub format: Format,
 }
 
-/// Reads a file of measured data; `-` is the standard input.
-pub fn read(path: &Path) -> Result<Measured, Failure> {
+/// Reads a file of measured data; `-` is the standard input. `units` are those that a person states for columns.
+pub fn read(path: &Path, units: &[Assignment]) -> Result<Measured, Failure> {
     let (name, bytes) = if path == Path::new("-") {
         let name = "the standard input";
         (name.to_owned(), bounded(&mut std::io::stdin().lock(), Path::new(name))?)
@@ -53,10 +58,13 @@ pub fn read(path: &Path) -> Result<Measured, Failure> {
     } else {
         reading::read(bytes, MOST_BYTES as usize).map_err(|error| refused(&name, &error))?.import
     };
-    let inspection = inspect(&import.table);
+    let mut table = import.table;
+    columns::state_units(&name, &mut table, units)?;
+    let inspection = inspect(&table);
     let mut findings = import.findings;
     findings.extend(inspection.findings);
-    Ok(Measured { name, table: import.table, findings, derived: inspection.derived })
+    findings.extend(doubtful_times(&table));
+    Ok(Measured { name, table, findings, derived: inspection.derived, format: import.format })
 }
 
 fn refused(name: &str, error: &ReadingError) -> Failure {
@@ -144,16 +152,26 @@ pub struct Observe {
     pub column: Option<String>,
 }
 
-/// Reads `y`, `y=COLUMN`, `y'=v`.
+/// Reads `y`, `y=COLUMN`, `y'=v`, and `Run 2.y`, which is the `y` of a run or body.
 pub fn observe(text: &str) -> Result<Observe, String> {
     let (quantity, column) = match text.split_once('=') {
         Some((quantity, column)) => (quantity.trim(), Some(column.trim())),
-        None => (text.trim(), None),
+        None => match text.rsplit_once('.').filter(|(body, name)| is_body(body, name)) {
+            Some((_, name)) => (name.trim(), Some(text.trim())),
+            None => (text.trim(), None),
+        },
     };
     if quantity.is_empty() || column.is_some_and(str::is_empty) {
         return Err("write NAME or NAME=COLUMN, such as y, y=2 or y=mass_A.y".to_owned());
     }
     Ok(Observe { quantity: quantity.to_owned(), column: column.map(str::to_owned) })
+}
+
+/// Whether what stands before a point is a body, and no part of an expression such as `2.5*y`.
+fn is_body(body: &str, name: &str) -> bool {
+    body.contains(char::is_alphabetic)
+        && !body.contains(['*', '/', '+', '^', '(', ')'])
+        && name.trim().starts_with(char::is_alphabetic)
 }
 
 impl Measured {
@@ -163,12 +181,14 @@ impl Measured {
         let table = &self.table;
         let which = observe.column.as_deref().unwrap_or(&observe.quantity);
         if observe.column.is_none() && table.columns.iter().all(|column| column.name.is_empty()) {
-            return table.observed_columns().find(|column| !taken.contains(column)).ok_or_else(|| {
+            let column = table.observed_columns().find(|column| !taken.contains(column)).ok_or_else(|| {
                 Failure::with_hint(
                     format!("{} has no column left for {}", self.name, observe.quantity),
                     format!("choose one with --observe {}=COLUMN", observe.quantity),
                 )
-            });
+            })?;
+            self.check_times(column)?;
+            return Ok(column);
         }
         let column = table.column(which).ok_or_else(|| {
             let labels = (0..table.columns.len()).map(|index| table.label(index));
@@ -185,13 +205,60 @@ impl Measured {
             let label = table.label(column);
             return Err(Failure::request(format!("{}: {label} is what the others are measured against", self.name)));
         }
+        self.check_times(column)?;
         Ok(column)
+    }
+
+    /// Refuses a column whose times are in an unknown unit, or of no use.
+    pub fn check_times(&self, column: usize) -> Result<(), Failure> {
+        let table = &self.table;
+        let independent = table.columns.get(column).map_or(column, |column| column.independent);
+        let name = self.called(independent);
+        let unit = table.columns.get(independent).filter(|time| time.unit.is_none());
+        if let Some(text) = unit.and_then(|time| time.origin.unit.unknown()) {
+            return Err(Failure::with_hint(
+                format!("{}: `{text}`, the unit of {name}, is not a known unit", self.name),
+                format!("state it, such as --unit {}=ms", quoted(&name)),
+            ));
+        }
+        if !table.has_times(column) {
+            return Err(Failure::with_hint(
+                format!(
+                    "{}: {} cannot be measured against {name}: its times are missing or all the same",
+                    self.name,
+                    self.called(column)
+                ),
+                "times are numbers, or clock times such as 10:00:00.050 or 2026-01-02T10:00:00.050",
+            ));
+        }
+        Ok(())
+    }
+
+    /// Refuses a column whose unit the file states but nobody knows; a fit would take it for another one.
+    pub fn check_unit(&self, column: usize) -> Result<(), Failure> {
+        let found =
+            self.table.columns.get(column).filter(|column| column.unit.is_none()).map(|column| &column.origin.unit);
+        let Some(UnitOrigin::Unknown(text)) = found else { return Ok(()) };
+        let name = self.called(column);
+        Err(Failure::with_hint(
+            format!("{}: `{text}`, the unit of {name}, is not a known unit", self.name),
+            format!("state it, such as --unit {}=cm", quoted(&name)),
+        ))
     }
 
     /// A name for messages and headers: `y`, or `column 2` where the file gives no name.
     pub fn called(&self, column: usize) -> String {
         let unnamed = self.table.columns.get(column).is_some_and(|column| column.name.is_empty());
         if unnamed { format!("column {}", column + 1) } else { self.table.label(column) }
+    }
+}
+
+/// A name as an argument of a shell.
+fn quoted(name: &str) -> String {
+    if name.chars().all(|letter| letter.is_alphanumeric() || matches!(letter, '_' | '.')) {
+        name.to_owned()
+    } else {
+        format!("'{name}'")
     }
 }
 
@@ -217,6 +284,9 @@ mod tests {
         let expected = Observe { quantity: "y'".to_owned(), column: Some("v".to_owned()) };
         assert_eq!(observe("y' = v"), Ok(expected));
         assert_eq!(observe("y").map(|observe| observe.column), Ok(None));
+        let of_run = Observe { quantity: "y".to_owned(), column: Some("Run 2.y".to_owned()) };
+        assert_eq!(observe("Run 2.y"), Ok(of_run));
+        assert_eq!(observe("2.5*y").map(|observe| observe.column), Ok(None));
         assert!(observe("=v").is_err() && observe("y=").is_err() && observe("").is_err());
     }
 

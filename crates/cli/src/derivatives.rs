@@ -1,6 +1,7 @@
 //! `meniscus derivatives`: velocity and acceleration of a measured column, made anew.
 
 use crate::arguments::{Derivatives, Difference};
+use crate::columns;
 use crate::data::{self, Observe};
 use crate::failure::Failure;
 use crate::output;
@@ -11,7 +12,7 @@ use units::Unit;
 
 /// Reads the data, differentiates the column and writes a table.
 pub fn run(arguments: &Derivatives, terminal: Terminal) -> Result<(), Failure> {
-    let data = data::read(&arguments.data)?;
+    let data = data::read(&arguments.data, &arguments.unit)?;
     let Observe { quantity, .. } = &arguments.observe;
     let column = data.column(&arguments.observe, &[])?;
     let table = &data.table;
@@ -55,6 +56,7 @@ pub fn run(arguments: &Derivatives, terminal: Terminal) -> Result<(), Failure> {
     let dialect = if arguments.decimal_comma { Dialect::Semicolons } else { Dialect::Commas };
     let text = csv::write(&heads.each_ref().map(String::as_str), &[times, &level, &first, &second], dialect);
     output::deliver(arguments.output.as_deref(), std::slice::from_ref(&arguments.data), text.as_bytes())?;
+    terminal.print(&columns::as_text(&data));
     for finding in &data.findings {
         terminal.print(&format!("note: {}\n", finding.text(false)));
     }

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod check;
+mod columns;
 mod cycles;
 mod data;
 mod derivatives;

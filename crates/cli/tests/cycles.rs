@@ -195,3 +195,73 @@ fn a_measured_record_shows_its_frequency_rise() {
         assert!(words.join(" ").contains(part), "lacks «{part}»:\n{}", done.stdout);
     }
 }
+
+#[test]
+fn what_was_understood_of_the_columns_is_said() {
+    let (_directory, path) = directory_with("run.txt", text("time_s\ty [cm]", false).as_bytes());
+    let out = cycles(&path, &[]).stdout;
+    for line in [
+        "  time  [s]   from the end of the name; 120 values, independent\n",
+        "  y     [cm]  from the header; 120 values\n",
+    ] {
+        assert!(out.contains(line), "{out}");
+    }
+    let done = cycles(&path, &["--format", "csv"]);
+    assert!(
+        done.stderr.contains("run.txt: tabs, decimal point, 1 header line, 120 rows\n  time  [s] "),
+        "{}",
+        done.stderr
+    );
+    let json: serde_json::Value = serde_json::from_str(&cycles(&path, &["--format", "json"]).stdout).expect("JSON");
+    let column = &json["columns"][1];
+    assert_eq!((&column["name"], &column["unit"]), (&"y".into(), &"cm".into()));
+    assert_eq!((&column["unit_from"], &column["values"]), (&"header".into(), &120.into()));
+}
+
+#[test]
+fn a_unit_can_be_stated() {
+    let bare = milliseconds().replace("t [ms];y [cm]", "t;y");
+    let (_directory, path) = directory_with("run.txt", bare.as_bytes());
+    let assumed = cycles(&path, &[]).stdout;
+    assert!(assumed.contains("they are taken for seconds") && assumed.contains("no unit stated"), "{assumed}");
+    let stated = cycles(&path, &["--unit", "t=ms", "--unit", "y=cm"]).stdout;
+    assert!(
+        stated.contains("rows from 0.00 s to 3.97 s") && !stated.contains("they are taken for seconds"),
+        "{stated}"
+    );
+    assert!(stated.contains("stated by you"), "{stated}");
+    refused(bare.as_bytes(), &["--unit", "t=parsec"], &["`parsec` is not a known unit", "--unit t=ms"]);
+    refused(bare.as_bytes(), &["--unit", "z=ms"], &["has no column `z`", "its columns are t and y"]);
+    // A unit that is not known is asked for.
+    let unknown = milliseconds().replace("t [ms]", "t [ticks]");
+    refused(unknown.as_bytes(), &[], &["`ticks`, the unit of t, is not a known unit", "--unit t=ms"]);
+    let (_directory, path) = directory_with("run.txt", unknown.as_bytes());
+    assert_eq!(cycles(&path, &["--unit", "t=ms"]).code, 0);
+}
+
+#[test]
+fn every_run_has_its_own_clock() {
+    let mut text = "Time (s) Run #1,y (cm) Run #1,Time (s) Run #2,y (cm) Run #2\n".to_owned();
+    rows().iter().for_each(|(t, y)| text.push_str(&format!("{t},{y},{},{y}\n", 2.0 * t)));
+    let (_directory, path) = directory_with("run.csv", text.as_bytes());
+    let frequency = |words: &[&str]| {
+        let done = cycles(&path, &[&["--format", "json"], words].concat());
+        let json: serde_json::Value = serde_json::from_str(&done.stdout).expect("JSON");
+        json["cycles"][0]["angular_frequency"]["value"].as_f64().expect("a number")
+    };
+    let (first, second) = (frequency(&["--observe", "y"]), frequency(&["--observe", "Run 2.y"]));
+    assert!((first / second - 2.0).abs() < 1e-6, "{first} {second}");
+    assert_eq!(frequency(&["--observe", "y=Run #2.y"]), second);
+}
+
+#[test]
+fn clock_times_are_seconds_and_times_of_no_use_are_refused() {
+    let mut text = "t,y\n".to_owned();
+    rows().iter().for_each(|(t, y)| text.push_str(&format!("23:59:{:08.5},{y}\n", 50.0 + t)));
+    let (_directory, path) = directory_with("run.csv", text.as_bytes());
+    let out = cycles(&path, &[]).stdout;
+    assert!(out.contains("rows from 0.00 s to 3.97 s") && out.contains("holds clock times"), "{out}");
+    let still: String = rows().iter().map(|(_, y)| format!("12:00:00,{y}\n")).collect();
+    let expected = ["y cannot be measured against t: its times are missing or all the same", "10:00:00.050"];
+    refused(format!("t,y\n{still}").as_bytes(), &[], &expected);
+}

@@ -135,12 +135,24 @@ fn unit(app: App, records: Records, record: u32, column: &ColumnView) -> View {
         app.record_refusal.set(refusal);
         browser::focus_later(again.clone());
     };
+    let words = app.words();
+    let note = (!column.unit_origin.is_empty()).then(|| {
+        let class = match (column.unit_asked, column.unit_assumed) {
+            (true, _) => "origin asked",
+            (_, true) => "origin assumed",
+            _ => "origin",
+        };
+        span().class(class).id(format!("origin-{record}-{index}")).child(column.unit_origin.clone())
+    });
     let field = short_field(id)
         .attr("aria-label", name(app, |words| words.column_unit, column))
+        .attr("aria-describedby", note.is_some().then(|| format!("origin-{record}-{index}")))
+        .attr("aria-invalid", column.unit_asked.then_some("true"))
+        .attr("placeholder", column.unit_asked.then_some(words.column_unit_asked))
         .enterkeyhint("done")
         .prop("value", now)
         .when(events::change, take);
-    td().child(field).into()
+    td().class("unit-cell").child(field).maybe(note).into()
 }
 
 fn fitted(app: App, record: u32, column: &ColumnView) -> View {

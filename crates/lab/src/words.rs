@@ -206,6 +206,7 @@ words! {
     column: "Column", "Columna";
     column_measures: "Measures", "Mide";
     column_unit: "Unit", "Unidad";
+    column_unit_asked: "which unit?", "¿qué unidad?";
     column_fitted: "Fit it", "Ajustarla";
     column_off: "not used", "no se usa";
     findings: "What this record hides", "Lo que este registro oculta";

@@ -85,7 +85,13 @@ impl Record {
             let column = Column { unit: None, values, ..source.clone() };
             self.computed.push((self.table.columns.len(), of));
             self.table.columns.push(column);
-            self.uses.push(Use { meaning: Meaning::nothing(), fitted: false, offset: 0.0, chosen: false });
+            self.uses.push(Use {
+                meaning: Meaning::nothing(),
+                fitted: false,
+                offset: 0.0,
+                chosen: false,
+                stated: false,
+            });
             self.made.push(Made { of, order, how });
         }
     }

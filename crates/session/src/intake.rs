@@ -68,7 +68,7 @@ impl Session {
             }
             Stage::Inspecting(contents, mut inspector) => {
                 if inspector.advance(&contents.import.table) {
-                    return Ok(Some(self.take_record(&name, *contents, inspector.finish(), None)));
+                    return self.take_contents(&name, *contents, inspector.finish()).map(Some);
                 }
                 Stage::Inspecting(contents, inspector)
             }

@@ -123,10 +123,11 @@ pub(crate) fn read_values(text: &str) -> impl Iterator<Item = (&str, f64)> {
     })
 }
 
-/// What columns are taken for: `1,1,y,cm;2,0,y',cm/s`.
+/// What columns are taken for: `1,1,y,cm;2,0,y',~cm/s`; the tilde is before a unit that nobody has stated.
 pub(crate) fn write_uses<'a>(uses: impl Iterator<Item = (usize, &'a Use)>) -> String {
-    let entry = |(column, Use { meaning, fitted, .. }): (usize, &Use)| {
-        format!("{column},{},{},{}", u8::from(*fitted), meaning.quantity, meaning.unit.text)
+    let entry = |(column, Use { meaning, fitted, stated, .. }): (usize, &Use)| {
+        let sign = if *stated { "" } else { "~" };
+        format!("{column},{},{},{sign}{}", u8::from(*fitted), meaning.quantity, meaning.unit.text)
     };
     uses.map(entry).collect::<Vec<_>>().join(";")
 }
@@ -136,7 +137,9 @@ pub(crate) fn read_uses(text: &str) -> impl Iterator<Item = (usize, Use)> {
     text.split(';').filter_map(|entry| {
         let mut parts = entry.splitn(4, ',');
         let (column, fitted) = (parts.next()?.parse().ok()?, parts.next()?);
-        let (quantity, unit) = (parts.next()?.to_owned(), Unit::parse(parts.next()?).ok()?);
-        Some((column, Use { meaning: Meaning { quantity, unit }, fitted: fitted == "1", offset: 0.0, chosen: true }))
+        let (quantity, unit) = (parts.next()?.to_owned(), parts.next()?);
+        let (unit, stated) = unit.strip_prefix('~').map_or((unit, true), |unit| (unit, false));
+        let meaning = Meaning { quantity, unit: Unit::parse(unit).ok()? };
+        Some((column, Use { meaning, fitted: fitted == "1", offset: 0.0, chosen: true, stated }))
     })
 }

@@ -235,8 +235,17 @@ impl Record {
         // A column that was taken for the time by hand counts before the one that the file suggests.
         let is_time = |index: &usize| uses.get(*index).is_some_and(|used| used.meaning.quantity == independent);
         let clock = Some(own.independent).filter(is_time).or_else(|| (0..uses.len()).find(is_time))?;
+        if self.asks_for_unit(uses, column) || self.asks_for_unit(uses, clock) {
+            return None;
+        }
         let (times, time_unit) = (&self.table.columns.get(clock)?.values, uses.get(clock)?.meaning.unit.clone());
         let rows = times.iter().zip(&own.values).filter(|(time, value)| time.is_finite() && value.is_finite());
+        // Times that are all the same measure nothing.
+        let mut others = rows.clone().map(|(time, _)| *time);
+        let first = others.next()?;
+        if others.next().is_some() && times.iter().all(|time| time.is_nan() || *time == first) {
+            return None;
+        }
         Some(rows.map(move |(time, value)| (time_unit.to_si(*time), value_unit.to_si(*value))))
     }
 }

@@ -91,15 +91,18 @@ pub(crate) fn recognise(table: &Table, document: &Document, labels: &dyn Fn(&str
     // First what is called as it is in the document, then as people call it, then by unit or place.
     let unknowns = 1 + known.iter().skip(1).take_while(|(name, _)| is_about(model, &subjects, name)).count();
     let unknowns = if model.states.is_empty() { known.len() } else { unknowns };
-    for (names, how) in [by_name, by_custom, by_place].into_iter().enumerate() {
+    for (names, how) in [by_exact_name, by_name, by_custom, by_letter, by_place].into_iter().enumerate() {
         for (index, column) in table.columns.iter().enumerate() {
             let independent = column.independent == index;
-            if !of_body(column) || meanings.get(index).is_none_or(|meaning| !meaning.quantity.is_empty()) {
+            // Every body has its own clock.
+            if !(of_body(column) || independent)
+                || meanings.get(index).is_none_or(|meaning| !meaning.quantity.is_empty())
+            {
                 continue;
             }
             let free = |place: &usize| (*place == 0) == independent && !taken.get(*place).copied().unwrap_or(true);
             // Only what the document is about is recognised by habit or place; the rest must be called by its name.
-            let within = if names == 0 { known.len() } else { unknowns };
+            let within = if matches!(names, 0 | 1 | 3) { known.len() } else { unknowns };
             let candidates: Vec<usize> = (0..within)
                 .filter(free)
                 .filter(|&place| known.get(place).is_some_and(|(_, unit)| fits(column, unit)))
@@ -135,10 +138,22 @@ pub(crate) fn recognise(table: &Table, document: &Document, labels: &dyn Fn(&str
     meanings
 }
 
+/// `T` is the quantity `T` where the document has a `t` too.
+fn by_exact_name(_: &str, names: &[(usize, &str)], column: &Column, _: &dyn Fn(&str) -> Vec<String>) -> Option<usize> {
+    let name = squeezed(&column.name);
+    names.iter().find(|(_, other)| squeezed(other) == name).map(|(place, _)| *place)
+}
+
+/// Whatever the capitals. Of single letters a capital is another quantity, unless nothing else is found.
 fn by_name(spelled: &str, names: &[(usize, &str)], _: &Column, labels: &dyn Fn(&str) -> Vec<String>) -> Option<usize> {
-    let found =
-        names.iter().find(|(_, name)| spelling(name) == spelled || labels(name).iter().any(|label| label == spelled));
+    let letter = spelled.chars().count() == 1;
+    let same = |name: &str| !letter && spelling(name) == spelled;
+    let found = names.iter().find(|(_, name)| same(name) || labels(name).iter().any(|label| label == spelled));
     found.map(|(place, _)| *place)
+}
+
+fn by_letter(spelled: &str, names: &[(usize, &str)], _: &Column, _: &dyn Fn(&str) -> Vec<String>) -> Option<usize> {
+    names.iter().find(|(_, name)| spelling(name) == spelled && !spelled.is_empty()).map(|(place, _)| *place)
 }
 
 /// Whether a name is a subject of the document, an unknown of its model, or a derivative of one.
@@ -171,10 +186,12 @@ fn by_place(spelled: &str, names: &[(usize, &str)], column: &Column, _: &dyn Fn(
 
 /// A name without what people write differently: `v_{y}` as `vy`, `Y` as `y`.
 fn spelling(name: &str) -> String {
-    name.chars()
-        .filter(|letter| !matches!(letter, '_' | '{' | '}' | ' ' | '$' | '\\'))
-        .flat_map(char::to_lowercase)
-        .collect()
+    squeezed(name).to_lowercase()
+}
+
+/// A name without signs of typesetting: `v_{y}` as `vy`.
+fn squeezed(name: &str) -> String {
+    name.chars().filter(|letter| !matches!(letter, '_' | '{' | '}' | ' ' | '$' | '\\')).collect()
 }
 
 /// The label of a state or quantity.

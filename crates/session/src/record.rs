@@ -6,13 +6,13 @@ use crate::recognise::{Meaning, recognise};
 use crate::words::sentence;
 use crate::{Announcement, Refusal, Session, number};
 use analysis::finding::Finding;
-use analysis::inspection::{Inspection, inspect};
+use analysis::inspection::{Inspection, doubtful_times, inspect};
 use analysis::reading::{self, Contents};
 use analysis::table::Table;
 use document::Document;
 use model::Model;
 use std::collections::BTreeMap;
-use units::{Language, Unit};
+use units::Language;
 
 /// How many records there can be.
 pub const MOST_RECORDS: usize = 8;
@@ -62,6 +62,8 @@ pub(crate) struct Use {
     pub offset: f64,
     /// Whether a person has said so: then it is not recognised anew.
     pub chosen: bool,
+    /// Whether a person has stated the unit.
+    pub stated: bool,
 }
 
 /// A record in the list.
@@ -94,8 +96,14 @@ pub struct ColumnView {
     pub head: String,
     /// The quantity of the document that it measures; empty when it is not used.
     pub quantity: String,
-    /// Its unit, as it can be typed.
+    /// Its unit, as it can be typed; empty where it is asked for.
     pub unit: String,
+    /// Where the unit comes from, in the session's language; empty for what is not used or has no unit.
+    pub unit_origin: String,
+    /// Whether the file states no unit, and that of the quantity is assumed.
+    pub unit_assumed: bool,
+    /// Whether the file states a unit that is not known. Until a person states it the column is neither drawn nor fitted.
+    pub unit_asked: bool,
     /// Whether a fit is to follow it.
     pub fitted: bool,
     /// Whether a fit can follow it: it is used and no time.
@@ -118,11 +126,15 @@ impl Session {
             let unit = column.unit.as_ref().map(|unit| number::unit_text(&unit.text)).unwrap_or_default();
             let name = if column.name.is_empty() { (index + 1).to_string() } else { column.name.clone() };
             let body = column.body.as_ref().map(|body| format!("{body}: ")).unwrap_or_default();
+            let understood = self.understood(record, index);
             ColumnView {
                 index,
+                unit_origin: understood.origin,
+                unit_assumed: understood.assumed,
+                unit_asked: understood.asked,
                 head: if unit.is_empty() { format!("{body}{name}") } else { format!("{body}{name} [{unit}]") },
                 quantity: used.meaning.quantity.clone(),
-                unit: number::unit_text(&used.meaning.unit.text),
+                unit: if understood.asked { String::new() } else { number::unit_text(&used.meaning.unit.text) },
                 fitted: used.fitted,
                 fittable: !used.meaning.quantity.is_empty() && used.meaning.quantity != *independent,
                 differentiable: index < record.read_columns()
@@ -160,12 +172,15 @@ impl Session {
             .collect()
     }
 
-    /// Reads a file, text or workbook, as a record, all at once. Nothing is lost when it cannot be read.
+    /// Reads a file, text or workbook, as a record, all at once; the runs of a logger become records of their own, the first of
+    /// which is the answer. Nothing is lost when it cannot be read.
     ///
     /// # Errors
     /// A file that is too large or no table, and a record too many.
     pub fn add_record(&mut self, name: &str, bytes: &[u8]) -> Result<u32, Refusal> {
-        self.insert_record(name, bytes, None)
+        let contents = self.read_record(name, bytes)?;
+        let inspection = inspect(&contents.import.table);
+        self.take_contents(name, contents, inspection)
     }
 
     pub(crate) fn insert_record(
@@ -174,16 +189,42 @@ impl Session {
         bytes: &[u8],
         truth: Option<Vec<(String, f64)>>,
     ) -> Result<u32, Refusal> {
+        let contents = self.read_record(name, bytes)?;
+        let inspection = inspect(&contents.import.table);
+        Ok(self.take_record(name, contents, inspection, truth))
+    }
+
+    fn read_record(&self, name: &str, bytes: &[u8]) -> Result<Contents, Refusal> {
         if self.data.records.len() >= MOST_RECORDS {
             return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
         }
         if bytes.len() > LONGEST_RECORD {
             return Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
         }
-        let contents = reading::read(bytes.to_vec(), LONGEST_TEXT)
-            .map_err(|error| crate::intake::unreadable(name, &error, self.language))?;
-        let inspection = inspect(&contents.import.table);
-        Ok(self.take_record(name, contents, inspection, truth))
+        reading::read(bytes.to_vec(), LONGEST_TEXT)
+            .map_err(|error| crate::intake::unreadable(name, &error, self.language))
+    }
+
+    /// Adds what was read as a record, or each run of a logger as one.
+    pub(crate) fn take_contents(
+        &mut self,
+        name: &str,
+        contents: Contents,
+        inspection: Inspection,
+    ) -> Result<u32, Refusal> {
+        let runs = crate::runs::texts(&contents.import.table);
+        if runs.is_empty() {
+            return Ok(self.take_record(name, contents, inspection, None));
+        }
+        if self.data.records.len() + runs.len() > MOST_RECORDS {
+            return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
+        }
+        let mut first = None;
+        for (run, text) in runs {
+            let id = self.insert_record(&format!("{name}: {run}"), text.as_bytes(), None)?;
+            first.get_or_insert(id);
+        }
+        first.ok_or(Refusal::Unknown { name: name.to_owned() })
     }
 
     /// Adds what was read as a record.
@@ -198,6 +239,9 @@ impl Session {
         self.data.issued += 1;
         let mut findings = import.findings;
         findings.extend(inspection.findings);
+        // That a unit is assumed stands beside the column.
+        let doubtful = doubtful_times(&import.table).into_iter();
+        findings.extend(doubtful.filter(|finding| matches!(finding, Finding::NoTimes(_))));
         let mut record = Record {
             id,
             name: name.chars().take(80).collect(),
@@ -240,54 +284,6 @@ impl Session {
             let record = self.data.records.remove(index);
             self.records_changed();
             self.announce(Announcement::RecordRemoved(record.name));
-        }
-    }
-
-    /// Takes a column for another quantity; for none where the name is empty. Its unit stays if it can.
-    pub fn set_column_quantity(&mut self, id: u32, column: usize, quantity: &str) {
-        let units = crate::recognise::measurable(&self.document);
-        let unit = units.into_iter().find(|(name, _)| name == quantity).map(|(_, unit)| unit);
-        let independent = self.model().independent.name.clone();
-        let Some(record) = self.record_mut(id) else { return };
-        if let Some(used) = record.uses.get_mut(column) {
-            let unit = match unit {
-                Some(unit) if unit.dimension != used.meaning.unit.dimension => unit,
-                _ => used.meaning.unit.clone(),
-            };
-            used.meaning = Meaning { quantity: quantity.to_owned(), unit };
-            used.fitted &= !quantity.is_empty() && quantity != independent;
-            used.chosen = true;
-        }
-        self.records_changed();
-    }
-
-    /// Gives a column another unit.
-    ///
-    /// # Errors
-    /// What is no unit, or that of something else than the column's quantity.
-    pub fn set_column_unit(&mut self, id: u32, column: usize, typed: &str) -> Result<(), Refusal> {
-        let unit =
-            Unit::parse(typed).map_err(|_| Refusal::UnknownUnit { typed: typed.trim().chars().take(40).collect() })?;
-        let known = crate::recognise::measurable(&self.document);
-        let Some(used) = self.record_mut(id).and_then(|record| record.uses.get_mut(column)) else { return Ok(()) };
-        let own = known.iter().find(|(name, _)| *name == used.meaning.quantity).map(|(_, own)| own);
-        if let Some(own) = own.filter(|own| own.dimension != unit.dimension) {
-            return Err(Refusal::WrongUnit {
-                typed: typed.trim().chars().take(40).collect(),
-                expected: number::unit_text(&own.text),
-            });
-        }
-        used.meaning.unit = unit;
-        used.chosen = true;
-        self.records_changed();
-        Ok(())
-    }
-
-    /// Lets a fit follow a column or not.
-    pub fn set_column_fitted(&mut self, id: u32, column: usize, fitted: bool) {
-        if let Some(used) = self.record_mut(id).and_then(|record| record.uses.get_mut(column)) {
-            used.fitted = fitted;
-            self.records_changed();
         }
     }
 
@@ -354,7 +350,7 @@ impl Record {
         meanings.resize_with(self.table.columns.len(), Meaning::nothing);
         let fresh = meanings.into_iter().enumerate().map(|(column, meaning)| match self.uses.get(column) {
             Some(used) if used.chosen && used.fits(model) => used.clone(),
-            _ => Use { meaning, fitted: Some(column) == witness, offset: 0.0, chosen: false },
+            _ => Use { meaning, fitted: Some(column) == witness, offset: 0.0, chosen: false, stated: false },
         });
         self.uses = fresh.collect();
         self.settle_made(document);

@@ -1,5 +1,6 @@
 //! From bytes to text, and a clear word about bytes that are none.
 
+use super::lines;
 use super::refusal::{ImportError, Refusal};
 use std::borrow::Cow;
 
@@ -50,11 +51,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
     if text.trim_start().is_empty() {
         return Err(ImportError::new(None, Refusal::Empty));
     }
-    // Lines that end with a carriage return alone. A line feed is found soon where there is one.
-    if !text.contains('\n') && text.contains('\r') {
-        return Ok(Cow::Owned(text.replace('\r', "\n")));
-    }
-    Ok(text)
+    Ok(lines::settled(text))
 }
 
 /// The same of bytes that are not needed any more: no copy is made of most texts.

@@ -1,7 +1,8 @@
 //! Which delimiter and which decimal sign a text has.
 
 use super::cells::{Cells, Delimiter};
-use super::number::{self, Cell};
+use super::number::{self, Cell, Signs};
+use super::{clock, unit_words};
 use std::collections::BTreeMap;
 
 /// How many lines are looked at from the beginning, and how many from all over the rest.
@@ -15,11 +16,18 @@ pub struct Format {
     pub delimiter: Delimiter,
     /// `b'.'` or `b','`.
     pub decimal: u8,
+    /// The other of the two, where it groups the digits of large numbers: `1.295,5`.
+    pub thousands: Option<u8>,
     /// How many lines come before the first row.
     pub header_lines: usize,
 }
 
 impl Format {
+    /// The signs inside its numbers.
+    pub(super) fn signs(&self) -> Signs {
+        Signs { decimal: self.decimal, thousands: self.thousands }
+    }
+
     /// In words: `tabs, decimal comma, 2 header lines`.
     pub fn text(&self, spanish: bool) -> String {
         let (english, other) = match self.delimiter {
@@ -41,6 +49,13 @@ impl Format {
             (_, false) => ", decimal point",
             (_, true) => ", punto decimal",
         });
+        text.push_str(match (self.thousands, spanish) {
+            (None, _) => "",
+            (Some(b','), false) => ", thousands separated by commas",
+            (Some(b','), true) => ", millares separados por comas",
+            (_, false) => ", thousands separated by points",
+            (_, true) => ", millares separados por puntos",
+        });
         let lines = self.header_lines;
         text.push_str(&match (lines, spanish) {
             (0, false) => ", no header".to_owned(),
@@ -52,6 +67,36 @@ impl Format {
         });
         text
     }
+}
+
+/// What stands in a cell, as far as the form of a text is concerned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A number, or a time of day.
+    Number,
+    /// Nothing, or the failure of a formula.
+    Gap,
+    Word,
+}
+
+/// What a cell holds. Numbers with their unit behind them count as numbers if `with_units`.
+pub(super) fn kind(cell: &str, delimiter: Delimiter, signs: Signs, with_units: bool) -> Kind {
+    // Among blanks a comma at the edge of a number is punctuation.
+    let punctuation = matches!(delimiter, Delimiter::Blanks | Delimiter::Blank)
+        && signs.decimal == b','
+        && (cell.starts_with(',') || cell.ends_with(','));
+    match number::cell(cell, signs) {
+        Cell::Number(_) if !punctuation => Kind::Number,
+        Cell::Gap => Kind::Gap,
+        _ if clock::read(cell).is_some() => Kind::Number,
+        _ if number::is_spreadsheet_error(cell) => Kind::Gap,
+        _ if with_units && is_with_unit(cell, signs) => Kind::Number,
+        _ => Kind::Word,
+    }
+}
+
+fn is_with_unit(cell: &str, signs: Signs) -> bool {
+    number::with_unit(cell, signs).is_some_and(|(_, unit)| unit_words::read(unit).is_some())
 }
 
 /// What a line has.
@@ -66,64 +111,99 @@ pub(super) struct Count {
 }
 
 /// Counts what stands in the cells of a line.
-pub(super) fn count(line: &str, delimiter: Delimiter, decimal: u8) -> Count {
+fn count(line: &str, delimiter: Delimiter, signs: Signs, with_units: bool) -> Count {
     let mut count = Count::default();
     for cell in Cells::of(line, delimiter) {
         count.all += 1;
-        // Among blanks a comma at the edge of a number is punctuation.
-        let punctuation = matches!(delimiter, Delimiter::Blanks | Delimiter::Blank)
-            && decimal == b','
-            && (cell.starts_with(',') || cell.ends_with(','));
-        match number::cell(cell, decimal) {
-            Cell::Number(_) if !punctuation => count.numbers += 1,
-            Cell::Gap => continue,
-            _ => count.words += 1,
+        match kind(cell, delimiter, signs, with_units) {
+            Kind::Number => count.numbers += 1,
+            Kind::Gap => continue,
+            Kind::Word => count.words += 1,
         }
         count.cells = count.all;
     }
     count
 }
 
-/// Delimiter and decimal sign of a text, and how many words a row has in the format found.
-pub(super) fn recognise(text: &str) -> (Delimiter, u8, usize) {
-    let lines = sample(text);
-    let candidates = candidates(&lines);
-    let counts: Vec<Vec<Count>> = candidates
-        .iter()
-        .map(|(delimiter, decimal)| lines.iter().map(|line| count(line, *delimiter, *decimal)).collect())
-        .collect();
-    // Rows with nothing but numbers decide; where most lines have a word in them, the cells do.
-    let rows = |counts: &[Count]| counts.iter().filter(|count| count.numbers >= 2 && count.words == 0).count();
-    let cells = |counts: &[Count]| -> usize {
-        counts.iter().filter(|count| count.numbers >= 2).map(|count| count.numbers.saturating_sub(count.words)).sum()
-    };
-    let clean = counts.iter().map(|counts| rows(counts)).max().unwrap_or(0);
-    let with_numbers = |counts: &[Count]| counts.iter().filter(|count| count.numbers > 0).count();
-    let by_cells = 2 * clean < counts.iter().map(|counts| with_numbers(counts)).max().unwrap_or(0);
-    let mut best = 0;
-    let mut best_score = (0, 0);
-    for (index, counts) in counts.iter().enumerate() {
-        let found = if by_cells { cells(counts) } else { rows(counts) };
-        // The earlier candidate wins where both are as good.
-        let score = (found, usual(counts.iter().filter(|count| count.numbers >= 2).map(|count| count.all)).1);
-        if score > best_score {
-            (best, best_score) = (index, score);
-        }
-    }
-    let (delimiter, decimal) = candidates.get(best).copied().unwrap_or((Delimiter::Blanks, b'.'));
-    let words = counts
-        .get(best)
-        .map_or(0, |counts| usual(counts.iter().filter(|count| count.numbers >= 2).map(|count| count.words)).0);
-    (delimiter, decimal, words)
+/// A delimiter and the signs of numbers, with what the lines of a sample have by them.
+struct Candidate {
+    delimiter: Delimiter,
+    signs: Signs,
+    counts: Vec<Count>,
 }
 
-/// The most frequent number, the greatest of several, and how often it occurs.
-fn usual(numbers: impl Iterator<Item = usize>) -> (usize, usize) {
+impl Candidate {
+    fn new(lines: &[&str], (delimiter, decimal): (Delimiter, u8), thousands: bool, with_units: bool) -> Self {
+        let other = if decimal == b'.' { b',' } else { b'.' };
+        let thousands = (thousands && delimiter.byte() != Some(other)).then_some(other);
+        let signs = Signs { decimal, thousands };
+        let counts = lines.iter().map(|line| count(line, delimiter, signs, with_units)).collect();
+        Self { delimiter, signs, counts }
+    }
+
+    /// Lines that could be rows.
+    fn tables(&self) -> impl Iterator<Item = &Count> {
+        self.counts.iter().filter(|count| count.numbers >= 2)
+    }
+
+    /// Rows with nothing but numbers.
+    fn rows(&self) -> usize {
+        self.tables().filter(|count| count.words == 0).count()
+    }
+
+    /// The numbers that are more than the words, in all lines.
+    fn cells(&self) -> usize {
+        self.tables().map(|count| count.numbers.saturating_sub(count.words)).sum()
+    }
+
+    fn with_numbers(&self) -> usize {
+        self.counts.iter().filter(|count| count.numbers > 0).count()
+    }
+}
+
+/// Delimiter and signs of a text.
+pub(super) fn recognise(text: &str) -> (Delimiter, Signs) {
+    let lines = sample(text);
+    let candidates = candidates(&lines);
+    let all = |thousands: bool, with_units: bool| -> Vec<Candidate> {
+        candidates.iter().map(|pair| Candidate::new(&lines, *pair, thousands, with_units)).collect()
+    };
+    let mut found = all(false, false);
+    let rows = |found: &[Candidate]| found.iter().map(Candidate::rows).max().unwrap_or(0);
+    let clean = rows(&found);
+    let with_numbers = found.iter().map(Candidate::with_numbers).max().unwrap_or(0);
+    if 2 * clean < with_numbers {
+        // Points and commas in one number, or units beside them, make words of numbers that are none.
+        for (thousands, with_units) in [(true, false), (false, true), (true, true)] {
+            let other = all(thousands, with_units);
+            if 2 * rows(&other) >= with_numbers && rows(&other) > clean {
+                found = other;
+                break;
+            }
+        }
+    }
+    // Rows with nothing but numbers decide; where most lines have a word in them, the cells do.
+    let by_cells = 2 * rows(&found) < with_numbers;
+    let mut best: Option<&Candidate> = None;
+    let mut best_score = (0, 0);
+    for candidate in &found {
+        let numbers = if by_cells { candidate.cells() } else { candidate.rows() };
+        // The earlier candidate wins where both are as good.
+        let score = (numbers, most_frequent(candidate.tables().map(|count| count.all)));
+        if score > best_score {
+            (best, best_score) = (Some(candidate), score);
+        }
+    }
+    best.map_or((Delimiter::Blanks, Signs::plain(b'.')), |best| (best.delimiter, best.signs))
+}
+
+/// How often the most frequent number occurs.
+fn most_frequent(numbers: impl Iterator<Item = usize>) -> usize {
     let mut occurrences = BTreeMap::new();
     for number in numbers {
         *occurrences.entry(number).or_insert(0) += 1;
     }
-    occurrences.into_iter().max_by_key(|(number, count)| (*count, *number)).unwrap_or((0, 0))
+    occurrences.into_values().max().unwrap_or(0)
 }
 
 /// What can be, the likelier first.
@@ -144,7 +224,7 @@ fn candidates(lines: &[&str]) -> Vec<(Delimiter, u8)> {
 }
 
 /// The first lines that are not blank, and some from all over the text: a comma may be rare.
-fn sample(text: &str) -> Vec<&str> {
+pub(super) fn sample(text: &str) -> Vec<&str> {
     let mut lines: Vec<&str> = Vec::new();
     let mut end = 0;
     for line in text.split_inclusive('\n').take(10 * FIRST) {

@@ -1,25 +1,42 @@
-//! Delimited text as a table, without questions: delimiter, decimal sign, header, units, bodies and independent
+//! Delimited text as a table, without questions: delimiter, decimal sign, header, units, clock times, bodies and independent
 //! variables are recognised.
 
 mod cells;
+mod clock;
 mod decode;
+mod first;
 mod format;
 mod header;
+mod label;
+mod lines;
 mod number;
+mod others;
 mod refusal;
 mod roles;
 mod rows;
+mod runs;
+mod separators;
+mod stamp;
+mod unit_words;
 
 pub use cells::Delimiter;
 pub use decode::look;
 pub use format::Format;
+pub(crate) use label::run_name;
+pub(crate) use refusal::readings;
 pub use refusal::{ImportError, Refusal};
 
 use crate::finding::Finding;
+use crate::origin::Origin;
 use crate::table::{Column, Table};
+use clock::Form;
+use first::First;
 use header::Head;
+use number::Signs;
+use others::ClockColumn;
 use rows::Rows;
 use std::borrow::Cow;
+use units::Unit;
 
 /// A table and how it was read.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,10 +52,14 @@ pub struct Import {
 /// Nobody reads more about columns.
 const FINDINGS: usize = 20;
 
+/// No table of measured data has more columns.
+const COLUMNS: usize = 10_000;
+
 /// Reads delimited text.
 ///
 /// # Errors
-/// When the bytes are no text, or the text is no table of at least two columns and rows of numbers.
+/// When the bytes are no text, or the text is no table of at least two columns and rows of numbers, or nobody can know what
+/// its numbers or its times are.
 pub fn text(bytes: &[u8]) -> Result<Import, ImportError> {
     let mut importer = Importer::new(decode::decode(bytes)?)?;
     while !importer.advance(usize::MAX) {}
@@ -57,9 +78,13 @@ pub fn decode(bytes: Vec<u8>) -> Result<String, ImportError> {
 #[derive(Debug)]
 pub struct Importer<'a> {
     text: Cow<'a, str>,
+    /// The text as it was, where time stamps have become a column of it.
+    original: Option<Cow<'a, str>>,
     format: Format,
     first: First,
     rows: Rows,
+    /// What was noticed about the signs in its numbers.
+    findings: Vec<Finding>,
     /// How many bytes of the rows have been read.
     read: usize,
 }
@@ -68,30 +93,61 @@ impl<'a> Importer<'a> {
     /// Begins to read a text, as [`decode`] gives it: finds out how it is written and where its rows begin.
     ///
     /// # Errors
-    /// When there are no rows of numbers.
+    /// When there are no rows of numbers, or a comma or a point in them can be read in two ways.
     pub fn new(text: Cow<'a, str>) -> Result<Self, ImportError> {
-        let (delimiter, decimal, words) = format::recognise(&text);
-        let first = first_row(&text, delimiter, decimal, words)?;
-        let format = Format { delimiter, decimal, header_lines: first.line };
-        let rows = Rows::of(&text[first.offset..]);
-        Ok(Self { text, format, first, rows, read: 0 })
+        match stamp::without(&text) {
+            Some(bare) => {
+                let (delimiter, _) = format::recognise(&bare);
+                let (columns, delimiter) = stamp::as_column(&text, delimiter);
+                let signs = format::recognise(&columns).1;
+                Self::begin(Cow::Owned(columns), delimiter, signs, Some(text)).map_err(|(error, _)| error)
+            }
+            None => {
+                let (delimiter, signs) = format::recognise(&text);
+                Self::begin(text, delimiter, signs, None).map_err(|(error, _)| error)
+            }
+        }
     }
 
     /// The same for the cells of a spreadsheet, as [`sheet`] describes them.
     ///
     /// # Errors
-    /// When there are no rows of numbers.
+    /// As [`Importer::new`].
     pub fn of_sheet(cells: Cow<'a, str>) -> Result<Self, ImportError> {
         if cells.trim_start().is_empty() {
             return Err(ImportError::new(None, Refusal::Empty));
         }
-        Self::new(cells)
+        // Numbers that a sheet holds as texts can have any form.
+        Self::begin(cells, Delimiter::Tab, Signs::plain(b'.'), None).or_else(|(_, cells)| Self::new(cells))
+    }
+
+    /// Begins to read a text whose delimiter and signs are known; gives it back where that cannot be.
+    fn begin(
+        text: Cow<'a, str>,
+        delimiter: Delimiter,
+        signs: Signs,
+        original: Option<Cow<'a, str>>,
+    ) -> Result<Self, (ImportError, Cow<'a, str>)> {
+        let mut findings = Vec::new();
+        let format = Format { delimiter, decimal: signs.decimal, thousands: signs.thousands, header_lines: 0 };
+        let found = first::row(&text, &format).and_then(|first| {
+            let format = Format { header_lines: first.line, ..format };
+            Ok((first, separators::settle(&text, first, format, &mut findings)?))
+        });
+        match found {
+            Ok((first, format)) => {
+                let rows = Rows::of(&text[first.offset..]);
+                Ok(Self { text, original, format, first, rows, findings, read: 0 })
+            }
+            Err(error) => Err((error, text)),
+        }
     }
 
     /// Reads the rows in about `budget` bytes more. Whether all have been read.
     pub fn advance(&mut self, budget: usize) -> bool {
-        let rest = &self.text[self.first.offset + self.read..];
-        self.read += self.rows.read(rest, budget, &self.format);
+        let (header, rows) = self.text.split_at(self.first.offset);
+        let header: Vec<&str> = header.lines().collect();
+        self.read += self.rows.read(&rows[self.read..], budget, &self.format, &header);
         self.first.offset + self.read >= self.text.len()
     }
 
@@ -103,43 +159,36 @@ impl<'a> Importer<'a> {
     /// The table, once all rows have been read, and the text.
     ///
     /// # Errors
-    /// When it is no table of at least two columns and rows of numbers.
+    /// When it is no table of at least two columns and rows of numbers, or its times cannot be read.
     pub fn finish(self) -> Result<(Import, Cow<'a, str>), ImportError> {
-        let Self { text, format, first, mut rows, .. } = self;
-        let mut findings = Vec::new();
+        let Self { text, original, format, first, mut rows, mut findings, .. } = self;
         let head_lines: Vec<&str> = text[..first.offset].lines().collect();
         let mut heads = header::read(&head_lines, format.delimiter, rows.columns.len(), &mut findings);
         findings.truncate(FINDINGS);
         refuse_double_commas(&heads, &rows, &format)?;
         rows.widen(heads.len(), &text);
         heads.resize(rows.columns.len(), Head::default());
+        let clocks = others::settle(&mut rows, &mut heads);
         rows.refuse_words(first.line)?;
-        let mut columns = Vec::with_capacity(heads.len());
-        let mut kept = Vec::new();
-        for (index, (head, values)) in heads.into_iter().zip(std::mem::take(&mut rows.columns)).enumerate() {
-            let words = rows.words_in(index);
-            let filled = values.iter().filter(|value| value.is_finite()).count();
-            if filled == 0 && (words > 0 || head.name.is_empty()) {
-                // A delimiter at the end of each line makes an empty column; words are no measurement.
-                if words > 0 && findings.len() < FINDINGS {
-                    findings.push(Finding::WordColumn(called(&head.name, index)));
-                }
-                continue;
-            }
-            if filled == 0 && findings.len() < FINDINGS {
-                findings.push(Finding::EmptyColumn(called(&head.name, index)));
-            }
-            kept.push(index);
-            columns.push(Column { name: head.name, unit: head.unit, body: head.body, independent: 0, values });
-        }
+        refuse_unread_times(&heads, &rows)?;
+        let (mut columns, mut kept) = columns(heads, &mut rows, &mut findings);
         if columns.iter().filter(|column| column.filled() > 0).count() < 2 {
             return Err(ImportError::new(Some(first.line + 1), Refusal::OneColumn));
         }
+        if original.is_some()
+            && let Some(unit) = stamp::prefer_own_times(&mut columns)
+        {
+            kept.remove(0);
+            findings.push(Finding::Stamps { unit: unit.text });
+        }
         roles::assign(&mut columns);
-        let table = Table { columns };
+        let mut table = Table { columns };
+        runs::side_by_side(&mut table, &rows.repeats);
         let label = |index| kept.iter().position(|kept| *kept == index).map(|place| table.label(place));
+        findings.extend(clocks.iter().filter_map(|clock| Some(clock_finding(clock, label(clock.column)?))));
         findings.extend(rows.findings(label));
-        Ok((Import { table, findings, format }, text))
+        findings.extend(runs_finding(&table));
+        Ok((Import { table, findings, format }, original.unwrap_or(text)))
     }
 }
 
@@ -159,47 +208,73 @@ pub fn sheet(cells: &str) -> Result<Import, ImportError> {
     Ok(importer.finish()?.0)
 }
 
+/// The columns that hold something, and which of the file they are.
+fn columns(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (Vec<Column>, Vec<usize>) {
+    let mut columns = Vec::with_capacity(heads.len());
+    let mut kept = Vec::new();
+    for (index, (head, values)) in heads.into_iter().zip(std::mem::take(&mut rows.columns)).enumerate() {
+        let words = rows.words_in(index);
+        let filled = values.iter().any(|value| value.is_finite());
+        if !filled && (words > 0 || head.name.is_empty()) {
+            // A delimiter at the end of each line makes an empty column; words are no measurement.
+            if words > 0 && findings.len() < FINDINGS {
+                findings.push(Finding::WordColumn(called(&head.name, index)));
+            }
+            continue;
+        }
+        if !filled && findings.len() < FINDINGS {
+            findings.push(Finding::EmptyColumn(called(&head.name, index)));
+        }
+        kept.push(index);
+        let origin = Origin { heading: head.heading, unit: head.origin, words, first_word: rows.first_word(index) };
+        columns.push(Column { name: head.name, unit: head.unit, body: head.body, independent: 0, values, origin });
+    }
+    (columns, kept)
+}
+
+/// The unit of this name, as people write it over their columns: `ms`, `msec`, `Sekunden`.
+pub fn unit(text: &str) -> Option<Unit> {
+    unit_words::read(text)
+}
+
+/// Whether this is the name of a run as loggers give it: `Run 2`, `Data Set 1`.
+pub(crate) fn is_run(name: &str) -> bool {
+    run_name(name).is_some()
+}
+
 fn called(name: &str, index: usize) -> String {
     if name.is_empty() { (index + 1).to_string() } else { name.to_owned() }
 }
 
-/// Where the rows begin.
-#[derive(Clone, Copy, Debug)]
-struct First {
-    /// How many lines come before.
-    line: usize,
-    /// How many bytes come before.
-    offset: usize,
+fn clock_finding(clock: &ClockColumn, column: String) -> Finding {
+    Finding::Clock {
+        column,
+        days: clock.form == Form::Date,
+        wrapped: clock.times.wrapped,
+        minutes: clock.times.guessed,
+    }
 }
 
-/// The first line with at least two numbers and no more words than the rows have.
-fn first_row(text: &str, delimiter: Delimiter, decimal: u8, words: usize) -> Result<First, ImportError> {
-    let mut offset = 0;
-    let mut lonely = None;
-    // Rows with gaps just before it belong to the table too.
-    let mut gaps = None;
-    for (line, content) in text.split_inclusive('\n').enumerate() {
-        let count = format::count(content.trim_end_matches(['\n', '\r']), delimiter, decimal);
-        if count.numbers >= 2 && count.words <= words {
-            return Ok(gaps.unwrap_or(First { line, offset }));
+/// The runs of a logger, if there are several.
+fn runs_finding(table: &Table) -> Option<Finding> {
+    let runs: Vec<String> = table.runs().into_iter().map(|(name, _)| name).collect();
+    (runs.len() > 1).then_some(Finding::Runs(runs))
+}
+
+/// A column that is called a time and holds words: the next column would be taken for the time.
+fn refuse_unread_times(heads: &[Head], rows: &Rows) -> Result<(), ImportError> {
+    let mut unread = None;
+    let columns = heads.iter().zip(&rows.columns).enumerate();
+    for (index, (head, values)) in columns.filter(|(_, (head, _))| roles::is_time(&head.name)) {
+        if values.iter().any(|value| value.is_finite()) {
+            return Ok(());
         }
-        if count.numbers == 1 && count.words == 0 && count.all >= 2 {
-            gaps.get_or_insert(First { line, offset });
-        } else {
-            gaps = None;
-        }
-        if count.numbers == 1 && count.words == 0 && count.cells == 1 {
-            lonely.get_or_insert(line + 1);
-        }
-        offset += content.len();
+        unread = unread.or_else(|| rows.first_word(index).map(|(line, text)| (line, head.name.clone(), text)));
     }
-    Err(match lonely {
-        Some(line) => ImportError::new(Some(line), Refusal::OneColumn),
-        None => {
-            let (line, text) = text.lines().enumerate().find(|(_, text)| !text.trim().is_empty()).unwrap_or((0, ""));
-            ImportError::new(Some(line + 1), Refusal::NoNumbers { text: rows::excerpt(text.trim()) })
-        }
-    })
+    match unread {
+        Some((line, column, text)) => Err(ImportError::new(Some(line), Refusal::Times { column, text })),
+        None => Ok(()),
+    }
 }
 
 /// Two names over four numbers, all commas: nobody can tell which commas are decimal signs.

@@ -17,25 +17,99 @@ pub(super) enum Cell {
     Word,
 }
 
+/// The signs inside the numbers of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Signs {
+    /// `b'.'` or `b','`.
+    pub decimal: u8,
+    /// The other of the two, where it groups the digits of large numbers.
+    pub thousands: Option<u8>,
+}
+
+impl Signs {
+    pub fn plain(decimal: u8) -> Self {
+        Self { decimal, thousands: None }
+    }
+}
+
 /// What a cell without the blanks around it holds.
-pub(super) fn cell(text: &str, decimal: u8) -> Cell {
+pub(super) fn cell(text: &str, signs: Signs) -> Cell {
     if text.is_empty() {
         return Cell::Gap;
     }
-    match scan(text.as_bytes(), decimal) {
-        Some((number, length)) if length == text.len() => return Cell::Number(number),
-        _ => {}
+    if let Some(number) = whole(text, signs) {
+        return Cell::Number(number);
+    }
+    const GAPS: [&str; 11] = ["nan", "na", "n/a", "-", "--", "\u{2014}", "null", "none", "nil", "?", "1.#qnan"];
+    if GAPS.iter().any(|gap| text.eq_ignore_ascii_case(gap)) || text == "–" { Cell::Gap } else { Cell::Word }
+}
+
+/// The number that is the whole text.
+fn whole(text: &str, signs: Signs) -> Option<f64> {
+    let exact = |text: &str| scan(text.as_bytes(), signs.decimal).filter(|(_, length)| *length == text.len());
+    if let Some((number, _)) = exact(text) {
+        return Some(number);
     }
     if text.contains(['\u{2212}', '–']) {
-        let plain = text.replace(['\u{2212}', '–'], "-");
-        if let Some((number, length)) = scan(plain.as_bytes(), decimal)
-            && length == plain.len()
-        {
-            return Cell::Number(number);
-        }
+        return whole(&text.replace(['\u{2212}', '–'], "-"), signs);
     }
-    const GAPS: [&str; 12] = ["nan", "na", "n/a", "#n/a", "-", "--", "\u{2014}", "null", "none", "nil", "?", "1.#qnan"];
-    if GAPS.iter().any(|gap| text.eq_ignore_ascii_case(gap)) || text == "–" { Cell::Gap } else { Cell::Word }
+    let separator = |character: char| {
+        matches!(character, ' ' | '\u{a0}' | '\u{2009}' | '\u{202f}' | '\'' | '’')
+            || signs.thousands.is_some_and(|sign| character == char::from(sign))
+    };
+    let plain = ungrouped(text, signs.decimal, separator)?;
+    exact(&plain).map(|(number, _)| number)
+}
+
+/// `1,234,567.8` as `1234567.8`, if every separator is the same and has three digits behind it.
+fn ungrouped(text: &str, decimal: u8, separator: impl Fn(char) -> bool) -> Option<String> {
+    let whole = text.find(char::from(decimal)).map_or(text, |place| &text[..place]);
+    let found = whole.chars().find(|character| separator(*character))?;
+    let mut groups = whole.split(found);
+    let first = groups.next()?.trim_start_matches(['-', '+']);
+    let digits = |group: &str| group.bytes().all(|byte| byte.is_ascii_digit());
+    if first.is_empty() || first.len() > 3 || first.starts_with('0') || !digits(first) {
+        return None;
+    }
+    if !groups.all(|group| group.len() == 3 && digits(group)) {
+        return None;
+    }
+    Some(format!("{}{}", whole.replace(found, ""), &text[whole.len()..]))
+}
+
+/// Whether `sign` stands in the number as it could between groups of three digits, once: `1,295` but not `0,5`.
+pub(super) fn could_be_grouped(text: &str, sign: u8) -> bool {
+    let sign = char::from(sign);
+    text.matches(sign).count() == 1
+        && ungrouped(text, b' ', |character| character == sign).is_some_and(|plain| {
+            plain.trim_start_matches(['-', '+', '\u{2212}']).bytes().all(|byte| byte.is_ascii_digit())
+        })
+}
+
+/// A number with a unit behind it in the same cell, `12.3 cm`, `45°`, and the text of the unit.
+pub(super) fn with_unit(text: &str, signs: Signs) -> Option<(f64, &str)> {
+    let end = text.find(|character: char| character.is_alphabetic() || matches!(character, '°' | 'º' | '%' | 'µ'))?;
+    // The e of an exponent is no unit.
+    let end = match scan(text.as_bytes(), signs.decimal) {
+        Some((_, length)) if length > end => length,
+        _ => end,
+    };
+    let (number, unit) = text.split_at_checked(end)?;
+    let unit = unit.trim();
+    if unit.is_empty() || unit.len() > 16 {
+        return None;
+    }
+    Some((whole(number.trim(), signs)?, unit))
+}
+
+/// Whether a cell holds the word by which a spreadsheet says that a formula failed: `#DIV/0!`, `#N/A`, `#WERT!`.
+pub(super) fn is_spreadsheet_error(text: &str) -> bool {
+    let Some(word) = text.strip_prefix('#') else { return false };
+    const WITHOUT_MARK: [&str; 6] = ["N/A", "N/D", "NV", "N/V", "NULL", "I/T"];
+    let named = word.starts_with(|character: char| character.is_uppercase() || matches!(character, '¡' | '¿'))
+        && word.ends_with(['!', '?'])
+        && word.len() <= 16;
+    named || WITHOUT_MARK.contains(&word) || (!word.is_empty() && word.bytes().all(|byte| byte == b'#'))
 }
 
 /// The number at the beginning of `bytes` and its length; `None` if there is none, or it is too large.
@@ -128,19 +202,69 @@ mod tests {
                 "{text}"
             );
             let comma = text.replace('.', ",");
-            assert_eq!(cell(&comma, b','), Cell::Number(expected), "{comma}");
+            assert_eq!(cell(&comma, Signs::plain(b',')), Cell::Number(expected), "{comma}");
         }
     }
 
     #[test]
     fn words_are_no_numbers() {
         for text in ["1e999", "1.5.2", "1,5", "e5", "inf", "1.5 m", "0x10", "1_000", "--5", "ten", "1.234,5"] {
-            assert_eq!(cell(text, b'.'), Cell::Word, "{text}");
+            assert_eq!(cell(text, Signs::plain(b'.')), Cell::Word, "{text}");
         }
         for text in ["", "NaN", "-", "n/a", "NULL", "–", "—"] {
-            assert_eq!(cell(text, b'.'), Cell::Gap, "{text}");
+            assert_eq!(cell(text, Signs::plain(b'.')), Cell::Gap, "{text}");
         }
-        assert_eq!(cell("−0,5", b','), Cell::Number(-0.5));
+        assert_eq!(cell("−0,5", Signs::plain(b',')), Cell::Number(-0.5));
         assert_eq!(scan(b"1.5e x", b'.'), Some((1.5, 3)));
+    }
+
+    #[test]
+    fn digits_may_stand_in_groups() {
+        let comma = Signs { decimal: b'.', thousands: Some(b',') };
+        let point = Signs { decimal: b',', thousands: Some(b'.') };
+        for (text, signs, expected) in [
+            ("1,295", comma, Some(1295.0)),
+            ("-1,234,567.25", comma, Some(-1_234_567.25)),
+            ("8.454,31", point, Some(8454.31)),
+            ("1.234.567", point, Some(1_234_567.0)),
+            ("12 345,5", point, Some(12345.5)),
+            ("1\u{202f}234", comma, Some(1234.0)),
+            ("1'234.5", comma, Some(1234.5)),
+            ("0,295", comma, None),
+            ("1,29", comma, None),
+            ("1234,567", comma, None),
+            ("1,234 567", comma, None),
+            ("1.5.2", comma, None),
+        ] {
+            let expected = expected.map_or(Cell::Word, Cell::Number);
+            assert_eq!(cell(text, signs), expected, "{text}");
+        }
+        assert!(could_be_grouped("1,295", b',') && could_be_grouped("-12,295", b','));
+        for text in ["0,295", "1,2", "1,2345", "1,295,000", "1,295e3", "926", ",295"] {
+            assert!(!could_be_grouped(text, b','), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_unit_may_stand_in_the_cell() {
+        let signs = Signs::plain(b'.');
+        assert_eq!(with_unit("12.3 cm", signs), Some((12.3, "cm")));
+        assert_eq!(with_unit("-45°", signs), Some((-45.0, "°")));
+        assert_eq!(with_unit("5%", signs), Some((5.0, "%")));
+        assert_eq!(with_unit("1e3", signs), None);
+        assert_eq!(with_unit("1e3 V", signs), Some((1000.0, "V")));
+        for text in ["cm", "1,5 cm", "x 5 cm", "5 of twelve little ones", "3"] {
+            assert_eq!(with_unit(text, signs), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn failed_formulas_are_known() {
+        for text in ["#DIV/0!", "#N/A", "#WERT!", "#¡DIV/0!", "#NAME?", "#NV", "####"] {
+            assert!(is_spreadsheet_error(text), "{text}");
+        }
+        for text in ["#", "# t", "#multi:", "N/A", "#5", "#1 !"] {
+            assert!(!is_spreadsheet_error(text), "{text}");
+        }
     }
 }

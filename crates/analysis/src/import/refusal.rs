@@ -36,6 +36,22 @@ pub enum Refusal {
     OneColumn,
     /// There are fewer than two rows.
     FewRows,
+    /// A comma or a point can be a decimal sign or group digits.
+    Separator {
+        /// The column, from 1.
+        column: usize,
+        /// A number with it: `1,295`.
+        text: String,
+        /// One without it in the same column: `926`.
+        beside: String,
+    },
+    /// A column is called a time, and none of its cells can be read as one.
+    Times {
+        /// Its name.
+        column: String,
+        /// What stands in the first cell.
+        text: String,
+    },
     /// Commas stand between the cells and are decimal signs too.
     Commas {
         /// How many names the header has.
@@ -83,6 +99,24 @@ impl ImportError {
                 "solo hay una columna de números; una medición necesita el tiempo y una magnitud",
             ),
             Refusal::FewRows => say("there are fewer than two rows of numbers", "hay menos de dos filas de números"),
+            Refusal::Separator { column, text, beside } => {
+                let [decimal, thousands] = readings(text, spanish);
+                at(if spanish {
+                    format!(
+                        "columna {column}: «{text}» puede ser {decimal} o {thousands}, pues en la misma columna está «{beside}»"
+                    )
+                } else {
+                    format!(
+                        "column {column}: `{text}` can be {decimal} or {thousands}, as `{beside}` stands in the same column"
+                    )
+                })
+            }
+            Refusal::Times { column, text } if spanish => {
+                at(format!("los tiempos de la columna {column} no se entienden; el primero es «{text}»"))
+            }
+            Refusal::Times { column, text } => {
+                at(format!("the times in column {column} cannot be read; the first is `{text}`"))
+            }
             Refusal::Commas { names, cells } if spanish => at(format!(
                 "{cells} números para {names} nombres: la coma parece ser a la vez separador y signo decimal"
             )),
@@ -103,6 +137,14 @@ impl ImportError {
         match (&self.reason, spanish) {
             (Refusal::Commas { .. }, false) => "export it again with tabs or semicolons between the columns",
             (Refusal::Commas { .. }, true) => "expórtelo de nuevo con tabuladores o puntos y comas entre las columnas",
+            (Refusal::Separator { .. }, false) => "export it again without signs between the thousands",
+            (Refusal::Separator { .. }, true) => "expórtelo de nuevo sin signos entre los millares",
+            (Refusal::Times { .. }, false) => {
+                "write the times as numbers, or as 10:00:00.050 or 2026-01-02T10:00:00.050"
+            }
+            (Refusal::Times { .. }, true) => {
+                "escriba los tiempos como números, o como 10:00:00.050 o 2026-01-02T10:00:00.050"
+            }
             (Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup, false) => {
                 "export the table as text: in Tracker, File > Export > Data File; in a spreadsheet, save as CSV"
             }
@@ -117,6 +159,12 @@ impl ImportError {
             }
         }
     }
+}
+
+/// `1,295` with a decimal sign and with groups of digits: `1.295` and `1295`.
+pub(crate) fn readings(text: &str, spanish: bool) -> [String; 2] {
+    let digits = |replacement: &str| text.replace([',', '.'], replacement);
+    [digits(if spanish { "," } else { "." }), digits("")]
 }
 
 impl fmt::Display for ImportError {

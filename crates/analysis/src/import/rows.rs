@@ -1,9 +1,11 @@
 //! The rows: one pass over the bytes, numbers straight into columns.
 
 use super::cells::{Cells, Delimiter};
+use super::clock::{self, Reading};
 use super::format::Format;
 use super::number::{self, Cell};
 use super::refusal::{ImportError, Refusal};
+use super::{COLUMNS, header, unit_words};
 use crate::finding::Finding;
 
 /// So many words are told one by one.
@@ -11,8 +13,6 @@ const TOLD: usize = 5;
 /// So many cells, or as many as the file has bytes: then a longer row makes no new columns. Otherwise a small file could
 /// ask for any amount of memory.
 const CELLS: usize = 4_000_000;
-/// No table of measured data has more columns.
-const COLUMNS: usize = 10_000;
 
 /// The columns, and what was no number.
 #[derive(Debug, Default)]
@@ -26,14 +26,49 @@ pub(super) struct Rows {
     line: usize,
     /// How many cells hold a number.
     numbers: usize,
-    /// How many hold a word, by column.
-    words: Vec<usize>,
-    /// The first words: line, column, text.
-    told: Vec<(usize, usize, String)>,
+    /// What else the cells hold, by column.
+    others: Vec<Others>,
+    /// The first of them in each column.
+    listed: Vec<Listed>,
     /// Lines of words alone: the first, and how many.
     word_lines: Option<(usize, usize)>,
+    /// Rows before which a line of the header stands again.
+    pub repeats: Vec<usize>,
     /// Rows with too many cells: the first, and how many.
     long: Option<(usize, usize)>,
+}
+
+/// What the cells of a column hold besides plain numbers and gaps.
+#[derive(Debug, Default)]
+pub(super) struct Others {
+    /// Words: neither a number, nor a time, nor a number with a unit.
+    words: usize,
+    /// The first word, and its line.
+    first: Option<(usize, String)>,
+    /// Times of day and dates, with their rows.
+    pub clocks: Vec<(usize, Reading)>,
+    /// Numbers with a unit behind them, with their rows.
+    pub with_units: Vec<(usize, f64)>,
+    /// The unit of the first of those, and whether all others have the same.
+    pub unit: Option<(String, bool)>,
+    /// How many cells of each kind have been listed.
+    listed: [usize; 3],
+}
+
+/// A cell that is no plain number.
+#[derive(Debug)]
+struct Listed {
+    line: usize,
+    column: usize,
+    text: String,
+    what: What,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum What {
+    Word,
+    Clock,
+    WithUnit,
 }
 
 /// The beginning of a text, for a message.
@@ -52,9 +87,9 @@ impl Rows {
         Self { lines, bytes: text.len(), ..Self::default() }
     }
 
-    /// Reads the lines in about `budget` bytes of `text`, which goes on where the last reading ended. How many bytes that
-    /// were.
-    pub fn read(&mut self, text: &str, budget: usize, format: &Format) -> usize {
+    /// Reads the lines in about `budget` bytes of `text`, which goes on where the last reading ended. Lines of the header may
+    /// stand again between them. How many bytes that were.
+    pub fn read(&mut self, text: &str, budget: usize, format: &Format, header: &[&str]) -> usize {
         let mut row: Vec<f64> = Vec::new();
         let mut at = 0;
         while at < text.len().min(budget) {
@@ -66,20 +101,28 @@ impl Rows {
             let line = &rest[..end];
             let line = line.strip_suffix('\n').map_or(line, |line| line.strip_suffix('\r').unwrap_or(line));
             row.clear();
+            let mut width = 0;
             if !plain(line.as_bytes(), format, &mut row) {
                 row.clear();
-                if !self.any(line, number, format, &mut row) {
-                    continue;
+                match self.any(line, number, format, &mut row) {
+                    Some(found) => width = found,
+                    None => {
+                        if self.repeats.last() != Some(&self.length) && is_in(header, line) {
+                            self.repeats.push(self.length);
+                        }
+                        continue;
+                    }
                 }
             }
-            self.push(&row, number);
+            self.push(&row, width, number);
         }
         at
     }
 
-    fn push(&mut self, row: &[f64], line: usize) {
+    /// Adds a row; `width` cells of it hold something, if that is more than its numbers say.
+    fn push(&mut self, row: &[f64], width: usize, line: usize) {
         let (lines, cells) = (self.lines, self.bytes.max(CELLS));
-        let filled = row.iter().rposition(|value| value.is_finite()).map_or(0, |last| last + 1);
+        let filled = row.iter().rposition(|value| value.is_finite()).map_or(0, |last| last + 1).max(width);
         if filled == 0 {
             return;
         }
@@ -103,42 +146,113 @@ impl Rows {
         self.length += 1;
     }
 
-    /// Reads a line cell by cell; false if it is no row.
-    fn any(&mut self, line: &str, number: usize, format: &Format, row: &mut Vec<f64>) -> bool {
+    /// Reads a line cell by cell. The answer is up to where it holds numbers, times, or numbers with units; `None` if it is no
+    /// row.
+    fn any(&mut self, line: &str, number: usize, format: &Format, row: &mut Vec<f64>) -> Option<usize> {
         let start = line.trim_start();
-        if start.is_empty() || start.starts_with(['#', '%']) || start.starts_with("//") {
-            return false;
+        let comment = start.starts_with(['#', '%']) && !number::is_spreadsheet_error(header::first_word(start));
+        if start.is_empty() || comment || start.starts_with("//") {
+            return None;
         }
-        let before = self.told.len();
-        let (mut words, mut numbers) = (0, 0);
+        let mut others: Vec<(usize, &str, Other)> = Vec::new();
+        let (mut width, mut is_row) = (0, false);
         for (column, text) in Cells::of(line, format.delimiter).enumerate().take(COLUMNS) {
-            row.push(match number::cell(text, format.decimal) {
+            let (value, other) = match number::cell(text, format.signs()) {
                 Cell::Number(value) => {
-                    numbers += 1;
-                    value
+                    is_row = true;
+                    (value, None)
                 }
-                Cell::Gap => f64::NAN,
-                Cell::Word => {
-                    words += 1;
-                    if self.told.len() < 100 {
-                        self.told.push((number, column, excerpt(text)));
-                    }
-                    if self.words.len() <= column {
-                        self.words.resize(column + 1, 0);
-                    }
-                    self.words[column] += 1;
-                    f64::NAN
-                }
-            });
+                Cell::Gap => (f64::NAN, None),
+                Cell::Word => (f64::NAN, Some(Other::of(text, format))),
+            };
+            row.push(value);
+            let Some(other) = other else { continue };
+            if !matches!(other, Other::Word) {
+                (width, is_row) = (column + 1, true);
+            }
+            others.push((column, text, other));
         }
-        if numbers == 0 && words > 0 {
+        if !is_row {
             // A title or a header between the rows.
-            self.word_lines.get_or_insert((number, 0)).1 += 1;
-            for (_, column, _) in self.told.drain(before..) {
-                self.words[column] -= 1;
+            if !others.is_empty() {
+                self.word_lines.get_or_insert((number, 0)).1 += 1;
+            }
+            return None;
+        }
+        for (column, text, other) in others {
+            self.note(number, column, text, other);
+        }
+        Some(width)
+    }
+
+    fn note(&mut self, line: usize, column: usize, text: &str, other: Other) {
+        if self.others.len() <= column {
+            self.others.resize_with(column + 1, Others::default);
+        }
+        let (row, Some(mine)) = (self.length, self.others.get_mut(column)) else { return };
+        let what = match other {
+            Other::Word => {
+                mine.words += 1;
+                mine.first.get_or_insert_with(|| (line, excerpt(text)));
+                What::Word
+            }
+            Other::Clock(reading) => {
+                mine.clocks.push((row, reading));
+                What::Clock
+            }
+            Other::WithUnit(value, unit) => {
+                mine.with_units.push((row, value));
+                match &mut mine.unit {
+                    Some((first, same)) => *same &= *first == unit,
+                    None => mine.unit = Some((unit, true)),
+                }
+                What::WithUnit
+            }
+        };
+        let listed = &mut mine.listed[what as usize];
+        *listed += 1;
+        if *listed <= TOLD {
+            self.listed.push(Listed { line, column, text: excerpt(text), what });
+        }
+    }
+
+    /// What the cells of a column hold besides numbers.
+    pub fn others_mut(&mut self, column: usize) -> Option<&mut Others> {
+        self.others.get_mut(column)
+    }
+
+    /// Takes the values of what had been set aside in a column: it is no word any more.
+    pub fn accept(&mut self, column: usize, values: impl Iterator<Item = (usize, f64)>, clocks: bool) {
+        let Some(cells) = self.columns.get_mut(column) else { return };
+        for (row, value) in values {
+            if let Some(cell) = cells.get_mut(row) {
+                *cell = value;
+                self.numbers += 1;
             }
         }
-        numbers > 0
+        let taken = if clocks { What::Clock } else { What::WithUnit };
+        self.listed.retain(|one| one.column != column || one.what != taken);
+    }
+
+    /// Makes words of a column of times, which another column tells better.
+    pub fn leave_out(&mut self, column: usize) {
+        let Some(cells) = self.columns.get_mut(column) else { return };
+        let filled = cells.iter().filter(|value| value.is_finite()).count();
+        cells.fill(f64::NAN);
+        self.numbers -= filled;
+        if let Some(others) = self.others.get_mut(column) {
+            others.words += filled;
+        }
+    }
+
+    /// Counts what is left in a column, which nothing has been made of, as words.
+    pub fn reject(&mut self, column: usize) {
+        let Some(mine) = self.others.get_mut(column) else { return };
+        mine.words += mine.clocks.len() + mine.with_units.len();
+        mine.clocks.clear();
+        mine.with_units.clear();
+        let first = self.listed.iter().find(|one| one.column == column);
+        mine.first = first.map(|one| (one.line, one.text.clone())).or(mine.first.take());
     }
 
     /// Makes room for columns that only the header has, as far as the bound on cells lets it.
@@ -151,7 +265,12 @@ impl Rows {
 
     /// How many words a column has.
     pub fn words_in(&self, column: usize) -> usize {
-        self.words.get(column).copied().unwrap_or(0)
+        self.others.get(column).map_or(0, |others| others.words)
+    }
+
+    /// The first word of a column, and its line.
+    pub fn first_word(&self, column: usize) -> Option<(usize, String)> {
+        self.others.get(column).and_then(|others| others.first.clone())
     }
 
     /// Refuses what is no table: fewer than two rows, or more words than numbers in columns that have numbers.
@@ -165,9 +284,8 @@ impl Rows {
             .sum();
         let lines = self.word_lines.map_or(0, |(_, count)| count);
         if in_columns > self.numbers || lines > self.length {
-            let told = self.told.first();
-            let (line, column, text) =
-                told.cloned().unwrap_or((self.word_lines.map_or(1, |lines| lines.0), 0, String::new()));
+            let told = self.listed.first().map(|one| (one.line, one.column, one.text.clone()));
+            let (line, column, text) = told.unwrap_or((self.word_lines.map_or(1, |lines| lines.0), 0, String::new()));
             return Err(ImportError::new(Some(line), Refusal::Words { column: column + 1, text }));
         }
         if self.length < 2 {
@@ -182,13 +300,13 @@ impl Rows {
         if let Some((line, count)) = self.word_lines {
             findings.push(Finding::WordLines { line, count });
         }
-        let told = self.told.iter().filter_map(|(line, column, text)| {
-            Some(Finding::Word { line: *line, column: label(*column)?, text: text.clone() })
+        let told = self.listed.iter().filter_map(|one| {
+            Some(Finding::Word { line: one.line, column: label(one.column)?, text: one.text.clone() })
         });
         findings.extend(told.take(TOLD));
         let told = findings.len() - usize::from(self.word_lines.is_some());
-        let all: usize =
-            self.words.iter().enumerate().filter(|(column, _)| label(*column).is_some()).map(|(_, words)| words).sum();
+        let of_column = |(column, others): (usize, &Others)| label(column).map(|_| others.words);
+        let all: usize = self.others.iter().enumerate().filter_map(of_column).sum();
         if all > told {
             findings.push(Finding::MoreWords(all - told));
         }
@@ -196,6 +314,32 @@ impl Rows {
             findings.push(Finding::ExtraCells { line, count });
         }
         findings
+    }
+}
+
+/// Whether a line stands in the header too.
+fn is_in(header: &[&str], line: &str) -> bool {
+    let line = line.trim();
+    !line.is_empty() && header.iter().any(|header| header.trim() == line)
+}
+
+/// What a cell holds that is neither a plain number nor a gap.
+#[derive(Debug)]
+enum Other {
+    Word,
+    Clock(Reading),
+    WithUnit(f64, String),
+}
+
+impl Other {
+    fn of(text: &str, format: &Format) -> Self {
+        if let Some(reading) = clock::read(text) {
+            return Self::Clock(reading);
+        }
+        match number::with_unit(text, format.signs()) {
+            Some((value, unit)) if unit_words::read(unit).is_some() => Self::WithUnit(value, unit.to_owned()),
+            _ => Self::Word,
+        }
     }
 }
 

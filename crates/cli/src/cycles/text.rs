@@ -1,6 +1,7 @@
 //! The table of cycles for people.
 
 use super::Record;
+use crate::columns;
 use analysis::cycles::{Constancy, Cycle, Measured, Quantity};
 use units::number::{self, Layout, Style};
 
@@ -13,6 +14,11 @@ const DIGITS: usize = 4;
 /// What was measured, what it hides, its cycles, and what changes from one to the next.
 pub fn table(record: &Record) -> String {
     let mut out = heading(record);
+    out.push_str("\nThe columns of the file\n");
+    for line in columns::as_text(record.data).lines().skip(1) {
+        out.push_str(line);
+        out.push('\n');
+    }
     if !record.data.findings.is_empty() {
         out.push_str("\nWhat this measurement hides\n");
         for finding in &record.data.findings {

@@ -34,6 +34,10 @@ pub struct Common {
     #[arg(long, value_name = "y[=COLUMN]", value_parser = observe, required = true)]
     pub observe: Vec<Observe>,
 
+    /// State the unit of a column that the file does not, such as t=ms
+    #[arg(long, value_name = "NAME=UNIT", value_parser = assignment)]
+    pub unit: Vec<Assignment>,
+
     /// What is varied [default: what the document's front matter says]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub vary: Vec<String>,

@@ -1,8 +1,9 @@
 //! `meniscus fit`: one theory, one or more records.
 
-use super::arguments::{Fit as Arguments, Form};
+use super::arguments::{Common, Fit as Arguments, Form};
 use super::prepare::{self, Theory};
 use super::{json, text};
+use crate::columns;
 use crate::data::{self, Measured};
 use crate::failure::Failure;
 use crate::output;
@@ -34,7 +35,7 @@ pub struct Fitted {
 /// Fits the document to the data, prints what came of it and writes what is asked for.
 pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     let kind = arguments.output.as_deref().map(kind).transpose()?;
-    let data: Vec<Measured> = arguments.data.iter().map(|path| data::read(path)).collect::<Result<_, _>>()?;
+    let data = read(&arguments.data, &arguments.common, terminal)?;
     let mut theory = prepare::theory(&arguments.document, terminal)?;
     let task = prepare::task(&mut theory.document, &data, &arguments.common, terminal)?;
     let fitted = complete(theory, task, arguments.profile)?;
@@ -45,9 +46,20 @@ pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     }
     let shown = match arguments.common.format {
         Form::Text => text::fit(&fitted, &notes),
-        Form::Json => format!("{:#}\n", json::fit(&fitted)),
+        Form::Json => format!("{:#}\n", json::fit(&fitted, &data)),
     };
     output::print(&shown)
+}
+
+/// Reads the data; what was understood of their columns is told where the result has no place for it.
+pub fn read(paths: &[PathBuf], arguments: &Common, terminal: Terminal) -> Result<Vec<Measured>, Failure> {
+    let data: Vec<Measured> = paths.iter().map(|path| data::read(path, &arguments.unit)).collect::<Result<_, _>>()?;
+    if arguments.format == Form::Text {
+        for one in &data {
+            terminal.print(&columns::as_text(one));
+        }
+    }
+    Ok(data)
 }
 
 /// Works on a fit to its end, with progress on a terminal if it takes long.

@@ -1,12 +1,14 @@
 //! Results as JSON, in declared units; what is not known is null.
 
 use super::fit::Fitted;
+use crate::columns;
+use crate::data::Measured;
 use analysis::fit::{Estimate, Interval, ObservationFit, Outcome};
 use serde_json::{Map, Value, json};
 use units::Unit;
 
 /// A fit as one object.
-pub fn fit(fitted: &Fitted) -> Value {
+pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
     let outcome = &fitted.outcome;
     let several = fitted.task.records.len() > 1;
     let mut object = json!({
@@ -34,6 +36,7 @@ pub fn fit(fitted: &Fitted) -> Value {
         "determined_combinations":
             outcome.undetermined.iter().filter_map(|one| one.combination.clone()).collect::<Vec<_>>(),
         "observations": observations(outcome, None),
+        "data": data.iter().map(file).collect::<Vec<_>>(),
     });
     if several && let Some(object) = object.as_object_mut() {
         let runs = fitted.task.records.iter().enumerate().map(|(record, one)| {
@@ -49,6 +52,12 @@ pub fn fit(fitted: &Fitted) -> Value {
         object.remove("observations");
     }
     object
+}
+
+/// What was understood of a file.
+pub fn file(data: &Measured) -> Value {
+    let findings: Vec<String> = data.findings.iter().map(|finding| finding.text(false)).collect();
+    json!({"name": data.name, "findings": findings, "columns": columns::as_json(data)})
 }
 
 /// Those that belong to `record`, or to all.

@@ -162,6 +162,7 @@ fn record(
     let mut columns: Vec<usize> = Vec::new();
     for (observe, (name, compiled)) in arguments.observe.iter().zip(observed) {
         let column = measured.column(observe, &columns)?;
+        measured.check_unit(column)?;
         let observation = observation(&document.model, &measured.table, column, name, compiled.clone())
             .map_err(|error| Failure::request(format!("{}: {error}", measured.name)))?;
         record.observations.push(observation);

@@ -1,10 +1,10 @@
 //! `meniscus rank`: several theories of the same data, best first.
 
 use super::arguments::{Form, Rank as Arguments};
-use super::fit::{FileKind, Fitted, command, complete, kind, notes, with_font};
+use super::fit::{FileKind, Fitted, command, complete, kind, notes, read, with_font};
 use super::prepare;
 use super::text::{Columns, in_unit};
-use crate::data::{self, Measured};
+use crate::data::Measured;
 use crate::failure::Failure;
 use crate::output;
 use crate::settings::Reader;
@@ -31,7 +31,13 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     if kind == Some(FileKind::Svg) {
         return Err(Failure::with_hint("a ranking is no figure", "end --output in .html, .xlsx or .csv"));
     }
-    let data: Vec<Measured> = arguments.data.iter().map(|path| data::read(path)).collect::<Result<_, _>>()?;
+    let data = read(&arguments.data, &arguments.common, terminal)?;
+    if arguments.common.format == Form::Text {
+        // The table of theories has no place for these.
+        for note in notes(&data).iter().flatten() {
+            terminal.print(&format!("note: {note}\n"));
+        }
+    }
     let contenders: Vec<Contender> =
         arguments.models.iter().map(|path| contend(path, &data, arguments, terminal)).collect::<Result<_, _>>()?;
     let aicc: Vec<Option<f64>> = contenders.iter().map(|one| one.fitted.outcome.aicc).collect();
@@ -50,7 +56,7 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     }
     output::print(&match arguments.common.format {
         Form::Text => table(&contenders, &ranked, arguments),
-        Form::Json => as_json(&contenders, &ranked),
+        Form::Json => as_json(&contenders, &ranked, &data),
     })
 }
 
@@ -154,12 +160,12 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
     text
 }
 
-fn as_json(contenders: &[Contender], ranked: &[Ranked]) -> String {
+fn as_json(contenders: &[Contender], ranked: &[Ranked], data: &[Measured]) -> String {
     let rows: Vec<serde_json::Value> = ranked
         .iter()
         .map(|ranked| {
             let one = &contenders[ranked.index];
-            let mut row = super::json::fit(&one.fitted);
+            let mut row = super::json::fit(&one.fitted, data);
             let unit = &one.fitted.outcome.rmse_unit;
             row["delta_aicc"] = json!(ranked.difference);
             row["weight"] = json!(ranked.weight);

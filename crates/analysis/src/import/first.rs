@@ -1,0 +1,99 @@
+//! Where the header ends and the rows begin.
+
+use super::cells::Cells;
+use super::format::{Format, Kind, kind, sample};
+use super::refusal::{ImportError, Refusal};
+use super::{cells::Delimiter, rows};
+
+/// Where the rows begin.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct First {
+    /// How many lines come before.
+    pub line: usize,
+    /// How many bytes come before.
+    pub offset: usize,
+}
+
+/// Finds the first row: a header has words where the rows have numbers. A word among the numbers of a row, a remark beside
+/// them or the failure of a formula makes no header of it.
+pub(super) fn row(text: &str, format: &Format) -> Result<First, ImportError> {
+    let numeric = numeric_columns(text, format);
+    let mut offset = 0;
+    let mut named = false;
+    // Rows with gaps or words just before the first full one belong to the table too.
+    let mut odd = None;
+    let mut first_odd = None;
+    for (line, content) in text.split_inclusive('\n').enumerate() {
+        let kinds = kinds(content.trim_end_matches(['\n', '\r']), format);
+        let here = First { line, offset };
+        match judge(&kinds, &numeric, named, format.delimiter) {
+            Judgement::Row => return Ok(odd.unwrap_or(here)),
+            Judgement::Odd => {
+                odd.get_or_insert(here);
+                first_odd.get_or_insert(here);
+            }
+            Judgement::Header => odd = None,
+        }
+        named |= kinds.iter().filter(|kind| **kind == Kind::Word).count() >= 2;
+        offset += content.len();
+    }
+    // No row is full.
+    first_odd.filter(|_| numeric.iter().filter(|numeric| **numeric).count() >= 2).ok_or_else(|| none(text, format))
+}
+
+/// What a line before the first full row can be.
+enum Judgement {
+    Row,
+    /// A row with gaps or words in it, if a full one follows.
+    Odd,
+    Header,
+}
+
+fn judge(kinds: &[Kind], numeric: &[bool], named: bool, delimiter: Delimiter) -> Judgement {
+    let cells = || kinds.iter().zip(numeric).filter(|(_, numeric)| **numeric).map(|(kind, _)| *kind);
+    let count = |wanted: Kind| cells().filter(|kind| *kind == wanted).count();
+    let (numbers, words) = (count(Kind::Number), count(Kind::Word));
+    if numbers >= 2 && words == 0 {
+        return Judgement::Row;
+    }
+    let begins_with_word = cells().next() == Some(Kind::Word);
+    let blanks = matches!(delimiter, Delimiter::Blanks | Delimiter::Blank);
+    // Without names above, `trial;1;2;3` names columns by numbers, and between blanks a title has cells too: `12 May 2024`.
+    let title = !named && (begins_with_word || (blanks && words > 0));
+    if numbers >= 1 && numbers >= words && kinds.len() >= 2 && !title { Judgement::Odd } else { Judgement::Header }
+}
+
+fn kinds(line: &str, format: &Format) -> Vec<Kind> {
+    Cells::of(line, format.delimiter).map(|cell| kind(cell, format.delimiter, format.signs(), true)).collect()
+}
+
+/// The columns that hold numbers in most of the lines that could be rows.
+fn numeric_columns(text: &str, format: &Format) -> Vec<bool> {
+    let mut counts: Vec<(usize, usize)> = Vec::new();
+    for line in sample(text) {
+        let kinds = kinds(line, format);
+        if kinds.iter().filter(|kind| **kind == Kind::Number).count() < 2 {
+            continue;
+        }
+        if counts.len() < kinds.len() {
+            counts.resize(kinds.len(), (0, 0));
+        }
+        for (count, kind) in counts.iter_mut().zip(kinds) {
+            count.0 += usize::from(kind == Kind::Number);
+            count.1 += usize::from(kind == Kind::Word);
+        }
+    }
+    counts.into_iter().map(|(numbers, words)| numbers > 0 && numbers >= words).collect()
+}
+
+/// Why there is no row.
+fn none(text: &str, format: &Format) -> ImportError {
+    let lonely = text.lines().position(|line| kinds(line, format) == [Kind::Number]);
+    match lonely {
+        Some(line) => ImportError::new(Some(line + 1), Refusal::OneColumn),
+        None => {
+            let (line, text) = text.lines().enumerate().find(|(_, text)| !text.trim().is_empty()).unwrap_or((0, ""));
+            ImportError::new(Some(line + 1), Refusal::NoNumbers { text: rows::excerpt(text.trim()) })
+        }
+    }
+}

@@ -1,0 +1,366 @@
+//! One cell of a header: the name of a column, its unit, and the run that it belongs to.
+
+use super::roles::is_time;
+use super::{clock, unit_words};
+use crate::origin::UnitOrigin;
+use units::{Dimension, Unit};
+
+/// What a cell of the header says of its column.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Label {
+    pub name: String,
+    pub unit: Option<Unit>,
+    pub origin: UnitOrigin,
+    /// The run, `Run 2`.
+    pub run: Option<String>,
+    /// What stands behind the unit, `(camera)`.
+    pub behind: String,
+    /// What the name says of its clock times: `t [hh:mm]`.
+    pub clock: Option<clock::Form>,
+}
+
+/// Reads `y [cm]`, `Time (ms) Run #1`, `Run 2: Angle (deg)`, `t / s`, `t in ms`, `Time: ms`, `time_ms`, `v_{y}`.
+pub(super) fn read(cell: &str) -> Label {
+    let cell = cell.trim();
+    // The stamp of a serial monitor before the names.
+    if clock::read(cell).is_some() {
+        return Label::default();
+    }
+    let (rest, run) = without_run(cell);
+    let mut label = bracketed(rest)
+        .or_else(|| divided(rest))
+        .or_else(|| behind_word(rest))
+        .or_else(|| behind_colon(rest))
+        .or_else(|| suffix(rest))
+        .or_else(|| last_word(rest))
+        .unwrap_or_else(|| own_name(rest));
+    label.name = plain(&label.name);
+    label.run = run;
+    label
+}
+
+/// `v_{y}` is `v_y`.
+fn plain(name: &str) -> String {
+    name.trim().replace("_{", "_").replace('}', "")
+}
+
+/// The unit of this text for a column of this name. Over times capitals are no other unit: `MS` are no megasiemens.
+pub(super) fn unit(text: &str, name: &str) -> Option<Unit> {
+    let unit = unit_words::read(text)?;
+    if !is_time(name) || unit.dimension == Dimension::TIME {
+        return Some(unit);
+    }
+    unit_words::read(&text.to_lowercase()).filter(|unit| unit.dimension == Dimension::TIME)
+}
+
+/// The same where no bracket says that a unit follows: `Sensor: 1` has none.
+fn symbol(text: &str, name: &str) -> Option<Unit> {
+    let has_letter = text.contains(|character: char| character.is_alphabetic() || matches!(character, '%' | '°'));
+    has_letter.then(|| unit(text, name)).flatten()
+}
+
+fn named(name: &str, unit: Unit, origin: UnitOrigin) -> Label {
+    Label { name: name.to_owned(), unit: Some(unit), origin, ..Label::default() }
+}
+
+fn unknown(name: &str, text: &str) -> Label {
+    let text = text.chars().take(40).collect();
+    Label { name: name.to_owned(), origin: UnitOrigin::Unknown(text), ..Label::default() }
+}
+
+/// A unit in brackets. Of several brackets it is in the first that holds one: `a(t) (m/s^2)`, `t [ms] (camera)`.
+fn bracketed(cell: &str) -> Option<Label> {
+    let mut last = None;
+    let mut from = 0;
+    while let Some((open, close)) = brackets(cell, from) {
+        from = close;
+        let (before, inside) = (&cell[..open], cell[open + 1..close].trim());
+        let name = before.trim_end().trim_end_matches('/').trim_end();
+        let inside = without_in(inside);
+        // y(t) is no y in tonnes.
+        let function = cell[open..].starts_with('(') && before.ends_with(char::is_alphanumeric) && inside == "t";
+        if function || name.is_empty() || inside.is_empty() {
+            continue;
+        }
+        if let Some(form) = clock_form(inside) {
+            return Some(Label { name: name.to_owned(), clock: Some(form), ..Label::default() });
+        }
+        if let Some(unit) = unit(inside, name) {
+            let behind = cell[close + 1..].trim().to_owned();
+            return Some(Label { behind, ..named(name, unit, UnitOrigin::Heading) });
+        }
+        // In parentheses may stand a remark that belongs to the name: `y (left)`.
+        let remark = cell[open..].starts_with('(');
+        last.get_or_insert_with(|| {
+            let label = unknown(if remark { cell } else { name }, inside);
+            match label.origin {
+                UnitOrigin::Unknown(text) if remark && !is_time(name) => {
+                    Label { origin: UnitOrigin::Remark(text), ..label }
+                }
+                origin => Label { origin, ..label },
+            }
+        });
+    }
+    last
+}
+
+/// Where the next bracket opens and closes; those of `v_{y}` are none.
+fn brackets(cell: &str, from: usize) -> Option<(usize, usize)> {
+    let mut start = from;
+    while let Some(open) = cell.get(start..)?.find(['[', '(', '<', '{']).map(|place| start + place) {
+        let closing = match cell.as_bytes()[open] {
+            b'[' => ']',
+            b'(' => ')',
+            b'<' => '>',
+            _ => '}',
+        };
+        let index = closing == '}' && cell[..open].ends_with(['_', '^']);
+        // `W/(m K)` has brackets of its own.
+        let mut depth = 0_usize;
+        let end = cell[open..].char_indices().find(|(_, character)| {
+            depth += usize::from(*character == char::from(cell.as_bytes()[open]));
+            depth -= usize::from(*character == closing);
+            depth == 0
+        });
+        match end {
+            Some((length, _)) if !index => return Some((open, open + length)),
+            _ => start = open + 1,
+        }
+    }
+    None
+}
+
+/// `in ms` as `ms`, in the languages of the headers.
+fn without_in(text: &str) -> &str {
+    ["in ", "en ", "em "].iter().find_map(|word| text.strip_prefix(word)).unwrap_or(text).trim()
+}
+
+/// What `hh:mm:ss`, `mm:ss` or `h:min` says of clock times.
+fn clock_form(text: &str) -> Option<clock::Form> {
+    let text = text.to_lowercase();
+    let parts: Vec<&str> = text.split(':').collect();
+    let is = |part: &str, words: [&str; 3]| words.contains(&part);
+    match parts.as_slice() {
+        [hours, minutes, ..] if is(hours, ["h", "hh", "hour"]) && is(minutes, ["m", "mm", "min"]) => {
+            Some(clock::Form::Hours)
+        }
+        [minutes, seconds] if is(minutes, ["m", "mm", "min"]) && seconds.starts_with('s') => Some(clock::Form::Minutes),
+        _ => None,
+    }
+}
+
+/// `t/ms`, `y / mm`.
+fn divided(cell: &str) -> Option<Label> {
+    let (name, text) = cell.split_once('/')?;
+    let (name, text) = (name.trim(), text.trim());
+    if name.is_empty() || text.is_empty() {
+        return None;
+    }
+    match symbol(text, name) {
+        Some(unit) => Some(named(name, unit, UnitOrigin::Heading)),
+        None => is_time(name).then(|| unknown(name, text)),
+    }
+}
+
+/// `t in ms`, `tiempo en segundos`.
+fn behind_word(cell: &str) -> Option<Label> {
+    let (name, text) = [" in ", " en ", " em "].iter().find_map(|word| cell.rsplit_once(word))?;
+    let (name, text) = (name.trim(), text.trim());
+    match symbol(text, name) {
+        Some(unit) => Some(named(name, unit, UnitOrigin::Heading)),
+        None => is_time(name).then(|| unknown(name, text)),
+    }
+}
+
+/// `Time: ms`.
+fn behind_colon(cell: &str) -> Option<Label> {
+    let (name, text) = cell.rsplit_once(':')?;
+    let (name, text) = (name.trim(), text.trim());
+    if name.is_empty() || text.is_empty() {
+        return None;
+    }
+    match symbol(text, name) {
+        Some(unit) => Some(named(name, unit, UnitOrigin::Heading)),
+        None => is_time(name).then(|| unknown(name, text)),
+    }
+}
+
+/// `time_ms`, `angle_deg`. One letter may be an index: `t_A`, `v_s`; `y_min` is a minimum.
+fn suffix(cell: &str) -> Option<Label> {
+    let (name, text) = cell.rsplit_once('_')?;
+    if name.is_empty() || text.contains(['{', '}', '^', '(']) {
+        return None;
+    }
+    let found = symbol(text, name)?;
+    let letters = |text: &str| text.chars().filter(|character| character.is_alphabetic()).count();
+    let of_time = found.dimension == Dimension::TIME;
+    let certain = if is_time(name) {
+        of_time
+    } else {
+        !of_time && (letters(text) >= 2 || text.contains(['%', '°']) || (letters(name) >= 4 && letters(text) == 1))
+    };
+    certain.then(|| named(name, found, UnitOrigin::Suffix))
+}
+
+/// `Time ms`, `angle deg`. One letter may be a symbol: `Masse m`, `Zeit t`.
+fn last_word(cell: &str) -> Option<Label> {
+    let (name, text) = cell.rsplit_once([' ', ','])?;
+    let name = name.trim_end_matches([' ', ',']);
+    let found = symbol(text, name)?;
+    let certain = if is_time(name) {
+        found.dimension == Dimension::TIME
+    } else {
+        text.chars().count() >= 2 && found.dimension != Dimension::TIME
+    };
+    (certain && !name.is_empty()).then(|| named(name, found, UnitOrigin::Heading))
+}
+
+/// `millis`, `seconds`: a time that is called by its unit.
+fn own_name(cell: &str) -> Label {
+    let found = unit_words::read(cell).filter(|unit| unit.dimension == Dimension::TIME);
+    match found.filter(|unit| cell.chars().count() > 3 || unit.text == "ms") {
+        Some(unit) => named(cell, unit, UnitOrigin::Name),
+        None => Label { name: cell.to_owned(), ..Label::default() },
+    }
+}
+
+/// Words for a run of a logger, in small letters, the longer ones first.
+const RUNS: [&str; 20] = [
+    "conjunto de datos",
+    "data set",
+    "datensatz",
+    "messreihe",
+    "dataset",
+    "medición",
+    "medicion",
+    "medida",
+    "messung",
+    "versuch",
+    "corrida",
+    "ensayo",
+    "series",
+    "trial",
+    "serie",
+    "essai",
+    "prova",
+    "toma",
+    "lauf",
+    "run",
+];
+
+/// The name of a run, `Run 2` for `Run #2`, if the text is one.
+pub(crate) fn run_name(text: &str) -> Option<String> {
+    let text = text.trim();
+    let lower = text.to_lowercase();
+    if matches!(lower.as_str(), "latest" | "última" | "último") {
+        return Some(text.to_owned());
+    }
+    let word = RUNS.iter().find(|word| lower.starts_with(**word))?;
+    let number = lower[word.len()..].trim_start_matches([' ', '#', '_', '.']);
+    let is_number = !number.is_empty() && number.len() <= 6 && number.bytes().all(|byte| byte.is_ascii_digit());
+    // The word as it is written: small letters can be of another length.
+    let written: String = text.chars().take(word.chars().count()).collect();
+    is_number.then(|| format!("{written} {number}"))
+}
+
+/// A cell without the run before or behind it: `Run 2: Time (s)`, `Time (s) Run #2`.
+fn without_run(cell: &str) -> (&str, Option<String>) {
+    if let Some((before, rest)) = cell.split_once(':')
+        && let Some(run) = run_name(before)
+        && !rest.trim().is_empty()
+    {
+        return (rest.trim(), Some(run));
+    }
+    let ends = |character: char| matches!(character, ' ' | ',' | '-' | '–' | ':' | '_' | '(' | '[');
+    let closed = cell.trim_end_matches([')', ']']);
+    // A run is the end of a cell from some blank or bracket on.
+    for (place, character) in closed.char_indices().filter(|(_, character)| ends(*character)) {
+        let behind = &closed[place + character.len_utf8()..];
+        if let Some(run) = run_name(behind).filter(|_| behind.ends_with(|last: char| last.is_ascii_digit())) {
+            let mut rest = cell[..place].trim_end_matches([' ', ',', '-', '–', ':', '_']);
+            if rest.ends_with(['(', '[']) {
+                rest = rest.trim_end_matches(['(', '[']).trim_end();
+            }
+            if !rest.is_empty() {
+                return (rest, Some(run));
+            }
+        }
+    }
+    (cell, None)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The cell, and `run|name|unit` or `run|name|?what is not known`.
+    const CELLS: [(&str, &str); 47] = [
+        ("t [s]", "|t|s"),
+        ("Time (msec)", "|Time|ms"),
+        ("Time (MS)", "|Time|ms"),
+        ("Time (milliseconds)", "|Time|ms"),
+        ("t in ms", "|t|ms"),
+        ("tiempo en segundos", "|tiempo|s"),
+        ("time_ms", "|time|ms"),
+        ("Time ms", "|Time|ms"),
+        ("t, ms", "|t|ms"),
+        ("t [ms] (camera)", "|t|ms"),
+        ("Time: ms", "|Time|ms"),
+        ("t <ms>", "|t|ms"),
+        ("t {ms}", "|t|ms"),
+        ("Zeit [Sekunden]", "|Zeit|s"),
+        ("Tiempo (min)", "|Tiempo|min"),
+        ("millis", "|millis|ms"),
+        ("t/ms", "|t|ms"),
+        ("t (in ms)", "|t|ms"),
+        ("t (ticks)", "|t (ticks)|?ticks"),
+        ("t [ticks]", "|t|?ticks"),
+        ("Time: ticks", "|Time|?ticks"),
+        ("t / frames", "|t|?frames"),
+        ("y [px]", "|y|?px"),
+        ("y (left)", "|y (left)|?left"),
+        ("y (left) [cm]", "|y (left)|cm"),
+        ("ω(t)", "|ω(t)|"),
+        ("a(t) (m/s^2)", "|a(t)|m/s^2"),
+        ("v_{y} (cm/s)", "|v_y|cm/s"),
+        ("k [W/(m K)]", "|k|W/(m K)"),
+        ("Time (s) Run #1", "Run 1|Time|s"),
+        ("Position (cm) Run #12", "Run 12|Position|cm"),
+        ("Angle Run 2", "Run 2|Angle|"),
+        ("Run 2: Time (s)", "Run 2|Time|s"),
+        ("Data Set 2:Time(s)", "Data Set 2|Time|s"),
+        ("Latest: Position (m)", "Latest|Position|m"),
+        ("Ángulo (grados) Serie 3", "Serie 3|Ángulo|deg"),
+        ("y [cm] (Run 2)", "Run 2|y|cm"),
+        ("Run 1", "|Run 1|"),
+        ("trunk 3", "|trunk 3|"),
+        ("t_A", "|t_A|"),
+        ("y_min", "|y_min|"),
+        ("angle_deg", "|angle|deg"),
+        ("y_cm", "|y|cm"),
+        ("v_s", "|v_s|"),
+        ("Masse m", "|Masse m|"),
+        ("Temperature [°C]", "|Temperature|?°C"),
+        ("12:00:00.000", "||"),
+    ];
+
+    #[test]
+    fn headings_are_understood() {
+        let mut wrong = String::new();
+        for (cell, expected) in CELLS {
+            let label = read(cell);
+            let unit = match (&label.unit, &label.origin) {
+                (Some(unit), _) => unit.text.clone(),
+                (None, origin) => origin.unknown().map(|text| format!("?{text}")).unwrap_or_default(),
+            };
+            let found = format!("{}|{}|{unit}", label.run.unwrap_or_default(), label.name);
+            if found != expected {
+                wrong.push_str(&format!("{cell}: {found} instead of {expected}\n"));
+            }
+        }
+        assert!(wrong.is_empty(), "{wrong}");
+        assert_eq!(read("t [hh:mm]").clock, Some(clock::Form::Hours));
+        assert_eq!(read("t (mm:ss)").clock, Some(clock::Form::Minutes));
+        assert_eq!(read("y [cm] (left)").behind, "(left)");
+    }
+}

@@ -1,0 +1,77 @@
+//! The time stamps that a serial monitor writes before each line: `12:00:00.050 -> 50,2.81`.
+
+use super::cells::Delimiter;
+use super::clock;
+use crate::origin::UnitOrigin;
+use crate::table::Column;
+use units::Unit;
+
+/// What stands between the stamp and the line.
+const ARROW: &str = "->";
+
+/// A line without its stamp, and the stamp.
+fn divided(line: &str) -> Option<(&str, &str)> {
+    let (stamp, rest) = line.split_once(ARROW)?;
+    let stamp = stamp.trim();
+    clock::read(stamp)?;
+    Some((stamp, rest.strip_prefix(' ').unwrap_or(rest)))
+}
+
+/// The text without stamps, if most of its first lines have one.
+pub(super) fn without(text: &str) -> Option<String> {
+    let first: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).take(20).collect();
+    let stamped = first.iter().filter(|line| divided(line).is_some()).count();
+    if 2 * stamped <= first.len() {
+        return None;
+    }
+    let mut bare = String::with_capacity(text.len());
+    for line in text.lines() {
+        bare.push_str(divided(line).map_or(line, |(_, rest)| rest));
+        bare.push('\n');
+    }
+    Some(bare)
+}
+
+/// The text with the stamps in a first column.
+pub(super) fn as_column(text: &str, delimiter: Delimiter) -> (String, Delimiter) {
+    // Numbers alone behind the stamps have no delimiter; one of blanks has no empty cells.
+    let delimiter = match delimiter {
+        Delimiter::Blanks | Delimiter::Blank | Delimiter::CommaAndBlank => Delimiter::Tab,
+        other => other,
+    };
+    let sign = char::from(delimiter.byte().unwrap_or(b'\t'));
+    let mut columns = String::with_capacity(text.len() + 16);
+    for line in text.lines() {
+        let (stamp, rest) = divided(line).unwrap_or(("", line));
+        columns.push_str(stamp);
+        columns.push(sign);
+        columns.push_str(rest.trim());
+        columns.push('\n');
+    }
+    (columns, delimiter)
+}
+
+/// Leaves the stamps out where a column has the same times in a unit of its own, which are those of the measurement and not
+/// those of the arrival; says which unit it is.
+pub(super) fn prefer_own_times(columns: &mut Vec<Column>) -> Option<Unit> {
+    let stamps = columns.first().filter(|column| column.origin.unit == UnitOrigin::Clock)?.values.clone();
+    let own = columns.get_mut(1)?;
+    let rows = || stamps.iter().zip(&own.values).filter(|(stamp, own)| stamp.is_finite() && own.is_finite());
+    let ((first_stamp, first), (last_stamp, last)) = (rows().next()?, rows().next_back()?);
+    let ascending = rows().zip(rows().skip(1)).all(|((_, before), (_, after))| after > before);
+    let rate = (last - first) / (last_stamp - first_stamp);
+    let unit = ["s", "ms", "µs"].iter().filter_map(|unit| Unit::parse(unit).ok()).find(|unit| {
+        // The stamps are rounded, and come late by up to some hundredths of a second.
+        let late = 0.02 + 0.5 / (last_stamp - first_stamp);
+        (rate * unit.factor - 1.0).abs() < late
+    })?;
+    if !ascending || own.unit.as_ref().is_some_and(|own| *own != unit) {
+        return None;
+    }
+    if own.unit.is_none() {
+        own.unit = Some(unit.clone());
+        own.origin.unit = UnitOrigin::Compared;
+    }
+    columns.remove(0);
+    Some(unit)
+}

@@ -1,0 +1,178 @@
+//! Units as people write them over their columns: `msec`, `Sekunden`, `grados`, `m/s2`.
+
+use units::Unit;
+
+/// What stands over columns besides the symbols, in the languages of loggers and spreadsheets, in small letters and in the
+/// singular; an `s`, `n` or `es` at the end does not matter. A document must use the symbols.
+const WORDS: [(&str, &[&str]); 30] = [
+    ("s", &["sec", "second", "seg", "segundo", "sek", "sekunde", "seconde", "secondo", "secondi"]),
+    (
+        "ms",
+        &[
+            "msec",
+            "mseg",
+            "millisec",
+            "millisecond",
+            "milli",
+            "miliseg",
+            "milisegundo",
+            "millisegundo",
+            "msek",
+            "millisekunde",
+            "milliseconde",
+            "millisecondo",
+        ],
+    ),
+    ("µs", &["us", "μs", "usec", "µsec", "microsec", "microsecond", "micro", "microsegundo", "mikrosekunde"]),
+    ("ns", &["nsec", "nanosec", "nanosecond", "nanosegundo", "nanosekunde"]),
+    ("min", &["min", "minute", "minuto", "minuta"]),
+    ("h", &["hr", "hour", "hora", "stunde", "std", "heure"]),
+    ("d", &["day", "día", "dia", "tag", "tage", "jour"]),
+    ("m", &["meter", "metre", "metro", "mètre", "mtr", "mt"]),
+    ("cm", &["centimeter", "centimetre", "centímetro", "centimetro", "centimètre", "zentimeter"]),
+    ("mm", &["millimeter", "millimetre", "milímetro", "milimetro", "millimètre"]),
+    ("µm", &["um", "μm", "micron", "micrometer", "micrometre", "micrómetro", "micra", "mikrometer"]),
+    ("km", &["kilometer", "kilometre", "kilómetro", "kilometro", "kilomètre"]),
+    ("deg", &["º", "deg", "degree", "grado", "grad", "degré", "gradi"]),
+    ("rad", &["rad", "radian", "radián", "radiane", "radiant", "radiano"]),
+    ("g", &["gr", "gm", "gram", "gramm", "gramo", "gramme"]),
+    ("kg", &["kg", "kilogram", "kilogramm", "kilogramo", "kilogramme", "kilo"]),
+    ("V", &["volt", "voltio"]),
+    ("mV", &["millivolt", "milivoltio", "milivolt"]),
+    ("A", &["amp", "ampere", "ampère", "amperio"]),
+    ("mA", &["milliamp", "milliampere", "miliamperio"]),
+    ("N", &["newton"]),
+    ("Hz", &["hertz", "hercio", "herz"]),
+    ("Pa", &["pascal"]),
+    ("J", &["joule", "julio"]),
+    ("W", &["watt", "vatio"]),
+    ("K", &["kelvin"]),
+    ("L", &["liter", "litre", "litro"]),
+    ("%", &["percent", "prozent", "por ciento", "porcentaje"]),
+    ("T", &["tesla"]),
+    ("ohm", &["ohmio", "Ω"]),
+];
+
+/// The unit of this name; `None` where it is not known. The empty text and `-` are a pure number.
+pub(super) fn read(text: &str) -> Option<Unit> {
+    let text = text.trim().trim_end_matches('.');
+    if text.len() > 60 {
+        return None;
+    }
+    if matches!(text, "-" | "–" | "—") {
+        return Some(Unit::dimensionless());
+    }
+    if let Some(symbol) = word(text) {
+        return Unit::parse(symbol).ok();
+    }
+    if let Ok(unit) = Unit::parse(text) {
+        return Some(unit);
+    }
+    if let Some(symbol) = symbol(text) {
+        return Unit::parse(symbol).ok();
+    }
+    let spelled = spelled(&text.replace(" per ", "/").replace(" por ", "/").replace(" pro ", "/"));
+    Unit::parse(&spelled).ok().or_else(|| Unit::parse(&divided_twice(&spelled)?).ok())
+}
+
+/// The symbol of a word that is too long to be meant as a symbol: `Grad` is no gigaradian.
+fn word(text: &str) -> Option<&'static str> {
+    (text.chars().count() >= 3).then(|| symbol(text)).flatten()
+}
+
+/// The symbol of a word.
+fn symbol(word: &str) -> Option<&'static str> {
+    let lower = word.to_lowercase();
+    let known = |word: &str| WORDS.iter().find(|(_, words)| words.contains(&word)).map(|(symbol, _)| *symbol);
+    known(&lower)
+        .or_else(|| known(lower.strip_suffix("es")?))
+        .or_else(|| known(lower.strip_suffix(['s', 'n'])?))
+        // Capitals, as instruments print them.
+        .or(match word {
+            "SEC" | "Sec" | "S" => Some("s"),
+            "MS" | "mS" | "Ms" => Some("ms"),
+            "CM" | "Cm" => Some("cm"),
+            "MM" | "Mm" => Some("mm"),
+            "DEG" | "Deg" => Some("deg"),
+            "RAD" | "Rad" => Some("rad"),
+            "MIN" | "Min" => Some("min"),
+            "KG" | "Kg" => Some("kg"),
+            "hz" | "HZ" => Some("Hz"),
+            _ => None,
+        })
+}
+
+/// With symbols for words, and a sign for each exponent: `m/sec2` as `m/s^2`.
+fn spelled(text: &str) -> String {
+    let mut spelled = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let letters = rest.find(|character: char| !character.is_alphabetic()).unwrap_or(rest.len());
+        if letters == 0 {
+            spelled.push(first);
+            rest = &rest[first.len_utf8()..];
+            continue;
+        }
+        let (part, behind) = rest.split_at(letters);
+        let known = Unit::parse(part).is_ok();
+        let other = word(part).or_else(|| symbol(part).filter(|_| !known));
+        spelled.push_str(other.unwrap_or(part));
+        // A digit or a minus sign behind a letter begins an exponent.
+        if behind.starts_with(|character: char| character.is_ascii_digit() || character == '-') {
+            spelled.push('^');
+        }
+        rest = behind;
+    }
+    spelled
+}
+
+/// `m/s/s` as `m/(s s)`.
+fn divided_twice(text: &str) -> Option<String> {
+    let mut parts = text.split('/');
+    let (above, first, second) = (parts.next()?, parts.next()?, parts.next()?);
+    parts.next().is_none().then(|| format!("{above}/({first} {second})"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_known_by_many_words() {
+        for (text, expected) in [
+            ("msec", "ms"),
+            ("milliseconds", "ms"),
+            ("Millisekunden", "ms"),
+            ("milisegundos", "ms"),
+            ("seg.", "s"),
+            ("Sekunden", "s"),
+            ("Sec", "s"),
+            ("MIN", "min"),
+            ("minutos", "min"),
+            ("Stunden", "h"),
+            ("grados", "deg"),
+            ("Grad", "deg"),
+            ("mins", "min"),
+            ("º", "deg"),
+            ("radianes", "rad"),
+            ("metros", "m"),
+            ("m/s2", "m/s^2"),
+            ("m/s/s", "m/s^2"),
+            ("cm/sec", "cm/s"),
+            ("metros por segundo", "m/s"),
+            ("rad/seg", "rad/s"),
+            ("s-1", "1/s"),
+            ("µs", "us"),
+            ("μs", "us"),
+            ("", ""),
+            ("-", ""),
+        ] {
+            let (unit, expected) = (read(text), Unit::parse(expected).expect("a unit"));
+            let found = unit.map(|unit| (unit.dimension, unit.factor));
+            assert_eq!(found, Some((expected.dimension, expected.factor)), "{text}");
+        }
+        for text in ["px", "left", "ticks", "a.u.", "°C", "of the year", "y"] {
+            assert!(read(text).is_none(), "{text}");
+        }
+    }
+}

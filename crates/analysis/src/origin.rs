@@ -1,0 +1,91 @@
+//! Where what is known of a column comes from.
+
+/// How a column stood in its file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Origin {
+    /// The cell of the header as it is written, `Time (ms) Run #1`; empty without one.
+    pub heading: String,
+    /// Where its unit comes from.
+    pub unit: UnitOrigin,
+    /// How many cells hold a word instead of a number; each became a gap.
+    pub words: usize,
+    /// The first of these words, and its line.
+    pub first_word: Option<(usize, String)>,
+}
+
+/// Where the unit of a column comes from.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum UnitOrigin {
+    /// The file states none.
+    #[default]
+    NotStated,
+    /// The header states this, and it is not a known unit.
+    Unknown(String),
+    /// In the place of a unit stands this, in parentheses; it is not a known unit and may be a remark: `y (left)`.
+    Remark(String),
+    /// Beside the name: `t [ms]`, `t (ms)`, `t / ms`, `t in ms`, `Time: ms`.
+    Heading,
+    /// A line of units under the names.
+    UnitLine,
+    /// The end of the name: `time_ms`.
+    Suffix,
+    /// The name itself: `millis`.
+    Name,
+    /// The cells: `12.3 cm`.
+    Cells,
+    /// The cells hold times of day or dates, which are read as seconds.
+    Clock,
+    /// It follows from another column, which shows the same time in a known unit.
+    Compared,
+    /// A person has stated it.
+    Person,
+}
+
+impl UnitOrigin {
+    /// It in a few words, in English or Spanish.
+    pub fn text(&self, spanish: bool) -> String {
+        let (english, other) = match self {
+            Self::NotStated => ("no unit stated", "sin unidad indicada"),
+            Self::Unknown(text) | Self::Remark(text) if spanish => return format!("unidad desconocida: «{text}»"),
+            Self::Unknown(text) | Self::Remark(text) => return format!("unknown unit: `{text}`"),
+            Self::Heading => ("from the header", "del encabezado"),
+            Self::UnitLine => ("from the line of units", "de la línea de unidades"),
+            Self::Suffix => ("from the end of the name", "del final del nombre"),
+            Self::Name => ("from the name", "del nombre"),
+            Self::Cells => ("from the cells", "de las celdas"),
+            Self::Clock => ("clock times, in seconds from the first row", "horas, en segundos desde la primera fila"),
+            Self::Compared => ("from the time stamps beside it", "de las marcas de tiempo a su lado"),
+            Self::Person => ("stated by you", "indicada por usted"),
+        };
+        (if spanish { other } else { english }).to_owned()
+    }
+
+    /// Whether the file, or a person, says what the unit is.
+    pub fn is_stated(&self) -> bool {
+        !matches!(self, Self::NotStated | Self::Unknown(_) | Self::Remark(_))
+    }
+
+    /// What stands in the place of the unit and is not a known one.
+    pub fn unknown(&self) -> Option<&str> {
+        match self {
+            Self::Unknown(text) | Self::Remark(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// A name for programs.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::NotStated => "not stated",
+            Self::Unknown(_) | Self::Remark(_) => "unknown",
+            Self::Heading => "header",
+            Self::UnitLine => "line of units",
+            Self::Suffix => "end of the name",
+            Self::Name => "name",
+            Self::Cells => "cells",
+            Self::Clock => "clock",
+            Self::Compared => "time stamps",
+            Self::Person => "stated",
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! What was understood of the columns of a file, for people and for programs, and the units that a person states.
+
+use crate::arguments::Assignment;
+use crate::data::Measured;
+use crate::failure::{Failure, listed};
+use analysis::import;
+use analysis::origin::UnitOrigin;
+use analysis::table::{Column, Table};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// More columns than these are only counted.
+const SHOWN: usize = 24;
+
+/// A line for the file and one for each column: name, unit, where that was read, what is in the cells.
+pub fn as_text(data: &Measured) -> String {
+    let table = &data.table;
+    let mut text = format!("{}: {}, {} rows\n", data.name, data.format.text(false), table.rows());
+    let names: Vec<String> = (0..table.columns.len()).map(|index| name(data, index)).collect();
+    let units: Vec<String> = table.columns.iter().map(unit).collect();
+    let width = |texts: &[String]| texts.iter().take(SHOWN).map(|text| text.chars().count()).max().unwrap_or(0);
+    let (wide, unit_wide) = (width(&names), width(&units));
+    for (index, column) in table.columns.iter().enumerate().take(SHOWN) {
+        let mut cells = format!("{} values", column.filled());
+        if gaps(column) > 0 {
+            let _ = write!(cells, ", {} empty", gaps(column));
+        }
+        if let Some((line, word)) = &column.origin.first_word {
+            let count = column.origin.words;
+            let noun = if count == 1 { "word" } else { "words" };
+            let _ = write!(cells, ", {count} {noun} (first `{word}` in line {line})");
+        }
+        let role = if column.independent == index { ", independent" } else { "" };
+        let _ = writeln!(
+            text,
+            "  {:wide$}  {:unit_wide$}  {}; {cells}{role}",
+            names[index],
+            units[index],
+            column.origin.unit.text(false)
+        );
+    }
+    if table.columns.len() > SHOWN {
+        let _ = writeln!(text, "  and {} more columns", table.columns.len() - SHOWN);
+    }
+    text
+}
+
+/// The same as an array of objects.
+pub fn as_json(data: &Measured) -> Value {
+    let table = &data.table;
+    let column = |(index, column): (usize, &Column)| {
+        let first = column.origin.first_word.as_ref().map(|(line, text)| json!({"line": line, "text": text}));
+        json!({
+            "number": index + 1,
+            "name": column.name,
+            "heading": column.origin.heading,
+            "body": column.body,
+            "unit": column.unit.as_ref().map(|unit| unit.text.clone()),
+            "unit_from": column.origin.unit.code(),
+            "unknown_unit": column.origin.unit.unknown(),
+            "independent": column.independent + 1,
+            "values": column.filled(),
+            "empty": gaps(column),
+            "words": column.origin.words,
+            "first_word": first,
+        })
+    };
+    table.columns.iter().enumerate().map(column).collect()
+}
+
+/// Cells that are empty, or say so.
+fn gaps(column: &Column) -> usize {
+    column.values.len().saturating_sub(column.filled() + column.origin.words)
+}
+
+fn name(data: &Measured, index: usize) -> String {
+    let column = &data.table.columns[index];
+    match &column.body {
+        Some(body) if !column.name.is_empty() => format!("{body}.{}", column.name),
+        _ => data.called(index),
+    }
+}
+
+fn unit(column: &Column) -> String {
+    column.unit.as_ref().map_or_else(|| "-".to_owned(), |unit| format!("[{}]", unit.text))
+}
+
+/// Gives columns the units that a person states: `t=ms`, `Run 2.Angle=deg`. A name without a body means all columns of that
+/// name.
+pub fn state_units(file: &str, table: &mut Table, units: &[Assignment]) -> Result<(), Failure> {
+    for Assignment { name, value } in units {
+        let unit = import::unit(value.trim_matches(['[', ']'])).ok_or_else(|| {
+            Failure::with_hint(format!("--unit {name}={value}: `{value}` is not a known unit"), "write --unit t=ms")
+        })?;
+        let Some(found) = table.column(name) else {
+            let labels = (0..table.columns.len()).map(|index| table.label(index));
+            return Err(Failure::with_hint(
+                format!("--unit {name}={value}: {file} has no column `{name}`"),
+                format!("its columns are {}", listed(labels)),
+            ));
+        };
+        let called = table.columns[found].name.clone();
+        let all_bodies = called.to_lowercase() == name.to_lowercase() && !called.is_empty();
+        for (index, column) in table.columns.iter_mut().enumerate() {
+            if index != found && !(all_bodies && column.name == called) {
+                continue;
+            }
+            if column.origin.unit == UnitOrigin::Clock {
+                return Err(Failure::request(format!(
+                    "--unit {name}={value}: {file} holds clock times there, which are read in seconds"
+                )));
+            }
+            column.unit = Some(unit.clone());
+            column.origin.unit = UnitOrigin::Person;
+        }
+    }
+    Ok(())
+}

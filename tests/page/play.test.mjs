@@ -72,6 +72,8 @@ visit("damping acts at once and without a jump", async (lab) => {
   assert.match(await lab.value("Regime"), /underdamped/);
   await lab.enter("Damping", "5000");
   assert.match(await lab.value("Regime"), /overdamped/);
+  assert.equal(await lab.value("Period"), "hidden", "a question asks for it");
+  await lab.page.getByLabel("Show the values that questions ask for").check();
   assert.match(await lab.value("Period"), /^–/, "there is none");
 });
 

@@ -3,10 +3,10 @@
 use crate::Report;
 use crate::markup::plain_symbol;
 use crate::results::size;
-use crate::rounding::{readable, unit};
 use crate::words::Words;
 use analysis::fit::ObservationFit;
 use figure::{Axis, Figure, Interval, Palette, Plot, Series, Settings, Style, View, layout};
+use units::number::unit_text;
 
 /// The width of a figure, and of one of two side by side.
 pub const WIDTH: f64 = 700.0;
@@ -125,8 +125,8 @@ fn draw(
     let upper = height == UPPER;
     let independent = &report.document.model.independent;
     let (name, observed) = (plain_symbol(&independent.name), plain_symbol(&fit.name));
-    let time_unit = unit(&independent.unit.text);
-    let value_unit = if upper { unit(&fit.unit.text) } else { columns.unit.clone() };
+    let time_unit = unit_text(&independent.unit.text);
+    let value_unit = if upper { unit_text(&fit.unit.text) } else { columns.unit.clone() };
     let shown = if upper { observed } else { ["Δ", &observed].concat() };
     let what = if upper {
         words.pick(": measured values and fitted curve against ", ": valores medidos y curva ajustada frente a ")
@@ -172,7 +172,10 @@ fn draw(
         view,
         ..Plot::default()
     };
-    layout(&plot, &Settings { width: WIDTH - narrower, height, font_size: 13.0, decimal_comma: words.comma() })
+    layout(
+        &plot,
+        &Settings { width: WIDTH - narrower, height, font_size: 13.0, decimal_comma: words.style().decimal_comma },
+    )
 }
 
 /// A figure inside another SVG.
@@ -202,7 +205,8 @@ fn greatest_where(fit: &ObservationFit, wanted: impl Fn(bool) -> bool) -> f64 {
 
 /// `reach` is the SI size of residuals that their unit is to suit.
 fn columns(report: &Report<'_>, fit: &ObservationFit, reach: f64) -> Columns {
-    let (part, unit) = readable(&fit.unit, reach);
+    let residual_unit = fit.unit.for_residuals(size(&fit.unit, reach).abs());
+    let (part, unit) = (residual_unit.factor / fit.unit.factor, unit_text(&residual_unit.text));
     let clock = &report.document.model.independent.unit;
     let value = |si: f64| fit.unit.from_si(si);
     // A difference on a scale has its factor, not its zero.

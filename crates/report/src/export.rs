@@ -175,7 +175,7 @@ fn result(report: &Report<'_>, estimate: &Estimate) -> Vec<Cell> {
         error(estimate.stderr_hac),
         error(estimate.stderr),
         estimate.unit.text.as_str().into(),
-        quoted(estimate, words.comma()).into(),
+        quoted(estimate, words.style()).into(),
     ]
 }
 

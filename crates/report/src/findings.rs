@@ -2,15 +2,14 @@
 
 use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
-use crate::results::size;
-use crate::rounding::{fixed, plain, readable, share, significant};
 use crate::words::Words;
 use analysis::fit::{Estimate, ObservationFit, Outcome, Verdict};
+use units::number::{Group, Style, fixed, near_one, plain};
 
 /// The numbers at the head of a report.
 pub fn numbers(page: &mut Page, report: &Report<'_>) {
     let words = Words::of(report.language);
-    let (outcome, comma) = (report.outcome, words.comma());
+    let (outcome, style) = (report.outcome, words.style());
     let mut pair = |term: &str, value: String| {
         page.raw("<div>");
         page.pair(term, &value);
@@ -18,27 +17,25 @@ pub fn numbers(page: &mut Page, report: &Report<'_>) {
     };
     pair(words.pick("Values", "Valores"), outcome.n.to_string());
     pair(words.pick("Degrees of freedom", "Grados de libertad"), outcome.dof.to_string());
-    pair(words.pick("RMS residual", "Residuo RMS"), rmse(outcome, comma));
+    pair(words.pick("RMS residual", "Residuo RMS"), rmse(outcome, style));
     if let Some(reduced) = outcome.chi2_reduced {
-        pair(words.pick("Reduced χ²", "χ² reducido"), plain(reduced, 3, comma));
+        pair(words.pick("Reduced χ²", "χ² reducido"), plain(reduced, 3, style));
     }
-    pair("R²", share(outcome.r2, comma));
+    pair("R²", near_one(outcome.r2, style));
     if let Some(aicc) = outcome.aicc {
-        pair("AICc", fixed(aicc, 1, comma));
+        pair("AICc", fixed(aicc, 1, style));
     }
-    pair("BIC", fixed(outcome.bic, 1, comma));
+    pair("BIC", fixed(outcome.bic, 1, style));
 }
 
 /// The root mean square of the residuals with its unit.
-pub fn rmse(outcome: &Outcome, comma: bool) -> String {
-    with_unit(outcome.rmse, &outcome.rmse_unit, comma)
+pub fn rmse(outcome: &Outcome, style: Style) -> String {
+    with_unit(outcome.rmse, &outcome.rmse_unit, style)
 }
 
 /// A difference of SI size with three digits and a unit that suits it.
-pub fn with_unit(si: f64, shown: &units::Unit, comma: bool) -> String {
-    let (part, unit) = readable(shown, si);
-    let number = significant(size(shown, si) / part, 3, comma);
-    if unit.is_empty() { number } else { [&number, "\u{a0}", &unit].concat() }
+pub fn with_unit(si: f64, shown: &units::Unit, style: Style) -> String {
+    Group::of_residuals(shown, &[si], 3, style).quantity(si).replace(' ', "\u{a0}")
 }
 
 /// Whether the verdict is a warning.
@@ -102,11 +99,11 @@ pub fn errors(page: &mut Page, report: &Report<'_>) {
         outcome.parameters.iter().filter_map(|one| Some(one.stderr_hac? / one.stderr?)).filter(|r| r.is_finite());
     let (least, greatest) = ratios.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), r| (low.min(r), high.max(r)));
     if greatest > 1.3 {
-        let comma = words.comma();
+        let style = words.style();
         let range = if greatest - least < 0.15 {
-            fixed(greatest, 1, comma)
+            fixed(greatest, 1, style)
         } else {
-            [&fixed(least, 1, comma), words.pick(" to ", " a "), &fixed(greatest, 1, comma)].concat()
+            [&fixed(least, 1, style), words.pick(" to ", " a "), &fixed(greatest, 1, style)].concat()
         };
         text.extend([
             words.pick(" The textbook's formula, for independent residuals, gives errors that are too small by a factor of ", " La fórmula de los libros, para residuos independientes, da errores demasiado pequeños en un factor de "),
@@ -120,7 +117,7 @@ pub fn errors(page: &mut Page, report: &Report<'_>) {
 /// What the residuals say.
 pub fn residuals(page: &mut Page, report: &Report<'_>) {
     let words = Words::of(report.language);
-    let (outcome, comma) = (report.outcome, words.comma());
+    let (outcome, style) = (report.outcome, words.style());
     page.heading(words.pick("What the residuals say", "Qué dicen los residuos"));
     page.element("p", &outcome.verdict_text(words.spanish));
     page.raw("<dl class=\"steps\">");
@@ -128,20 +125,20 @@ pub fn residuals(page: &mut Page, report: &Report<'_>) {
         let value = [
             &runs.runs.to_string(),
             words.pick(" runs of equal sign, where chance would make ", " rachas de igual signo, donde el azar haría "),
-            &fixed(runs.expected, 0, comma),
+            &fixed(runs.expected, 0, style),
             " (",
-            &fixed(runs.z, 1, comma),
+            &fixed(runs.z, 1, style),
             words.pick(" standard deviations)", " desviaciones típicas)"),
         ];
         page.pair(words.pick("Signs", "Signos"), &value.concat());
     }
     let value = [
-        &fixed(outcome.durbin_watson, 2, comma),
+        &fixed(outcome.durbin_watson, 2, style),
         words.pick("; 2 where residuals know nothing of each other", "; 2 si los residuos no saben nada unos de otros"),
     ];
     page.pair("Durbin-Watson", &value.concat());
     let value = [
-        &fixed(outcome.autocorrelation, 2, comma),
+        &fixed(outcome.autocorrelation, 2, style),
         words.pick(" between neighbouring residuals", " entre residuos vecinos"),
     ];
     page.pair(words.pick("Correlation", "Correlación"), &value.concat());
@@ -154,7 +151,7 @@ pub fn residuals(page: &mut Page, report: &Report<'_>) {
 /// How each observation was fitted, where there are several.
 fn by_observation(page: &mut Page, report: &Report<'_>) {
     let words = Words::of(report.language);
-    let comma = words.comma();
+    let style = words.style();
     page.table(
         "wide",
         &[
@@ -178,8 +175,8 @@ fn by_observation(page: &mut Page, report: &Report<'_>) {
             escaped(record(report, fit)),
             observed,
             cell(&used.to_string()),
-            cell(&with_unit(fit.rmse, &fit.unit, comma)),
-            cell(&share(fit.r2, comma)),
+            cell(&with_unit(fit.rmse, &fit.unit, style)),
+            cell(&near_one(fit.r2, style)),
         ];
         page.row(&cells.each_ref().map(String::as_str));
     }
@@ -194,7 +191,7 @@ pub fn record<'a>(report: &Report<'a>, fit: &ObservationFit) -> &'a str {
 /// How well the rest was predicted, where a part was fitted.
 pub fn prediction(page: &mut Page, report: &Report<'_>) {
     let words = Words::of(report.language);
-    let comma = words.comma();
+    let style = words.style();
     let outside: Vec<&ObservationFit> =
         report.outcome.observations.iter().filter(|fit| fit.outside.is_some()).collect();
     if outside.is_empty() {
@@ -224,9 +221,9 @@ pub fn prediction(page: &mut Page, report: &Report<'_>) {
             escaped(record(report, fit)),
             symbol(&fit.name),
             cell(&outside.n.to_string()),
-            cell(&with_unit(outside.rmse, &fit.unit, comma)),
-            cell(&with_unit(fit.rmse, &fit.unit, comma)),
-            cell(&fixed(outside.rmse / fit.rmse, 2, comma)),
+            cell(&with_unit(outside.rmse, &fit.unit, style)),
+            cell(&with_unit(fit.rmse, &fit.unit, style)),
+            cell(&fixed(outside.rmse / fit.rmse, 2, style)),
         ];
         page.row(&cells.each_ref().map(String::as_str));
     }

@@ -10,7 +10,6 @@ mod markup;
 mod page;
 mod ranking;
 mod results;
-mod rounding;
 mod theory;
 mod words;
 
@@ -21,8 +20,7 @@ pub use export::{csv, workbook};
 pub use markup::with_math_font;
 pub use page::html;
 pub use ranking::{Ranking, ranking_csv, ranking_html, ranking_workbook};
-pub use results::once;
-pub use rounding::{plain, unit, with_error};
+pub use results::{once, readable_units};
 
 /// A finished fit and where it comes from.
 #[derive(Clone, Copy, Debug)]

@@ -1,13 +1,13 @@
 //! Several theories of the same data, side by side.
 
-use crate::findings::{self, with_unit};
+use crate::findings;
 use crate::markup::{self, Page, cell, escaped};
-use crate::rounding::{fixed, plain};
 use crate::words::Words;
 use crate::{Report, drawing, page, results};
 use analysis::csv::{self, Dialect};
 use analysis::fit::{ObservationFit, Ranked, rank};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
+use units::number::{Group, fixed, plain};
 
 /// Fits of several theories to the same data.
 #[derive(Clone, Copy, Debug)]
@@ -138,7 +138,7 @@ fn judgement(page: &mut Page, words: Words, rows: &[Row<'_>]) {
 }
 
 fn table(page: &mut Page, words: Words, rows: &[Row<'_>]) {
-    let comma = words.comma();
+    let style = words.style();
     let predicts = rows.iter().any(|row| row.predicted.is_some());
     let mut headings = vec![
         words.pick("Theory", "Teoría"),
@@ -152,25 +152,30 @@ fn table(page: &mut Page, words: Words, rows: &[Row<'_>]) {
         headings.insert(3, words.pick("#Predicted", "#Predicho"));
     }
     page.table("wide theories", &headings);
+    let Some(unit) = rows.first().map(|row| &row.report.outcome.rmse_unit) else {
+        return page.end_table();
+    };
+    let sizes: Vec<f64> =
+        rows.iter().flat_map(|row| [Some(row.report.outcome.rmse), row.predicted]).flatten().collect();
+    let residuals = Group::of_residuals(unit, &sizes, 3, style);
     for row in rows {
         let outcome = row.report.outcome;
-        let unit = &outcome.rmse_unit;
         let share = row.ranked.weight;
         let share = if share > 0.0 && share < 0.001 {
-            "< 0.1 %".to_owned()
+            ["< ", &fixed(0.1, 1, style), " %"].concat()
         } else {
-            [&fixed(100.0 * share, 1, comma), " %"].concat()
+            [&fixed(100.0 * share, 1, style), " %"].concat()
         };
         let mut cells = vec![
             escaped(row.title),
             cell(&row.numbers.to_string()),
-            cell(&with_unit(outcome.rmse, unit, comma)),
-            cell(&fixed(row.ranked.difference, 1, comma)),
-            cell(&if comma { share.replace('.', ",") } else { share }),
-            cell(&fixed(outcome.durbin_watson, 2, comma)),
+            cell(&residuals.quantity(outcome.rmse)),
+            cell(&fixed(row.ranked.difference, 1, style)),
+            cell(&share),
+            cell(&fixed(outcome.durbin_watson, 2, style)),
         ];
         if predicts {
-            cells.insert(3, cell(&row.predicted.map_or_else(String::new, |rmse| with_unit(rmse, unit, comma))));
+            cells.insert(3, cell(&row.predicted.map_or_else(String::new, |rmse| residuals.quantity(rmse))));
         }
         let cells: Vec<&str> = cells.iter().map(String::as_str).collect();
         page.row_of(if row.ranked.difference == 0.0 { "best" } else { "" }, &cells);
@@ -189,7 +194,7 @@ fn caution(page: &mut Page, words: Words, rows: &[Row<'_>]) {
     let worth = Ranking::worth(rows);
     if let Some(best) = rows.first().filter(|_| worth < 0.8) {
         let n = best.report.outcome.n;
-        let count = plain((n as f64 * worth).round(), 6, words.comma());
+        let count = plain((n as f64 * worth).round(), 6, words.style());
         text.extend([
             words.pick(
                 " It counts every value as a witness of its own. Here neighbours resemble each other, and the ",

@@ -2,26 +2,37 @@
 
 use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
-use crate::rounding::{DASH, error, fixed, plain, unit, with_error};
 use crate::words::Words;
 use analysis::fit::{Estimate, Interval};
 use units::Unit;
+use units::number::{DASH, Style, concise, fixed, plain, steady, unit_text};
 
 /// A matrix of more columns would not fit the page.
 const MATRIX: usize = 10;
 
 /// The number to quote for an estimate, in its unit: rounded by the error that is honest about correlated residuals.
-pub fn quoted(estimate: &Estimate, comma: bool) -> String {
+pub fn quoted(estimate: &Estimate, style: Style) -> String {
     let value = estimate.unit.from_si(estimate.value);
     if !estimate.determined {
         return DASH.to_owned();
     }
-    with_error(value, estimate.stderr_hac.or(estimate.stderr).map(|error| size(&estimate.unit, error)), comma)
+    concise(value, estimate.stderr_hac.or(estimate.stderr).map(|error| size(&estimate.unit, error)), style)
 }
 
 /// A difference of SI size in a unit.
 pub fn size(unit: &Unit, si: f64) -> f64 {
     unit.from_si(si) - unit.from_si(0.0)
+}
+
+/// The same estimates with units in which they need no power of ten: one for all of the same quantity.
+pub fn readable_units(estimates: &[Estimate]) -> Vec<Estimate> {
+    let of_size = |one: &Estimate| {
+        let alike = estimates.iter().filter(|other| other.name == one.name && other.determined);
+        let sizes = alike.flat_map(|other| [other.value, other.stderr_hac.or(other.stderr).unwrap_or(0.0)]);
+        let greatest = sizes.filter(|si| si.is_finite()).fold(0.0_f64, |greatest, si| greatest.max(si.abs()));
+        one.unit.for_size(size(&one.unit, greatest).abs())
+    };
+    estimates.iter().map(|one| Estimate { unit: of_size(one), ..one.clone() }).collect()
 }
 
 /// What an estimate is called.
@@ -75,6 +86,7 @@ pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], d
         headings.push(words.pick("#68 % by profile", "#68 % por perfil"));
     }
     page.table("wide", &headings);
+    let estimates = &readable_units(estimates);
     // What holds for all records first, then record by record.
     let mut order: Vec<usize> = (0..estimates.len()).collect();
     order.sort_by_key(|&index| estimates[index].record.map_or(0, |record| record + 1));
@@ -104,36 +116,36 @@ pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], d
 
 fn row(page: &mut Page, report: &Report<'_>, estimate: &Estimate, interval: Option<Option<[Interval; 2]>>) {
     let words = Words::of(report.language);
-    let comma = words.comma();
+    let style = words.style();
     let own = |si: Option<f64>| match si {
-        Some(si) if estimate.determined => cell(&error(size(&estimate.unit, si), comma)),
+        Some(si) if estimate.determined => cell(&steady(size(&estimate.unit, si), 2, style)),
         _ => cell(DASH),
     };
     let value = if !estimate.determined {
         ["#<small>", words.pick("not determined", "no determinado"), "</small>"].concat()
     } else if estimate.at_bound {
-        let value = plain(estimate.unit.from_si(estimate.value), 6, comma);
+        let value = plain(estimate.unit.from_si(estimate.value), 6, style);
         ["#", &escaped(&value), " <small>", words.pick("end of its range", "fin de su intervalo"), "</small>"].concat()
     } else {
-        ["#<b>", &escaped(&quoted(estimate, comma)), "</b>"].concat()
+        ["#<b>", &escaped(&quoted(estimate, style)), "</b>"].concat()
     };
     let mut cells = vec![
         symbol(&estimate.name),
         escaped(&label(report, estimate)),
         value,
-        escaped(&unit(&estimate.unit.text)),
+        escaped(&unit_text(&estimate.unit.text)),
         own(estimate.stderr_hac),
         own(estimate.stderr),
     ];
     if let Some(interval) = interval {
-        cells.push(cell(&interval.map_or_else(|| DASH.to_owned(), |[one, _]| ends(estimate, one, comma))));
+        cells.push(cell(&interval.map_or_else(|| DASH.to_owned(), |[one, _]| ends(estimate, one, style))));
     }
     let cells: Vec<&str> = cells.iter().map(String::as_str).collect();
     page.row(&cells);
 }
 
 /// `0.383 … 0.391`, to the digits that the width of the interval allows.
-fn ends(estimate: &Estimate, interval: Interval, comma: bool) -> String {
+fn ends(estimate: &Estimate, interval: Interval, style: Style) -> String {
     let [low, high] = [interval.low, interval.high].map(|end| end.map(|si| estimate.unit.from_si(si)));
     let width = match (low, high) {
         (Some(low), Some(high)) => (high - low) / 2.0,
@@ -141,7 +153,7 @@ fn ends(estimate: &Estimate, interval: Interval, comma: bool) -> String {
     };
     let write = |end: Option<f64>| match end {
         Some(value) => {
-            let text = with_error(value, Some(width), comma);
+            let text = concise(value, Some(width), style);
             // Without the error in parentheses; what follows it is the power of ten.
             match (text.find('('), text.find(')')) {
                 (Some(open), Some(close)) => [&text[..open], &text[close + 1..]].concat(),
@@ -178,7 +190,7 @@ pub fn correlations(page: &mut Page, report: &Report<'_>) {
     if count > MATRIX {
         page.table("", &["", "", words.pick("#Correlation", "#Correlación")]);
         for (a, b, value) in strongest.into_iter().take(12) {
-            page.row(&[&named(a), &named(b), &cell(&fixed(value, 3, words.comma()))]);
+            page.row(&[&named(a), &named(b), &cell(&fixed(value, 3, words.style()))]);
         }
         page.end_table();
         return;
@@ -193,7 +205,7 @@ pub fn correlations(page: &mut Page, report: &Report<'_>) {
         page.wrapped("th scope=\"row\"", &named(row));
         for column in 0..count {
             let value = matrix[row * count + column];
-            page.wrapped(&tinted(value), &fixed(value, 2, words.comma()));
+            page.wrapped(&tinted(value), &fixed(value, 2, words.style()));
         }
         page.raw("</tr>\n");
     }
@@ -204,7 +216,7 @@ pub fn correlations(page: &mut Page, report: &Report<'_>) {
             ": the data determine a combination of the two much better than either by itself.",
             ": los datos determinan una combinación de ambos mucho mejor que cada uno por separado.",
         );
-        let value = fixed(*value, 3, words.comma());
+        let value = fixed(*value, 3, words.style());
         page.wrapped("p", &[start, &named(*a), words.pick(" and ", " y "), &named(*b), ", ", &value, end].concat());
     }
 }
@@ -217,5 +229,5 @@ fn tinted(value: f64) -> String {
     let colour = if value > 0.0 { "11,90,168" } else { "209,70,0" };
     // Squared, so that the strong ones stand out; never so dark that the number could not be read.
     let depth = (value * value).min(1.0) * 0.42;
-    ["td style=\"background:rgba(", colour, ",", &fixed(depth, 3, false), ")\""].concat()
+    ["td style=\"background:rgba(", colour, ",", &fixed(depth, 3, Style::POINT), ")\""].concat()
 }

@@ -3,10 +3,10 @@
 use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
 use crate::results::size;
-use crate::rounding::{fixed, plain, unit};
 use crate::words::Words;
 use analysis::fit::Target;
 use model::Parameter;
+use units::number::{fixed, plain, unit_text};
 
 /// Data beyond this are not written into the page.
 const MOST_ROWS: usize = 5000;
@@ -39,9 +39,13 @@ pub fn theory(page: &mut Page, report: &Report<'_>) {
             report.outcome.settings.iter().filter_map(|values| values.get(index).copied()).collect();
         values.dedup();
         let values: Vec<String> =
-            values.iter().map(|si| plain(parameter.unit.from_si(*si), 8, words.comma())).collect();
-        let cells =
-            [symbol(&parameter.name), escaped(label), cell(&values.join("; ")), escaped(&unit(&parameter.unit.text))];
+            values.iter().map(|si| plain(parameter.unit.from_si(*si), 8, words.style())).collect();
+        let cells = [
+            symbol(&parameter.name),
+            escaped(label),
+            cell(&values.join("; ")),
+            escaped(&unit_text(&parameter.unit.text)),
+        ];
         page.row(&cells.each_ref().map(String::as_str));
     }
     page.end_table();
@@ -50,7 +54,7 @@ pub fn theory(page: &mut Page, report: &Report<'_>) {
 /// What was measured.
 pub fn data(page: &mut Page, report: &Report<'_>) {
     let words = Words::of(report.language);
-    let comma = words.comma();
+    let style = words.style();
     let independent = &report.document.model.independent;
     page.heading(words.pick("The data", "Los datos"));
     let of = [&symbol(&independent.name), words.pick(" from … to", " de … a")].concat();
@@ -67,9 +71,9 @@ pub fn data(page: &mut Page, report: &Report<'_>) {
     page.raw("</tr></thead><tbody>\n");
     for fit in &report.outcome.observations {
         let ends = [fit.times.first(), fit.times.last()]
-            .map(|time| plain(independent.unit.from_si(time.copied().unwrap_or(f64::NAN)), 6, comma));
-        let time_unit = unit(&independent.unit.text);
-        let observed = [&symbol(&fit.name), " <small>", &escaped(&unit(&fit.unit.text)), "</small>"].concat();
+            .map(|time| plain(independent.unit.from_si(time.copied().unwrap_or(f64::NAN)), 6, style));
+        let time_unit = unit_text(&independent.unit.text);
+        let observed = [&symbol(&fit.name), " <small>", &escaped(&unit_text(&fit.unit.text)), "</small>"].concat();
         let used = fit.inside.iter().filter(|inside| **inside).count();
         let cells = [
             escaped(crate::findings::record(report, fit)),
@@ -135,7 +139,7 @@ fn varied(report: &Report<'_>) -> Vec<String> {
                 ([&of.name, "_offset"].concat(), of.observed.unit.clone())
             }
         };
-        let number = |si: f64| plain(size(&unit, si), 8, words.comma());
+        let number = |si: f64| plain(size(&unit, si), 8, words.style());
         let mut options = Vec::new();
         if varied.shared && report.task.records.len() > 1 {
             options.push(words.pick("one value for all", "un valor para todos").to_owned());
@@ -159,8 +163,8 @@ fn part(report: &Report<'_>) -> String {
     let words = Words::of(report.language);
     let independent = &report.document.model.independent;
     let time = |si: f64| {
-        let number = plain(independent.unit.from_si(si), 8, words.comma());
-        [&number, " ", &unit(&independent.unit.text)].concat().trim_end().to_owned()
+        let number = plain(independent.unit.from_si(si), 8, words.style());
+        [&number, " ", &unit_text(&independent.unit.text)].concat().trim_end().to_owned()
     };
     match (report.task.from, report.task.until) {
         (None, None) => words.pick("all values", "todos los valores").to_owned(),
@@ -199,7 +203,7 @@ fn method(report: &Report<'_>) -> String {
         let name = &report.document.model.independent.name;
         let clock = &report.document.model.independent.unit;
         let values: Vec<String> =
-            origins.iter().map(|origin| fixed(clock.from_si(*origin), 4, words.comma())).collect();
+            origins.iter().map(|origin| fixed(clock.from_si(*origin), 4, words.style())).collect();
         let is_zero = if values.len() > 1 {
             words.pick(" is 0 at the readings ", " es 0 en las lecturas ")
         } else {

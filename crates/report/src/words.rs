@@ -1,5 +1,7 @@
 //! The words of a report in the languages it speaks.
 
+use units::number::Style;
+
 /// A language of reports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Words {
@@ -18,9 +20,9 @@ impl Words {
         if self.spanish { "es" } else { "en" }
     }
 
-    /// Whether numbers have a decimal comma.
-    pub fn comma(self) -> bool {
-        self.spanish
+    /// How numbers are written.
+    pub fn style(self) -> Style {
+        Style::comma(self.spanish)
     }
 
     /// The one or the other.

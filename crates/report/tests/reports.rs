@@ -6,6 +6,7 @@ mod support;
 use calamine::{Data, Reader};
 use report::{Ranking, csv, figure, html, ranking_csv, ranking_html, ranking_workbook, workbook};
 use support::{Fitted, fitted, level, observed, record, theory};
+use units::number::Style;
 
 /// The record of known truth, fitted with a theory until 6 s.
 fn fit(name: &str, file: &str) -> Fitted {
@@ -45,7 +46,7 @@ fn the_page_says_what_was_found() {
     let page = html(&report);
     let all = texts(&page);
     let gamma = fit.outcome.estimate("gamma").unwrap();
-    let rounded = report::with_error(gamma.value, gamma.stderr_hac, false);
+    let rounded = units::number::concise(gamma.value, gamma.stderr_hac, Style::POINT);
     assert!(rounded.starts_with("0.") && rounded.contains('('), "{rounded}");
     for expected in [
         "Linear damping",
@@ -92,7 +93,7 @@ fn the_page_speaks_spanish() {
         assert!(all.contains(expected), "{expected}");
     }
     let gamma = fit.outcome.estimate("gamma").unwrap();
-    assert!(all.contains(&report::with_error(gamma.value, gamma.stderr_hac, true)));
+    assert!(all.contains(&units::number::concise(gamma.value, gamma.stderr_hac, Style::COMMA)));
     // Every language of the world that is not spoken reads English.
     assert!(html(&fit.report("de")).contains("What the residuals say"));
 }

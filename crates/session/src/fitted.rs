@@ -4,6 +4,7 @@ use crate::fitting::{Definition, Job};
 use crate::{Session, number, words};
 use analysis::fit::{Estimate, Outcome, Task, Trace};
 use document::Document;
+use units::number::{Group, Style};
 use units::{Language, Unit};
 
 /// How many fits are kept.
@@ -116,12 +117,11 @@ impl Session {
         let known = |value: f64, digits: usize| {
             if value.is_finite() { number::fixed(value, digits, self.style) } else { number::DASH.to_owned() }
         };
-        let unit = fine_unit(group);
-        let unit = &unit;
+        let residuals = residuals(group, self.style);
         let view = |place: analysis::fit::Ranked| {
             let fit = group.get(place.index)?;
             let outcome = &fit.outcome;
-            let size = |value: f64| self.with_unit(number::plain(unit.from_si(value), 3, self.style), unit);
+            let size = |value: f64| residuals.quantity(value);
             Some(FitView {
                 id: fit.id,
                 theory: self.title_of(fit),
@@ -181,20 +181,28 @@ impl Session {
         let place = |one: &Estimate| one.record.filter(|_| several);
         let groups = std::iter::once(None).chain((0..fit.task.records.len()).map(Some));
         let of = |group| all().filter(move |(one, _)| place(one) == group);
-        groups.flat_map(of).map(|(one, derived)| self.estimate_view(fit, one, derived)).collect()
+        // The same quantity has the same unit and the same decimals in every record.
+        let alike = |name: &str| -> Group {
+            let known: Vec<&Estimate> =
+                all().map(|(one, _)| one).filter(|one| one.name == name && one.determined).collect();
+            let measured: Vec<(f64, f64)> =
+                known.iter().map(|one| (one.value, error(one).map_or(f64::NAN, f64::abs))).collect();
+            let unit = known.first().map_or_else(Unit::dimensionless, |one| one.unit.clone());
+            Group::of_errors(&unit, &measured, self.style)
+        };
+        let view = |(one, derived): (&Estimate, bool)| self.estimate_view(fit, one, derived, &alike(&one.name));
+        groups.flat_map(of).map(view).collect()
     }
 
-    fn estimate_view(&self, fit: &Fitted, one: &Estimate, derived: bool) -> EstimateView {
-        // The robust error, where there is one: residuals of films know of each other.
-        let error = one.stderr_hac.or(one.stderr);
-        let (value, spread) = (one.unit.from_si(one.value), error.map(|error| one.unit.from_si(error).abs()));
+    fn estimate_view(&self, fit: &Fitted, one: &Estimate, derived: bool, alike: &Group) -> EstimateView {
+        let error = error(one);
         let remark = if !one.determined {
             words::undetermined(self.language).to_owned()
         } else if one.at_bound {
             words::at_bound(self.language).to_owned()
         } else if let Some(value) = self.truth(fit, one) {
             let off = error.filter(|error| *error > 0.0).map(|error| (one.value - value) / error);
-            let truth = self.quantity_text(value, &one.unit);
+            let truth = self.quantity_text(value, alike.unit());
             words::truth_is(self.language, &truth, off.map(|off| number::fixed(off, 1, self.style)).as_deref())
         } else {
             String::new()
@@ -205,8 +213,11 @@ impl Session {
             name: one.name.clone(),
             label: label.unwrap_or_else(|| crate::symbol(&one.name)),
             record: record.map(|record| record.name.clone()).unwrap_or_default(),
-            value: if one.determined { number::with_error(value, spread, self.style) } else { number::DASH.to_owned() },
-            unit: number::unit_text(&one.unit.text),
+            value: match one.determined {
+                true => alike.with_error(one.value, error.map_or(f64::NAN, f64::abs)),
+                false => number::DASH.to_owned(),
+            },
+            unit: if one.determined { alike.unit_text() } else { number::unit_text(&one.unit.text) },
             remark,
             derived,
         }
@@ -242,12 +253,16 @@ impl Session {
     }
 }
 
-/// The unit for residuals: its thousandth where they are small, so that nobody has to count zeros.
-fn fine_unit(group: &[&Fitted]) -> Unit {
+/// How the residuals of fits that are ranked together are written.
+fn residuals(group: &[&Fitted], style: Style) -> Group {
     let unit = group.first().map_or_else(Unit::dimensionless, |fit| fit.outcome.rmse_unit.clone());
-    let least = group.iter().map(|fit| unit.from_si(fit.outcome.rmse)).fold(f64::INFINITY, f64::min);
-    let thousandth = Unit::parse(&format!("m{}", unit.text)).ok().filter(|fine| fine.dimension == unit.dimension);
-    thousandth.filter(|_| least < 0.01).unwrap_or(unit)
+    let sizes = group.iter().flat_map(|fit| [Some(fit.outcome.rmse), fit.outcome.predicted()]).flatten();
+    Group::of_residuals(&unit, &sizes.collect::<Vec<f64>>(), 3, style)
+}
+
+/// The robust error of an estimate, where there is one: residuals of films are correlated.
+fn error(one: &Estimate) -> Option<f64> {
+    one.stderr_hac.or(one.stderr)
 }
 
 impl Fitted {

@@ -3,16 +3,18 @@
 use super::arguments::{Form, Rank as Arguments};
 use super::fit::{FileKind, Fitted, command, complete, kind, notes, read, with_font};
 use super::prepare;
-use super::text::{Columns, in_unit};
+use super::text::Columns;
 use crate::data::Measured;
 use crate::failure::Failure;
 use crate::output;
 use crate::settings::Reader;
 use crate::terminal::Terminal;
 use analysis::fit::{Outside, Ranked, rank as order};
-use report::{Ranking, Report, plain};
+use report::{Ranking, Report};
 use serde_json::json;
 use std::fmt::Write;
+use units::Unit;
+use units::number::{Group, Style, plain};
 
 /// A theory's fit, and what it predicted after having seen the beginning alone.
 struct Contender {
@@ -105,6 +107,15 @@ fn numbers(fitted: &Fitted) -> usize {
     fitted.outcome.n.saturating_sub(fitted.outcome.dof)
 }
 
+/// How the residuals of all theories are written.
+fn residuals(contenders: &[Contender]) -> Group {
+    let outcomes = || contenders.iter().map(|one| &one.fitted.outcome);
+    let parts = contenders.iter().filter_map(|one| one.parts.as_ref()).flatten().filter(|part| part.n > 0);
+    let sizes: Vec<f64> = outcomes().map(|outcome| outcome.rmse).chain(parts.map(|part| part.rmse)).collect();
+    let unit = outcomes().find_map(|outcome| outcome.observations.first()).map(|one| one.unit.clone());
+    Group::of_residuals(&unit.unwrap_or_else(Unit::dimensionless), &sizes, 3, Style::POINT)
+}
+
 fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> String {
     let mut columns = Columns::default();
     let predicts = contenders.iter().any(|one| one.parts.is_some());
@@ -116,19 +127,19 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
         head.extend([before, after, "predicted".to_owned()]);
     }
     columns.push(head);
+    let residuals = residuals(contenders);
     for (place, ranked) in ranked.iter().enumerate() {
         let one = &contenders[ranked.index];
-        let Some(first) = one.fitted.outcome.observations.first() else { continue };
         let mut row = vec![
             format!("{}.", place + 1),
             one.fitted.theory.document.title.clone(),
             numbers(&one.fitted).to_string(),
             if ranked.difference.is_finite() { format!("{:.1}", ranked.difference) } else { "–".to_owned() },
             if ranked.weight < 1e-3 { "< 0.001".to_owned() } else { format!("{:.3}", ranked.weight) },
-            in_unit(first, one.fitted.outcome.rmse),
+            residuals.quantity(one.fitted.outcome.rmse),
         ];
         if let Some(parts) = one.parts {
-            row.extend(parts.map(|part| if part.n > 0 { in_unit(first, part.rmse) } else { "–".to_owned() }));
+            row.extend(parts.map(|part| if part.n > 0 { residuals.quantity(part.rmse) } else { "–".to_owned() }));
         }
         columns.push(row);
     }
@@ -142,7 +153,7 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
                 text,
                 "Neighbouring residuals resemble each other (correlation {}), so that {} values are worth about {:.0}: \
                  differences of AICc are overstated about {:.0} times, and the prediction is the better judge.",
-                plain(rho, 2, false),
+                plain(rho, 2, Style::POINT),
                 best.n,
                 best.n as f64 * (1.0 - rho) / (1.0 + rho),
                 (1.0 + rho) / (1.0 - rho)

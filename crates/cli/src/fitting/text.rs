@@ -2,8 +2,9 @@
 
 use super::fit::Fitted;
 use analysis::fit::{Estimate, Interval, ObservationFit, Outcome};
-use report::{plain, unit, with_error};
+use report::readable_units;
 use std::fmt::Write;
+use units::number::{self, Group, Style, concise, unit_text};
 
 /// Rows of cells, set in columns.
 #[derive(Default)]
@@ -94,7 +95,7 @@ fn parameters(fitted: &Fitted) -> String {
 
 fn estimates(estimates: &[Estimate], intervals: &[Option<[Interval; 2]>], fitted: &Fitted) -> String {
     let mut columns = Columns::default();
-    for (place, one) in estimates.iter().enumerate() {
+    for (place, one) in readable_units(estimates).iter().enumerate() {
         let record = one.record.and_then(|record| fitted.task.records.get(record));
         let name = match record {
             Some(record) => format!("{} ({})", one.name, record.name),
@@ -102,27 +103,29 @@ fn estimates(estimates: &[Estimate], intervals: &[Option<[Interval; 2]>], fitted
         };
         let value = one.unit.from_si(one.value);
         let error = one.stderr_hac.map(|error| one.unit.from_si(error));
-        let shown = if one.determined { with_error(value, error, false) } else { "not determined".to_owned() };
+        let shown = if one.determined { concise(value, error, Style::POINT) } else { "not determined".to_owned() };
         let remark = match (one.at_bound, one.stderr) {
             (true, _) => "at the end of its range".to_owned(),
-            (_, Some(error)) => format!("±{}", plain(one.unit.from_si(error), 2, false)),
+            (_, Some(error)) => format!("±{}", number::plain(one.unit.from_si(error), 2, Style::POINT)),
             _ => String::new(),
         };
-        let unit_text = if one.determined { unit(&one.unit.text) } else { String::new() };
+        let unit = if one.determined { unit_text(&one.unit.text) } else { String::new() };
         let profile = intervals.get(place).copied().flatten().map_or_else(String::new, |intervals| {
-            let end = |si: Option<f64>| si.map_or("…".to_owned(), |si| plain(one.unit.from_si(si), 5, false));
+            let end = |si: Option<f64>| {
+                si.map_or("…".to_owned(), |si| number::plain(one.unit.from_si(si), 5, Style::POINT))
+            };
             let [one_sigma, two_sigma] =
                 intervals.map(|interval| format!("{} … {}", end(interval.low), end(interval.high)));
             format!("68 %: {one_sigma}; 95 %: {two_sigma}")
         });
-        columns.push(vec![name, shown, unit_text, remark, profile, one.label.clone().unwrap_or_default()]);
+        columns.push(vec![name, shown, unit, remark, profile, one.label.clone().unwrap_or_default()]);
     }
     columns.text(&[])
 }
 
 fn quality(outcome: &Outcome, fitted: &Fitted) -> String {
     let mut columns = Columns::default();
-    let number = |value: f64| plain(value, 5, false);
+    let number = |value: f64| number::plain(value, 5, Style::POINT);
     columns.push(vec!["values, degrees of freedom".to_owned(), format!("{}, {}", outcome.n, outcome.dof)]);
     for one in &outcome.observations {
         columns.push(vec![format!("RMSE of {}", called(one, fitted)), in_unit(one, one.rmse)]);
@@ -136,16 +139,16 @@ fn quality(outcome: &Outcome, fitted: &Fitted) -> String {
     if let Some(reduced) = outcome.chi2_reduced {
         columns.push(vec!["reduced chi-square".to_owned(), number(reduced)]);
     }
-    columns.push(vec!["R²".to_owned(), plain(outcome.r2, 6, false)]);
+    columns.push(vec!["R²".to_owned(), number::plain(outcome.r2, 6, Style::POINT)]);
     columns.push(vec![
         "AICc, BIC".to_owned(),
         format!(
             "{}, {}",
-            outcome.aicc.map_or("–".to_owned(), |aicc| plain(aicc, 6, false)),
-            plain(outcome.bic, 6, false)
+            outcome.aicc.map_or("–".to_owned(), |aicc| number::plain(aicc, 6, Style::POINT)),
+            number::plain(outcome.bic, 6, Style::POINT)
         ),
     ]);
-    let mut witness = format!("{} (2 by chance)", plain(outcome.durbin_watson, 3, false));
+    let mut witness = format!("{} (2 by chance)", number::plain(outcome.durbin_watson, 3, Style::POINT));
     if let Some(runs) = outcome.runs {
         let _ = write!(witness, "; {} runs of equal sign ({:.0} by chance)", runs.runs, runs.expected);
     }
@@ -161,8 +164,7 @@ fn called(one: &ObservationFit, fitted: &Fitted) -> String {
     }
 }
 
-/// An SI value in the unit of an observation.
-pub fn in_unit(one: &ObservationFit, si: f64) -> String {
-    let number = plain(one.unit.from_si(si), 3, false);
-    if one.unit.text.is_empty() { number } else { format!("{number} {}", unit(&one.unit.text)) }
+/// The size of a residual, SI, with a unit that suits it.
+fn in_unit(one: &ObservationFit, si: f64) -> String {
+    Group::of_residuals(&one.unit, &[si], 3, Style::POINT).quantity(si)
 }

@@ -31,13 +31,13 @@ fn assumed_units_are_marked_and_unknown_ones_asked_for() {
     };
     assert_eq!(origins(&session), ["assumed: the file states none", "from the header", "unknown unit: `px/s`"]);
     // What is asked for is not drawn before it is answered.
-    let saved = session.saved_records().0;
+    let saved = session.saved_records().remove(0).1;
     session.set_column_unit(id, 2, "cm/s").unwrap();
     session.set_column_unit(id, 0, "ms").unwrap();
     assert_eq!(units(&session, 0), ["t ms", "y cm", "y' cm/s"]);
     assert_eq!(origins(&session), ["stated by you", "from the header", "stated by you"]);
     let mut other = utube();
-    other.restore_records(&session.saved_records().0);
+    other.restore_records(&session.saved_records()[0].1);
     assert_eq!(units(&other, 0), units(&session, 0));
     let mut before = utube();
     before.restore_records(&saved);

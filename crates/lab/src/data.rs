@@ -66,13 +66,18 @@ pub fn view(app: App, tab: usize) -> HtmlDiv {
     };
     let actions = div()
         .class("actions")
-        .child(take("copy-csv", words.copy_csv, |app| notebook::copy(app, &app.read(|session| session.csv()))))
+        .child(take("copy-csv", words.copy_csv, copy))
         .child(take("save-csv", words.save_csv, save))
         .child(take("save-xlsx", words.save_xlsx, save_workbook));
     let bar = div().class("data-bar").child(pager).child(switch(tick, words.follow)).child(actions);
     let head = tr().each(head, column_head);
     let table = table_in("table", words.table, Some(head), tbody().child(changing(body)));
     div().class("data").child(bar).child(table)
+}
+
+/// The text alone: a byte-order mark is for files.
+fn copy(app: App) {
+    notebook::copy(app, app.read(|session| session.csv()).trim_start_matches('\u{feff}'));
 }
 
 fn save(app: App) {

@@ -12,6 +12,7 @@
 
 use crate::Routine;
 use crate::equations::Equations;
+use crate::jumps::Jumps;
 use model::{Model, NodeId};
 
 /// The conditions and actions of a model.
@@ -38,6 +39,8 @@ pub(crate) struct Events {
     rates_before: Vec<f64>,
     rates_after: Vec<f64>,
     probe: Vec<f64>,
+    /// How sensitivities change, where they are among the states.
+    jumps: Option<Jumps>,
 }
 
 /// Where an event lies within a step, counted from its start.
@@ -78,6 +81,7 @@ impl Events {
             rates_before: zeros.clone(),
             rates_after: zeros.clone(),
             probe: zeros,
+            jumps: Jumps::new(model),
         }
     }
 
@@ -90,6 +94,9 @@ impl Events {
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         self.conditions.prepare(parameters, initial);
         self.actions.prepare(parameters, initial);
+        if let Some(jumps) = &mut self.jumps {
+            jumps.prepare(parameters, initial);
+        }
     }
 
     /// Arms the events whose conditions are false at the state from which a run starts.
@@ -166,6 +173,9 @@ impl Events {
     pub fn fire(&mut self, time: f64) -> usize {
         self.approach.copy_from_slice(&self.before);
         self.crossing.copy_from_slice(&self.due);
+        if let Some(jumps) = &mut self.jumps {
+            jumps.measure_delays(time, &self.before);
+        }
         self.act(time)
     }
 
@@ -217,7 +227,10 @@ impl Events {
         self.actions.evaluate(time, &self.before, &mut self.values);
         self.after.copy_from_slice(&self.before);
         let mut count = 0;
-        for (targets, _) in self.targets.iter().zip(&self.due).filter(|(_, due)| **due) {
+        for (event, targets) in self.targets.iter().enumerate().filter(|(event, _)| self.due[*event]) {
+            if let Some(jumps) = &mut self.jumps {
+                jumps.carry(event, self.crossing[event], time, &self.before, &mut self.after);
+            }
             for &(state, value) in targets {
                 self.after[state] = self.values[value];
             }

@@ -9,6 +9,7 @@ mod events;
 mod fixed;
 mod history;
 mod instruction;
+mod jumps;
 mod linear;
 mod method;
 #[cfg(test)]

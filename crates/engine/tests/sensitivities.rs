@@ -126,3 +126,99 @@ when y > b and t > 0.1 [s] { s = 1 }
     };
     check(text, &[2.0, 3.0], &[1.0, 2.5], exact, 1e-6);
 }
+
+/// Compares all sensitivities with central differences of the solution itself; one state after the other.
+fn check_against_differences(what: &str, text: &str, time: f64) {
+    let values: Vec<f64> = model(text).parameters.iter().map(|parameter| parameter.value).collect();
+    let (_, by_parameter) = sensitivities(text, &values, time);
+    for (number, sensitivity) in by_parameter.iter().enumerate() {
+        let step = 1e-5 * values[number].abs().max(0.1);
+        let moved = |step: f64| {
+            let mut moved = values.clone();
+            moved[number] += step;
+            sensitivities(text, &moved, time).0
+        };
+        let (above, below) = (moved(step), moved(-step));
+        for (state, found) in sensitivity.iter().enumerate() {
+            let expected = (above[state] - below[state]) / (2.0 * step);
+            let error = (found - expected).abs();
+            assert!(
+                error < 1e-6 * expected.abs().max(1.0),
+                "{what}: state {state} by parameter {number}: {found} instead of {expected}"
+            );
+        }
+    }
+}
+
+const BALL: &str = "
+parameter g = 9.8 [m/s^2]
+parameter e = 0.8
+parameter h = 1 [m]
+y'' = -g
+y(0) = h
+y'(0) = 0 [m/s]
+";
+
+/// Events of one moment, each with a part of its own: none may undo what another has done to the sensitivities.
+#[test]
+fn of_events_at_one_moment() {
+    // Balls that meet the floor at one moment because they are dropped from one height, not because they must.
+    let two_balls = "
+parameter g = 9.8 [m/s^2]
+parameter e_1 = 0.8
+parameter e_2 = 0.6
+parameter h_1 = 1 [m]
+parameter h_2 = 1 [m]
+y'' = -g
+z'' = -g
+y(0) = h_1
+y'(0) = 0 [m/s]
+z(0) = h_2
+z'(0) = 0 [m/s]
+when y < 0 [m] { y' = -e_1*y' }
+when z < 0 [m] { z' = -e_2*z' }
+";
+    check_against_differences("two balls", two_balls, 0.7);
+    // A count of what is lost beside the bounce, which reads the velocity before it.
+    let lost = "
+parameter m = 0.3 [kg]
+w' = 0 [W]
+w(0) = 0 [J]
+when y < 0 [m] { w = w + m*y'^2/2*(1 - e^2) }
+";
+    let bounce = "when y < 0 [m] { y' = -e*y' }\n";
+    check_against_differences("the bounce first", &[BALL, bounce, lost].concat(), 0.7);
+    check_against_differences("the bounce last", &[BALL, lost, bounce].concat(), 0.7);
+    // Both set the velocity: the later one wins, in the state and in its sensitivities.
+    let again = "when y < 0 [m] { y' = -e^2*y' + e*(1 [m/s]) }\n";
+    check_against_differences("both set the velocity", &[BALL, bounce, again].concat(), 0.7);
+    // Nothing moves any more after the first; the second still has the moment of the impact.
+    let stop = "
+parameter u = 0.2 [m/s]
+p' = 0 [m/s]
+p(0) = h
+d' = 1
+d(0) = 0 [s]
+when y < 0 [m] { y' = 0 [m/s] }
+when y < 0 [m] { d = -d }
+when y < 0 [m] { p = p + u*d }
+";
+    let still = BALL.replace("-g\n", "if d < 0 [s] then 0 else -g\n");
+    check_against_differences("a stop and what it starts", &[&still, stop].concat(), 0.6);
+}
+
+/// An event that the jump of another has made due fires with that one, whatever the speed of its own condition.
+#[test]
+fn of_events_that_follow_from_one_another() {
+    let chain = "
+parameter k = 2 [m/s^2]
+n' = 0 [s^-1]
+n(0) = 0
+q'' = k*n
+q(0) = 0 [m]
+q'(0) = 0 [m/s]
+when y < 0 [m] { y' = -e*y'; n = n + 1 }
+when n > 0.5 and q < 1 [m] { q' = h/(1 [s]) }
+";
+    check_against_differences("a chain", &[BALL, chain].concat(), 0.7);
+}

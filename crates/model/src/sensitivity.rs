@@ -8,9 +8,15 @@
 //!
 //! with f+ the rates after the jump (Rozenvasser, Automation and Remote Control 28 (1967) 52; Hiskens & Pai, IEEE Trans.
 //! Circuits Syst. I 47 (2000) 204).
+//!
+//! Several events can fire at one moment, each with a tau' of its own. They are taken in the order of the document, as the
+//! engine takes them: h of each reads the state x before all of them, and what an event does not set it takes over from
+//! those before it. Let X and S be state and sensitivities after the events before this one. Then the sensitivity after it is
+//!
+//! h_x (s + f tau') + h_t tau' + h_p - f+ tau' of what it sets, and S + f(X) tau' - f+ tau' of what it does not.
 
 use crate::differentiate::along;
-use crate::{Binary, Graph, Model, Node, NodeId, State, Unary, limits};
+use crate::{Binary, Graph, Jump, Model, Node, NodeId, State, Unary, limits};
 use units::Unit;
 
 impl Model {
@@ -19,8 +25,11 @@ impl Model {
     /// numbers. `None` if there would be too many nodes.
     pub fn with_sensitivities(&self, parameters: &[usize]) -> Option<Model> {
         let mut extended = self.clone();
-        for &parameter in parameters {
-            self.add_sensitivity(&mut extended, parameter as u32);
+        for event in &mut extended.events {
+            event.jump = Some(Jump { delays: Vec::new(), sensitivities: Vec::new() });
+        }
+        for (position, &parameter) in parameters.iter().enumerate() {
+            self.add_sensitivity(&mut extended, parameter as u32, (position, parameters.len()));
             if extended.graph.len() > limits::SLOPES {
                 return None;
             }
@@ -42,7 +51,8 @@ impl Model {
         moving(&mut self.graph, nodes, &rates)
     }
 
-    fn add_sensitivity(&self, extended: &mut Model, parameter: u32) {
+    /// Adds the sensitivities to one of the parameters: its place among them, and how many they are.
+    fn add_sensitivity(&self, extended: &mut Model, parameter: u32, place: (usize, usize)) {
         let states = self.states.len();
         let first = extended.states.len();
         let initial: Vec<NodeId> = self.states.iter().map(|state| state.initial).collect();
@@ -67,40 +77,61 @@ impl Model {
             });
         }
         for number in 0..self.events.len() {
-            self.jump(extended, number, parameter, first, &initial);
+            self.add_jump(extended, number, parameter, place, &initial);
         }
         debug_assert_eq!(extended.states.len(), first + states);
     }
 
-    /// Adds the jump of the sensitivities that begin at state `first` to event `number`.
-    fn jump(&self, extended: &mut Model, number: usize, parameter: u32, first: usize, initial: &[NodeId]) {
+    /// Adds the jump of the sensitivities to one of the parameters to event `number`.
+    fn add_jump(
+        &self,
+        extended: &mut Model,
+        number: usize,
+        parameter: u32,
+        (position, parameters): (usize, usize),
+        initial: &[NodeId],
+    ) {
         let event = &self.events[number];
         let states = self.states.len();
+        let first = states * (position + 1);
+        let all = states * (parameters + 1);
         let rates: Vec<NodeId> = self.states.iter().map(|state| state.derivative).collect();
         let graph = &mut extended.graph;
-        let delay = delay(graph, event.condition, parameter, first, &rates, initial);
-        let after: Vec<NodeId> = (0..states as u32)
-            .map(|state| match event.actions.iter().find(|(target, _)| *target == state) {
-                Some(&(_, value)) => value,
-                None => graph.insert(Node::State(state)),
-            })
-            .collect();
-        // h_x s + h_p, and the change of h along the motion before the jump.
+        let own_delay = delay(graph, event.condition, parameter, first, &rates, initial);
+        let delay = graph.insert(Node::State((2 * all + position) as u32));
+        let set = |state: u32| event.actions.iter().find(|(target, _)| *target == state).map(|&(_, value)| value);
+        // Numbers of states from `all` on are those that the events before this one have left.
+        let left: Vec<NodeId> = (0..states).map(|state| graph.insert(Node::State((all + state) as u32))).collect();
+        let after: Vec<NodeId> =
+            left.iter().enumerate().map(|(state, &left)| set(state as u32).unwrap_or(left)).collect();
+        let rates_left = with_states(graph, &rates, &left);
+        let rates_after = with_states(graph, &rates, &after);
+        // Of what is set: h_x s + h_p, and the change of h along the motion before all events.
         let direct = total(graph, &after, parameter, first, initial);
         let moving = moving(graph, &after, &rates);
-        let rates_after = graph.substitute(&rates, |_, node| match node {
-            Node::State(state) => after.get(state as usize).copied(),
-            _ => None,
-        });
-        let mut actions = Vec::with_capacity(states);
+        let mut sensitivities = Vec::with_capacity(states);
         for state in 0..states {
-            let lag = graph.subtract(moving[state], rates_after[state]);
+            let (kept, rate) = match set(state as u32) {
+                Some(_) => (direct[state], moving[state]),
+                None => (graph.insert(Node::State((all + first + state) as u32)), rates_left[state]),
+            };
+            let lag = graph.subtract(rate, rates_after[state]);
             let shift = graph.multiply(lag, delay);
-            let value = graph.add(direct[state], shift);
-            actions.push(((first + state) as u32, value));
+            sensitivities.push(graph.add(kept, shift));
         }
-        extended.events[number].actions.extend(actions);
+        if let Some(jump) = &mut extended.events[number].jump {
+            jump.delays.push(own_delay);
+            jump.sensitivities.extend(sensitivities);
+        }
     }
+}
+
+/// `nodes` with these values of the first states.
+fn with_states(graph: &mut Graph, nodes: &[NodeId], values: &[NodeId]) -> Vec<NodeId> {
+    graph.substitute(nodes, |_, node| match node {
+        Node::State(state) => values.get(state as usize).copied(),
+        _ => None,
+    })
 }
 
 /// The total derivative by a parameter, the sensitivities of the states beginning at state `first`, and `initial` being
@@ -133,7 +164,8 @@ fn moving(graph: &mut Graph, nodes: &[NodeId], rates: &[NodeId]) -> Vec<NodeId> 
 /// How the moment of an event changes with a parameter.
 ///
 /// Of a condition of several comparisons, the one that is passed through at this moment counts: the one that is nearest to
-/// its zero in time. A condition without any has a moment that depends on nothing.
+/// its zero in time. A comparison whose sides do not move against each other is not passed through. A condition without any
+/// other has a moment that depends on nothing.
 fn delay(
     graph: &mut Graph,
     condition: NodeId,
@@ -142,7 +174,9 @@ fn delay(
     rates: &[NodeId],
     initial: &[NodeId],
 ) -> NodeId {
-    let mut best: Option<(NodeId, NodeId)> = None;
+    let zero = graph.constant(0.0);
+    let never = graph.constant(f64::MAX);
+    let (mut nearest, mut known) = (never, zero);
     for crossing in comparisons(graph, condition) {
         let change = total(graph, &[crossing], parameter, first, initial)[0];
         let speed = moving(graph, &[crossing], rates)[0];
@@ -150,15 +184,11 @@ fn delay(
         let delay = graph.negate(quotient);
         let ahead = graph.divide(crossing, speed);
         let ahead = graph.unary(Unary::Absolute, ahead);
-        best = Some(match best {
-            None => (ahead, delay),
-            Some((nearest, known)) => {
-                let nearer = graph.binary(Binary::Less, ahead, nearest);
-                (graph.select(nearer, ahead, nearest), graph.select(nearer, delay, known))
-            }
-        });
+        // Without a speed this is no number, or infinite, and so not less than any.
+        let nearer = graph.binary(Binary::Less, ahead, nearest);
+        (nearest, known) = (graph.select(nearer, ahead, nearest), graph.select(nearer, delay, known));
     }
-    best.map_or_else(|| graph.constant(0.0), |(_, delay)| delay)
+    known
 }
 
 /// Left minus right of every comparison of order in a condition.

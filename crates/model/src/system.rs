@@ -133,6 +133,19 @@ pub struct Event {
     pub condition: NodeId,
     /// Which states change, and to what.
     pub actions: Vec<(u32, NodeId)>,
+    /// How sensitivities change, in a model that has them ([`Model::with_sensitivities`]).
+    pub jump: Option<Jump>,
     /// Where it stands.
     pub span: Span,
+}
+
+/// How the sensitivities of a model change at an event. With S states of the model itself and P parameters, the model with
+/// sensitivities has n = S (1 + P) states.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Jump {
+    /// The derivative of the event's moment by each parameter, at the state before all events of the moment.
+    pub delays: Vec<NodeId>,
+    /// The sensitivities after the event, states S to n. They read 2 n + P states: the n before all events of the moment,
+    /// the n that the events before this one have left, and the P delays.
+    pub sensitivities: Vec<NodeId>,
 }

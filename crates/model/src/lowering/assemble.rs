@@ -163,7 +163,7 @@ fn lower_event(lowering: &mut Lowering, event: &EventEntry) -> Result<Event, Vec
             actions.push((number, lower(lowering, &action.value)?));
         }
     }
-    Ok(Event { condition, actions, span: event.span })
+    Ok(Event { condition, actions, jump: None, span: event.span })
 }
 
 /// Makes initial values depend on parameters alone, and marks the parameters they depend on.

@@ -185,7 +185,8 @@ fn finite(what: &str, value: f64) -> Result<f64, Failure> {
     if value.is_finite() { Ok(value) } else { Err(Failure::request(format!("{what} must be a finite number"))) }
 }
 
-fn positive(what: &str, value: f64) -> Result<f64, Failure> {
+/// `value`, if it is greater than 0; `what` names it otherwise.
+pub fn positive(what: &str, value: f64) -> Result<f64, Failure> {
     if value > 0.0 && value.is_finite() {
         Ok(value)
     } else {

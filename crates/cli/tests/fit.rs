@@ -95,9 +95,120 @@ fn a_part_is_fitted_and_the_rest_predicted() {
         ["fit", LINEAR, word(&data), "--observe", "y", "--from", "1", "--until", "4000 [ms]", "--format", "json"];
     let fit = object(&meniscus(&words));
     let outside = &fit["observations"][0]["outside"];
-    assert_eq!((fit["n"].as_u64(), outside["n"].as_u64()), (Some(91), Some(119)));
+    // Of the 119 others, the 30 before the initial values are not predicted.
+    assert_eq!((fit["n"].as_u64(), outside["n"].as_u64()), (Some(91), Some(89)));
+    assert_eq!((fit["observations"][0]["before_initial_values"].as_u64(), &fit["starts"]), (Some(30), &1.into()));
+    assert_eq!(fit["initial_values_at"], serde_json::json!({"value": 1.0, "unit": "s"}));
     // The theory is the true one, so that what it predicts is as near as what it was fitted to.
     assert!(outside["rmse"].as_f64().unwrap() < 1.5 * fit["rmse"].as_f64().unwrap());
+}
+
+/// A part that begins later is fitted as if the rows before it had been deleted in an editor: each theory, from whatever
+/// moment, and what is predicted from the middle on.
+#[test]
+fn rows_before_the_part_might_as_well_not_be_there() {
+    let directory = tempfile::tempdir().unwrap();
+    let made = record(directory.path(), "made.txt", 0.4, 0.05);
+    let measured = common::root().join("../shared/data/utube/U2.txt");
+    let mut records = vec![(made, vec!["linear", "quadratic", "cosine"], vec!["1", "1.3", "2"])];
+    if measured.is_file() {
+        records.push((measured, vec!["linear", "quadratic", "linear-contact-line", "dry-friction"], vec!["1.3"]));
+    } else {
+        eprintln!("skipped: {} is not there", measured.display());
+    }
+    for (file, theories, moments) in records {
+        let text = std::fs::read_to_string(&file).unwrap();
+        for from in moments {
+            let first: f64 = from.parse().unwrap();
+            let late = |line: &&str| {
+                line.split_whitespace().next().and_then(|cell| cell.parse().ok()).is_none_or(|time: f64| time >= first)
+            };
+            let cut = directory.path().join("cut.txt");
+            std::fs::write(&cut, text.lines().filter(late).map(|line| format!("{line}\n")).collect::<String>())
+                .unwrap();
+            let models: Vec<String> = theories.iter().map(|name| format!("simulations/theories/{name}.md")).collect();
+            let rank = |file: &Path, part: &[&str]| {
+                let mut words = vec!["rank", word(file), "--observe", "y", "--predict-from", "5", "--format", "json"];
+                words.extend(models.iter().flat_map(|model| ["--model", model.as_str()]));
+                object(&meniscus(&[&words, part].concat())).as_array().unwrap().clone()
+            };
+            let (part, alone) = (rank(&file, &["--from", from]), rank(&cut, &[]));
+            for (part, alone) in part.iter().zip(&alone) {
+                assert_eq!((&part["document"], &part["n"]), (&alone["document"], &alone["n"]));
+                for key in ["rmse", "rmse_before", "rmse_after", "rmse_predicted"] {
+                    let [one, other] = [part, alone].map(|row| row[key].as_f64().unwrap());
+                    assert!((one / other - 1.0).abs() < 2e-3, "{} {key} from {from}: {one} {other}", part["title"]);
+                }
+                assert_eq!(part["initial_values_at"], alone["initial_values_at"]);
+            }
+        }
+    }
+}
+
+#[test]
+fn where_initial_values_hold_and_how_often_was_searched_is_said() {
+    let directory = tempfile::tempdir().unwrap();
+    let data = record(directory.path(), "run.txt", 0.4, 0.1);
+    let words = ["fit", "simulations/theories/quadratic.md", word(&data), "--observe", "y", "--from", "1.01"];
+    let told = meniscus(&words).stdout;
+    assert!(told.contains("t = 1.0333 s; nothing is predicted of the 31 values before"), "{told}");
+    assert!(told.contains("The search was made from "), "{told}");
+    let told = meniscus(&["fit", COSINE, word(&data), "--observe", "y", "--from", "1"]).stdout;
+    assert!(!told.contains("initial values") && !told.contains("starts"), "{told}");
+}
+
+/// Standard errors stand beside the values that they belong to, gaps or not, and those that are none are named.
+#[test]
+fn given_errors_that_are_none_are_refused_where_they_count() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = |name: &str, error: &dyn Fn(usize) -> &'static str| {
+        let row = |place: usize| {
+            let level = if place == 4 { String::new() } else { format!("{}", 1.0 + 0.5 * place as f64) };
+            format!("{place}\t{level}\t{}\n", error(place))
+        };
+        let path = directory.path().join(name);
+        let rows: String = (0..20).map(row).collect();
+        std::fs::write(&path, format!("t [s]\ty [m]\ts [mm]\n{rows}")).unwrap();
+        path
+    };
+    let line = directory.path().join("line.md");
+    let text = "---\ntitle: A line\nvary: a, b\n---\n\n```model\nparameter a = 1 [m]\nparameter b = 1 [m/s]\ny = a + b*t\n```\n";
+    std::fs::write(&line, text).unwrap();
+    let fit = |file: &Path, more: &[&str]| {
+        meniscus(&[&["fit", word(&line), word(file), "--observe", "y", "--error", "y=s"], more].concat())
+    };
+    // The gap of the level has an error beside it, or none.
+    for gap in ["2", ""] {
+        let good = file("good.txt", &|place| if place == 4 { gap } else { "2" });
+        let done = fit(&good, &["--format", "json"]);
+        assert_eq!(object(&done)["n"], 19);
+    }
+    for bad in ["0", "-1", ""] {
+        let bad = file("bad.txt", &|place| if place == 7 || place == 9 { bad } else { "2" });
+        let done = fit(&bad, &[]);
+        assert_eq!(done.code, 2);
+        assert!(done.stderr.contains("bad.txt: 2 values have a standard error that is missing or not greater than 0"));
+        assert!(done.stderr.contains("the first is at t = 7 s"), "{}", done.stderr);
+        assert_eq!(fit(&bad, &["--until", "6"]).code, 0);
+    }
+    let good = file("good.txt", &|_| "2");
+    for (words, said) in [
+        (vec!["--error", "y=0"], "--error y must be greater than 0"),
+        (vec!["--error", "y=t"], "and what is observed is in m"),
+        (vec!["--fix", "b=1,2"], "--fix b: 2 values for 1 record"),
+        (vec!["--from", "3", "--until", "2"], "--from lies after --until"),
+        (vec!["--start", "a=1/0"], "--start a"),
+    ] {
+        let done = meniscus(&[&["fit", word(&line), word(&good), "--observe", "y"], &words[..]].concat());
+        assert_eq!(done.code, 2, "{words:?}: {}", done.stderr);
+        assert!(done.stderr.contains(said), "{words:?}: {}", done.stderr);
+    }
+    // Of several files, the one is named that has nothing in the fitted part.
+    let late = directory.path().join("late.txt");
+    std::fs::write(&late, "t [s]\ty [m]\n100\t1\n101\t2\n102\t3\n").unwrap();
+    let done = meniscus(&["fit", word(&line), word(&good), word(&late), "--observe", "y", "--until", "50"]);
+    assert_eq!(done.code, 2);
+    assert!(done.stderr.contains("late.txt: a record has no measured value in the fitted part"), "{}", done.stderr);
 }
 
 #[test]

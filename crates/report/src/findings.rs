@@ -4,7 +4,7 @@ use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
 use crate::words::Words;
 use analysis::fit::{Estimate, ObservationFit, Outcome, Verdict};
-use units::number::{Group, Style, fixed, near_one, plain};
+use units::number::{Group, Style, fixed, near_one, plain, unit_text};
 
 /// The numbers at the head of a report.
 pub fn numbers(page: &mut Page, report: &Report<'_>) {
@@ -55,6 +55,10 @@ pub fn warnings(page: &mut Page, report: &Report<'_>) {
         )));
     }
     sentences.extend(outcome.undetermined.iter().map(|one| escaped(&one.text(words.spanish))));
+    let quantity = |one: &Estimate, si: f64| {
+        [&plain(one.unit.from_si(si), 5, words.style()), " ", &unit_text(&one.unit.text)].concat().trim_end().to_owned()
+    };
+    sentences.extend(outcome.rival_text(words.spanish, quantity).map(|text| escaped(&text)));
     let named = |one: &Estimate| match one.record.and_then(|record| report.task.records.get(record)) {
         Some(record) => [&symbol(&one.name), " (", &escaped(&record.name), ")"].concat(),
         None => symbol(&one.name),

@@ -197,19 +197,33 @@ fn method(report: &Report<'_>) -> String {
             "; cada observación, ponderada por su propia dispersión",
         );
     }
-    let mut origins: Vec<f64> = records.iter().filter_map(|record| record.origin).collect();
+    if report.outcome.starts > 1 {
+        let starts = report.outcome.starts.to_string();
+        text.extend([words.pick("; from ", "; desde "), &starts, words.pick(" starts", " comienzos")]);
+    }
+    if report.outcome.improved > 0 {
+        text += words.pick(
+            "; made again from a lower chi-square that the profile of a parameter met",
+            "; repetido desde un chi cuadrado menor que encontró el perfil de un parámetro",
+        );
+    }
+    let mut origins = report.outcome.origins.clone();
     origins.dedup();
     if !origins.is_empty() {
-        let name = &report.document.model.independent.name;
-        let clock = &report.document.model.independent.unit;
-        let values: Vec<String> =
-            origins.iter().map(|origin| fixed(clock.from_si(*origin), 4, words.style())).collect();
-        let is_zero = if values.len() > 1 {
-            words.pick(" is 0 at the readings ", " es 0 en las lecturas ")
-        } else {
-            words.pick(" is 0 at the reading ", " es 0 en la lectura ")
-        };
-        text.extend(["; ", name, is_zero, &values.join("; ")]);
+        let independent = &report.document.model.independent;
+        let reading = |origin: &f64| fixed(independent.unit.from_si(*origin), 4, words.style());
+        let values: Vec<String> = origins.iter().map(reading).collect();
+        text += words.pick("; initial values hold at ", "; los valores iniciales corresponden a ");
+        text.extend([&independent.name, " = ", &values.join("; "), " ", &unit_text(&independent.unit.text)]);
+        text += words.pick(" of the record's clock", " en el reloj del registro");
+        let early: usize = report.outcome.observations.iter().map(|fit| fit.early).sum();
+        if early > 0 {
+            let rest = words.pick(
+                ", and nothing is predicted of the # values before",
+                ", y de los # valores anteriores no se predice nada",
+            );
+            text += &rest.replace('#', &early.to_string());
+        }
     }
     text
 }

@@ -51,6 +51,8 @@ pub enum Announcement {
     RecordRemoved(String),
     /// The fit, or the last of several, is finished.
     FitFinished,
+    /// Theories that could not be fitted, each with the reason.
+    TheoriesLeftOut(String),
     /// A fit has found nothing.
     FitFailed,
     /// The fit was given up.

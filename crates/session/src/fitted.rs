@@ -81,7 +81,7 @@ pub struct FitDetail {
 
 impl Session {
     pub(crate) fn take_outcome(&mut self, job: Job, task: Task, outcome: Outcome, traces: Vec<Trace>) {
-        let id = self.fits.finished.iter().map(|fit| fit.id + 1).max().unwrap_or(0);
+        let id = self.fits.issued;
         let Job { definition, document, own, found } = job;
         let fitted = Fitted { id, definition, document, task, traces, outcome };
         let same = |fit: &Fitted| fit.is_same(&fitted);
@@ -89,12 +89,14 @@ impl Session {
         if found.is_some() && self.fits.finished.iter().any(same) {
             return;
         }
+        self.fits.issued += 1;
         // The same theory of the same values with the same numbers varied replaces the earlier fit.
         self.fits.finished.retain(|fit| !same(fit));
         if self.fits.finished.len() >= MOST_FITS {
             self.fits.finished.remove(0);
         }
         self.fits.finished.push(fitted);
+        self.forget_applied();
         if own {
             self.apply_fit(id);
         }
@@ -157,6 +159,9 @@ impl Session {
         if !outcome.converged {
             sentences.push(words::not_converged(self.language).to_owned());
         }
+        sentences.extend(outcome.search_texts(spanish));
+        sentences.extend(outcome.rival_text(spanish, |one, value| self.quantity_text(value, &one.unit)));
+        sentences.extend(self.beginnings(fit));
         Some(FitDetail {
             theory: self.title_of(fit),
             estimates: self.estimate_views(fit),
@@ -168,6 +173,20 @@ impl Session {
                 ("Durbin-Watson", plain(outcome.durbin_watson, 3)),
             ],
         })
+    }
+
+    /// Where the initial values hold in each record, in sentences.
+    fn beginnings(&self, fit: &Fitted) -> Vec<String> {
+        let sentence = |(place, origin): (usize, &f64)| {
+            let at = self.quantity_text(*origin, &fit.document.model.independent.unit);
+            let of_record = fit.outcome.observations.iter().filter(|one| one.record == place);
+            let text = words::initial_values_hold(self.language, &at, of_record.map(|one| one.early).sum());
+            match fit.definition.parts.get(place).filter(|_| fit.definition.parts.len() > 1) {
+                Some(part) => format!("{}: {text}", part.name),
+                None => text,
+            }
+        };
+        fit.outcome.origins.iter().enumerate().map(sentence).collect()
     }
 
     /// What holds for all records first, then record by record; of each what was varied first.
@@ -249,7 +268,14 @@ impl Session {
     /// Forgets a fit.
     pub fn remove_fit(&mut self, id: u32) {
         self.fits.finished.retain(|fit| fit.id != id);
+        self.forget_applied();
         self.revision.fits += 1;
+    }
+
+    /// Forgets which fit is in the sliders where it is no longer in the list.
+    fn forget_applied(&mut self) {
+        let finished = &self.fits.finished;
+        self.fits.applied = self.fits.applied.filter(|id| finished.iter().any(|fit| fit.id == *id));
     }
 }
 

@@ -4,8 +4,8 @@ use crate::fit_setup::Setup;
 use crate::fitted::Fitted;
 use crate::recognise::observed;
 use crate::record::{Record, Use};
-use crate::refusal::fit_error;
-use crate::remaking::Waiting;
+use crate::refusal::{fit_error, unknown_method};
+use crate::remaking::{Found, Waiting};
 use crate::{Announcement, Refusal, Session, words};
 use analysis::fit::{Fit, FitError, Observation, Task, Varied};
 use document::Document;
@@ -34,6 +34,10 @@ pub(crate) struct Fits {
     pub applied: Option<u32>,
     /// Fits of an earlier visit, to be made again.
     pub waiting: VecDeque<Waiting>,
+    /// How many ids fits have been given: none is given twice, because one may still be called by it.
+    pub issued: u32,
+    /// Theories of the queue that could not be fitted, each with the reason.
+    left_out: Vec<String>,
     queue: Vec<Job>,
     /// How many there were when the queue began.
     total: usize,
@@ -62,8 +66,9 @@ pub(crate) struct Part {
     pub name: String,
     /// What its columns are taken for.
     pub uses: Vec<Use>,
-    /// The reading of its clock at which the model begins, SI.
-    pub origin: f64,
+    /// The reading of its clock at which the model begins, SI, if an earlier fit has found it. Otherwise it begins with the
+    /// fitted part, or with the clock where the equations depend on the time.
+    pub origin: Option<f64>,
     /// Parameters that have a value of their own in it.
     pub fixed: Vec<(usize, f64)>,
 }
@@ -76,7 +81,7 @@ pub(crate) struct Job {
     /// Whether it is the document that is open: what is found is shown.
     pub own: bool,
     /// What an earlier visit has found.
-    pub found: Option<Vec<f64>>,
+    pub found: Option<Found>,
 }
 
 /// So many points of a fitted curve are drawn in a report.
@@ -94,6 +99,7 @@ impl Fits {
     pub fn adopt(&mut self, other: &mut Self) {
         self.finished = std::mem::take(&mut other.finished);
         self.waiting = std::mem::take(&mut other.waiting);
+        self.issued = other.issued;
         if let Some(Running { job, .. }) = other.running.take() {
             self.waiting.extend(Waiting::of(job));
         }
@@ -152,8 +158,6 @@ impl Session {
 
     /// What a fit of a document follows of the records that take part.
     fn parts(&self, document: &Document, varied: &[Varied], own: bool) -> Vec<Part> {
-        let model = &document.model;
-        let independent = &model.independent.name;
         let labels = |label: &str| {
             let languages = document.languages();
             languages.map(|language| document.text(language, label).to_lowercase()).collect()
@@ -161,16 +165,16 @@ impl Session {
         let taking_part = self.taking_part();
         let part = |record: &Record| {
             let (uses, origin) = if own {
-                (record.uses.clone(), record.origin(independent, model.is_autonomous()))
+                let found = record.origin.filter(|origin| origin.found);
+                (record.uses.clone(), found.map(|origin| origin.reading))
             } else {
                 let mut record = record.clone();
                 record.take_for(document, &labels);
-                let origin = record.beginning(&record.uses, independent, model.is_autonomous());
-                (record.uses, origin)
+                (record.uses, None)
             };
             let fixed = match taking_part.len() {
                 1 => Vec::new(),
-                _ => self.fits.setup.fixed(model, varied, record),
+                _ => self.fits.setup.fixed(&document.model, varied, record),
             };
             Part { record: record.id, name: record.name.clone(), uses, origin, fixed }
         };
@@ -182,6 +186,7 @@ impl Session {
         jobs.reverse();
         self.fits.total = jobs.len();
         self.fits.queue = jobs;
+        self.fits.left_out.clear();
         self.revision.fits += 1;
         self.next_fit()
     }
@@ -196,18 +201,23 @@ impl Session {
     }
 
     /// Takes the next theory of the queue, and after those what an earlier visit has left. Of several, one that cannot be
-    /// fitted is passed over.
+    /// fitted is left out, and named when the last one is finished.
     fn next_fit(&mut self) -> Result<(), Refusal> {
         let alone = self.fits.total == 1;
         while let Some(job) = self.fits.queue.pop() {
+            let theory = job.document.edition(&self.tag).title.clone();
             match self.ready(job) {
                 Ok(running) => {
                     self.fits.running = Some(running);
                     return Ok(());
                 }
                 Err(refusal) if alone => return Err(refusal),
-                Err(_) => {}
+                Err(refusal) => self.fits.left_out.push(format!("{theory}: {}", self.refusal_text(&refusal))),
             }
+        }
+        if !self.fits.left_out.is_empty() {
+            let left_out = std::mem::take(&mut self.fits.left_out).join(" ");
+            self.announce(Announcement::TheoriesLeftOut(left_out));
         }
         while let Some(waiting) = self.fits.waiting.pop_front() {
             // What no longer can be made is no fit any more.
@@ -224,12 +234,12 @@ impl Session {
         let task = self.task(&job)?;
         let model = &job.document.model;
         let fit = match &job.found {
-            Some(found) => Fit::again(model, task.clone(), found),
+            Some(found) => Fit::again(model, task.clone(), found.values()),
             None => Fit::new(model, task.clone()),
         };
         match fit {
             Ok(fit) => Ok(Running { job, task, fit }),
-            Err(error) => Err(Refusal::Fit { why: fit_error(self.language, &error) }),
+            Err(error) => Err(Refusal::Fit { why: self.fit_error(&job, &error) }),
         }
     }
 
@@ -245,7 +255,10 @@ impl Session {
         if let Some(Running { job, task, mut fit }) = self.fits.running.take() {
             let again = job.found.is_some();
             match fit.outcome() {
-                Some(outcome) => {
+                Some(mut outcome) => {
+                    if let Some(found) = &job.found {
+                        found.complete(&mut outcome);
+                    }
                     let traces = fit.traces(POINTS_OF_A_CURVE);
                     self.take_outcome(job, task, outcome, traces);
                 }
@@ -287,6 +300,16 @@ impl Session {
         self.fits.running.as_ref().map(|running| &running.job).filter(|job| job.found.is_some())
     }
 
+    /// Why a fit cannot be made, with the record where it is one of several.
+    fn fit_error(&self, job: &Job, error: &FitError) -> String {
+        let why = fit_error(self.language, error);
+        let place = match error {
+            FitError::RecordEmpty(record) | FitError::BadErrors { record, .. } => *record,
+            _ => return why,
+        };
+        job.definition.parts.get(place).map_or_else(|| why.clone(), |part| format!("{}: {why}", part.name))
+    }
+
     /// The task of a job.
     fn task(&self, job: &Job) -> Result<Task, Refusal> {
         let unknown = || Refusal::Unknown { name: words::record(self.language).to_owned() };
@@ -300,10 +323,14 @@ impl Session {
                 let why = format!("{}: {}", record.name, fit_error(self.language, &FitError::NothingObserved));
                 return Err(Refusal::Fit { why });
             }
-            let (fixed, origin) = (part.fixed.clone(), Some(part.origin));
+            let (fixed, origin) = (part.fixed.clone(), part.origin);
             records.push(analysis::fit::Record { name: part.name.clone(), observations, fixed, origin });
         }
-        let method = document.method.as_deref().and_then(|name| name.parse::<Method>().ok()).unwrap_or_default();
+        let method = match document.method.as_deref().map(str::parse::<Method>) {
+            Some(Ok(method)) => method,
+            Some(Err(unknown)) => return Err(Refusal::Fit { why: unknown_method(self.language, &unknown.0) }),
+            None => Method::default(),
+        };
         Ok(Task {
             parameters: definition.parameters.clone(),
             method,

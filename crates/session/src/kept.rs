@@ -75,7 +75,8 @@ impl Session {
         }
         let free = |pattern: &u8| self.kept.iter().all(|kept| kept.pattern != *pattern);
         let pattern = (0..MOST_KEPT as u8).find(free).unwrap_or(0);
-        let id = self.kept.last().map_or(0, |kept| kept.id) + 1;
+        self.kept_issued += 1;
+        let id = self.kept_issued;
         self.kept.push(Kept { id, recipe, shown: true, pattern, traces });
         self.revision.runs += 1;
         Ok(())

@@ -187,19 +187,19 @@ impl Measured {
 impl Record {
     /// The reading of the clock, SI, at which the model begins.
     pub fn origin(&self, independent: &str, autonomous: bool) -> f64 {
-        self.origin.unwrap_or_else(|| self.beginning(&self.uses, independent, autonomous))
+        self.origin.map_or_else(|| self.beginning(independent, autonomous), |origin| origin.reading)
     }
 
-    /// The same as it is before any fit, with these uses of its columns.
-    pub fn beginning(&self, uses: &[Use], independent: &str, autonomous: bool) -> f64 {
-        let columns = (0..uses.len()).filter(|&column| {
-            uses.get(column).is_some_and(|used| {
+    /// The same as it is before any fit.
+    fn beginning(&self, independent: &str, autonomous: bool) -> f64 {
+        let columns = (0..self.uses.len()).filter(|&column| {
+            self.uses.get(column).is_some_and(|used| {
                 let quantity = &used.meaning.quantity;
                 !quantity.is_empty() && quantity != independent
             })
         });
         let first = |column| {
-            let rows = self.rows_as(uses, column, independent)?;
+            let rows = self.rows_as(&self.uses, column, independent)?;
             Some(rows.map(|(time, _)| time).fold(f64::INFINITY, f64::min))
         };
         let first = columns.filter_map(first).fold(f64::INFINITY, f64::min);

@@ -44,12 +44,21 @@ pub(crate) struct Record {
     pub uses: Vec<Use>,
     /// Whether it is drawn.
     pub shown: bool,
-    /// The reading of its clock at which the model begins, SI, as a fit has found it.
-    pub origin: Option<f64>,
+    /// Where the model begins in it, in the fit whose numbers are in the sliders.
+    pub origin: Option<Origin>,
     /// Values that parameters have in this record, by name and SI, for fits of several.
     pub known: BTreeMap<String, f64>,
     /// The true values of parameters, by name and SI, if nobody measured it.
     pub truth: Option<Vec<(String, f64)>>,
+}
+
+/// Where the model begins in a record.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Origin {
+    /// The reading of the record's clock, SI.
+    pub reading: f64,
+    /// Whether a fit has found it, so that later fits begin there too. Otherwise it is only where the fitted part began.
+    pub found: bool,
 }
 
 /// What a column is taken for.

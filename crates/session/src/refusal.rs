@@ -1,6 +1,7 @@
 //! Why input was not taken.
 
 use analysis::fit::FitError;
+use engine::Method;
 use units::Language;
 
 /// Why input was not taken; nothing has changed then, except as [`Refusal::PartlyRestored`] says.
@@ -138,7 +139,30 @@ pub(crate) fn fit_error(language: Language, error: &FitError) -> String {
         FitError::VariedTwice(_) | FitError::BadBounds(_) => {
             language.pick("The ranges leave no room.", "Los intervalos no dejan sitio.")
         }
+        FitError::BadStart(_) | FitError::BadValue(_) => language.pick(
+            "The value of a parameter is not a finite number.",
+            "El valor de un parámetro no es un número finito.",
+        ),
+        FitError::BadErrors { count, .. } => {
+            return language.pick(
+                format!("{count} values have a standard error that is missing or not greater than 0."),
+                format!("{count} valores tienen un error típico que falta o no es mayor que 0."),
+            );
+        }
+        FitError::RecordEmpty(_) => language.pick(
+            "None of its values lies between the two times.",
+            "Ninguno de sus valores cae entre los dos tiempos.",
+        ),
         FitError::Model(message) => return message.text(language).to_owned(),
     };
     text.to_owned()
+}
+
+/// A document asks for a method that does not exist.
+pub(crate) fn unknown_method(language: Language, name: &str) -> String {
+    let methods = Method::ALL.map(Method::name).join(", ");
+    language.pick(
+        format!("There is no method `{name}`; the methods are {methods}."),
+        format!("No existe el método `{name}`; los métodos son {methods}."),
+    )
 }

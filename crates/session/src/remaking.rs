@@ -6,15 +6,63 @@ use crate::fitting::{Definition, Job, Part};
 use crate::keepsake::{line, read_uses, write_uses};
 use crate::record::Record;
 use crate::shelf::name_of;
-use analysis::fit::{Target, Varied};
+use analysis::fit::{Outcome, Rival, Target, Varied};
 use document::Document;
 use std::fmt::Write as _;
 
 /// What the text begins with.
-const VERSION: &str = "meniscus fits 1\n";
+const VERSION: &str = "meniscus fits 2\n";
+/// What it began with when initial values held at the first row of a record, whatever part of it was fitted.
+const EARLIER: &str = "meniscus fits 1\n";
 
 /// The longest texts together: the records need their room too.
 const LONGEST: usize = 1 << 20;
+
+/// What a fit has found.
+#[derive(Clone, Debug)]
+pub(crate) struct Found {
+    /// The numbers, in the order of the search.
+    values: Vec<f64>,
+    /// From how many starts was searched.
+    starts: usize,
+    /// Another minimum that a search has met.
+    rival: Option<Rival>,
+}
+
+impl Found {
+    /// By a fit that is finished.
+    fn of(outcome: &Outcome) -> Self {
+        let values = outcome.parameters.iter().map(|estimate| estimate.value).collect();
+        Self { values, starts: outcome.starts, rival: outcome.rival.clone() }
+    }
+
+    /// The numbers from which the fit is made again.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Puts back what a fit that is made again does not find out: it is searched from one start alone.
+    pub fn complete(&self, outcome: &mut Outcome) {
+        // Without its numbers the search was made from the beginning.
+        if !self.values.is_empty() {
+            (outcome.starts, outcome.rival) = (self.starts, self.rival.clone());
+        }
+    }
+
+    /// `17`, or with another minimum `17 2e-1 1.7e-1 4e-1`: how much worse it is, and its numbers.
+    fn write_searches(&self) -> String {
+        let rival = self.rival.iter().map(|rival| format!(" {:e} {}", rival.growth, write_numbers(&rival.values)));
+        std::iter::once(self.starts.to_string()).chain(rival).collect()
+    }
+
+    /// What [`Found::write_searches`] has written, with the numbers that were found.
+    fn read(searches: &str, values: Vec<f64>) -> Option<Self> {
+        let (starts, rival) = searches.split_once(' ').unwrap_or((searches, ""));
+        let rival = read_numbers(rival)?;
+        let rival = rival.split_first().map(|(&growth, others)| Rival { growth, values: others.to_vec() });
+        Some(Self { values, starts: starts.parse().ok()?, rival })
+    }
+}
 
 /// A fit of an earlier visit.
 #[derive(Clone, Debug)]
@@ -22,14 +70,20 @@ pub(crate) struct Waiting {
     definition: Definition,
     /// The document and its translations.
     texts: Vec<String>,
-    /// The numbers that it found, in the order of the search.
-    found: Vec<f64>,
+    found: Found,
 }
 
 impl Waiting {
     /// Back from being made, if it was such a fit.
     pub fn of(job: Job) -> Option<Self> {
         Some(Self { texts: texts(&job.document), definition: job.definition, found: job.found? })
+    }
+
+    /// Without anything that it has found, and with the model's beginning where the fitted part begins.
+    fn begun_anew(mut self) -> Self {
+        self.found.values.clear();
+        self.definition.parts.iter_mut().for_each(|part| part.origin = None);
+        self
     }
 
     /// What is to be made, if the document can still be opened.
@@ -51,8 +105,7 @@ impl Session {
     pub fn saved_fits(&self) -> Vec<(String, String)> {
         let mut book = Book { records: self.record_names(), fits: Vec::new(), length: 0 };
         for fit in &self.fits.finished {
-            let found: Vec<f64> = fit.outcome.parameters.iter().map(|estimate| estimate.value).collect();
-            book.write(&fit.definition, &texts(&fit.document), &found);
+            book.write(&fit.definition, &texts(&fit.document), &Found::of(&fit.outcome));
         }
         if let Some(job) = self.being_remade()
             && let Some(found) = &job.found
@@ -66,12 +119,14 @@ impl Session {
     }
 
     /// Brings back fits of the records that are there, to be made again by [`Session::advance_fit`]. What cannot be read is
-    /// left out.
+    /// left out. Fits of an earlier version are searched from the beginning: their initial values held elsewhere.
     pub fn restore_fits(&mut self, saved: &str) {
-        let Some(text) = saved.strip_prefix(VERSION) else { return };
+        let earlier = saved.strip_prefix(EARLIER);
+        let Some(text) = saved.strip_prefix(VERSION).or(earlier) else { return };
         let mut pages = Pages { rest: text, documents: Vec::new(), names: self.record_names() };
         while let Some(waiting) = pages.next(&self.data.records) {
-            self.fits.waiting.extend(waiting);
+            let begun = |waiting: Waiting| if earlier.is_some() { waiting.begun_anew() } else { waiting };
+            self.fits.waiting.extend(waiting.map(begun));
         }
         // Those that were fitted together last probably will be again.
         if let Some(last) = self.fits.waiting.back() {
@@ -101,7 +156,7 @@ struct Book {
 
 impl Book {
     /// Writes a fit, unless there is no room for it.
-    fn write(&mut self, definition: &Definition, texts: &[String], found: &[f64]) {
+    fn write(&mut self, definition: &Definition, texts: &[String], found: &Found) {
         let Some(fit) = self.fit(definition) else { return };
         let mut parts: Vec<&str> = texts.iter().map(String::as_str).collect();
         parts.push(&fit);
@@ -109,7 +164,8 @@ impl Book {
         let name = name_of(&parts);
         let lengths: Vec<String> = texts.iter().map(|text| text.len().to_string()).collect();
         let document = format!("document {}\n{}\n", lengths.join(" "), texts.concat());
-        let text = format!("{VERSION}{document}{fit}found {}\nend\n", write_numbers(found));
+        let (values, starts) = (write_numbers(&found.values), found.write_searches());
+        let text = format!("{VERSION}{document}{fit}found {values}\nstarts {starts}\nend\n");
         if self.length + text.len() <= LONGEST && self.fits.iter().all(|(other, _)| *other != name) {
             self.length += text.len();
             self.fits.push((name, text));
@@ -129,7 +185,8 @@ impl Book {
             let (_, record) = self.records.iter().find(|(id, _)| *id == part.record)?;
             let uses = write_uses(part.uses.iter().enumerate());
             let fixed: Vec<String> = part.fixed.iter().map(|(index, value)| format!("{index}={value:e}")).collect();
-            let _ = writeln!(text, "record #{record} {:e} {} {}", part.origin, fixed.join(";"), line(&part.name));
+            let origin = part.origin.map_or_else(|| "-".to_owned(), |origin| format!("{origin:e}"));
+            let _ = writeln!(text, "record #{record} {origin} {} {}", fixed.join(";"), line(&part.name));
             let _ = writeln!(text, "uses {uses}");
         }
         Some(text)
@@ -186,7 +243,6 @@ impl<'a> Pages<'a> {
         let (document, file) = head.split_once(' ')?;
         let texts = self.documents.get(document.parse::<usize>().ok()?)?.clone();
         let value = |key: &str| lines.iter().find_map(|line| line.strip_prefix(key)?.strip_prefix(' '));
-        let end = |text: &str| if text == "-" { Some(None) } else { text.parse().ok().map(Some) };
         let (from, until) = value("window")?.split_once(' ')?;
         let mut parts = Vec::new();
         for (place, line) in lines.iter().enumerate() {
@@ -200,16 +256,22 @@ impl<'a> Pages<'a> {
             parts,
             varied: value("varied")?.split(' ').map(read_varied).collect::<Option<_>>()?,
             parameters: read_numbers(value("values")?)?,
-            window: [end(from)?, end(until)?],
+            window: [time(from)?, time(until)?],
         };
-        Some(Waiting { definition, texts, found: read_numbers(value("found")?)? })
+        let found = Found::read(value("starts").unwrap_or("1"), read_numbers(value("found")?)?)?;
+        Some(Waiting { definition, texts, found })
     }
+}
+
+/// A time, or `-` for none.
+fn time(text: &str) -> Option<Option<f64>> {
+    if text == "-" { Some(None) } else { text.parse().ok().map(Some) }
 }
 
 /// A part of a fit, if its record is there: by its name in the storage, in texts of earlier versions by its place.
 fn part(head: &str, uses: &str, records: &[Record], names: &[(u32, String)]) -> Option<Part> {
     let mut fields = head.splitn(4, ' ');
-    let (place, origin) = (fields.next()?, fields.next()?.parse().ok()?);
+    let (place, origin) = (fields.next()?, time(fields.next()?)?);
     let (fixed, name) = (fields.next()?, fields.next()?);
     let record = match place.strip_prefix('#') {
         Some(place) => {

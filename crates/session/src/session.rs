@@ -70,6 +70,8 @@ pub struct Session {
     pub(crate) present: Vec<f64>,
     pub(crate) ghost: Option<Ghost>,
     pub(crate) kept: Vec<Kept>,
+    /// How many ids kept runs have been given: none is given twice.
+    pub(crate) kept_issued: u32,
     pub(crate) plots: Vec<PlotState>,
     pub(crate) evaluators: Evaluators,
     /// One for each question, once anything has been answered.
@@ -146,6 +148,7 @@ impl Session {
             ghost: None,
             kept: Vec::new(),
             answers: Vec::new(),
+            kept_issued: 0,
             data: Data::default(),
             fits: Fits::default(),
             intake: None,

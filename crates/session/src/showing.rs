@@ -1,5 +1,6 @@
 //! Fits in the sliders: of several records, those numbers that belong to the one that is looked at.
 
+use crate::record::Origin;
 use crate::{Announcement, Session};
 use engine::Setup;
 
@@ -39,7 +40,10 @@ impl Session {
         let ends = |place: usize| first(place).and_then(|one| one.times.last().copied()).unwrap_or_default();
         let zeros = parts.iter().enumerate().map(|(place, part)| {
             let followed = first(place).map(|one| one.name.clone());
-            (part.record, followed, found(place, "_origin"), found(place, "_offset"))
+            let reading = found(place, "_origin").map(|reading| Origin { reading, found: true });
+            let begun =
+                || fit.outcome.origins.get(place).map(|&reading| Origin { reading, found: part.origin.is_some() });
+            (part.record, followed, reading.or_else(begun), found(place, "_offset"))
         });
         let zeros: Vec<_> = zeros.collect();
         let last = ends(place);

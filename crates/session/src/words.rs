@@ -71,6 +71,21 @@ pub(crate) fn not_converged(language: Language) -> &'static str {
     language.pick("The search did not come to its end.", "La búsqueda no llegó a su fin.")
 }
 
+/// At which reading of a record's clock initial values hold, and how many values lie before it.
+pub(crate) fn initial_values_hold(language: Language, at: &str, early: usize) -> String {
+    let mut text = language.pick(
+        format!("The initial values hold at {at} on the record's clock."),
+        format!("Los valores iniciales corresponden a {at} en el reloj del registro."),
+    );
+    if early > 0 {
+        text += &language.pick(
+            format!(" Nothing is predicted of the {early} values before."),
+            format!(" De los {early} valores anteriores no se predice nada."),
+        );
+    }
+    text
+}
+
 /// Of a number that the data do not determine.
 pub(crate) fn undetermined(language: Language) -> &'static str {
     language.pick("not determined by the data", "los datos no lo determinan")
@@ -305,6 +320,7 @@ impl Session {
             Announcement::RecordCancelled(name) => with("Not read: {}", "No se ha leído: {}", name),
             Announcement::RecordRemoved(name) => with("Record removed: {}", "Registro quitado: {}", name),
             Announcement::FitFinished => say("The fit is finished", "El ajuste ha terminado"),
+            Announcement::TheoriesLeftOut(which) => with("Not fitted: {}", "Sin ajustar: {}", which),
             Announcement::FitFailed => say(
                 "The model has no finite curve at any start: nothing was found",
                 "El modelo no tiene una curva finita desde ningún comienzo: no se encontró nada",

@@ -300,3 +300,112 @@ fn a_new_fit_comes_before_what_is_made_again() {
     let names: Vec<_> = later.fits().into_iter().map(|fit| fit.records[0].clone()).collect();
     assert_eq!(names, ["tube 1.txt", "tube 3.txt"]);
 }
+
+/// A film whose clock begins at 0.5 s, and in which the column is let go after 1 s.
+fn late_film() -> String {
+    let omega = libm::sqrt(19.6 / 0.2 - 0.16);
+    let mut state = 5_u64;
+    let row = |frame: u32| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let noise = ((state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5) * 4e-4;
+        let t = f64::from(frame) / 30.0;
+        let since = (t - 1.0).max(0.0);
+        let swing = libm::cos(omega * since) + 0.4 / omega * libm::sin(omega * since);
+        format!("{} {}\n", t + 0.5, 0.04 * libm::exp(-0.4 * since) * swing + noise)
+    };
+    (0..180).map(row).collect()
+}
+
+/// The initial values of a part hold where it begins: in the result, in the sliders and beside the record, and again after
+/// another visit.
+#[test]
+fn a_part_begins_with_its_initial_values() {
+    let said = "The initial values hold at 1.5 s on the record's clock. Nothing is predicted of the 30 values before.";
+    let mut session = Session::open(theory("quadratic"));
+    session.add_record("film.txt", late_film().as_bytes()).unwrap();
+    session.set_fit_window(0, "1.5").unwrap();
+    let of_part = fit(&mut session);
+    assert!(of_part.sentences.iter().any(|sentence| sentence == said), "{:?}", of_part.sentences);
+    let start = session.parameter_values()[place(&session, "y_0")];
+    // The friction is not that of the film, and bends it a little.
+    assert!((start - 0.04).abs() < 0.01, "{start}");
+    let values = session.parameter_values().to_vec();
+    let (records, fits) = (session.saved_records(), session.saved_fits());
+    // A fit of everything begins at the first value again, and one of the part where the part begins.
+    session.set_fit_window(0, "").unwrap();
+    let whole = fit(&mut session);
+    let begins = |sentence: &&String| sentence.starts_with("The initial values hold at ");
+    let begins = whole.sentences.iter().find(begins).unwrap();
+    assert!(begins != said && !begins.contains("Nothing is predicted"), "{begins}");
+    session.set_fit_window(0, "1.5").unwrap();
+    fit(&mut session);
+    for (one, other) in session.parameter_values().iter().zip(&values) {
+        assert!((one - other).abs() <= 1e-3 * other.abs(), "{one} {other}");
+    }
+
+    let restored = |fits: &str| {
+        let mut later = Session::open(theory("quadratic"));
+        records.iter().for_each(|(_, text)| later.restore_records(text));
+        later.restore_fits(fits);
+        while later.advance_fit() {}
+        later.fit_detail(later.fits()[0].id).unwrap()
+    };
+    assert_eq!(restored(&fits[0].1), of_part, "searches and other minima among it");
+    // What an earlier version has found with other initial values is searched from the beginning.
+    let earlier = fits[0].1.replace("meniscus fits 2", "meniscus fits 1");
+    assert!(earlier.contains("record #") && earlier.contains(" -  film.txt"));
+    let earlier = earlier.replace(" -  film.txt", " 5e-1  film.txt");
+    assert!(restored(&earlier).sentences.iter().any(|sentence| sentence == said));
+}
+
+/// A theory that cannot be fitted is named with the reason, and is not fitted by another method than it asks for.
+#[test]
+fn a_theory_whose_method_does_not_exist_is_named() {
+    let mut session = three();
+    let unknown = |name: &str| {
+        let text = theory(name).source.replace("method: dormand-prince", "method: wibble");
+        document::open(&text, &[]).document.unwrap()
+    };
+    let theories = [("linear.md".to_owned(), theory("linear")), ("quadratic.md".to_owned(), unknown("quadratic"))];
+    session.begin_ranking(theories.to_vec()).unwrap();
+    while session.advance_fit() {}
+    assert_eq!(session.fits().len(), 1);
+    let told = std::iter::from_fn(|| session.take_announcement()).collect::<Vec<_>>();
+    let told: Vec<String> = told.iter().map(|one| session.announcement_text(one)).collect();
+    let named = told.iter().any(|text| {
+        text.starts_with("Not fitted: Quadratic damping: ") && text.contains("There is no method `wibble`")
+    });
+    assert!(named, "{told:?}");
+    let mut alone = Session::open(unknown("linear"));
+    alone.add_record("film.txt", late_film().as_bytes()).unwrap();
+    let refusal = alone.begin_fit("linear.md").unwrap_err();
+    assert!(alone.refusal_text(&refusal).contains("wibble"), "{refusal:?}");
+}
+
+/// The id of a fit, or of a kept run, that is gone is not given again: something may still call it by that.
+#[test]
+fn ids_are_given_once() {
+    let mut session = three();
+    fit(&mut session);
+    let first = session.fits()[0].id;
+    session.remove_fit(first);
+    let record = session.records()[0].id;
+    session.choose_record(record);
+    let theories = [("theories/quadratic.md".to_owned(), theory("quadratic"))];
+    session.begin_ranking(theories.to_vec()).unwrap();
+    while session.advance_fit() {}
+    let second = session.fits()[0].id;
+    assert_ne!(first, second);
+    // Nor after another document has been opened.
+    session.remove_fit(second);
+    let mut other = Session::open(theory("quadratic"));
+    other.adopt_records(&mut session);
+    other.begin_fit("theories/quadratic.md").unwrap();
+    while other.advance_fit() {}
+    assert!(![first, second].contains(&other.fits()[0].id));
+    other.keep().unwrap();
+    let kept = other.kept()[0].id;
+    other.remove_kept(kept);
+    other.keep().unwrap();
+    assert_ne!(other.kept()[0].id, kept);
+}

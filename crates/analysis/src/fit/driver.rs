@@ -2,6 +2,7 @@
 
 use super::covariance::Covariance;
 use super::curve;
+use super::elsewhere::{self, Elsewhere, Rival, Texture};
 use super::linear::{Decomposition, norm};
 use super::outcome::{self, Outcome};
 use super::plan::Plan;
@@ -17,7 +18,8 @@ use model::Model;
 ///
 /// It searches from the given or the parameters' own values, then from the frequency and the damping that the data show,
 /// then along windows that grow from the beginning of the record, then from starts spread over the ranges. Further starts
-/// are only tried while the best one leaves much unexplained; own values that explain nothing come after the estimate.
+/// are only tried while the best one leaves much unexplained; own values that explain nothing come after the estimate. Of a
+/// model with events or branches the best answer is then tried from starts around it.
 #[derive(Clone, Debug)]
 pub struct Fit {
     pub(super) model: Model,
@@ -34,6 +36,20 @@ pub struct Fit {
     /// What is still to be tried, the last one first.
     pub(super) stages: Vec<Stage>,
     pub(super) current: Option<Current>,
+    /// How smooth the sum of squares is.
+    pub(super) texture: Texture,
+    /// Starts around the best answer.
+    pub(super) elsewhere: Option<Elsewhere>,
+    /// How many of them have been tried.
+    pub(super) tried_elsewhere: usize,
+    /// From how many starts was searched.
+    pub(super) starts: usize,
+    /// Where the searches from these have ended, and how high.
+    pub(super) ends: Vec<(Vec<f64>, f64)>,
+    /// Another minimum that fits as well.
+    pub(super) rival: Option<Rival>,
+    /// How often a profile has met a lower sum of squares.
+    pub(super) improved: usize,
     /// The weighted sum of squares about the mean of each observation.
     pub(super) total: f64,
     /// In how many directions the curve does not change at the own values.
@@ -96,6 +112,7 @@ impl Fit {
         }
         found.clone_into(&mut fit.own);
         fit.refined = true;
+        fit.starts = 1;
         fit.integrate_to(curve::TOLERANCES.len() - 1);
         let search = fit.search(found, &fit.problem.plans.clone(), Self::TRIALS);
         fit.search_whole(search);
@@ -110,6 +127,7 @@ impl Fit {
             model: curve::bare(model),
             bounds: bounds(model, &problem),
             moving: moving(model, &problem),
+            texture: elsewhere::texture(model, &problem),
             own: problem.own_start(),
             estimates: start::estimates(&problem),
             total: problem.spread_sum(),
@@ -118,6 +136,12 @@ impl Fit {
             converged: false,
             stages: Vec::new(),
             current: None,
+            elsewhere: None,
+            tried_elsewhere: 0,
+            starts: 0,
+            ends: Vec::new(),
+            rival: None,
+            improved: 0,
             flat: 0,
             precision: 0,
             refined: false,
@@ -219,8 +243,20 @@ impl Fit {
         self.current = Some(Current { search, plans: self.problem.plans.clone(), windows: Vec::new() });
     }
 
+    /// Goes to another answer than the one found, at which the sum of squares is lower, and on to the end of the search.
+    pub(super) fn go_to(&mut self, x: &[f64]) {
+        self.improved += 1;
+        self.finished = false;
+        let search = self.search(x, &self.problem.plans.clone(), Self::TRIALS);
+        self.search_whole(search);
+        self.complete();
+    }
+
     /// Takes in a search over the whole that has ended.
     fn settle(&mut self, search: Search) {
+        if !self.refined {
+            self.remember_end(&search);
+        }
         let better = match &self.best {
             // Refined or weighed anew, sums of squares cannot be compared; what is searched then goes on from the best.
             Some(_) if self.refined => search.sum.is_finite(),

@@ -2,7 +2,7 @@
 
 use units::Unit;
 
-/// How one observation was fitted. Columns are of equal length: all measured values that are no gap.
+/// How one observation was fitted. Columns are of equal length: all measured values that are no gap, in the order of time.
 #[derive(Clone, Debug)]
 pub struct ObservationFit {
     /// Which record.
@@ -23,6 +23,9 @@ pub struct ObservationFit {
     pub fitted: Vec<f64>,
     /// Whether the value was in the fitted part.
     pub inside: Vec<bool>,
+    /// How many of the first rows lie before the initial values of the equations of motion, so that nothing is predicted of
+    /// them.
+    pub early: usize,
     /// The root of the mean square of measured minus fitted in the fitted part.
     pub rmse: f64,
     /// The coefficient of determination in the fitted part.
@@ -50,8 +53,8 @@ impl Outside {
 }
 
 impl ObservationFit {
-    /// How many values there are in a part of the rows, and the root of the mean square of measured minus fitted there; `wanted`
-    /// is told the time of a row, and whether it was in the fitted part.
+    /// How many values the model has in a part of the rows, and the root of the mean square of measured minus fitted there;
+    /// `wanted` is told the time of a row, and whether it was in the fitted part.
     pub fn error_where(&self, wanted: impl Fn(f64, bool) -> bool) -> Outside {
         let part = self.residuals_where(wanted);
         let squares = part.iter().fold(0.0, |sum, residual| sum + residual * residual);
@@ -65,9 +68,21 @@ impl ObservationFit {
 
     fn residuals_where(&self, wanted: impl Fn(f64, bool) -> bool) -> Vec<f64> {
         let rows = self.times.iter().zip(&self.inside).zip(self.measured.iter().zip(&self.fitted));
-        rows.filter(|((time, inside), _)| wanted(**time, **inside))
+        rows.skip(self.early)
+            .filter(|((time, inside), _)| wanted(**time, **inside))
             .map(|(_, (measured, fitted))| measured - fitted)
             .collect()
+    }
+
+    /// Adds the first rows, of which nothing is predicted: times and values.
+    pub(super) fn add_early(&mut self, rows: &[(f64, f64)]) {
+        self.early = rows.len();
+        for &(time, value) in rows {
+            self.times.push(time);
+            self.measured.push(value);
+            self.fitted.push(f64::NAN);
+            self.inside.push(false);
+        }
     }
 
     /// Computes from the columns what is told of them.

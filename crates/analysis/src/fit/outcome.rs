@@ -3,6 +3,7 @@
 use super::covariance::Covariance;
 use super::curve::Derived;
 use super::driver::Fit;
+use super::elsewhere::Rival;
 use super::identify::{Undetermined, undetermined};
 use super::linear::Jacobian;
 use super::observed::{ObservationFit, Outside};
@@ -20,6 +21,12 @@ use units::Unit;
 pub struct Outcome {
     /// Whether the search came to its end.
     pub converged: bool,
+    /// From how many starts was searched; 1 for a fit that was made again from its answer.
+    pub starts: usize,
+    /// Another minimum that fits as well within the noise, if a search has ended in one.
+    pub rival: Option<Rival>,
+    /// How often the profile of a number has met a lower sum of squares, so that the fit was made again from there.
+    pub improved: usize,
     /// How many independent values were fitted: a column made from another one does not count.
     pub n: usize,
     /// Degrees of freedom: `n` minus the numbers that were determined.
@@ -55,6 +62,8 @@ pub struct Outcome {
     pub undetermined: Vec<Undetermined>,
     /// By record and observation.
     pub observations: Vec<ObservationFit>,
+    /// By record: the reading of its clock at which the initial values of equations of motion hold. Empty for formulas.
+    pub origins: Vec<f64>,
     /// All parameters of the model by record, with the fitted values.
     pub settings: Vec<Vec<f64>>,
 }
@@ -157,6 +166,9 @@ fn outcome_of(fit: &mut Fit, best: &Search) -> Outcome {
     let (aicc, bic) = criteria(&fit.problem, &observations, best, &covariance, errors_given, values);
     Outcome {
         converged: fit.converged,
+        starts: fit.starts,
+        rival: fit.rival.clone(),
+        improved: fit.improved,
         n: values as usize,
         dof: covariance.dof.max(0.0) as usize,
         chi2: best.sum,
@@ -172,10 +184,16 @@ fn outcome_of(fit: &mut Fit, best: &Search) -> Outcome {
         correlation: correlation(&covariance.textbook, best.x.len()),
         undetermined: undetermined(&covariance.flat, &names, &best.x),
         settings: (0..fit.problem.task.records.len()).map(|record| fit.problem.parameters(record, &best.x)).collect(),
+        origins: origins(&fit.problem, best),
         parameters,
         derived,
         observations,
     }
+}
+
+fn origins(problem: &Problem, best: &Search) -> Vec<f64> {
+    let plans = problem.plans.iter().enumerate().filter(|_| problem.curve.has_states());
+    plans.map(|(record, plan)| problem.origin(record, plan, &best.x)).collect()
 }
 
 /// A name that tells the record as well, where the number has a value in each.
@@ -307,6 +325,7 @@ fn observations(fit: &mut Fit, best: &Search) -> Vec<ObservationFit> {
         };
         let task = &fit.problem.task;
         for (observation, one) in task.records[record].observations.iter().enumerate() {
+            let early = fit.problem.too_early(record, observation);
             let mut fit = ObservationFit {
                 record,
                 observation,
@@ -317,10 +336,12 @@ fn observations(fit: &mut Fit, best: &Search) -> Vec<ObservationFit> {
                 measured: Vec::with_capacity(one.times.len()),
                 fitted: Vec::with_capacity(one.times.len()),
                 inside: Vec::with_capacity(one.times.len()),
+                early: 0,
                 rmse: 0.0,
                 r2: 0.0,
                 outside: None,
             };
+            fit.add_early(&early);
             for (point, residual) in
                 plan.points.iter().zip(&residuals).filter(|(point, _)| point.observation == observation)
             {

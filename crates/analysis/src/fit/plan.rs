@@ -1,7 +1,7 @@
 //! The measured values of a record in the order in which the model's curve meets them.
 
 use super::problem::Problem;
-use super::task::{Record, Target};
+use super::task::{FitError, Observation, Record, Target};
 
 /// A measured value.
 #[derive(Clone, Copy, Debug)]
@@ -33,22 +33,42 @@ pub(crate) struct Plan {
     pub origin: f64,
 }
 
+impl Observation {
+    /// Times and values without gaps, each with its place.
+    fn rows(&self) -> impl Iterator<Item = (usize, f64, f64)> {
+        let rows = self.times.iter().copied().zip(self.values.iter().copied()).enumerate();
+        rows.map(|(place, (time, value))| (place, time, value))
+            .filter(|(_, time, value)| time.is_finite() && value.is_finite())
+    }
+
+    /// The given error of a value, if it can be used as one.
+    fn error(&self, place: usize) -> Option<f64> {
+        let error = self.errors.as_ref()?.get(place).copied();
+        error.filter(|error| error.is_finite() && *error > 0.0)
+    }
+}
+
 impl Problem {
     /// The points whose times are `inside`, each with the weight of its given error, or 1, by the root of its share.
     pub fn plan(&self, inside: impl Fn(f64) -> bool) -> Vec<Plan> {
-        let varies_origin = self.columns.iter().any(|column| column.target == Target::Origin);
         let plan = |record| {
-            let origin = self.fixed_origin(record);
-            let earliest = if self.curve.has_states() && !varies_origin { origin } else { f64::NEG_INFINITY };
-            self.plan_of(record, origin, |time| time.is_finite() && time >= earliest && inside(time))
+            let earliest = self.earliest(record);
+            self.plan_of(record, self.fixed_origin(record), |time| time >= earliest && inside(time))
         };
         self.task.records.iter().map(plan).collect()
     }
 
+    /// The first reading of a record's clock at which the model has values: equations of motion are not followed to times
+    /// before their initial values, except where the origin is varied, and nothing has moved before it.
+    fn earliest(&self, record: &Record) -> f64 {
+        let varies_origin = self.columns.iter().any(|column| column.target == Target::Origin);
+        if self.curve.has_states() && !varies_origin { self.fixed_origin(record) } else { f64::NEG_INFINITY }
+    }
+
     /// The clock's reading at the model's 0, where it is not varied.
     fn fixed_origin(&self, record: &Record) -> f64 {
-        let times = record.observations.iter().flat_map(|observation| &observation.times);
-        let first = times.copied().filter(|time| time.is_finite()).fold(f64::INFINITY, f64::min);
+        let times = record.observations.iter().flat_map(|one| one.rows().map(|(_, time, _)| time));
+        let first = times.filter(|time| self.task.covers(*time)).fold(f64::INFINITY, f64::min);
         match record.origin {
             Some(origin) => origin,
             None if self.autonomous && first.is_finite() => first,
@@ -56,15 +76,37 @@ impl Problem {
         }
     }
 
+    /// The measured values of an observation that are too early for the model to have a value beside them: times and values,
+    /// in the order of time.
+    pub fn too_early(&self, record: usize, observation: usize) -> Vec<(f64, f64)> {
+        let record = &self.task.records[record];
+        let earliest = self.earliest(record);
+        let rows = record.observations[observation].rows().map(|(_, time, value)| (time, value));
+        let mut early: Vec<(f64, f64)> = rows.filter(|(time, _)| *time < earliest).collect();
+        early.sort_by(|one, other| one.0.total_cmp(&other.0));
+        early
+    }
+
+    /// Checks that all values in the fitted part have errors where errors are given.
+    pub fn check_errors(&self) -> Result<(), FitError> {
+        for (record, of_record) in self.task.records.iter().enumerate() {
+            let earliest = self.earliest(of_record);
+            let fitted = |time: f64| time >= earliest && self.task.covers(time);
+            for (observation, one) in of_record.observations.iter().enumerate().filter(|(_, one)| one.errors.is_some())
+            {
+                let bad = || one.rows().filter(|(place, time, _)| fitted(*time) && one.error(*place).is_none());
+                if let Some((_, first, _)) = bad().next() {
+                    return Err(FitError::BadErrors { record, observation, count: bad().count(), first });
+                }
+            }
+        }
+        Ok(())
+    }
+
     fn plan_of(&self, record: &Record, origin: f64, usable: impl Fn(f64) -> bool) -> Plan {
         let mut plan = Plan { origin, ..Plan::default() };
-        plan.times = record
-            .observations
-            .iter()
-            .flat_map(|observation| observation.times.iter().zip(&observation.values))
-            .filter(|(time, value)| value.is_finite() && usable(**time))
-            .map(|(time, _)| *time)
-            .collect();
+        let times = record.observations.iter().flat_map(|one| one.rows().map(|(_, time, _)| time));
+        plan.times = times.filter(|time| usable(*time)).collect();
         plan.times.sort_unstable_by(f64::total_cmp);
         plan.times.dedup();
         for (index, observation) in record.observations.iter().enumerate() {
@@ -72,15 +114,9 @@ impl Problem {
             plan.expressions.push(self.expressions.iter().position(|known| *known == node).unwrap_or(0));
             let measured = witness(record, index) == index;
             let share = 1.0 / alike(record, index) as f64;
-            for (place, (&time, &value)) in observation.times.iter().zip(&observation.values).enumerate() {
-                if !(value.is_finite() && usable(time)) {
-                    continue;
-                }
-                let weight = match observation.errors.as_ref().and_then(|errors| errors.get(place)) {
-                    Some(&error) if error > 0.0 => 1.0 / error,
-                    Some(_) => continue,
-                    None => 1.0,
-                };
+            for (place, time, value) in observation.rows().filter(|(_, time, _)| usable(*time)) {
+                // Without an error it is outside the fitted part, where weights do not count.
+                let weight = 1.0 / observation.error(place).unwrap_or(1.0);
                 let row = plan.times.partition_point(|known| *known < time);
                 let weight = weight * share.sqrt();
                 plan.points.push(Point { row, observation: index, value, weight, share, measured });

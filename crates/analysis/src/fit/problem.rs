@@ -62,6 +62,15 @@ impl Problem {
             if varied.bounds.is_some_and(|(low, high)| low.is_nan() || high.is_nan() || low >= high) {
                 return Err(FitError::BadBounds(place));
             }
+            if varied.start.is_some_and(|start| !start.is_finite()) {
+                return Err(FitError::BadStart(place));
+            }
+        }
+        let fixed = task.records.iter().flat_map(|record| &record.fixed).copied();
+        if let Some((index, _)) =
+            task.parameters.iter().copied().enumerate().chain(fixed).find(|(_, value)| !value.is_finite())
+        {
+            return Err(FitError::BadValue(index));
         }
         let columns = columns(&task);
         let mut expressions: Vec<NodeId> = Vec::new();
@@ -92,6 +101,10 @@ impl Problem {
         if points == 0 {
             return Err(FitError::NothingObserved);
         }
+        if let Some(record) = self.plans.iter().position(|plan| plan.points.is_empty()) {
+            return Err(FitError::RecordEmpty(record));
+        }
+        self.check_errors()?;
         let independent = self.independent_values();
         if (self.columns.len() as f64) > independent {
             return Err(FitError::TooFew { values: independent as usize, varied: self.columns.len() });
@@ -186,7 +199,11 @@ impl Problem {
                     rows.for_each(|(slope, point)| *slope = point.weight * values[place(point, of_parameter)]);
                 }
                 Target::Origin => {
-                    rows.for_each(|(slope, point)| *slope = point.weight * -values[place(point, stride - 1)]);
+                    // What has not moved yet does not begin to move where the origin does.
+                    let moves = |point: &Point| plan.times[point.row] - origin >= earliest;
+                    rows.for_each(|(slope, point)| {
+                        *slope = if moves(point) { point.weight * -values[place(point, stride - 1)] } else { 0.0 };
+                    });
                 }
                 Target::Offset(observation) => {
                     for ((slope, point), residual) in rows.zip(residuals.iter_mut()) {

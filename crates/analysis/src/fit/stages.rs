@@ -58,12 +58,14 @@ impl Fit {
     /// Begins the next stage, or ends.
     pub(super) fn begin(&mut self) {
         let Some(stage) = self.stages.pop().filter(|_| !self.is_enough()) else {
-            self.conclude();
+            self.stages.clear();
+            self.try_elsewhere();
             return;
         };
         let far = matches!(stage, Stage::From(_));
         let start = match stage {
             Stage::Own(search) => {
+                self.starts += 1;
                 self.search_whole(*search);
                 return;
             }
@@ -82,12 +84,27 @@ impl Fit {
             Stage::Windows => {
                 let mut windows = self.windows();
                 if let Some(first) = windows.pop().filter(|first| first.duration.is_finite()) {
+                    self.starts += 1;
                     self.current = Some(self.window(&self.own.clone(), first, windows));
                 }
                 return;
             }
         };
         let limit = if far && self.problem.curve.has_states() { Self::SPREAD_TRIALS } else { Self::TRIALS };
+        self.starts += 1;
+        let search = self.search(&start, &self.problem.plans.clone(), limit);
+        self.search_whole(search);
+    }
+
+    /// Begins the next search from elsewhere; after the last one the best answer is gone on with.
+    fn try_elsewhere(&mut self) {
+        let Some(start) = self.next_elsewhere() else {
+            self.rival = self.find_rival();
+            self.conclude();
+            return;
+        };
+        self.starts += 1;
+        let limit = if self.problem.curve.has_states() { Self::ELSEWHERE_TRIALS } else { Self::TRIALS };
         let search = self.search(&start, &self.problem.plans.clone(), limit);
         self.search_whole(search);
     }

@@ -285,12 +285,11 @@ pub(crate) fn cut(plans: &[Plan], duration: f64) -> Vec<Plan> {
 /// `index`. Without a range, from a fifth of the start to five times it, and every other time from a three-hundredth to three
 /// hundred times.
 pub(crate) fn spread(own: &[f64], bounds: &[(f64, f64)], index: usize) -> Vec<f64> {
-    const PRIMES: [usize; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
     own.iter()
         .zip(bounds)
         .enumerate()
         .map(|(place, (&value, &(low, high)))| {
-            let part = radical_inverse(index + 1, PRIMES[place % PRIMES.len()]);
+            let part = halton(index, place);
             if low.is_finite() && high.is_finite() {
                 // Small values are as likely as large ones where the range reaches over decades.
                 if low > 0.0 && high > 20.0 * low {
@@ -305,6 +304,12 @@ pub(crate) fn spread(own: &[f64], bounds: &[(f64, f64)], index: usize) -> Vec<f6
             }
         })
         .collect()
+}
+
+/// Number `place` of the point of number `index` in the unit cube.
+pub(crate) fn halton(index: usize, place: usize) -> f64 {
+    const PRIMES: [usize; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+    radical_inverse(index + 1, PRIMES[place % PRIMES.len()])
 }
 
 fn radical_inverse(mut index: usize, base: usize) -> f64 {

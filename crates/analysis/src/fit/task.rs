@@ -30,9 +30,9 @@ pub struct Record {
     pub observations: Vec<Observation>,
     /// Parameters that have a value of their own in this run: which of the model's, and the value.
     pub fixed: Vec<(usize, f64)>,
-    /// The reading of its clock at which the model's independent variable is 0, where it is not varied. Without it: the
-    /// first row for equations of motion in which the independent variable does not occur, so that initial values hold
-    /// there; otherwise 0.
+    /// The reading of its clock at which the model's independent variable is 0, where it is not varied. Without it: for
+    /// equations of motion in which the independent variable does not occur, the first measured value of the fitted part, so
+    /// that initial values hold there; otherwise 0.
     pub origin: Option<f64>,
 }
 
@@ -99,7 +99,7 @@ impl Task {
 }
 
 /// Why a fit cannot be made.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum FitError {
     /// Nothing is to be varied.
     NothingVaried,
@@ -116,6 +116,23 @@ pub enum FitError {
     VariedTwice(usize),
     /// Bounds without room between them: the place in [`Task::varied`].
     BadBounds(usize),
+    /// A start that is no finite number: the place in [`Task::varied`].
+    BadStart(usize),
+    /// A value of a parameter that is no finite number: which of the model's.
+    BadValue(usize),
+    /// Given errors in the fitted part that are missing, not finite or not greater than 0.
+    BadErrors {
+        /// Which of [`Task::records`].
+        record: usize,
+        /// Which of its observations.
+        observation: usize,
+        /// How many of its values have such an error.
+        count: usize,
+        /// The clock's reading at the first of them.
+        first: f64,
+    },
+    /// One of several records has no value in the fitted part: which.
+    RecordEmpty(usize),
     /// More than [`super::MOST_VARIED`] numbers or [`super::MOST_VALUES`] values.
     TooLarge,
     /// The model with its sensitivities is too large, or its method cannot treat it.
@@ -132,6 +149,12 @@ impl std::fmt::Display for FitError {
             }
             Self::VariedTwice(_) => f.write_str("a number is varied twice, or varied and fixed"),
             Self::BadBounds(_) => f.write_str("the lower bound is not below the upper one"),
+            Self::BadStart(_) => f.write_str("a start is not a finite number"),
+            Self::BadValue(_) => f.write_str("the value of a parameter is not a finite number"),
+            Self::BadErrors { count, .. } => {
+                write!(f, "{count} values have a standard error that is missing or not greater than 0")
+            }
+            Self::RecordEmpty(_) => f.write_str("a record has no measured value in the fitted part"),
             Self::TooLarge => f.write_str("there are too many values or too many varied numbers"),
             Self::Model(message) => f.write_str(&message.english),
         }

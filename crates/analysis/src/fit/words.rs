@@ -1,7 +1,7 @@
 //! What a fit says, in words.
 
 use super::identify::Undetermined;
-use super::outcome::{Outcome, Verdict};
+use super::outcome::{Estimate, Outcome, Verdict};
 
 impl Outcome {
     /// What the residuals say of the model, in one or two sentences.
@@ -35,6 +35,48 @@ impl Outcome {
             (Verdict::Unknown, true) => "Hay muy pocos valores para juzgar los residuos.",
         };
         text.to_owned()
+    }
+}
+
+impl Outcome {
+    /// From how many starts was searched, where it was more than one, and whether a profile has led to a lower minimum, in
+    /// sentences.
+    pub fn search_texts(&self, spanish: bool) -> Vec<String> {
+        let mut texts = Vec::new();
+        if self.starts > 1 {
+            texts.push(match spanish {
+                false => format!(
+                    "The search was made from {} starts; these values are the best that were found.",
+                    self.starts
+                ),
+                true => format!(
+                    "Se buscó desde {} comienzos; estos valores son los mejores que se encontraron.",
+                    self.starts
+                ),
+            });
+        }
+        if self.improved > 0 {
+            let text = match spanish {
+                false => "The profile of a parameter met a lower chi-square: the fit was made again from there.",
+                true => "El perfil de un parámetro encontró un chi cuadrado menor: el ajuste se repitió desde ahí.",
+            };
+            texts.push(text.to_owned());
+        }
+        texts
+    }
+
+    /// That other values fit as well within the noise, if a search has found such. `quantity` writes an SI value of an
+    /// estimate with its unit.
+    pub fn rival_text(&self, spanish: bool, quantity: impl Fn(&Estimate, f64) -> String) -> Option<String> {
+        let rival = self.rival.as_ref()?;
+        let values = self.parameters.iter().zip(&rival.values);
+        let values: Vec<String> =
+            values.map(|(one, value)| format!("{} = {}", one.name, quantity(one, *value))).collect();
+        let values = values.join(", ");
+        Some(match spanish {
+            false => format!("Another minimum fits as well within the noise: {values}."),
+            true => format!("Otro mínimo ajusta igual de bien dentro del ruido: {values}."),
+        })
     }
 }
 

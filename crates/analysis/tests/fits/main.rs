@@ -3,9 +3,11 @@
 
 mod classic;
 mod coverage;
+mod elsewhere;
 mod known;
 mod nist;
 #[path = "../support/mod.rs"]
 mod noise;
+mod parts;
 mod support;
 mod utube;

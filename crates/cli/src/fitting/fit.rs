@@ -8,12 +8,13 @@ use crate::data::{self, Measured};
 use crate::failure::Failure;
 use crate::output;
 use crate::terminal::Terminal;
-use analysis::fit::{Fit, FitError, Interval, Outcome, Task, Trace, profile};
+use analysis::fit::{Fit, FitError, Interval, Outcome, Task, Trace, profiles};
 use base64::Engine as _;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use report::Report;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+use units::number::{Style, plain};
 
 /// Points of a drawn curve.
 const POINTS: usize = 600;
@@ -63,28 +64,20 @@ pub fn read(paths: &[PathBuf], arguments: &Common, terminal: Terminal) -> Result
 }
 
 /// Works on a fit to its end, with progress on a terminal if it takes long.
-pub fn complete(theory: Theory, task: Task, profiles: bool) -> Result<Fitted, Failure> {
+pub fn complete(theory: Theory, task: Task, with_profiles: bool) -> Result<Fitted, Failure> {
     let mut fit = Fit::new(&theory.document.model, task.clone()).map_err(|error| refused(&theory, &task, &error))?;
     let progress = progress(&theory.document.title);
     while !fit.advance() {
         progress.set_position(fit.trials() as u64);
     }
-    let Some(outcome) = fit.outcome() else {
+    let Some(mut outcome) = fit.outcome() else {
         progress.finish_and_clear();
         return Err(Failure::with_hint(
             "the model has no finite curve anywhere it was tried",
             "give values from which it runs with --start NAME=VALUE, and ranges with --bounds NAME=LO..HI",
         ));
     };
-    let intervals = match profiles {
-        true => outcome
-            .parameters
-            .iter()
-            .enumerate()
-            .map(|(index, estimate)| Some(profile(&mut fit, index, estimate.stderr?, outcome.dof)))
-            .collect(),
-        false => Vec::new(),
-    };
+    let intervals = if with_profiles { profiles(&mut fit, &mut outcome) } else { Vec::new() };
     let traces = fit.traces(POINTS);
     progress.finish_and_clear();
     Ok(Fitted { theory, task, outcome, traces, intervals })
@@ -96,13 +89,29 @@ fn refused(theory: &Theory, task: &Task, error: &FitError) -> Failure {
         Some(analysis::fit::Target::Parameter(index)) => model.parameters[index].name.clone(),
         _ => "it".to_owned(),
     };
-    let message = format!("{}: {error}", theory.sources.path().display());
+    let of_record = match error {
+        FitError::RecordEmpty(record) | FitError::BadErrors { record, .. } => task.records.get(*record),
+        _ => None,
+    };
+    let of_record = of_record.map(|record| format!("{}: ", record.name)).unwrap_or_default();
+    let message = format!("{}: {of_record}{error}", theory.sources.path().display());
     match error {
         FitError::VariedTwice(place) => {
             Failure::with_hint(message, format!("name {} once, in --vary or in --fix", named(*place)))
         }
         FitError::TooFew { .. } => Failure::with_hint(message, "vary less, or fit a longer part of the record"),
-        FitError::NothingObserved => Failure::with_hint(message, "look at --from and --until, and at the column"),
+        FitError::BadErrors { first, .. } => {
+            let clock = &model.independent;
+            let first =
+                format!("{} = {} {}", clock.name, plain(clock.unit.from_si(*first), 6, Style::POINT), clock.unit);
+            Failure::with_hint(
+                message,
+                format!("the first is at {}; correct its error, or leave the row out of the file", first.trim()),
+            )
+        }
+        FitError::NothingObserved | FitError::RecordEmpty(_) => {
+            Failure::with_hint(message, "look at --from and --until, and at the column")
+        }
         _ => Failure::request(message),
     }
 }

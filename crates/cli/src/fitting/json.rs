@@ -15,6 +15,9 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
         "document": fitted.theory.sources.path().display().to_string(),
         "title": fitted.theory.document.title,
         "converged": outcome.converged,
+        "starts": outcome.starts,
+        "improved_by_profile": outcome.improved > 0,
+        "other_minimum": other_minimum(outcome),
         "n": outcome.n,
         "dof": outcome.dof,
         "rmse": in_unit(&outcome.rmse_unit, outcome.rmse),
@@ -38,6 +41,9 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
         "observations": observations(outcome, None),
         "data": data.iter().map(file).collect::<Vec<_>>(),
     });
+    if !several {
+        object["initial_values_at"] = initial_values_at(fitted, 0);
+    }
     if several && let Some(object) = object.as_object_mut() {
         let runs = fitted.task.records.iter().enumerate().map(|(record, one)| {
             json!({
@@ -45,6 +51,7 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
                 "parameters": estimates(&outcome.parameters, &fitted.intervals, Some(record)),
                 "derived": estimates(&outcome.derived, &[], Some(record)),
                 "observations": observations(outcome, Some(record)),
+                "initial_values_at": initial_values_at(fitted, record),
             })
         });
         object.insert("runs".to_owned(), Value::Array(runs.collect()));
@@ -58,6 +65,24 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
 pub fn file(data: &Measured) -> Value {
     let findings: Vec<String> = data.findings.iter().map(|finding| finding.text(false)).collect();
     json!({"name": data.name, "findings": findings, "columns": columns::as_json(data)})
+}
+
+/// Another minimum that fits as well within the noise, or null: by how many variances of a residual chi-square is larger
+/// there, and the values of what was varied.
+fn other_minimum(outcome: &Outcome) -> Value {
+    let Some(rival) = &outcome.rival else { return Value::Null };
+    let values = outcome.parameters.iter().zip(&rival.values);
+    let values: Vec<Value> = values
+        .map(|(one, si)| json!({"name": one.name, "run": one.record, "value": in_unit(&one.unit, *si), "unit": one.unit.text}))
+        .collect();
+    json!({"chi2_growth": rival.growth, "parameters": values})
+}
+
+/// The reading of a record's clock at which the initial values of equations of motion hold; null for formulas.
+fn initial_values_at(fitted: &Fitted, record: usize) -> Value {
+    let unit = &fitted.theory.document.model.independent.unit;
+    let origin = fitted.outcome.origins.get(record);
+    origin.map_or(Value::Null, |origin| json!({"value": in_unit(unit, *origin), "unit": unit.text}))
 }
 
 /// Those that belong to `record`, or to all.
@@ -119,6 +144,7 @@ fn observation(one: &ObservationFit) -> Value {
         "rmse": in_unit(&one.unit, one.rmse),
         "r2": one.r2,
         "made_from_another": one.derived,
+        "before_initial_values": one.early,
         "outside": one.outside.map(|outside| json!({"n": outside.n, "rmse": in_unit(&one.unit, outside.rmse)})),
     })
 }

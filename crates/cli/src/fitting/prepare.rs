@@ -5,7 +5,7 @@ use crate::arguments::Assignment;
 use crate::data::Measured;
 use crate::failure::Failure;
 use crate::load::{self, Loaded, Sources};
-use crate::settings::{Reader, unknown};
+use crate::settings::{Reader, positive, unknown};
 use crate::terminal::Terminal;
 use analysis::fit::{Observation, Record, Target, Task, Varied, observation};
 use document::Document;
@@ -50,8 +50,11 @@ pub fn task(
             .map_err(|_| unknown("method", name, Method::ALL.iter().map(|method| method.name())))?;
     }
     let observed = observed(document, arguments, terminal)?;
+    let mut columns: Vec<Vec<usize>> = Vec::new();
     for measured in data {
-        task.records.push(record(document, measured, arguments, &observed)?);
+        let (record, own) = record(document, measured, arguments, &observed)?;
+        task.records.push(record);
+        columns.push(own);
     }
     let vary = document.vary.clone();
     let mut reader = Reader { model: &mut document.model, terminal };
@@ -66,7 +69,7 @@ pub fn task(
         fix(&mut reader, &mut task, fixed)?;
     }
     for error in &arguments.error {
-        errors(&mut reader, &mut task, data, error, &observed)?;
+        errors(&mut reader, &mut task, (data, &columns), error, &observed)?;
     }
     task.varied = if arguments.vary.is_empty() {
         // What is held is not varied.
@@ -91,6 +94,11 @@ pub fn task(
     };
     task.from = moment("--from", &arguments.from)?;
     task.until = moment("--until", &arguments.until)?;
+    if let (Some(from), Some(until)) = (task.from, task.until)
+        && from > until
+    {
+        return Err(Failure::request("--from lies after --until: no part of the record is left"));
+    }
     Ok(task)
 }
 
@@ -152,12 +160,13 @@ fn observed(
     Ok(observed)
 }
 
+/// A record with its observations, and the columns that these are.
 fn record(
     document: &Document,
     measured: &Measured,
     arguments: &Common,
     observed: &[(String, Compiled)],
-) -> Result<Record, Failure> {
+) -> Result<(Record, Vec<usize>), Failure> {
     let mut record = Record { name: short_name(&measured.name), ..Record::default() };
     let mut columns: Vec<usize> = Vec::new();
     for (observe, (name, compiled)) in arguments.observe.iter().zip(observed) {
@@ -173,7 +182,7 @@ fn record(
         record.observations[place].derived_from =
             source.and_then(|source| columns.iter().position(|column| *column == source));
     }
-    Ok(record)
+    Ok((record, columns))
 }
 
 /// The name of a file without its directory.
@@ -184,8 +193,20 @@ fn short_name(path: &str) -> String {
 /// `--fix NAME=VALUE`, or as many values as there are records.
 fn fix(reader: &mut Reader, task: &mut Task, fixed: &Assignment) -> Result<(), Failure> {
     let values = task.parameters.clone();
-    let several: Vec<&str> = fixed.value.split(',').map(str::trim).collect();
-    if several.len() > 1 && several.len() == task.records.len() {
+    let several = listed_values(&fixed.value);
+    if several.len() > 1 {
+        if several.len() != task.records.len() {
+            let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+            return Err(Failure::with_hint(
+                format!(
+                    "--fix {}: {} for {}",
+                    fixed.name,
+                    count(several.len(), "value"),
+                    count(task.records.len(), "record")
+                ),
+                "give one value for all records or one for each; decimals have a point",
+            ));
+        }
         for (record, value) in several.iter().enumerate() {
             let one = Assignment { name: fixed.name.clone(), value: (*value).to_owned() };
             let assigned = reader.parameter("--fix", &one, &values)?;
@@ -198,11 +219,25 @@ fn fix(reader: &mut Reader, task: &mut Task, fixed: &Assignment) -> Result<(), F
     Ok(())
 }
 
-/// `--error y=VALUE` or `--error y=COLUMN`.
+/// The values of a list, at the commas that no bracket encloses.
+fn listed_values(text: &str) -> Vec<&str> {
+    let mut depth = 0_usize;
+    let separates = |c: char| {
+        match c {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        c == ',' && depth == 0
+    };
+    text.split(separates).map(str::trim).collect()
+}
+
+/// `--error y=VALUE` or `--error y=COLUMN`; `data` are the files, each with the columns of what is observed.
 fn errors(
     reader: &mut Reader,
     task: &mut Task,
-    data: &[Measured],
+    (data, columns): (&[Measured], &[Vec<usize>]),
     error: &Assignment,
     observed: &[(String, Compiled)],
 ) -> Result<(), Failure> {
@@ -210,47 +245,35 @@ fn errors(
         return Err(unknown("observed quantity", &error.name, observed.iter().map(|(name, _)| name.as_str())));
     };
     let unit = observed[place].1.unit.clone();
-    for (record, measured) in task.records.iter_mut().zip(data) {
+    for ((record, measured), columns) in task.records.iter_mut().zip(data).zip(columns) {
         let observation: &mut Observation = &mut record.observations[place];
         let column = error.value.parse::<f64>().err().and_then(|_| measured.table.column(&error.value));
         let errors = match column {
-            // Row by row as the values, of which gaps have been left out.
-            Some(column) => column_errors(measured, column, &unit, observation)?,
+            Some(column) => column_errors(measured, column, columns[place], &unit)?,
             None => {
                 let what = format!("--error {}", error.name);
-                let value = reader.value(&what, &error.value, &unit, &task.parameters)?;
+                let value = positive(&what, reader.value(&what, &error.value, &unit, &task.parameters)?)?;
                 vec![value; observation.values.len()]
             }
         };
-        if errors.iter().any(|error| error.is_nan() || *error <= 0.0) {
-            return Err(Failure::request(format!(
-                "{}: the standard error of {} must be greater than 0 in every row",
-                measured.name, error.name
-            )));
-        }
         observation.errors = Some(errors);
     }
     Ok(())
 }
 
-fn column_errors(
-    measured: &Measured,
-    column: usize,
-    unit: &Unit,
-    observation: &Observation,
-) -> Result<Vec<f64>, Failure> {
-    let values = measured.table.columns[column].si(Some(unit));
-    let times = measured.table.times_of(column);
-    let kept: Vec<f64> =
-        values.iter().zip(times).filter(|(_, time)| time.is_finite()).map(|(value, _)| *value).collect();
-    if kept.len() != observation.values.len() {
+/// The errors of the values in column `observed`, row by row as those, without the rows that have no time or no value.
+fn column_errors(measured: &Measured, column: usize, observed: usize, unit: &Unit) -> Result<Vec<f64>, Failure> {
+    let table = &measured.table;
+    let own = &table.columns[column];
+    if let Some(given) = own.unit.as_ref().filter(|given| given.dimension != unit.dimension) {
         return Err(Failure::request(format!(
-            "{}: {} has gaps where there are values",
+            "{}: {} is in {given}, and what is observed is in {unit}",
             measured.name,
             measured.called(column)
         )));
     }
-    Ok(kept)
+    let rows = own.si(Some(unit)).into_iter().zip(&table.columns[observed].values).zip(table.times_of(observed));
+    Ok(rows.filter(|((_, value), time)| value.is_finite() && time.is_finite()).map(|((error, _), _)| error).collect())
 }
 
 /// What a name means that can be varied.

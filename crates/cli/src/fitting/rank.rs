@@ -3,7 +3,7 @@
 use super::arguments::{Form, Rank as Arguments};
 use super::fit::{FileKind, Fitted, command, complete, kind, notes, read, with_font};
 use super::prepare;
-use super::text::Columns;
+use super::text::{Columns, beginnings, searches};
 use crate::data::Measured;
 use crate::failure::Failure;
 use crate::output;
@@ -158,6 +158,19 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
                 best.n as f64 * (1.0 - rho) / (1.0 + rho),
                 (1.0 + rho) / (1.0 - rho)
             );
+        }
+    }
+    if let Some(moved) = contenders.iter().map(|one| beginnings(&one.fitted)).find(|found| !found.is_empty())
+        && arguments.common.from.is_some()
+    {
+        for (record, when) in moved {
+            let of = if record.is_empty() { String::new() } else { format!(" of {record}") };
+            let _ = writeln!(text, "Equations of motion: initial values{of} hold at {when}.");
+        }
+    }
+    for one in contenders.iter().filter(|one| one.fitted.outcome.rival.is_some()) {
+        for sentence in searches(&one.fitted.outcome) {
+            let _ = writeln!(text, "{}: {sentence}", one.fitted.theory.document.title);
         }
     }
     for one in contenders.iter().filter(|one| !one.fitted.outcome.converged) {

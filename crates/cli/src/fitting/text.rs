@@ -63,6 +63,9 @@ pub fn fit(fitted: &Fitted, notes: &[Vec<String>]) -> String {
     text.push('\n');
     text.push_str(&quality(outcome, fitted));
     let _ = writeln!(text, "\n{}", outcome.verdict_text(false));
+    for sentence in searches(outcome) {
+        let _ = writeln!(text, "{sentence}");
+    }
     let derived: Vec<&str> =
         outcome.observations.iter().filter(|one| one.derived).map(|one| one.name.as_str()).collect();
     if !derived.is_empty() {
@@ -136,6 +139,10 @@ fn quality(outcome: &Outcome, fitted: &Fitted) -> String {
             ]);
         }
     }
+    for (record, when) in beginnings(fitted) {
+        let what = if record.is_empty() { String::new() } else { format!(" ({record})") };
+        columns.push(vec![format!("initial values hold at{what}"), when]);
+    }
     if let Some(reduced) = outcome.chi2_reduced {
         columns.push(vec!["reduced chi-square".to_owned(), number(reduced)]);
     }
@@ -154,6 +161,33 @@ fn quality(outcome: &Outcome, fitted: &Fitted) -> String {
     }
     columns.push(vec!["Durbin-Watson".to_owned(), witness]);
     columns.text(&[])
+}
+
+/// From where was searched, and whether another minimum fits as well, in sentences.
+pub fn searches(outcome: &Outcome) -> Vec<String> {
+    let quantity = |one: &Estimate, si: f64| {
+        let number = number::plain(one.unit.from_si(si), 5, Style::POINT);
+        format!("{number} {}", unit_text(&one.unit.text)).trim_end().to_owned()
+    };
+    outcome.search_texts(false).into_iter().chain(outcome.rival_text(false, quantity)).collect()
+}
+
+/// Where the initial values of equations of motion hold: `t = 1.0333 s`, with what that means for earlier values. Of several
+/// records each has its own, and stands beside its name.
+pub fn beginnings(fitted: &Fitted) -> Vec<(String, String)> {
+    let clock = &fitted.theory.document.model.independent;
+    let beginning = |(record, origin): (usize, &f64)| {
+        let reading = number::plain(clock.unit.from_si(*origin), 5, Style::POINT);
+        let mut when = format!("{} = {reading} {}", clock.name, unit_text(&clock.unit.text));
+        let of_record = fitted.outcome.observations.iter().filter(|one| one.record == record);
+        let early: usize = of_record.map(|one| one.early).sum();
+        if early > 0 {
+            let _ = write!(when, "; nothing is predicted of the {early} values before");
+        }
+        let name = fitted.task.records.get(record).filter(|_| fitted.task.records.len() > 1);
+        (name.map(|record| record.name.clone()).unwrap_or_default(), when)
+    };
+    fitted.outcome.origins.iter().enumerate().map(beginning).collect()
 }
 
 /// The name of an observation, with its record where there are several.

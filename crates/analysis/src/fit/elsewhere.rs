@@ -1,0 +1,212 @@
+//! Searches from elsewhere. Where a model has events or branches, the sum of squares has kinks and steps, and a search by
+//! derivatives can stop at one of them far above the least value. Such a fit is therefore tried again from starts around its
+//! answer, some standard deviations away, where the other minima lie that fit nearly as well. Whatever ends lower becomes the
+//! answer, and is tried in the same way.
+
+use super::driver::Fit;
+use super::linear::{Decomposition, dot, norm};
+use super::problem::Problem;
+use super::search::Search;
+use super::start;
+use super::task::Target;
+use model::{Binary, Model, Node, NodeId, Unary};
+
+/// How the sum of squares depends on the numbers of the search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Texture {
+    /// Smoothly.
+    Smooth,
+    /// With branches (`if`, `abs`, `sign` ...), which often make no kinks in the curve.
+    Branches,
+    /// With events.
+    Events,
+}
+
+/// Starts around an answer.
+#[derive(Clone, Debug)]
+pub(super) struct Elsewhere {
+    /// Still to be tried, the last one first.
+    starts: Vec<Vec<f64>>,
+    /// The sum of squares of the answer around which they lie.
+    centre: f64,
+    /// How many searches have come back to the best answer.
+    returned: usize,
+}
+
+/// Another minimum that fits as well within the noise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rival {
+    /// By how much its sum of squares is larger, in variances of a residual.
+    pub growth: f64,
+    /// What was varied, in the order of [`super::Outcome::parameters`].
+    pub values: Vec<f64>,
+}
+
+impl Fit {
+    /// Searches from elsewhere, at most.
+    const ELSEWHERE: usize = 30;
+    /// Starts spread over a box around an answer.
+    const BOX: usize = 16;
+    /// Half the side of the box, in standard errors of each number.
+    const BOX_SIZE: f64 = 6.0;
+    /// And at most so many of the whole record times its values.
+    const ELSEWHERE_VALUES: usize = 100_000;
+    /// Trials of one of them, for equations of motion: one that takes longer creeps along a kink.
+    pub(super) const ELSEWHERE_TRIALS: usize = 20;
+    /// If so many of them have come back to the best answer, there is hardly a better one: without events, and with them.
+    const RETURNED: [usize; 2] = [4, 6];
+    /// Where a search ends lower by this part of the sum of squares, starts around the new answer are tried.
+    const MOVED: f64 = 1e-4;
+    /// Sums of squares that differ by less than this part are those of one answer, or of one curve.
+    const EQUAL: f64 = 1e-5;
+    /// A direction in which the curve changes by less than this part of the greatest change is no direction to try.
+    const VAGUE: f64 = 1e-8;
+    /// A start that explains all but this part of the scatter leaves nothing to be found.
+    const NOTHING: f64 = 1e-12;
+    /// Another minimum fits as well if its sum of squares is larger by less than this many variances: two standard
+    /// deviations of one number.
+    const AS_WELL: f64 = 4.0;
+    /// It is another one if the sum of squares would have to be larger by more than this many variances where it lies, were
+    /// there only one: three standard deviations of one number.
+    const APART: f64 = 9.0;
+
+    /// The next start from elsewhere, if one is to be tried.
+    pub(super) fn next_elsewhere(&mut self) -> Option<Vec<f64>> {
+        let best = self.best.as_ref().filter(|best| best.sum > Self::NOTHING * self.total)?;
+        let most = Self::ELSEWHERE_VALUES / best.residuals.len().max(1);
+        if self.texture == Texture::Smooth || self.tried_elsewhere >= most.clamp(Self::RETURNED[0], Self::ELSEWHERE) {
+            return None;
+        }
+        let current = |known: &Elsewhere| best.sum >= known.centre * (1.0 - Self::MOVED);
+        let mut known = match self.elsewhere.take().filter(current) {
+            Some(known) => known,
+            None => {
+                let starts = self.starts_around(best);
+                Elsewhere { starts, centre: best.sum, returned: 0 }
+            }
+        };
+        let enough = known.returned >= Self::RETURNED[usize::from(self.texture == Texture::Events)];
+        let start = if enough { None } else { known.starts.pop() };
+        self.elsewhere = Some(known);
+        self.tried_elsewhere += usize::from(start.is_some());
+        start
+    }
+
+    /// Remembers where a search of the whole has ended, before its answer is taken or not.
+    pub(super) fn remember_end(&mut self, search: &Search) {
+        if let (Some(best), Some(known)) = (&self.best, &mut self.elsewhere) {
+            let same = (search.sum - best.sum).abs() <= Self::EQUAL * best.sum;
+            known.returned += usize::from(same);
+        }
+        if search.sum.is_finite() {
+            self.ends.push((search.x.clone(), search.sum));
+        }
+    }
+
+    /// Of all searches so far, the one that has ended lowest in another minimum that fits as well within the noise.
+    pub(super) fn find_rival(&self) -> Option<Rival> {
+        let best = self.best.as_ref()?;
+        let variance = self.variance(best);
+        let rival = |(x, sum): &(Vec<f64>, f64)| {
+            let growth = (sum - best.sum) / variance;
+            // The same curve from other numbers is no other minimum: terms of a sum have changed places.
+            let same = *sum <= best.sum * (1.0 + Self::EQUAL);
+            (growth <= Self::AS_WELL && !same && quadratic(best, x) > Self::APART * variance)
+                .then(|| Rival { growth, values: x.clone() })
+        };
+        self.ends.iter().filter_map(rival).min_by(|one, other| one.growth.total_cmp(&other.growth))
+    }
+
+    /// The variance of a residual: as given, or as the residuals show it where that is larger.
+    pub(super) fn variance(&self, best: &Search) -> f64 {
+        let dof = (self.problem.independent_values() - best.x.len() as f64).max(1.0);
+        let shown = best.sum / dof;
+        if self.problem.task.errors_given() { shown.max(1.0) } else { shown }
+    }
+
+    /// Starts around an answer, the last one first: along the direction that the data determine worst, then spread over a
+    /// box of some standard errors of each number. Beside a kink the derivatives do not tell where the valleys lead, so that
+    /// the box finds what no direction does.
+    fn starts_around(&self, best: &Search) -> Vec<Vec<f64>> {
+        let scale: Vec<f64> = (0..best.x.len()).map(|column| norm(best.jacobian.column(column))).collect();
+        let free = |column: &usize| scale[*column] > 0.0 && self.bounds[*column].0 < self.bounds[*column].1;
+        let columns: Vec<usize> = (0..scale.len()).filter(free).collect();
+        let decomposition = Decomposition::new(&best.jacobian, &columns, &scale, &best.residuals);
+        let least = Self::VAGUE * decomposition.greatest();
+        let determined: Vec<usize> = (0..columns.len()).filter(|&k| decomposition.singular[k] > least).collect();
+        let deviation = self.variance(best).sqrt();
+        // One standard deviation along direction k, in the number of this place.
+        let along = |k: usize, place: usize| {
+            let size = scale[columns[place]] * decomposition.singular[k];
+            deviation * decomposition.right[k * columns.len() + place] / size
+        };
+        let moved = |change: &dyn Fn(usize) -> f64| {
+            let mut x = best.x.clone();
+            columns.iter().enumerate().for_each(|(place, &column)| x[column] += change(place));
+            x
+        };
+        let mut starts = Vec::new();
+        let singular = |k: &usize| decomposition.singular[*k];
+        if let Some(worst) = determined.iter().copied().min_by(|one, other| singular(one).total_cmp(&singular(other))) {
+            let distances = [4.0, -4.0, 10.0, -10.0];
+            starts.extend(distances.map(|distance| moved(&|place| distance * along(worst, place))));
+        }
+        let error = |place| norm(&determined.iter().map(|&k| along(k, place)).collect::<Vec<f64>>());
+        starts
+            .extend((0..Self::BOX).map(|index| {
+                moved(&|place| Self::BOX_SIZE * (2.0 * start::halton(index, place) - 1.0) * error(place))
+            }));
+        starts.reverse();
+        starts
+    }
+}
+
+/// How much larger the sum of squares would be at `x` than at the end of a search if the curve changed in proportion to the
+/// numbers.
+fn quadratic(best: &Search, x: &[f64]) -> f64 {
+    let mut change = vec![0.0; best.residuals.len()];
+    for (column, (to, from)) in x.iter().zip(&best.x).enumerate() {
+        change.iter_mut().zip(best.jacobian.column(column)).for_each(|(change, slope)| *change += (to - from) * slope);
+    }
+    dot(&change, &change)
+}
+
+/// How the sum of squares depends on the numbers of the search, as far as the model's text tells.
+pub(super) fn texture(model: &Model, problem: &Problem) -> Texture {
+    if !model.events.is_empty() {
+        return Texture::Events;
+    }
+    let mut roots: Vec<NodeId> = problem.expressions.clone();
+    roots.extend(model.states.iter().flat_map(|state| [state.derivative, state.initial]));
+    let varied = |index: &u32| problem.columns.iter().any(|column| column.target == Target::Parameter(*index as usize));
+    let branches = |id: &NodeId| {
+        is_branch(model.graph.node(*id)) && {
+            let dependence = model.depends(*id);
+            dependence.varies() || !dependence.initial.is_empty() || dependence.parameters.iter().any(varied)
+        }
+    };
+    if model.graph.reachable(&roots).iter().any(branches) { Texture::Branches } else { Texture::Smooth }
+}
+
+/// Whether a function has a kink or a step.
+fn is_branch(node: Node) -> bool {
+    match node {
+        Node::Select(..) => true,
+        Node::Unary(function, _) => {
+            matches!(function, Unary::Absolute | Unary::Sign | Unary::Floor | Unary::Ceil | Unary::Round | Unary::Not)
+        }
+        Node::Binary(function, ..) => matches!(
+            function,
+            Binary::Minimum
+                | Binary::Maximum
+                | Binary::Modulo
+                | Binary::Less
+                | Binary::LessOrEqual
+                | Binary::Equal
+                | Binary::NotEqual
+                | Binary::And
+                | Binary::Or
+        ),
+        _ => false,
+    }
+}

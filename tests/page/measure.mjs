@@ -14,6 +14,8 @@ const ROWS = 2000;
 const STEP = 0.05;
 const SECONDS = 5;
 const OPENINGS = 9;
+/** How many rows the long record has. */
+const LONG = 1_000_000;
 
 /** Defines `probe`, which loads the module; as a value and not as a script, since a blank page has no address. */
 const glue = `globalThis.probe = (() => { ${readFileSync(join(process.env.PROBE, "probe.js"), "utf8")}; return wasm_bindgen; })(); 0`;
@@ -83,6 +85,7 @@ try {
   await measurePace();
   await measureOpening();
   await measureFrames();
+  await measureLongRecord();
 } finally {
   await browser.close();
 }
@@ -164,5 +167,62 @@ async function measureFrames() {
   say("frames-per-second", frames / SECONDS);
   say("script-per-frame", (after.script - before.script) / frames);
   say("thread-per-frame", (after.thread - before.thread) / frames);
+  await context.close();
+}
+
+/** Seconds until a long record is there, the longest time for which the page did not react, and frames a second over it. */
+async function measureLongRecord() {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, offline: true });
+  const page = await context.newPage();
+  await page.goto(address);
+  await page.locator("#play").waitFor();
+  const reading = await page.evaluate(async (rows) => {
+    const lines = ["t [s]\ty [m]"];
+    for (let row = 0; row < rows; row += 1) {
+      const time = (row * 60) / rows;
+      const noise = 0.02 * (((row * 48271) % 65537) / 65537 - 0.5);
+      lines.push(`${time.toFixed(6)}\t${(0.5 * Math.exp(-0.05 * time) * Math.cos(1.7 * time) + noise).toFixed(6)}`);
+    }
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([lines.join("\n")], "long.txt"));
+    lines.length = 0;
+    let gap = 0;
+    let before = performance.now();
+    const timer = setInterval(() => {
+      const now = performance.now();
+      gap = Math.max(gap, now - before);
+      before = now;
+    }, 5);
+    const start = performance.now();
+    document.getElementById("apparatus").dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true }));
+    while (!document.querySelector(".record") && performance.now() - start < 300_000) {
+      await new Promise((done) => setTimeout(done, 20));
+    }
+    const seconds = (performance.now() - start) / 1000;
+    // The record is drawn in the frames that follow.
+    await new Promise((done) => setTimeout(done, 1000));
+    clearInterval(timer);
+    return { seconds, gap };
+  }, LONG);
+  say("long-record-seconds", reading.seconds);
+  say("long-record-gap", reading.gap);
+  await page.evaluate(() => window.scrollTo(0, 0));
+  await page.locator("#play").click();
+  await page.waitForTimeout(2000);
+  const frames = await page.evaluate(
+    (seconds) =>
+      new Promise((done) => {
+        let count = 0;
+        const start = performance.now();
+        const next = () => {
+          count += 1;
+          if (performance.now() - start < seconds * 1000) requestAnimationFrame(next);
+          else done(count / seconds);
+        };
+        requestAnimationFrame(next);
+      }),
+    SECONDS,
+  );
+  say("long-record-frames", frames);
   await context.close();
 }

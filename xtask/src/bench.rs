@@ -41,6 +41,9 @@ pub fn all() -> Result<()> {
         ("thread-per-frame", "main thread for a frame", "ms", ""),
         ("frames-per-second", "frames in a second", "", ""),
         ("opening", "opening until the play button", "ms", "the predecessor: 350 to 460"),
+        ("long-record-seconds", "reading a record of 1,000,000 rows", "s", "at most 10"),
+        ("long-record-gap", "longest pause of the page meanwhile", "ms", "at most 100"),
+        ("long-record-frames", "frames in a second over it", "", "at least 50"),
     ];
     for (name, title, unit, aim) in aims {
         if let Some(value) = web.get(name) {

@@ -8,10 +8,12 @@ use crate::sound::Sound;
 use crate::views::*;
 use crate::words::{Language, Words};
 use document::page::Source;
-use session::{Announcement, FitProgress, Refusal, Revision, Session};
+use session::{Announcement, FitProgress, RecordProgress, Refusal, Revision, Session};
 use std::cell::{RefCell, RefMut};
+use std::collections::VecDeque;
 use std::ops::Deref;
 use sycamore_reactive::{NodeHandle, batch, use_current_scope};
+use web_sys::File;
 
 /// What the page holds for as long as it is open.
 #[derive(Default)]
@@ -32,6 +34,10 @@ pub struct Lab {
     pub awaited: Option<(String, String)>,
     /// Whether fits are being worked on.
     pub fitting: bool,
+    /// Files that are to be read as records, and whether one is being read.
+    pub files: VecDeque<File>,
+    /// See `files`.
+    pub reading: bool,
     /// What the views have been told of.
     seen: Revision,
 }
@@ -76,6 +82,8 @@ pub struct Page {
     pub single_keys: Signal<bool>,
     /// How far the fits have come that a person has begun.
     pub fit_progress: Signal<Option<FitProgress>>,
+    /// How far the file has been read that is being read as a record.
+    pub record_progress: Signal<Option<RecordProgress>>,
     /// Why the last record could not be read.
     pub record_refusal: Signal<Option<String>>,
     /// Which tab of the notebook is that of the measurements.
@@ -117,6 +125,7 @@ impl App {
             spoken: create_signal(String::new()),
             single_keys: create_signal(single_keys),
             fit_progress: create_signal(None),
+            record_progress: create_signal(None),
             record_refusal: create_signal(None),
             measurements_tab: create_signal(0),
             library_asked_for: create_signal(false),

@@ -162,3 +162,11 @@ fn copy_by_selection(text: &str) -> bool {
 pub async fn wait(promise: Promise) -> Result<JsValue, JsValue> {
     wasm_bindgen_futures::JsFuture::from(promise).await
 }
+
+/// Lets the browser do what is waiting: draw, react to keys and pointers.
+pub async fn breathe() {
+    let promise = Promise::new(&mut |resolve, _| {
+        let _ = window().set_timeout_with_callback(&resolve);
+    });
+    let _ = wait(promise).await;
+}

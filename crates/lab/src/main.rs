@@ -18,6 +18,7 @@ mod gestures;
 mod grip;
 mod header;
 mod icons;
+mod intake;
 mod keys;
 mod library;
 mod links;

@@ -2,8 +2,8 @@
 
 use crate::app::App;
 use crate::views::*;
-use crate::{browser, cycles, fitting, icons, library, records, virtual_form};
-use web_sys::{File, FileList, HtmlInputElement, HtmlTextAreaElement};
+use crate::{browser, cycles, fitting, icons, intake, library, records, virtual_form};
+use web_sys::{HtmlInputElement, HtmlTextAreaElement};
 
 /// The tab.
 pub fn view(app: App) -> HtmlDiv {
@@ -11,7 +11,8 @@ pub fn view(app: App) -> HtmlDiv {
     div()
         .class("measurements")
         .child(note(words.measurements_intro))
-        .child(intake(app))
+        .child(ways_in(app))
+        .child(intake::view(app))
         .child(refusal_of(app.record_refusal).id("record-refusal"))
         .child(records::view(app))
         .child(cycles::view(app))
@@ -20,7 +21,7 @@ pub fn view(app: App) -> HtmlDiv {
 }
 
 /// The ways in: a file, a pasted table.
-fn intake(app: App) -> View {
+fn ways_in(app: App) -> View {
     let words = app.words();
     let mut input = input().r#type("file");
     let node: HtmlInputElement = input.node();
@@ -38,7 +39,7 @@ fn intake(app: App) -> View {
     };
     let read_chosen = move |_| {
         if let Some(files) = chosen.files() {
-            read_files(app, &files);
+            intake::read(app, (0..files.length()).filter_map(|index| files.get(index)).collect());
         }
         chosen.set_value("");
     };
@@ -72,27 +73,6 @@ fn sample(app: App, number: usize) {
     let theory = library::theories().into_iter().find(|entry| entry.file() == file).and_then(|entry| entry.open());
     if let Some(theory) = theory {
         app.record_refusal.set(app.attempt(|session| session.add_sample(number, theory).map(|_| ())));
-    }
-}
-
-/// Reads files as records.
-pub fn read_files(app: App, files: &FileList) {
-    let files = (0..files.length()).filter_map(|index| files.get(index)).collect();
-    wasm_bindgen_futures::spawn_local(async move { read_all(app, files).await });
-}
-
-/// The same for files in hand.
-pub async fn read_all(app: App, files: Vec<File>) {
-    for file in files {
-        let name = file.name();
-        // What is too large is refused unread.
-        let bytes = if file.size() > session::LONGEST_RECORD as f64 {
-            vec![0; session::LONGEST_RECORD + 1]
-        } else {
-            let Ok(buffer) = browser::wait(file.array_buffer()).await else { continue };
-            js_sys::Uint8Array::new(&buffer).to_vec()
-        };
-        add(app, &name, &bytes);
     }
 }
 

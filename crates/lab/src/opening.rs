@@ -3,7 +3,7 @@
 
 use crate::app::App;
 use crate::links::Arrival;
-use crate::{browser, fitting, frame, measurements, saved, visited};
+use crate::{browser, fitting, frame, intake, saved, visited};
 use document::page::{self, Source};
 use model::Diagnostic;
 use session::Session;
@@ -112,7 +112,7 @@ pub fn open_files(app: App, files: &FileList) {
         };
         let (documents, records): (Vec<File>, Vec<File>) = files.into_iter().partition(is_document);
         if documents.is_empty() {
-            return measurements::read_all(app, records).await;
+            return intake::read(app, records);
         }
         for file in documents {
             let Ok(text) = browser::wait(file.text()).await else { continue };
@@ -137,7 +137,7 @@ pub fn open_files(app: App, files: &FileList) {
         let state = awaited.flatten().map(|(_, state)| state).unwrap_or_default();
         open(app, sources, &state);
         visited::step(app);
-        measurements::read_all(app, records).await;
+        intake::read(app, records);
         browser::focus_later("play".to_owned());
     });
 }

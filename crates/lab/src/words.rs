@@ -189,7 +189,7 @@ words! {
 
     // Measurements.
     measurements: "Measurements", "Mediciones";
-    measurements_intro: "Bring a record of a film or a sensor: a table of times and values, as the tracking program wrote it. Drop the file anywhere on this page, choose it, or paste it. It stays in your browser.", "Trae un registro de un vídeo o de un sensor: una tabla de tiempos y valores, tal como la escribió el programa de seguimiento. Suelta el archivo en cualquier parte de esta página, elígelo o pégalo. No sale de tu navegador.";
+    measurements_intro: "Bring a record of a film or a sensor: a table of times and values as text, XLSX or ODS, as the tracking program or spreadsheet wrote it. Drop the file anywhere on this page, choose it, or paste it. It stays in your browser.", "Trae un registro de un vídeo o de un sensor: una tabla de tiempos y valores como texto, XLSX u ODS, tal como la escribió el programa de seguimiento o la hoja de cálculo. Suelta el archivo en cualquier parte de esta página, elígelo o pégalo. No sale de tu navegador.";
     records: "Records", "Registros";
     choose_record: "Choose a file", "Elegir un archivo";
     paste_record: "Paste a table", "Pegar una tabla";
@@ -199,6 +199,8 @@ words! {
     sample_records: "Sample records", "Registros de muestra";
     sample_title: "Nobody measured these: they are computed, with the errors of a camera", "Nadie los midió: están calculados, con los errores de una cámara";
     synthetic: "synthetic", "sintético";
+    reading_record: "Reading", "Leyendo";
+    cancel_reading: "Cancel reading", "Cancelar la lectura";
     not_lasting: "too long to be kept for the next visit", "demasiado largo para conservarlo hasta la próxima visita";
     show_record: "Show it in the plots", "Mostrarlo en las gráficas";
     remove_record: "Remove the record", "Quitar el registro";

@@ -1,0 +1,99 @@
+//! Files on their way to become records: one after the other, in slices between which the page reacts, with a bar and a way
+//! out.
+
+use crate::app::App;
+use crate::browser;
+use crate::views::*;
+use session::{LONGEST_RECORD, RecordProgress, Refusal, Session};
+use web_sys::File;
+
+/// A slice of work takes so many milliseconds.
+const SLICE: f64 = 20.0;
+/// So many bytes are read at once; a slice is several of these.
+const BUDGET: usize = 64 << 10;
+
+/// The bar, while a file is being read.
+pub fn view(app: App) -> View {
+    let name = memo(move || app.record_progress.with(|now| now.as_ref().map(|now| now.name.clone())));
+    changing(move || name.with(|name| name.as_ref().map_or_else(View::new, |name| bar(app, name))))
+}
+
+fn bar(app: App, name: &str) -> View {
+    let words = app.words();
+    let title = format!("{} {name}", words.reading_record);
+    let percent = move || {
+        let part = app.record_progress.with(|now| now.as_ref().map_or(0.0, |now| now.part));
+        (100.0 * part).floor().to_string()
+    };
+    let cancel = move |_| {
+        app.act(Session::cancel_record);
+        app.record_progress.set(None);
+        browser::focus("choose-record");
+    };
+    div()
+        .class("intake")
+        .child(
+            tags::progress().id("reading").attr("aria-label", title.clone()).max("100").value(move || Some(percent())),
+        )
+        .child(span().class("note").child(text(move || format!("{title}: {} %", percent()))))
+        .child(button().class("quiet").id("cancel-reading").when(events::click, cancel).child(words.cancel_reading))
+        .into()
+}
+
+/// Reads files as records, after those that are waiting already.
+pub fn read(app: App, files: Vec<File>) {
+    let begins = app.with(|lab| {
+        lab.files.extend(files);
+        !lab.files.is_empty() && !std::mem::replace(&mut lab.reading, true)
+    });
+    if begins.unwrap_or_default() {
+        wasm_bindgen_futures::spawn_local(async move {
+            while let Some(file) = app.with(|lab| lab.files.pop_front()).flatten() {
+                let refusal = read_file(app, &file).await;
+                app.record_progress.set(None);
+                app.record_refusal.set(refusal);
+                app.tab.set(app.measurements_tab.get_untracked());
+            }
+            app.with(|lab| lab.reading = false);
+        });
+    }
+}
+
+/// Reads one file. Why that was not possible, in words.
+async fn read_file(app: App, file: &File) -> Option<String> {
+    let name = file.name();
+    // What is too large is refused unread.
+    if file.size() > LONGEST_RECORD as f64 {
+        return app.attempt(|_| Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 }));
+    }
+    app.record_refusal.set(None);
+    app.record_progress.set(Some(RecordProgress { name: name.clone(), part: 0.0 }));
+    app.tab.set(app.measurements_tab.get_untracked());
+    app.say(format!("{} {name}", app.words().reading_record));
+    let buffer = browser::wait(file.array_buffer()).await.ok()?;
+    // Given up while the browser was reading it.
+    if app.record_progress.with_untracked(Option::is_none) {
+        return None;
+    }
+    let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
+    let mut refusal = app.attempt(|session| session.begin_record(&name, bytes));
+    while refusal.is_none() && app.read(|session| session.record_progress().is_some()) {
+        browser::breathe().await;
+        let end = js_sys::Date::now() + SLICE;
+        refusal = app.read(|session| {
+            while js_sys::Date::now() < end && session.record_progress().is_some() {
+                if let Err(refusal) = session.advance_record(BUDGET) {
+                    return Some(session.refusal_text(&refusal));
+                }
+            }
+            None
+        });
+        let progress = app.read(|session| session.record_progress());
+        if progress.is_some() {
+            app.record_progress.set(progress);
+        }
+    }
+    // Tells the views of the new record.
+    app.act(|_| ());
+    refusal
+}

@@ -2,7 +2,7 @@
 
 use crate::cycles;
 use crate::finding::Finding;
-use crate::sampling;
+use crate::sampling::{self, Examination};
 use crate::stencil::{self, Recognised};
 use crate::table::Table;
 use units::{Dimension, Unit};
@@ -36,12 +36,14 @@ pub fn inspect(table: &Table) -> Inspection {
     inspector.finish()
 }
 
-/// The same in slices, one independent variable at a time.
+/// The same in slices.
 #[derive(Clone, Debug)]
 pub struct Inspector {
     observed: Vec<usize>,
     /// The independent variables that are left, the next one last.
     left: Vec<usize>,
+    /// The times that are looked at, SI, and how far that has come.
+    present: Option<(Vec<f64>, Examination)>,
     inspection: Inspection,
 }
 
@@ -52,26 +54,48 @@ impl Inspector {
         const BODIES: usize = 100;
         let mut left: Vec<usize> = table.independent().take(BODIES).collect();
         left.reverse();
-        Self { observed: table.observed_columns().collect(), left, inspection: Inspection::default() }
+        let observed = table.observed_columns().collect();
+        Self { observed, left, present: None, inspection: Inspection::default() }
     }
 
-    /// Looks at the next independent variable of the table that it began with. Whether that was the last one.
+    /// Goes on with the table that it began with. Whether it has come to the end.
     pub fn advance(&mut self, table: &Table) -> bool {
-        // Neither is one of more columns.
+        let Some(independent) = self.left.last().copied() else { return true };
+        let column = &table.columns[independent];
+        let Some((times, examination)) = &mut self.present else {
+            if self.columns_of(table, independent).is_empty() {
+                self.left.pop();
+            } else {
+                self.present = Some((column.si(None), Examination::default()));
+            }
+            return self.left.is_empty();
+        };
+        if !examination.advance(times) {
+            return false;
+        }
+        if let Some((times, examination)) = self.present.take() {
+            let found = examination.sampling.findings(&times, unit_of(column.unit.as_ref(), &times));
+            self.inspection.findings.extend(found);
+            self.compare(table, independent, times, examination.sampling);
+        }
+        self.left.pop();
+        self.left.is_empty()
+    }
+
+    /// The columns that are compared with each other.
+    fn columns_of(&self, table: &Table, independent: usize) -> Vec<usize> {
+        // A table of more columns is no film.
         const COLUMNS: usize = 12;
+        let of_it = |column: &usize| table.columns[*column].independent == independent;
+        self.observed.iter().copied().filter(of_it).take(COLUMNS).collect()
+    }
+
+    /// Looks for columns that were computed from others.
+    fn compare(&mut self, table: &Table, independent: usize, mut times: Vec<f64>, mut sampling: sampling::Sampling) {
         // So many rows tell how a column was computed.
         const ROWS: usize = 5000;
-        let Some(independent) = self.left.pop() else { return true };
-        let of_it = |column: &usize| table.columns[*column].independent == independent;
-        let columns: Vec<usize> = self.observed.iter().copied().filter(of_it).take(COLUMNS).collect();
-        if columns.is_empty() {
-            return self.left.is_empty();
-        }
+        let columns = self.columns_of(table, independent);
         let inspection = &mut self.inspection;
-        let column = &table.columns[independent];
-        let mut times = column.si(None);
-        let mut sampling = sampling::examine(&times);
-        inspection.findings.extend(sampling.findings(&times, unit_of(column.unit.as_ref(), &times)));
         if times.len() > ROWS {
             times.truncate(ROWS);
             sampling = sampling::examine(&times);
@@ -97,7 +121,6 @@ impl Inspector {
                 attenuation,
             });
         }
-        self.left.is_empty()
     }
 
     /// What was found.

@@ -68,64 +68,150 @@ const MOST_FRAMES: f64 = 9_007_199_254_740_992.0;
 
 /// Finds the step of `times` (in seconds, NaN where there is none) and where it is not kept.
 pub fn examine(times: &[f64]) -> Sampling {
-    let rows: Vec<(usize, f64)> = times.iter().copied().enumerate().filter(|(_, time)| time.is_finite()).collect();
-    let steps: Vec<f64> = rows.windows(2).map(|pair| pair[1].1 - pair[0].1).collect();
-    let typical = median(steps.iter().copied().filter(|step| *step > 0.0).collect());
-    let mut sampling = Sampling::default();
-    if rows.len() < 3 || !typical.is_finite() {
-        return sampling;
+    let mut examination = Examination::default();
+    while !examination.advance(times) {}
+    examination.sampling
+}
+
+/// The same in a few slices, each once or twice through all times: a million rows are no pause then.
+#[derive(Clone, Debug, Default)]
+pub struct Examination {
+    stage: Stage,
+    /// The rows that have a time, with their numbers.
+    rows: Vec<(usize, f64)>,
+    steps: Vec<f64>,
+    typical: f64,
+    /// The steps in whole frames.
+    whole: Vec<f64>,
+    /// The frame of each of the rows, counted from the first.
+    frames: Vec<f64>,
+    /// The time of that frame, by the straight line through all.
+    start: f64,
+    interval: f64,
+    /// What has been found.
+    pub sampling: Sampling,
+}
+
+/// What an examination does next.
+#[derive(Clone, Copy, Debug, Default)]
+enum Stage {
+    #[default]
+    Steps,
+    Typical,
+    Whole,
+    Line,
+    Order,
+    Frames,
+    Rounding,
+}
+
+impl Examination {
+    /// Goes on with the times that it began with. Whether it has come to the end.
+    pub fn advance(&mut self, times: &[f64]) -> bool {
+        let next = match self.stage {
+            Stage::Steps => {
+                self.rows = times.iter().copied().enumerate().filter(|(_, time)| time.is_finite()).collect();
+                self.steps = self.rows.windows(2).map(|pair| pair[1].1 - pair[0].1).collect();
+                Some(Stage::Typical)
+            }
+            Stage::Typical => {
+                self.typical = median(self.steps.iter().copied().filter(|step| *step > 0.0).collect());
+                (self.rows.len() >= 3 && self.typical.is_finite()).then_some(Stage::Whole)
+            }
+            Stage::Whole => {
+                let typical = self.typical;
+                self.whole = self.steps.iter().map(|step| (step / typical).round()).collect();
+                let mut at = 0.0;
+                self.frames = std::iter::once(0.0)
+                    .chain(self.whole.iter().map(|count| {
+                        at += count;
+                        at
+                    }))
+                    .collect();
+                Some(Stage::Line)
+            }
+            Stage::Line => {
+                let (start, interval) = line(&self.frames, &self.rows);
+                self.start = start;
+                let usual = interval > 0.5 * self.typical && interval < 2.0 * self.typical;
+                self.interval = if usual { interval } else { self.typical };
+                // By how much each step is off whole frames.
+                let interval = self.interval;
+                let off = |(step, count): (&f64, &f64)| step / interval - count;
+                let sum: f64 = self.steps.iter().zip(&self.whole).map(off).map(|off| off * off).sum();
+                self.sampling.jitter = (sum / self.steps.len() as f64).sqrt();
+                Some(Stage::Order)
+            }
+            Stage::Order => {
+                self.order();
+                let countable = self.frames.iter().all(|frame| frame.abs() <= MOST_FRAMES);
+                if self.sampling.jitter > UNEVEN || !countable {
+                    self.uneven();
+                    None
+                } else {
+                    Some(Stage::Frames)
+                }
+            }
+            Stage::Frames => {
+                self.count_frames(times.len());
+                Some(Stage::Rounding)
+            }
+            Stage::Rounding => {
+                let off = |((_, time), frame): (&(usize, f64), &f64)| (time - self.start - frame * self.interval).abs();
+                let furthest = self.rows.iter().zip(&self.frames).map(off).fold(0.0, f64::max);
+                let explains = |unit: &f64| furthest > 0.05 * unit && furthest < 0.75 * unit;
+                self.sampling.rounded_to = last_decimal(&self.rows).filter(explains);
+                self.sampling.rate = if self.sampling.jitter < 1e-6 { rounded_rate(self.interval) } else { None };
+                None
+            }
+        };
+        self.stage = next.unwrap_or_default();
+        next.is_none()
     }
-    // The steps in whole frames, and by how much each is off.
-    let whole: Vec<f64> = steps.iter().map(|step| (step / typical).round()).collect();
-    let mut frames = vec![0.0];
-    let mut at = 0.0;
-    for count in &whole {
-        at += count;
-        frames.push(at);
-    }
-    let (start, interval) = line(&frames, &rows);
-    let interval = if interval > 0.5 * typical && interval < 2.0 * typical { interval } else { typical };
-    let deviations = |interval: f64| {
-        steps.iter().zip(&whole).map(move |(step, count)| step / interval - count).map(|off| off * off).sum::<f64>()
-    };
-    sampling.jitter = (deviations(interval) / steps.len() as f64).sqrt();
-    for (pair, step) in rows.windows(2).zip(&steps) {
-        if step.abs() < 1e-6 * typical {
-            sampling.doubled.push(pair[1].0);
-        } else if *step < 0.0 {
-            sampling.backwards.push(pair[1].0);
+
+    /// Rows at the time of the row before, or earlier.
+    fn order(&mut self) {
+        for (pair, step) in self.rows.windows(2).zip(&self.steps) {
+            if step.abs() < 1e-6 * self.typical {
+                self.sampling.doubled.push(pair[1].0);
+            } else if *step < 0.0 {
+                self.sampling.backwards.push(pair[1].0);
+            }
         }
     }
-    if sampling.jitter > UNEVEN || frames.iter().any(|frame| frame.abs() > MOST_FRAMES) {
-        let forward: Vec<f64> = steps.iter().copied().filter(|step| *step > 0.0).collect();
+
+    /// What is known of rows that keep no step.
+    fn uneven(&mut self) {
+        let forward: Vec<f64> = self.steps.iter().copied().filter(|step| *step > 0.0).collect();
         let mean = forward.iter().sum::<f64>() / forward.len() as f64;
         let variance = forward.iter().map(|step| (step - mean) * (step - mean)).sum::<f64>() / forward.len() as f64;
-        return Sampling { interval: mean, jitter: variance.sqrt() / mean, ..sampling };
+        self.sampling.interval = mean;
+        self.sampling.jitter = variance.sqrt() / mean;
     }
-    sampling.interval = interval;
-    // Frames count from time 0 if the first row lies on one.
-    let first = start / interval;
-    let base = if (first - first.round()).abs() < 0.05 && first.abs() < 1e9 { first.round() } else { 0.0 };
-    sampling.frames = vec![None; times.len()];
-    for ((row, _), frame) in rows.iter().zip(&frames) {
-        sampling.frames[*row] = Some((frame + base) as i64);
-    }
-    for ((pair, count), frame) in rows.windows(2).zip(&whole).zip(&frames) {
-        if *count > 1.0 {
-            let (first, last) = (frame + base + 1.0, frame + base + count - 1.0);
-            sampling.missing.push(Gap {
-                first: first.max(0.0) as u64,
-                last: last.max(0.0) as u64,
-                after: pair[0].1,
-                before: pair[1].1,
-            });
+
+    /// The frame of each row, and the frames that are missing.
+    fn count_frames(&mut self, length: usize) {
+        let (sampling, interval) = (&mut self.sampling, self.interval);
+        sampling.interval = interval;
+        // Frames count from time 0 if the first row lies on one.
+        let first = self.start / interval;
+        let base = if (first - first.round()).abs() < 0.05 && first.abs() < 1e9 { first.round() } else { 0.0 };
+        sampling.frames = vec![None; length];
+        for ((row, _), frame) in self.rows.iter().zip(&self.frames) {
+            sampling.frames[*row] = Some((frame + base) as i64);
+        }
+        for ((pair, count), frame) in self.rows.windows(2).zip(&self.whole).zip(&self.frames) {
+            if *count > 1.0 {
+                let (first, last) = (frame + base + 1.0, frame + base + count - 1.0);
+                sampling.missing.push(Gap {
+                    first: first.max(0.0) as u64,
+                    last: last.max(0.0) as u64,
+                    after: pair[0].1,
+                    before: pair[1].1,
+                });
+            }
         }
     }
-    let furthest =
-        rows.iter().zip(&frames).map(|((_, time), frame)| (time - start - frame * interval).abs()).fold(0.0, f64::max);
-    sampling.rounded_to = last_decimal(&rows).filter(|unit| furthest > 0.05 * unit && furthest < 0.75 * unit);
-    sampling.rate = if sampling.jitter < 1e-6 { rounded_rate(interval) } else { None };
-    sampling
 }
 
 /// The straight line through times over frames.

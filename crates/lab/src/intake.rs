@@ -15,7 +15,8 @@ const BUDGET: usize = 64 << 10;
 /// The bar, while a file is being read.
 pub fn view(app: App) -> View {
     let name = memo(move || app.record_progress.with(|now| now.as_ref().map(|now| now.name.clone())));
-    changing(move || name.with(|name| name.as_ref().map_or_else(View::new, |name| bar(app, name))))
+    // The name is taken out first: nothing may be made while a signal is being read.
+    changing(move || name.get_clone().map_or_else(View::new, |name| bar(app, &name)))
 }
 
 fn bar(app: App, name: &str) -> View {

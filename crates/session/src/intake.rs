@@ -17,7 +17,7 @@ pub(crate) struct Intake {
 #[derive(Debug)]
 enum Stage {
     Reading(Box<Reading>),
-    Inspecting(Box<Contents>, Inspector),
+    Inspecting(Box<Contents>, Box<Inspector>),
 }
 
 /// How far a file has been read.
@@ -61,7 +61,7 @@ impl Session {
                     Stage::Reading(reading)
                 } else if let Some(contents) = reading.finish() {
                     let inspector = Inspector::new(&contents.import.table);
-                    Stage::Inspecting(Box::new(contents), inspector)
+                    Stage::Inspecting(Box::new(contents), Box::new(inspector))
                 } else {
                     return Ok(None);
                 }

@@ -8,6 +8,7 @@ pub mod finding;
 pub mod fit;
 pub mod import;
 pub mod inspection;
+pub mod order;
 pub mod origin;
 pub mod reading;
 pub mod sampling;

@@ -64,7 +64,7 @@ pub fn wake(app: App) {
 fn draw(app: App, now: f64) {
     let Some((playing, values)) = app.with(|lab| advance(lab, now)) else { return };
     app.publish(values, false);
-    if playing || app.read(|session| session.lags()) {
+    if playing || app.read(session::Session::catch_up) {
         wake(app);
     }
 }

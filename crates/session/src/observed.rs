@@ -127,7 +127,14 @@ impl Session {
         self.revision.plots += 1;
     }
 
-    /// Whether residuals of a long record are still to be computed; drawing goes on with them.
+    /// Computes the next of the residuals of a long record that are still missing. Whether there are more: drawing goes on
+    /// with them.
+    pub fn catch_up(&mut self) -> bool {
+        self.follow_residuals();
+        self.lags()
+    }
+
+    /// Whether residuals of a long record are still to be computed.
     pub fn lags(&self) -> bool {
         let front = self.course.front();
         let is_behind = |(residuals, measured): (&Residuals, &Measured)| {
@@ -287,10 +294,9 @@ fn points(model: &model::Model, plot: &document::Plot, measured: &[Measured]) ->
 
 /// Three times the middle one of the pauses between the times.
 fn usual_pause(times: &[f64]) -> f64 {
-    let mut pauses: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|pause| *pause > 0.0).collect();
+    let pauses: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|pause| *pause > 0.0).collect();
     if pauses.is_empty() {
         return f64::INFINITY;
     }
-    let middle = pauses.len() / 2;
-    3.0 * *pauses.select_nth_unstable_by(middle, f64::total_cmp).1
+    3.0 * analysis::order::nth(&pauses, pauses.len() / 2)
 }

@@ -40,12 +40,8 @@ pub(super) fn scatter(values: &[f64]) -> f64 {
 }
 
 /// The middle value; NaN of nothing.
-pub(crate) fn median(mut values: Vec<f64>) -> f64 {
-    if values.is_empty() {
-        return f64::NAN;
-    }
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+pub(crate) fn median(values: Vec<f64>) -> f64 {
+    crate::order::nth(&values, values.len() / 2)
 }
 
 /// The crossings of `middle`. What stays within `threshold` of it has not crossed yet: noise makes no crossings.

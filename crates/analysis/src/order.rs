@@ -1,0 +1,81 @@
+//! The value of a given rank among many, in time that grows with their number alone.
+
+/// So few are sorted.
+const FEW: usize = 32;
+
+/// The value that would stand at place `rank`, from 0, if the values were in the order of [`f64::total_cmp`]; NaN where there
+/// is no such place.
+///
+/// Ranks are found byte by byte from the top, as a radix sort does. The standard library's selection is quadratic for equal
+/// values where it is compiled for size, as in the page, and the steps of an evenly sampled record are all equal.
+pub fn nth(values: &[f64], rank: usize) -> f64 {
+    let mut keys: Vec<u64> = values.iter().map(|value| key(*value)).collect();
+    let mut rank = rank;
+    if rank >= keys.len() {
+        return f64::NAN;
+    }
+    for shift in [56, 48, 40, 32, 24, 16, 8, 0] {
+        if keys.len() <= FEW {
+            break;
+        }
+        let digit = |key: u64| (key >> shift) as usize & 0xff;
+        let mut counts = [0_usize; 256];
+        keys.iter().for_each(|key| counts[digit(*key)] += 1);
+        let mut wanted = 0;
+        while let Some(rest) = rank.checked_sub(counts[wanted]) {
+            rank = rest;
+            wanted += 1;
+        }
+        keys.retain(|key| digit(*key) == wanted);
+    }
+    // Those that are left are few, or all equal.
+    if keys.len() <= FEW {
+        keys.sort_unstable();
+    }
+    keys.get(rank).map_or(f64::NAN, |key| value(*key))
+}
+
+const SIGN: u64 = 1 << 63;
+
+/// The number whose order is that of the values.
+fn key(value: f64) -> u64 {
+    let bits = value.to_bits();
+    if bits & SIGN == 0 { bits | SIGN } else { !bits }
+}
+
+fn value(key: u64) -> f64 {
+    f64::from_bits(if key & SIGN == 0 { !key } else { key & !SIGN })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nth;
+    use proptest::prelude::*;
+
+    fn agrees(values: &[f64]) {
+        let mut sorted = values.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        for (rank, expected) in sorted.iter().enumerate() {
+            assert_eq!(nth(values, rank).to_bits(), expected.to_bits(), "{rank} of {values:?}");
+        }
+        assert!(nth(values, values.len()).is_nan());
+    }
+
+    #[test]
+    fn ranks_are_those_of_sorting() {
+        agrees(&[]);
+        agrees(&[0.1; 100]);
+        agrees(&[0.0, -0.0, f64::NAN, f64::INFINITY, -f64::NAN, f64::MIN_POSITIVE, 5e-324, -1.0, 1.0]);
+        let steps: Vec<f64> = (0..200_u32).map(|row| f64::from(row + 1) / 30.0 - f64::from(row) / 30.0).collect();
+        agrees(&steps);
+    }
+
+    proptest! {
+        #[test]
+        fn ranks_of_any_values(values in prop::collection::vec(prop::num::f64::ANY, 0..200), equal in 1..50_usize) {
+            agrees(&values);
+            let repeated: Vec<f64> = values.iter().take(equal).cycle().take(values.len()).copied().collect();
+            agrees(&repeated);
+        }
+    }
+}

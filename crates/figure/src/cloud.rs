@@ -167,10 +167,11 @@ impl Raster {
                 }
             }
             if last.is_some() {
-                out[first + 1] = self.panel.y + ends.0;
-                if let Some(lower) = out.last_mut() {
-                    *lower = self.panel.y + ends.1;
-                }
+                // A bar of one pixel keeps its ends in order.
+                let (upper, lower) = (self.panel.y + ends.0, self.panel.y + ends.1);
+                let end = out.len() - 1;
+                (out[first + 1], out[first + 2]) = (upper, out[first + 2].max(upper));
+                (out[end - 1], out[end]) = (out[end - 1].min(lower), lower);
             }
         }
     }

@@ -40,7 +40,7 @@ fn a_record_is_the_same_in_slices_as_at_once() {
         assert_eq!(slices.saved_records(), whole.saved_records());
         // A workbook comes back from its text.
         let mut later = utube();
-        later.restore_records(&slices.saved_records().0);
+        support::bring_back_records(&mut later, &slices.saved_records());
         assert_eq!(later.records()[0].columns, slices.records()[0].columns);
     }
 }

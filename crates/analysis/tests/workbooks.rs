@@ -181,7 +181,7 @@ fn what_would_expand_too_much_is_refused_before_it_is_expanded() {
     assert_eq!(kind(xlsx_with("", &[("Film", TABLE)], Pack::Encrypted)), WorkbookError::Protected);
     assert_eq!(kind(xlsx(&[])), WorkbookError::NoSheets);
     // Tags without end, and tags within tags.
-    assert_eq!(kind(xlsx(&[("Film", &format!("<row {}>", "a='b' ".repeat(300_000)))])), WorkbookError::Damaged);
+    assert_eq!(kind(xlsx(&[("Film", &format!("<row {}>", "a='b' ".repeat(190_000)))])), WorkbookError::Damaged);
     assert_eq!(kind(xlsx(&[("Film", &"<x>".repeat(300))])), WorkbookError::Damaged);
     let texts = "<![CDATA[0123456789]]>".repeat(30_000);
     assert_eq!(kind(xlsx(&[("Film", &format!("<row><c><v>{texts}</v></c></row>"))])), WorkbookError::Damaged);
@@ -217,7 +217,8 @@ proptest! {
         let lines: Vec<String> = rows.iter().enumerate().map(cell).collect();
         let text = format!("t [s]\ty [cm]{ends}{}{ends}", lines.join(ends));
         let bytes = text.into_bytes();
-        prop_assert_eq!(in_slices(bytes.clone(), budget), reading::read(bytes, MOST));
+        // As text: gaps are no number, not even themselves.
+        prop_assert_eq!(format!("{:?}", in_slices(bytes.clone(), budget)), format!("{:?}", reading::read(bytes, MOST)));
         let number = |reference: String, value: f64| format!(r#"<c r="{reference}"><v>{value:?}</v></c>"#);
         let row = |(row, (x, y)): (usize, &(f64, Option<f64>))| {
             let row = row + 2;
@@ -226,7 +227,8 @@ proptest! {
         };
         let sheet: String = rows.iter().enumerate().map(row).collect();
         let bytes = xlsx(&[("Notes", WORDS), ("Film", &sheet)]);
-        prop_assert_eq!(in_slices(bytes.clone(), budget), reading::read(bytes, MOST));
+        // As text: gaps are no number, not even themselves.
+        prop_assert_eq!(format!("{:?}", in_slices(bytes.clone(), budget)), format!("{:?}", reading::read(bytes, MOST)));
     }
 
     #[test]

@@ -13,7 +13,7 @@ fn column() -> (Vec<f64>, Vec<f64>) {
     let height = |row: usize| match row {
         777 => 3.0,
         50_000 => -2.5,
-        _ => (row as f64 * 3e-4).sin() + 0.2 * noise(row),
+        _ => libm::sin(row as f64 * 3e-4) + 0.2 * noise(row),
     };
     ((0..ROWS).map(|row| row as f64 * 1e-3).collect(), (0..ROWS).map(height).collect())
 }

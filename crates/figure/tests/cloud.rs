@@ -1,6 +1,6 @@
 //! Very many points: the marks that pixels can show, and no extreme lost.
 
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use figure::{Figure, Interval, Item, Palette, Plot, Series, Settings, Style, View, layout, layout_into};
 

@@ -1,10 +1,26 @@
-//! What a person says of a record's columns: quantity, unit, whether a fit follows it.
+//! The columns of a record: their cells, and what a person says of them: quantity, unit, whether a fit follows it.
 
 use crate::recognise::Meaning;
 use crate::{Refusal, Session, number};
 use units::Unit;
 
 impl Session {
+    /// Some cells of a record's column, as people write them; empty for gaps.
+    pub fn record_cells(&self, id: u32, column: usize, rows: std::ops::Range<usize>) -> Vec<String> {
+        let values = self.record(id).and_then(|record| record.table.columns.get(column)).map(|column| &column.values);
+        let rows = values.and_then(|values| values.get(rows.start..rows.end.min(values.len()))).unwrap_or_default();
+        let cell = |value: &f64| if value.is_nan() { String::new() } else { number::plain(*value, 6, self.style) };
+        rows.iter().map(cell).collect()
+    }
+
+    /// What a column can be taken for: name and how it is shown.
+    pub fn measurable(&self) -> Vec<(String, String)> {
+        crate::recognise::measurable(&self.document)
+            .into_iter()
+            .map(|(name, _)| (name.clone(), crate::symbol(&name)))
+            .collect()
+    }
+
     /// Takes a column for another quantity; for none where the name is empty. Its unit stays if it can.
     pub fn set_column_quantity(&mut self, id: u32, column: usize, quantity: &str) {
         let units = crate::recognise::measurable(&self.document);

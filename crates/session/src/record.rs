@@ -165,22 +165,6 @@ impl Session {
         }
     }
 
-    /// Some cells of a record's column, as people write them; empty for gaps.
-    pub fn record_cells(&self, id: u32, column: usize, rows: std::ops::Range<usize>) -> Vec<String> {
-        let values = self.record(id).and_then(|record| record.table.columns.get(column)).map(|column| &column.values);
-        let rows = values.and_then(|values| values.get(rows.start..rows.end.min(values.len()))).unwrap_or_default();
-        let cell = |value: &f64| if value.is_nan() { String::new() } else { number::plain(*value, 6, self.style) };
-        rows.iter().map(cell).collect()
-    }
-
-    /// What a column can be taken for: name and how it is shown.
-    pub fn measurable(&self) -> Vec<(String, String)> {
-        crate::recognise::measurable(&self.document)
-            .into_iter()
-            .map(|(name, _)| (name.clone(), crate::symbol(&name)))
-            .collect()
-    }
-
     /// Reads a file, text or workbook, as a record, all at once; the runs of a logger become records of their own, the first of
     /// which is the answer. Nothing is lost when it cannot be read.
     ///

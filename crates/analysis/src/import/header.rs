@@ -4,7 +4,7 @@ use super::cells::{Cells, Delimiter};
 use super::label::{self, Label};
 use super::number;
 use super::roles::is_time;
-use super::{clock, unit_words};
+use super::{clock, run_name, unit_words};
 use crate::finding::Finding;
 use crate::origin::UnitOrigin;
 use units::Unit;
@@ -187,7 +187,7 @@ fn named(line: &str, delimiter: Delimiter, columns: usize) -> Vec<Head> {
         let shared = prefix.is_some() && prefixes.iter().filter(|other| *other == prefix).count() > 1;
         labels.push(match cell.split_once(':').filter(|_| shared && clock::read(cell).is_none()) {
             Some((body, rest)) => {
-                let body = label::run_name(body).unwrap_or_else(|| body.trim().to_owned());
+                let body = run_name::name(body).unwrap_or_else(|| body.trim().to_owned());
                 Label { run: Some(body), ..label::read(rest) }
             }
             None => label::read(cell),
@@ -233,7 +233,7 @@ fn name_bodies(heads: &mut [Head], above: &[&str], delimiter: Delimiter) {
     let filled: Vec<(usize, &str)> = cells.into_iter().enumerate().filter(|(_, cell)| !cell.is_empty()).collect();
     let Some((first, _)) = filled.first() else { return };
     // One name over all is that of the body, unless there are more lines of words over it: those are of a logger.
-    if filled.len() == 1 && *first == 0 && above.len() > 1 && label::run_name(line).is_none() {
+    if filled.len() == 1 && *first == 0 && above.len() > 1 && run_name::name(line).is_none() {
         return;
     }
     // As many different names as columns are longer names of the columns.
@@ -257,6 +257,6 @@ fn name_bodies(heads: &mut [Head], above: &[&str], delimiter: Delimiter) {
         filled.iter().rev().find(|(start, _)| *start <= index).map(|(_, name)| *name)
     };
     for (index, head) in heads.iter_mut().enumerate() {
-        head.body = name_at(index).map(|name| label::run_name(name).unwrap_or_else(|| name.to_owned()));
+        head.body = name_at(index).map(|name| run_name::name(name).unwrap_or_else(|| name.to_owned()));
     }
 }

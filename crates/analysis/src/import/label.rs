@@ -1,7 +1,7 @@
 //! One cell of a header: the name of a column, its unit, and the run that it belongs to.
 
 use super::roles::is_time;
-use super::{clock, unit_words};
+use super::{clock, run_name, unit_words};
 use crate::origin::UnitOrigin;
 use units::{Dimension, Unit};
 
@@ -26,7 +26,7 @@ pub(super) fn read(cell: &str) -> Label {
     if clock::read(cell).is_some() {
         return Label::default();
     }
-    let (rest, run) = without_run(cell);
+    let (rest, run) = run_name::without(cell);
     let mut label = bracketed(rest)
         .or_else(|| divided(rest))
         .or_else(|| behind_word(rest))
@@ -222,71 +222,6 @@ fn own_name(cell: &str) -> Label {
         Some(unit) => named(cell, unit, UnitOrigin::Name),
         None => Label { name: cell.to_owned(), ..Label::default() },
     }
-}
-
-/// Words for a run of a logger, in small letters, the longer ones first.
-const RUNS: [&str; 20] = [
-    "conjunto de datos",
-    "data set",
-    "datensatz",
-    "messreihe",
-    "dataset",
-    "medición",
-    "medicion",
-    "medida",
-    "messung",
-    "versuch",
-    "corrida",
-    "ensayo",
-    "series",
-    "trial",
-    "serie",
-    "essai",
-    "prova",
-    "toma",
-    "lauf",
-    "run",
-];
-
-/// The name of a run, `Run 2` for `Run #2`, if the text is one.
-pub(crate) fn run_name(text: &str) -> Option<String> {
-    let text = text.trim();
-    let lower = text.to_lowercase();
-    if matches!(lower.as_str(), "latest" | "última" | "último") {
-        return Some(text.to_owned());
-    }
-    let word = RUNS.iter().find(|word| lower.starts_with(**word))?;
-    let number = lower[word.len()..].trim_start_matches([' ', '#', '_', '.']);
-    let is_number = !number.is_empty() && number.len() <= 6 && number.bytes().all(|byte| byte.is_ascii_digit());
-    // The word as it is written: small letters can be of another length.
-    let written: String = text.chars().take(word.chars().count()).collect();
-    is_number.then(|| format!("{written} {number}"))
-}
-
-/// A cell without the run before or behind it: `Run 2: Time (s)`, `Time (s) Run #2`.
-fn without_run(cell: &str) -> (&str, Option<String>) {
-    if let Some((before, rest)) = cell.split_once(':')
-        && let Some(run) = run_name(before)
-        && !rest.trim().is_empty()
-    {
-        return (rest.trim(), Some(run));
-    }
-    let ends = |character: char| matches!(character, ' ' | ',' | '-' | '–' | ':' | '_' | '(' | '[');
-    let closed = cell.trim_end_matches([')', ']']);
-    // A run is the end of a cell from some blank or bracket on.
-    for (place, character) in closed.char_indices().filter(|(_, character)| ends(*character)) {
-        let behind = &closed[place + character.len_utf8()..];
-        if let Some(run) = run_name(behind).filter(|_| behind.ends_with(|last: char| last.is_ascii_digit())) {
-            let mut rest = cell[..place].trim_end_matches([' ', ',', '-', '–', ':', '_']);
-            if rest.ends_with(['(', '[']) {
-                rest = rest.trim_end_matches(['(', '[']).trim_end();
-            }
-            if !rest.is_empty() {
-                return (rest, Some(run));
-            }
-        }
-    }
-    (cell, None)
 }
 
 #[cfg(test)]

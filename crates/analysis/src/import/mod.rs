@@ -14,6 +14,7 @@ mod others;
 mod refusal;
 mod roles;
 mod rows;
+mod run_name;
 mod runs;
 mod separators;
 mod stamp;
@@ -22,9 +23,9 @@ mod unit_words;
 pub use cells::Delimiter;
 pub use decode::look;
 pub use format::Format;
-pub(crate) use label::run_name;
 pub(crate) use refusal::readings;
 pub use refusal::{ImportError, Refusal};
+pub(crate) use run_name::name as run_name;
 
 use crate::finding::Finding;
 use crate::origin::Origin;
@@ -239,7 +240,7 @@ pub fn unit(text: &str) -> Option<Unit> {
 
 /// Whether this is the name of a run as loggers give it: `Run 2`, `Data Set 1`.
 pub(crate) fn is_run(name: &str) -> bool {
-    run_name(name).is_some()
+    run_name::name(name).is_some()
 }
 
 fn called(name: &str, index: usize) -> String {

@@ -1,11 +1,11 @@
 //! The rows: one pass over the bytes, numbers straight into columns.
 
 use super::cells::{Cells, Delimiter};
-use super::clock::{self, Reading};
 use super::format::Format;
 use super::number::{self, Cell};
+use super::others::{Other, Others};
 use super::refusal::{ImportError, Refusal};
-use super::{COLUMNS, header, unit_words};
+use super::{COLUMNS, header};
 use crate::finding::Finding;
 
 /// So many words are told one by one.
@@ -36,23 +36,6 @@ pub(super) struct Rows {
     pub repeats: Vec<usize>,
     /// Rows with too many cells: the first, and how many.
     long: Option<(usize, usize)>,
-}
-
-/// What the cells of a column hold besides plain numbers and gaps.
-#[derive(Debug, Default)]
-pub(super) struct Others {
-    /// Words: neither a number, nor a time, nor a number with a unit.
-    words: usize,
-    /// The first word, and its line.
-    first: Option<(usize, String)>,
-    /// Times of day and dates, with their rows.
-    pub clocks: Vec<(usize, Reading)>,
-    /// Numbers with a unit behind them, with their rows.
-    pub with_units: Vec<(usize, f64)>,
-    /// The unit of the first of those, and whether all others have the same.
-    pub unit: Option<(String, bool)>,
-    /// How many cells of each kind have been listed.
-    listed: [usize; 3],
 }
 
 /// A cell that is no plain number.
@@ -321,26 +304,6 @@ impl Rows {
 fn is_in(header: &[&str], line: &str) -> bool {
     let line = line.trim();
     !line.is_empty() && header.iter().any(|header| header.trim() == line)
-}
-
-/// What a cell holds that is neither a plain number nor a gap.
-#[derive(Debug)]
-enum Other {
-    Word,
-    Clock(Reading),
-    WithUnit(f64, String),
-}
-
-impl Other {
-    fn of(text: &str, format: &Format) -> Self {
-        if let Some(reading) = clock::read(text) {
-            return Self::Clock(reading);
-        }
-        match number::with_unit(text, format.signs()) {
-            Some((value, unit)) if unit_words::read(unit).is_some() => Self::WithUnit(value, unit.to_owned()),
-            _ => Self::Word,
-        }
-    }
 }
 
 /// Reads a line that holds nothing but numbers, gaps and delimiters; false for any other.

@@ -1,0 +1,66 @@
+//! The names of the runs of a logger: `Run 2`, `Data Set 1`.
+
+/// Words for a run of a logger, in small letters, the longer ones first.
+const RUNS: [&str; 20] = [
+    "conjunto de datos",
+    "data set",
+    "datensatz",
+    "messreihe",
+    "dataset",
+    "medición",
+    "medicion",
+    "medida",
+    "messung",
+    "versuch",
+    "corrida",
+    "ensayo",
+    "series",
+    "trial",
+    "serie",
+    "essai",
+    "prova",
+    "toma",
+    "lauf",
+    "run",
+];
+
+/// The name of a run, `Run 2` for `Run #2`, if the text is one.
+pub(crate) fn name(text: &str) -> Option<String> {
+    let text = text.trim();
+    let lower = text.to_lowercase();
+    if matches!(lower.as_str(), "latest" | "última" | "último") {
+        return Some(text.to_owned());
+    }
+    let word = RUNS.iter().find(|word| lower.starts_with(**word))?;
+    let number = lower[word.len()..].trim_start_matches([' ', '#', '_', '.']);
+    let is_number = !number.is_empty() && number.len() <= 6 && number.bytes().all(|byte| byte.is_ascii_digit());
+    // The word as it is written: small letters can be of another length.
+    let written: String = text.chars().take(word.chars().count()).collect();
+    is_number.then(|| format!("{written} {number}"))
+}
+
+/// A cell without the run before or behind it: `Run 2: Time (s)`, `Time (s) Run #2`.
+pub(super) fn without(cell: &str) -> (&str, Option<String>) {
+    if let Some((before, rest)) = cell.split_once(':')
+        && let Some(run) = name(before)
+        && !rest.trim().is_empty()
+    {
+        return (rest.trim(), Some(run));
+    }
+    let ends = |character: char| matches!(character, ' ' | ',' | '-' | '–' | ':' | '_' | '(' | '[');
+    let closed = cell.trim_end_matches([')', ']']);
+    // A run is the end of a cell from some blank or bracket on.
+    for (place, character) in closed.char_indices().filter(|(_, character)| ends(*character)) {
+        let behind = &closed[place + character.len_utf8()..];
+        if let Some(run) = name(behind).filter(|_| behind.ends_with(|last: char| last.is_ascii_digit())) {
+            let mut rest = cell[..place].trim_end_matches([' ', ',', '-', '–', ':', '_']);
+            if rest.ends_with(['(', '[']) {
+                rest = rest.trim_end_matches(['(', '[']).trim_end();
+            }
+            if !rest.is_empty() {
+                return (rest, Some(run));
+            }
+        }
+    }
+    (cell, None)
+}

@@ -53,13 +53,16 @@ visit("three records are fitted together with a number in common, and are there 
   for (const [name] of TUBES) assert.match(report.text, new RegExp(`<figcaption>${name}`));
   assert.match(report.text, /@font-face[^}]*font\/woff2;base64,[A-Za-z0-9+/]{1000}/);
 
-  // At the next visit the page opens with its own document: the fit is in the list, and can be opened again.
+  // After a reload the document is open as before, the fit in the list; from another document it can be opened again.
   const before = await rows(lab).locator("td").allInnerTexts();
   await lab.page.reload();
   await lab.tab("Measurements");
   await eventually(async () => assert.equal(await rows(lab).count(), 1));
   assert.deepEqual((await rows(lab).locator("td").allInnerTexts()).slice(0, 5), before.slice(0, 5));
   assert.match(await rows(lab).innerText(), /short\.csv \+ middle\.csv \+ long\.csv/);
+  assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Linear damping");
+  await openTheory(lab, "Oscillations of a liquid in a U-tube");
+  await lab.tab("Measurements");
   await lab.page.getByRole("button", { name: /^Open: Linear damping/ }).click();
   await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Linear damping"));
   await eventually(async () => assert.match(await lab.told(), /fitted values of/));

@@ -1,6 +1,6 @@
 //! Velocity and acceleration of a measured column, made anew.
 
-use crate::smoothing::savitzky_golay;
+use crate::smoothing::{WIDEST, savitzky_golay};
 use crate::stencil::{Stencil, differentiate};
 
 /// How a column is differentiated.
@@ -14,7 +14,7 @@ pub enum Differentiation {
     Backward,
     /// Polynomials of a degree over so many rows, which smooth as well (Savitzky and Golay).
     Smooth {
-        /// How many rows; an odd number.
+        /// How many rows; an odd number up to [`crate::smoothing::WIDEST`].
         window: usize,
         /// The degree of the polynomials: from 2 to 7, and below the number of rows.
         degree: usize,
@@ -25,7 +25,9 @@ impl Differentiation {
     /// Whether there is such a polynomial, if it is one.
     pub fn is_possible(self) -> bool {
         match self {
-            Self::Smooth { window, degree } => window % 2 == 1 && (2..=7).contains(&degree) && degree < window,
+            Self::Smooth { window, degree } => {
+                window % 2 == 1 && window <= WIDEST && (2..=7).contains(&degree) && degree < window
+            }
             Self::Central | Self::Forward | Self::Backward => true,
         }
     }

@@ -1,13 +1,18 @@
 //! Smoothing polynomials: values and derivatives from a local least-squares fit.
 
+/// The widest window, in rows. A wider one flattens what a record shows, and takes long where steps are uneven.
+pub const WIDEST: usize = 501;
+
 /// Smoothed values, or their derivative, by the method of A. Savitzky and M. J. E. Golay, Anal. Chem. 36, 1627 (1964): in
-/// a window of `window` rows about each row a polynomial of this degree is fitted and read at the row. Steps may be uneven
-/// (then the fit is made anew for each row, as by P. A. Gorry, Anal. Chem. 63, 534 (1991)). At the ends of the record, and
-/// of its parts between long gaps, the window is shifted inwards.
+/// a window of `window` rows about each row a polynomial of this degree is fitted and read at the row. Steps may be uneven:
+/// then the fit is made for each row by itself, as by P. A. Gorry, Anal. Chem. 63, 534 (1991); where they are even, all rows in
+/// the same place of their window share one. At the ends of the record, and of its parts between long gaps, the window is
+/// shifted inwards.
 ///
 /// `derivative` is 0 for the values themselves; the unit is that of the values over that of the times to its power. NaN
 /// where the value itself is missing, or where a part has no more rows than the degree asks for. All NaN if `derivative`
-/// is greater than `degree`, `degree` greater than 7 or not less than `window`, or the times do not ascend.
+/// is greater than `degree`, `degree` greater than 7 or not less than `window`, `window` greater than [`WIDEST`], or the times
+/// do not ascend.
 pub fn savitzky_golay(times: &[f64], values: &[f64], window: usize, degree: usize, derivative: usize) -> Vec<f64> {
     let mut smooth = vec![f64::NAN; values.len()];
     let rows: Vec<usize> =
@@ -15,18 +20,24 @@ pub fn savitzky_golay(times: &[f64], values: &[f64], window: usize, degree: usiz
     let t: Vec<f64> = rows.iter().map(|row| times[*row]).collect();
     let y: Vec<f64> = rows.iter().map(|row| values[*row]).collect();
     let ascends = t.is_sorted_by(|one, other| one < other);
-    if derivative > degree || degree > MOST || degree >= window || !ascends || t.len() <= degree {
+    if derivative > degree || degree > MOST || degree >= window || window > WIDEST || !ascends || t.len() <= degree {
         return smooth;
     }
     for part in parts(&t) {
         let (start, end) = (part.start, part.end);
         let width = window.min(part.len());
+        let even = is_even(&t[part.clone()]);
+        // The weights of the last window, and where in it they are read.
+        let mut known: Option<(usize, Vec<f64>)> = None;
         for place in part {
             // Half a window to each side, shifted at the ends.
             let from = place.saturating_sub(width / 2).clamp(start, end - width);
-            let local = from..from + width;
-            if let Some(value) = local_fit(&t[local.clone()], &y[local], t[place], degree, derivative) {
-                smooth[rows[place]] = value;
+            if !even || known.as_ref().is_none_or(|(offset, _)| *offset != place - from) {
+                let weights = weights(&t[from..from + width], t[place], degree, derivative);
+                known = weights.map(|weights| (place - from, weights));
+            }
+            if let Some((_, weights)) = &known {
+                smooth[rows[place]] = weights.iter().zip(&y[from..]).map(|(weight, value)| weight * value).sum();
             }
         }
     }
@@ -35,6 +46,13 @@ pub fn savitzky_golay(times: &[f64], values: &[f64], window: usize, degree: usiz
 
 /// The highest degree. Higher ones follow the noise.
 const MOST: usize = 7;
+
+/// Whether all steps are the same, but for a millionth of one.
+fn is_even(times: &[f64]) -> bool {
+    let (Some(first), Some(last)) = (times.first(), times.last()) else { return true };
+    let step = (last - first) / (times.len() - 1).max(1) as f64;
+    times.iter().zip(0_u32..).all(|(time, row)| (time - first - f64::from(row) * step).abs() <= 1e-6 * step)
+}
 
 /// The rows between gaps; a gap is longer than two and a half usual steps, which a window does not bridge.
 fn parts(times: &[f64]) -> Vec<core::ops::Range<usize>> {
@@ -51,18 +69,20 @@ fn parts(times: &[f64]) -> Vec<core::ops::Range<usize>> {
     parts
 }
 
-/// The derivative at `time` of the polynomial through these points. The monomials are made orthogonal (Gram and Schmidt,
-/// twice for the last digits) so that even a high degree is well determined.
-fn local_fit(times: &[f64], values: &[f64], time: f64, degree: usize, derivative: usize) -> Option<f64> {
+/// With which weights the values at these times add up to the derivative at `time` of the polynomial through them. The
+/// monomials are made orthogonal (Gram and Schmidt, twice for the last digits) so that even a high degree is well determined.
+pub(crate) fn weights(times: &[f64], time: f64, degree: usize, derivative: usize) -> Option<Vec<f64>> {
     let (first, last) = (times.first()?, times.last()?);
     let scale = (last - first) / 2.0;
     let x: Vec<f64> = times.iter().map(|t| (t - time) / scale).collect();
-    let mut result = 0.0;
+    let mut weights = vec![0.0; x.len()];
     // Each orthogonal polynomial: its values at the points, and its coefficients in powers of x.
     let mut basis: Vec<(Vec<f64>, [f64; MOST + 1])> = Vec::with_capacity(degree + 1);
     if times.len() <= degree {
         return None;
     }
+    // The derivative of x^k at 0 is k!; x counts in half windows.
+    let factor = (1..=derivative).fold(1.0, |product, factor| product * factor as f64 / scale);
     for power in 0..=degree {
         let mut column: Vec<f64> = match basis.last() {
             Some((before, _)) => before.iter().zip(&x).map(|(value, x)| value * x).collect(),
@@ -86,13 +106,9 @@ fn local_fit(times: &[f64], values: &[f64], time: f64, degree: usize, derivative
         }
         column.iter_mut().for_each(|value| *value /= norm);
         coefficients.iter_mut().for_each(|value| *value /= norm);
-        let share: f64 = column.iter().zip(values).map(|(one, value)| one * value).sum();
-        result += share * coefficients[derivative];
+        let part = factor * coefficients[derivative];
+        weights.iter_mut().zip(&column).for_each(|(weight, value)| *weight += part * value);
         basis.push((column, coefficients));
     }
-    // The derivative of x^k at 0 is k!; x counts in half windows.
-    for factor in 1..=derivative {
-        result *= factor as f64 / scale;
-    }
-    Some(result)
+    Some(weights)
 }

@@ -4,10 +4,11 @@
 
 mod support;
 
+use analysis::derivative::Differentiation;
 use analysis::import;
 use analysis::inspection::inspect;
 use analysis::sampling::{Gap, examine};
-use analysis::smoothing::savitzky_golay;
+use analysis::smoothing::{WIDEST, savitzky_golay};
 use analysis::stencil::{Stencil, differentiate, recognise};
 use support::{Noise, utube_bytes};
 
@@ -230,4 +231,43 @@ fn a_smoothing_polynomial_has_the_published_coefficients() {
     for (window, degree, derivative) in [(3, 3, 0), (5, 2, 3), (20, 8, 0)] {
         assert!(savitzky_golay(&times, &values, window, degree, derivative).iter().all(|value| value.is_nan()));
     }
+}
+
+/// Even steps share one polynomial; it is the same that rows with hardly uneven steps get one by one.
+#[test]
+fn even_steps_are_smoothed_as_uneven_ones() {
+    let mut random = Noise::new(9);
+    let values: Vec<f64> = (0..60).map(|row| libm::sin(0.2 * f64::from(row)) + 0.1 * random.normal()).collect();
+    let even: Vec<f64> = (0..60).map(|row| 3.0 + 0.1 * f64::from(row)).collect();
+    let mut uneven = even.clone();
+    uneven[30] += 1e-6;
+    for (window, degree) in [(5, 2), (9, 3), (21, 7)] {
+        for derivative in 0..3 {
+            let one = savitzky_golay(&even, &values, window, degree, derivative);
+            let other = savitzky_golay(&uneven, &values, window, degree, derivative);
+            for (one, other) in one.iter().zip(&other) {
+                assert!(
+                    (one - other).abs() < 1e-3 * (1.0 + other.abs()),
+                    "{window} {degree} {derivative}: {one} {other}"
+                );
+            }
+        }
+    }
+}
+
+/// A window as wide as the record would take hours: it is refused at once, as one that is no odd number is.
+#[test]
+fn windows_are_bounded() {
+    let rows = 100_000;
+    let times: Vec<f64> = (0..rows).map(|row| f64::from(row) / 100.0).collect();
+    let values: Vec<f64> = times.iter().map(|time| libm::sin(*time)).collect();
+    for window in [WIDEST + 2, 100_001] {
+        assert!(!Differentiation::Smooth { window, degree: 3 }.is_possible());
+        assert_eq!(Differentiation::from_code(&format!("smooth-{window}-3")), None);
+        assert!(savitzky_golay(&times, &values, window, 3, 1).iter().all(|value| value.is_nan()));
+    }
+    // The widest one follows what is slower than it.
+    assert!(Differentiation::Smooth { window: WIDEST, degree: 7 }.is_possible());
+    let slope = savitzky_golay(&times, &values, WIDEST, 7, 1);
+    assert!((slope[50_000] - libm::cos(500.0)).abs() < 1e-4, "{} {}", slope[50_000], libm::cos(500.0));
 }

@@ -152,6 +152,7 @@ fn as_json(record: &Record) -> String {
         "columns": columns::as_json(record.data),
         "cycles": cycles,
         "lost_from": record.found.lost,
+        "sinusoidal": record.found.sinusoidal,
     });
     // Texts and numbers only: there is nothing in it that could not be written.
     serde_json::to_string_pretty(&object).unwrap_or_default() + "\n"

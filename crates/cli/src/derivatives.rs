@@ -8,6 +8,7 @@ use crate::output;
 use crate::terminal::Terminal;
 use analysis::csv::{self, Dialect};
 use analysis::derivative::{self, Differentiation};
+use analysis::smoothing::WIDEST;
 use units::Unit;
 
 /// Reads the data, differentiates the column and writes a table.
@@ -28,7 +29,7 @@ pub fn run(arguments: &Derivatives, terminal: Terminal) -> Result<(), Failure> {
     if let (Differentiation::Smooth { window, degree }, false) = (how, how.is_possible()) {
         return Err(Failure::with_hint(
             format!("--smooth {window} --degree {degree}: no such smoothing polynomial"),
-            "the window is an odd number of rows, and the degree is from 2 to 7 and below it",
+            format!("the window is an odd number of rows up to {WIDEST}, and the degree is from 2 to 7 and below it"),
         ));
     }
     let [level, first, second] = how.derivatives(times, values);

@@ -378,3 +378,44 @@ fn derivatives_are_made_anew() {
     }
     assert_eq!(meniscus(&["derivatives", word(&path), "--observe", "y", "--smooth", "4"]).code, 2);
 }
+
+/// One value of a record is off by 2 cm: it is named, and a robust loss takes its pull away.
+#[test]
+fn an_outlier_is_named_and_a_robust_loss_disregards_it() {
+    let directory = tempfile::tempdir().unwrap();
+    let data = record(directory.path(), "run.txt", 0.4, 0.1);
+    let mut lines: Vec<String> = std::fs::read_to_string(&data).unwrap().lines().map(str::to_owned).collect();
+    let (time, value) = lines[61].split_once('\t').unwrap();
+    lines[61] = format!("{time}\t{:.6}", value.parse::<f64>().unwrap() + 2.0);
+    std::fs::write(&data, lines.join("\n")).unwrap();
+    let words = ["fit", COSINE, word(&data), "--observe", "y"];
+    let with = |more: &[&str]| object(&meniscus(&[&words[..], &["--format", "json"], more].concat()));
+    let squares = with(&[]);
+    let outlier = &squares["outliers"][0];
+    assert_eq!(squares["outliers"].as_array().unwrap().len(), 1);
+    assert!(
+        (outlier["time"].as_f64().unwrap() - 2.0).abs() < 1e-9 && outlier["sigmas"].as_f64().unwrap() > 30.0,
+        "{outlier}"
+    );
+    assert_eq!((&squares["loss"], &squares["reweighted"]), (&"least-squares".into(), &Value::Null));
+    let text = meniscus(&words).stdout;
+    assert!(text.contains("One value is an outlier: y = ") && text.contains("at t = 2 s (+"), "{text}");
+    assert!(text.contains("The residuals look random"), "{text}");
+    for loss in ["huber", "tukey"] {
+        let robust = with(&["--loss", loss]);
+        assert_eq!((&robust["loss"], &robust["r2"]), (&loss.into(), &Value::Null));
+        for (name, truth) in [("gamma", 0.4), ("omega_d", 9.6), ("c", -0.002)] {
+            let found = &robust["parameters"][name];
+            let off = (found["value"].as_f64().unwrap() - truth).abs();
+            assert!(off < 4.0 * found["stderr"].as_f64().unwrap(), "{loss} {name}: {found}");
+            assert_eq!(
+                found["least_squares"].as_f64().unwrap(),
+                squares["parameters"][name]["value"].as_f64().unwrap()
+            );
+        }
+        let text = meniscus(&[&words[..], &["--loss", loss]].concat()).stdout;
+        assert!(text.contains("values count less") && text.contains("Against least squares "), "{text}");
+    }
+    let refused = meniscus(&[&words[..], &["--loss", "huber", "--profile"]].concat());
+    assert!(refused.code != 0 && refused.stderr.contains("--profile needs least squares"), "{}", refused.stderr);
+}

@@ -50,7 +50,29 @@ pub fn view(app: App, refusal: Refusal) -> View {
         changing(move || together(app, records.get_clone())),
         changing(move || vary(app, refusal, choices, rows.get_clone())),
         ends(app, refusal),
+        loss(app),
     ))
+}
+
+/// What residuals cost.
+fn loss(app: App) -> HtmlDiv {
+    let words = app.words();
+    let (names, chosen) = app.read(|session| session.fit_losses());
+    let choose = move |event| {
+        if let Ok(place) = value_of(&event).parse() {
+            app.act(|session| session.set_fit_loss(place));
+        }
+    };
+    let options = names.into_iter().enumerate();
+    let choice = select()
+        .id("fit-loss")
+        .attr("aria-describedby", "fit-loss-note")
+        .when(events::change, choose)
+        .each(options, |(place, name)| option().value(place.to_string()).selected(place == chosen).child(name));
+    div()
+        .class("ends")
+        .child(field_of("fit-loss", words.fit_loss).child(choice))
+        .child(note(words.fit_loss_note).id("fit-loss-note"))
 }
 
 /// Which record is looked at.

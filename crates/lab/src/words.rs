@@ -269,6 +269,8 @@ words! {
     fit_part: "Part of the record", "Parte del registro";
     fit_from: "From", "Desde";
     fit_until: "until", "hasta";
+    fit_loss: "Loss", "Pérdida";
+    fit_loss_note: "With Huber's or Tukey's loss, values far from the curve count less.", "Con la pérdida de Huber o la de Tukey, los valores lejos de la curva cuentan menos.";
     fit_begin: "Fit", "Ajustar";
     fit_rank: "Rank all theories", "Comparar todas las teorías";
     fit_rank_title: "Fit every theory that this page carries to the record", "Ajustar al registro todas las teorías que lleva esta página";
@@ -288,7 +290,7 @@ words! {
     fit_all_records: "All records", "Todos los registros";
     save_report: "Report", "Informe";
     fit_all: "All of them", "Todos";
-    fit_errors: "The uncertainties allow for residuals that resemble their neighbours.", "Las incertidumbres tienen en cuenta que los residuos vecinos se parecen.";
+    fit_errors: "The standard errors allow for autocorrelated residuals.", "Los errores típicos tienen en cuenta que los residuos pueden estar autocorrelacionados.";
 
     // Questions.
     question: "Question", "Pregunta";

@@ -16,16 +16,17 @@ const LOWER: f64 = 190.0;
 const SLIM: f64 = 165.0;
 /// More points than this are not drawn one by one.
 const MOST_POINTS: usize = 4000;
-/// The colours of the data, of the curve, and of what was not fitted.
+/// The colours of the data, of the curve, of outliers, and of what was not fitted.
 const DATA: u8 = 0;
 const CURVE: u8 = 1;
+const OUTLIER: u8 = 3;
 const UNUSED: u8 = 4;
 
 /// The columns of one observation in the units of its axes.
 struct Columns {
-    /// Of the values that were fitted, and of those that were not: time, value, its error (if known), and residual and error
+    /// Of the values that were fitted, of those that were not, and of outliers: time, value, its error (if known), and residual and error
     /// in the unit of residuals.
-    points: [[Vec<f64>; 5]; 2],
+    points: [[Vec<f64>; 5]; 3],
     /// The unit of residuals.
     unit: String,
     /// How much of the unit of the observation it is.
@@ -135,7 +136,7 @@ fn draw(
     };
     let description = [&shown, what, &name].concat();
     let zero = vec![0.0; columns.times.len()];
-    let [used, unused] = &columns.points;
+    let [used, unused, outlying] = &columns.points;
     let outside = !unused[0].is_empty();
     let named = |english, spanish| if upper { words.pick(english, spanish) } else { "" };
     let of_points = |points, label, colour| {
@@ -150,6 +151,9 @@ fn draw(
     let mut series = vec![of_points(used, named("measured", "medido"), DATA)];
     if outside {
         series.push(of_points(unused, named("not fitted", "sin ajustar"), UNUSED));
+    }
+    if !outlying[0].is_empty() {
+        series.push(of_points(outlying, named("outlier", "atípico"), OUTLIER));
     }
     if upper {
         series.push(of_curve(named("fitted", "ajustado"), Style::Line, &columns.fitted));
@@ -212,9 +216,18 @@ fn columns(report: &Report<'_>, fit: &ObservationFit, reach: f64) -> Columns {
     // A difference on a scale has its factor, not its zero.
     let difference = |si: f64| size(&fit.unit, si);
     let errors = errors(report, fit);
-    let mut points: [[Vec<f64>; 5]; 2] = Default::default();
-    for row in (0..fit.times.len()).step_by(thinned(fit)) {
-        let [times, values, spreads, residuals, residual_spreads] = &mut points[usize::from(!fit.inside[row])];
+    let mut points: [[Vec<f64>; 5]; 3] = Default::default();
+    let own =
+        report.outcome.outliers.iter().filter(|one| (one.record, one.observation) == (fit.record, fit.observation));
+    let outlying: Vec<usize> = own.map(|one| one.row).collect();
+    let every = thinned(fit);
+    for row in 0..fit.times.len() {
+        let kind = if outlying.contains(&row) { 2 } else { usize::from(!fit.inside[row]) };
+        // An outlier is drawn in any case.
+        if row % every != 0 && kind != 2 {
+            continue;
+        }
+        let [times, values, spreads, residuals, residual_spreads] = &mut points[kind];
         times.push(clock.from_si(fit.times[row]));
         values.push(value(fit.measured[row]));
         residuals.push(difference(fit.measured[row] - fit.fitted[row]) / part);

@@ -140,7 +140,7 @@ pub fn results(report: &Report<'_>) -> Sheet {
         &unit,
     );
     say(words.pick("Reduced chi-square", "Chi cuadrado reducido"), outcome.chi2_reduced, "");
-    say("R²", Some(outcome.r2), "");
+    say("R²", Some(outcome.r2).filter(|_| outcome.reweighted.is_none()), "");
     say("AICc", outcome.aicc, "");
     say("BIC", Some(outcome.bic), "");
     say("Durbin-Watson", Some(outcome.durbin_watson), "");
@@ -158,6 +158,7 @@ pub fn results(report: &Report<'_>) -> Sheet {
     }
     rows.push(Vec::new());
     rows.push(vec![Cell::Empty, outcome.verdict_text(words.spanish).into()]);
+    rows.extend(report.remarks().into_iter().map(|remark| vec![Cell::Empty, remark.into()]));
     rows.extend(outcome.undetermined.iter().map(|one| vec![Cell::Empty, one.text(words.spanish).into()]));
     Sheet { name: words.pick("Results", "Resultados").to_owned(), rows, header: true }
 }

@@ -21,7 +21,13 @@ pub fn numbers(page: &mut Page, report: &Report<'_>) {
     if let Some(reduced) = outcome.chi2_reduced {
         pair(words.pick("Reduced χ²", "χ² reducido"), plain(reduced, 3, style));
     }
-    pair("R²", near_one(outcome.r2, style));
+    match &outcome.reweighted {
+        None => pair("R²", near_one(outcome.r2, style)),
+        Some(robust) => {
+            let scale = with_unit(robust.scale, &outcome.rmse_unit, style);
+            pair(words.pick("Median scale of residuals", "Escala mediana de los residuos"), scale);
+        }
+    }
     if let Some(aicc) = outcome.aicc {
         pair("AICc", fixed(aicc, 1, style));
     }
@@ -40,7 +46,8 @@ pub fn with_unit(si: f64, shown: &units::Unit, style: Style) -> String {
 
 /// Whether the verdict is a warning.
 pub fn warns(outcome: &Outcome) -> bool {
-    !matches!(outcome.verdict(), Verdict::Compatible | Verdict::Unknown)
+    !matches!(outcome.verdict(), Verdict::Exact | Verdict::Compatible | Verdict::Unknown)
+        || !outcome.outliers.is_empty()
 }
 
 /// What cannot be determined, what was stopped, and whether the search came to its end.
@@ -93,10 +100,12 @@ pub fn errors(page: &mut Page, report: &Report<'_>) {
     let outcome = report.outcome;
     let mut text = words
         .pick(
-            "The digits in parentheses are the standard error (68 %) in units of the last digits. It is computed for \
-             residuals as they are, correlated in time (Newey and West).",
-            "Las cifras entre paréntesis son el error típico (68 %) en unidades de las últimas cifras. Está calculado para \
-             los residuos tal como son, correlacionados en el tiempo (Newey y West).",
+            "The digits in parentheses are the standard error (68 %) in units of the last digits. It allows for residuals that \
+             are correlated in time: it is the larger of the error of Newey and West and that of an autoregressive process of \
+             order one.",
+            "Las cifras entre paréntesis son el error típico (68 %) en unidades de las últimas cifras. Tiene en cuenta que los \
+             residuos están correlacionados en el tiempo: es el mayor entre el error de Newey y West y el de un proceso \
+             autorregresivo de orden uno.",
         )
         .to_owned();
     let ratios =
@@ -124,11 +133,15 @@ pub fn residuals(page: &mut Page, report: &Report<'_>) {
     let (outcome, style) = (report.outcome, words.style());
     page.heading(words.pick("What the residuals say", "Qué dicen los residuos"));
     page.element("p", &outcome.verdict_text(words.spanish));
+    report.remarks().iter().for_each(|remark| page.element("p", remark));
     page.raw("<dl class=\"steps\">");
     if let Some(runs) = outcome.runs {
         let value = [
             &runs.runs.to_string(),
-            words.pick(" runs of equal sign, where chance would make ", " rachas de igual signo, donde el azar haría "),
+            words.pick(
+                " runs of equal sign, where independent residuals would make ",
+                " rachas de igual signo, donde residuos independientes harían ",
+            ),
             &fixed(runs.expected, 0, style),
             " (",
             &fixed(runs.z, 1, style),
@@ -138,7 +151,7 @@ pub fn residuals(page: &mut Page, report: &Report<'_>) {
     }
     let value = [
         &fixed(outcome.durbin_watson, 2, style),
-        words.pick("; 2 where residuals know nothing of each other", "; 2 si los residuos no saben nada unos de otros"),
+        words.pick("; 2 for independent residuals", "; 2 si los residuos son independientes"),
     ];
     page.pair("Durbin-Watson", &value.concat());
     let value = [

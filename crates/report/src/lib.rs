@@ -9,6 +9,7 @@ mod findings;
 mod markup;
 mod page;
 mod ranking;
+mod remarks;
 mod results;
 mod theory;
 mod words;
@@ -20,6 +21,7 @@ pub use export::{csv, workbook};
 pub use markup::with_math_font;
 pub use page::html;
 pub use ranking::{Ranking, ranking_csv, ranking_html, ranking_workbook};
+pub use remarks::remarks;
 pub use results::{once, readable_units};
 
 /// A finished fit and where it comes from.
@@ -48,6 +50,19 @@ pub struct Report<'a> {
     pub version: &'a str,
     /// When it was made, as it is to be read; may be empty.
     pub date: &'a str,
+}
+
+impl Report<'_> {
+    /// See [`remarks`].
+    fn remarks(&self) -> Vec<String> {
+        let independent = &self.document.model.independent;
+        remarks(
+            self.outcome,
+            self.task,
+            (&independent.name, &independent.unit),
+            words::Words::of(self.language).spanish,
+        )
+    }
 }
 
 /// The figures of all observations as one standalone SVG, one below the other: the measured values over the fitted curve, and

@@ -5,7 +5,7 @@ use crate::markup::{self, Page, cell, escaped};
 use crate::words::Words;
 use crate::{Report, drawing, page, results};
 use analysis::csv::{self, Dialect};
-use analysis::fit::{ObservationFit, Ranked, rank};
+use analysis::fit::{ObservationFit, Outcome, Ranked, rank, worth};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
 use units::number::{Group, fixed, plain};
 
@@ -42,7 +42,7 @@ impl<'a> Ranking<'a> {
     /// Best first.
     fn rows(&self) -> Vec<Row<'a>> {
         let tag = self.words().tag();
-        let aicc: Vec<Option<f64>> = self.theories.iter().map(|report| report.outcome.aicc).collect();
+        let outcomes: Vec<&Outcome> = self.theories.iter().map(|report| report.outcome).collect();
         let row = |ranked: Ranked| {
             let report = self.theories.get(ranked.index)?;
             Some(Row {
@@ -53,15 +53,12 @@ impl<'a> Ranking<'a> {
                 predicted: report.outcome.predicted(),
             })
         };
-        rank(&aicc).into_iter().filter_map(row).collect()
+        rank(&outcomes).into_iter().filter_map(row).collect()
     }
 
-    /// For how much of a value each one counts, where those of the best theory's residuals resemble their neighbours: the
-    /// ratio of the variances of a mean of independent values and of one of values correlated in this way (Bayley &
-    /// Hammersley, J. R. Statist. Soc. Suppl. 8 (1946) 184).
+    /// For how much of a value each one counts, by the residuals of the best theory.
     fn worth(rows: &[Row<'_>]) -> f64 {
-        let rho = rows.first().map_or(0.0, |row| row.report.outcome.autocorrelation).clamp(0.0, 0.99);
-        (1.0 - rho) / (1.0 + rho)
+        rows.first().map_or(1.0, |row| worth(row.report.outcome))
     }
 }
 
@@ -130,8 +127,8 @@ fn judgement(page: &mut Page, words: Words, rows: &[Row<'_>]) {
     page.element(if warns { "p class=\"verdict warn\"" } else { "p class=\"verdict\"" }, &text);
     if warns {
         let but = words.pick(
-            "Even the best one leaves residuals that are not chance: none of these theories is the whole truth.",
-            "Ni siquiera la mejor deja residuos que parezcan azar: ninguna de estas teorías es toda la verdad.",
+            "Even the best one leaves residuals that do not look random: none of these theories is the whole truth.",
+            "Ni siquiera la mejor deja residuos que parezcan aleatorios: ninguna de estas teorías es toda la verdad.",
         );
         page.element("p", but);
     }
@@ -194,18 +191,18 @@ fn caution(page: &mut Page, words: Words, rows: &[Row<'_>]) {
     let worth = Ranking::worth(rows);
     if let Some(best) = rows.first().filter(|_| worth < 0.8) {
         let n = best.report.outcome.n;
-        let count = plain((n as f64 * worth).round(), 6, words.style());
+        let count = plain(best.report.outcome.independent.round(), 6, words.style());
         text.extend([
             words.pick(
-                " It counts every value as a witness of its own. Here neighbours resemble each other, and the ",
-                " Cuenta cada valor como testigo independiente. Aquí los vecinos se parecen, y los ",
+                " It supposes independent residuals. These are autocorrelated: the ",
+                " Supone residuos independientes. Estos están autocorrelacionados: los ",
             ),
             &n.to_string(),
-            words.pick(" values are worth about ", " valores valen por unos "),
+            words.pick(" values are worth about ", " valores equivalen a unos "),
             &count,
             words.pick(
-                ": the differences are exaggerated in that proportion, which the sentence at the top takes into account.",
-                ": las diferencias se exageran en esa proporción, lo que la frase del principio tiene en cuenta.",
+                " independent ones. The evidence and the sentence at the top count the differences in that proportion.",
+                " independientes. La evidencia y la frase del principio cuentan las diferencias en esa proporción.",
             ),
         ]);
     }
@@ -285,7 +282,7 @@ fn numbers(ranking: &Ranking<'_>) -> Vec<Vec<Cell>> {
             Cell::Number(row.ranked.difference),
             Cell::Number(row.ranked.weight),
             Cell::Number(outcome.bic),
-            Cell::Number(outcome.r2),
+            if outcome.reweighted.is_none() { Cell::Number(outcome.r2) } else { Cell::Empty },
             Cell::Number(outcome.durbin_watson),
         ]
     };

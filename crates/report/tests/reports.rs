@@ -51,7 +51,7 @@ fn the_page_says_what_was_found() {
     for expected in [
         "Linear damping",
         "swing.txt",
-        "The residuals look like chance",
+        "The residuals look random",
         &rounded,
         "Damping rate",
         "68 % by profile",
@@ -88,7 +88,7 @@ fn the_page_speaks_spanish() {
     assert!(page.contains("<html lang=\"es\">"));
     let all = texts(&page);
     for expected in
-        ["Amortiguamiento lineal", "Coeficiente de amortiguamiento", "Los residuos parecen azar", "hasta 6 s"]
+        ["Amortiguamiento lineal", "Coeficiente de amortiguamiento", "Los residuos parecen aleatorios", "hasta 6 s"]
     {
         assert!(all.contains(expected), "{expected}");
     }

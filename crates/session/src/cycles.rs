@@ -221,6 +221,7 @@ impl Session {
         };
         let mut sentences: Vec<String> =
             [Quantity::AngularFrequency, Quantity::Damping].into_iter().filter_map(sentence).collect();
+        sentences.extend((!cycles.sinusoidal).then(|| another_shape(self.language).to_owned()));
         let lost = |from: f64| cycles_lost(self.language, &format!("{} {time}", number::fixed(from, 2, self.style)));
         sentences.extend(cycles.lost.map(lost));
         Some(CyclesView { heads, rows: cycles.cycles.iter().enumerate().map(row).collect(), sentences })
@@ -277,6 +278,15 @@ fn no_cycles(language: Language) -> &'static str {
          noise, with eight rows about them.",
         "Esta columna no oscila de modo que se distingan ciclos: un ciclo necesita tres puntos de retorno que destaquen \
          sobre el ruido, con ocho filas a su alrededor.",
+    )
+}
+
+fn another_shape(language: Language) -> &'static str {
+    language.pick(
+        "The shape is not a damped sinusoid: the period is the time between crossings of the middle level in the same \
+         direction, and the amplitude is half the height between turning points.",
+        "La forma no es una sinusoide amortiguada: el periodo es el tiempo entre pasos por el nivel medio en el mismo sentido, \
+         y la amplitud, la mitad de la altura entre puntos de retorno.",
     )
 }
 

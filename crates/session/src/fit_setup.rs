@@ -2,7 +2,7 @@
 
 use crate::record::Record;
 use crate::{Refusal, Session, number, words};
-use analysis::fit::{Target, Varied};
+use analysis::fit::{Loss, Target, Varied};
 use model::Model;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -64,6 +64,8 @@ pub(crate) struct Setup {
     pub others: BTreeSet<u32>,
     /// What part of the records is fitted: readings of their clocks, SI.
     pub window: [Option<f64>; 2],
+    /// What residuals cost.
+    pub loss: Loss,
 }
 
 impl Setup {
@@ -245,6 +247,20 @@ impl Session {
         let varied =
             |(target, name): (Target, String)| Varied { target, shared: shared(&name), ..Varied::parameter(0) };
         targets.into_iter().map(varied).collect()
+    }
+
+    /// The losses by name, and which of them fits are asked for.
+    pub fn fit_losses(&self) -> (Vec<&'static str>, usize) {
+        let names = Loss::ALL.iter().map(|loss| loss.name(self.language)).collect();
+        (names, Loss::ALL.iter().position(|loss| *loss == self.fits.setup.loss).unwrap_or_default())
+    }
+
+    /// Asks fits for another loss, by its place in [`Session::fit_losses`].
+    pub fn set_fit_loss(&mut self, place: usize) {
+        if let Some(loss) = Loss::ALL.get(place) {
+            self.fits.setup.loss = *loss;
+            self.revision.fits += 1;
+        }
     }
 
     /// What part of the records is fitted, as its fields show it.

@@ -115,7 +115,7 @@ impl Session {
     }
 
     fn ranked(&self, group: &[&Fitted]) -> Vec<FitView> {
-        let criteria: Vec<Option<f64>> = group.iter().map(|fit| fit.outcome.aicc).collect();
+        let outcomes: Vec<&Outcome> = group.iter().map(|fit| &fit.outcome).collect();
         let known = |value: f64, digits: usize| {
             if value.is_finite() { number::fixed(value, digits, self.style) } else { number::DASH.to_owned() }
         };
@@ -136,7 +136,7 @@ impl Session {
                 applicable: self.is_applicable(fit),
             })
         };
-        analysis::fit::rank(&criteria).into_iter().filter_map(view).collect()
+        analysis::fit::rank(&outcomes).into_iter().filter_map(view).collect()
     }
 
     fn title_of(&self, fit: &Fitted) -> String {
@@ -155,6 +155,8 @@ impl Session {
         let plain = |value: f64, digits: usize| number::plain(value, digits, self.style);
         let spanish = self.language == Language::Spanish;
         let mut sentences = vec![outcome.verdict_text(spanish)];
+        let independent = &fit.document.model.independent;
+        sentences.extend(report::remarks(outcome, &fit.task, (&independent.name, &independent.unit), spanish));
         sentences.extend(outcome.undetermined.iter().map(|one| one.text(spanish)));
         if !outcome.converged {
             sentences.push(words::not_converged(self.language).to_owned());
@@ -167,7 +169,7 @@ impl Session {
             estimates: self.estimate_views(fit),
             sentences,
             statistics: vec![
-                ("R²", plain(outcome.r2, 6)),
+                ("R²", if outcome.reweighted.is_some() { number::DASH.to_owned() } else { plain(outcome.r2, 6) }),
                 ("AICc", outcome.aicc.map_or_else(|| number::DASH.to_owned(), |value| plain(value, 6))),
                 ("BIC", plain(outcome.bic, 6)),
                 ("Durbin-Watson", plain(outcome.durbin_watson, 3)),
@@ -301,12 +303,12 @@ impl Fitted {
         self.same_values(other) && self.document.title == other.document.title && varied(self) == varied(other)
     }
 
-    /// Whether two fits are of the same values, so that they can be ranked.
+    /// Whether two fits are of the same values with the same loss, so that they can be ranked.
     pub fn same_values(&self, other: &Self) -> bool {
         let values = |fit: &Self| {
             let records: Vec<u32> = fit.definition.parts.iter().map(|part| part.record).collect();
             let columns = fit.outcome.observations.iter().map(|one| (one.record, one.name.clone()));
-            (records, fit.definition.window, columns.collect::<Vec<_>>())
+            (records, fit.definition.window, fit.definition.loss, columns.collect::<Vec<_>>())
         };
         values(self) == values(other)
     }

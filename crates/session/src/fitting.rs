@@ -7,7 +7,7 @@ use crate::record::{Record, Use};
 use crate::refusal::{fit_error, unknown_method};
 use crate::remaking::{Found, Waiting};
 use crate::{Announcement, Refusal, Session, words};
-use analysis::fit::{Fit, FitError, Observation, Task, Varied};
+use analysis::fit::{Fit, FitError, Loss, Observation, Task, Varied};
 use document::Document;
 use engine::Method;
 use std::collections::VecDeque;
@@ -56,6 +56,8 @@ pub(crate) struct Definition {
     pub parameters: Vec<f64>,
     /// What part of the records is fitted: readings of their clocks, SI.
     pub window: [Option<f64>; 2],
+    /// What residuals cost.
+    pub loss: Loss,
 }
 
 /// What a fit follows of a record.
@@ -105,6 +107,7 @@ impl Fits {
         }
         let (setup, before) = (&mut self.setup, &mut other.setup);
         setup.window = before.window;
+        setup.loss = before.loss;
         setup.chosen = before.chosen;
         setup.others = std::mem::take(&mut before.others);
         setup.same = std::mem::take(&mut before.same);
@@ -124,6 +127,7 @@ impl Session {
             varied,
             parameters: self.course.parameters().to_vec(),
             window: self.fits.setup.window,
+            loss: self.fits.setup.loss,
         };
         let job = Job { definition, document: self.document.clone(), own: true, found: None };
         self.start_queue(vec![job])
@@ -149,6 +153,7 @@ impl Session {
                 varied,
                 parameters: parameters.iter().map(|parameter| parameter.value).collect(),
                 window: self.fits.setup.window,
+                loss: self.fits.setup.loss,
             };
             Job { definition, document, own: false, found: None }
         };
@@ -338,6 +343,7 @@ impl Session {
             varied: definition.varied.clone(),
             from: definition.window[0],
             until: definition.window[1],
+            loss: definition.loss,
         })
     }
 }

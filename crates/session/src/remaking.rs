@@ -6,7 +6,7 @@ use crate::fitting::{Definition, Job, Part};
 use crate::keepsake::{line, read_uses, write_uses};
 use crate::record::Record;
 use crate::shelf::name_of;
-use analysis::fit::{Outcome, Rival, Target, Varied};
+use analysis::fit::{Loss, Outcome, Rival, Target, Varied};
 use document::Document;
 use std::fmt::Write as _;
 
@@ -181,6 +181,9 @@ impl Book {
         let _ = writeln!(text, "window {}", window.join(" "));
         let _ = writeln!(text, "values {}", write_numbers(&definition.parameters));
         let _ = writeln!(text, "varied {}", varied.join(" "));
+        if definition.loss != Loss::Squares {
+            let _ = writeln!(text, "loss {}", definition.loss.code());
+        }
         for part in &definition.parts {
             let (_, record) = self.records.iter().find(|(id, _)| *id == part.record)?;
             let uses = write_uses(part.uses.iter().enumerate());
@@ -257,6 +260,8 @@ impl<'a> Pages<'a> {
             varied: value("varied")?.split(' ').map(read_varied).collect::<Option<_>>()?,
             parameters: read_numbers(value("values")?)?,
             window: [time(from)?, time(until)?],
+            // Earlier versions knew least squares only.
+            loss: value("loss").map_or(Some(Loss::Squares), Loss::from_code)?,
         };
         let found = Found::read(value("starts").unwrap_or("1"), read_numbers(value("found")?)?)?;
         Some(Waiting { definition, texts, found })

@@ -222,10 +222,11 @@ pub(crate) fn refusal_text(language: Language, refusal: &Refusal) -> String {
         }
         Refusal::NoSuchPolynomial => language
             .pick(
-                "There is no such polynomial: the window is an odd number of rows, the degree is from 2 to 7 and below it.",
-                "No existe tal polinomio: la ventana es un número impar de filas, y el grado va de 2 a 7 y es menor que ella.",
+                "There is no such polynomial: the window is an odd number of rows up to ROWS, the degree is from 2 to 7 and below it.",
+                "No existe tal polinomio: la ventana es un número impar de filas hasta ROWS, y el grado va de 2 a 7 y es menor que \
+                 ella.",
             )
-            .to_owned(),
+            .replace("ROWS", &analysis::smoothing::WIDEST.to_string()),
         Refusal::NoDerivative => language
             .pick(
                 "No row has the neighbours that a derivative needs. Times must ascend; uneven ones can be smoothed by polynomials.",

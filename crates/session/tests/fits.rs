@@ -185,6 +185,31 @@ fn theories_of_several_records_are_ranked() {
     assert_eq!(page.matches("<svg").count(), 6, "of both theories in every record");
 }
 
+/// A robust loss is asked for, said, kept apart from least squares, and there again at the next visit.
+#[test]
+fn a_loss_is_chosen_and_kept() {
+    let mut session = three();
+    fit(&mut session);
+    assert_eq!(session.fit_losses(), (vec!["least squares", "Huber's loss", "Tukey's loss"], 0));
+    session.set_fit_loss(2);
+    fit(&mut session);
+    let fits = session.fits();
+    assert_eq!(fits.len(), 2);
+    let said = |session: &Session| -> Vec<bool> {
+        let details = session.fits().into_iter().map(|fit| session.fit_detail(fit.id).unwrap());
+        details.map(|detail| detail.sentences.iter().any(|one| one.contains("Tukey's loss"))).collect()
+    };
+    assert_eq!(said(&session), [false, true]);
+    let (records, fits) = (session.saved_records(), session.saved_fits());
+    let mut later = Session::open(theory("cosine"));
+    support::bring_back_records(&mut later, &records);
+    support::bring_back_fits(&mut later, &fits);
+    while later.advance_fit() {}
+    let found = said(&later);
+    assert_eq!((found.len(), found.iter().filter(|said| **said).count()), (2, 1));
+    assert_eq!(later.saved_fits().iter().filter(|(_, text)| text.contains("\nloss tukey\n")).count(), 1);
+}
+
 #[test]
 fn fits_come_back() {
     let mut session = three();

@@ -17,7 +17,16 @@ pub enum Constancy {
         /// Independent cycles less one.
         freedom: usize,
     },
-    /// It changes by more than the errors explain.
+    /// It scatters by more than the errors explain, but is the same in the beginning and in the end.
+    Scatters {
+        /// The mean, its error by the scatter.
+        mean: Measured,
+        /// The sum of the squares of the deviations over their errors.
+        chi_square: f64,
+        /// Independent cycles less one.
+        freedom: usize,
+    },
+    /// It is another one in the end than in the beginning.
     Changes {
         /// The weighted mean of the first third of the independent cycles.
         early: Measured,
@@ -48,7 +57,13 @@ impl Constancy {
         }
         let third = independent.len().div_ceil(3);
         let (early, late) = (independent.get(..third)?, independent.get(independent.len() - third..)?);
-        Some(Self::Changes { early: self::mean(early)?, late: self::mean(late)?, chi_square, freedom })
+        let (early, late) = (self::mean(early)?, self::mean(late)?);
+        if (early.value - late.value).abs() < 2.0 * libm::hypot(early.error, late.error) {
+            // As the scatter has it (R. T. Birge, Phys. Rev. 40 (1932) 207).
+            let mean = Measured { error: mean.error * (chi_square / freedom as f64).sqrt(), ..mean };
+            return Some(Self::Scatters { mean, chi_square, freedom });
+        }
+        Some(Self::Changes { early, late, chi_square, freedom })
     }
 
     /// It in a sentence, in English or Spanish. `written` writes a value with its error and unit, `fixed` a number with one
@@ -90,6 +105,23 @@ impl Constancy {
                 "{the} {name} is the same in all cycles within its errors, as in the linear theory: {} {}.",
                 written(mean),
                 test(chi_square, freedom)
+            ),
+            Self::Changes { early, late, chi_square, freedom } if written(early) == written(late) => {
+                let [is, but] = match spanish {
+                    false => ["is", "throughout; its change is too small to show in these digits"],
+                    true => ["es", "en todo el registro; su cambio es demasiado pequeño para verse en estas cifras"],
+                };
+                format!("{the} {name} {is} {} {but} {}.", written(early), test(chi_square, freedom))
+            }
+            Self::Scatters { mean, chi_square, freedom } if spanish => format!(
+                "{the} {name} varía de un ciclo a otro más de lo que explican sus errores {}, sin tendencia: {} en promedio.",
+                test(chi_square, freedom),
+                written(mean)
+            ),
+            Self::Scatters { mean, chi_square, freedom } => format!(
+                "{the} {name} varies from cycle to cycle by more than its errors explain {}, without a trend: {} on average.",
+                test(chi_square, freedom),
+                written(mean)
             ),
             Self::Changes { early, late, chi_square, freedom } if spanish => format!(
                 "{the} {name} cambia más de lo que explican sus errores {}, lo que la teoría lineal no permite: {} en el \

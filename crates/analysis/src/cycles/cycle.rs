@@ -44,6 +44,9 @@ pub struct Cycles {
     pub cycles: Vec<Cycle>,
     /// From here on the noise hides the oscillation.
     pub lost: Option<f64>,
+    /// Whether they are those of a sinusoid; else periods are those between crossings of the middle, and amplitudes those of
+    /// the turning points.
+    pub sinusoidal: bool,
 }
 
 /// Half the width of a window in periods: a turning point with its two neighbours, each with its quarter of a period.
@@ -51,22 +54,53 @@ const REACH: f64 = 0.75;
 /// An amplitude below so many standard errors is noise.
 const CLEAR: f64 = 4.0;
 
+/// Periods of sinusoids that are so many standard errors from those between crossings belong to another shape.
+const OFF: f64 = 2.0;
+
 /// Measures each cycle. A damped sinusoid with an offset of its own is fitted to the three half-cycles around each turning
-/// point; errors are those of least squares, from the scatter of the residuals. Rows one turning point apart share two
-/// thirds of their data; those three apart share none. `None` where there is no oscillation of at least three turning
-/// points.
+/// point; errors are those of least squares, from the scatter of the residuals. Where the shape is no sinusoid, crossings of the
+/// middle and turning points are measured instead: where these have the smaller errors, or their periods contradict those of
+/// the sinusoids. Rows one turning point apart share two thirds of their data; those three apart share none. `None` where
+/// there is no oscillation of at least three turning points.
 pub fn cycles(times: &[f64], values: &[f64]) -> Option<Cycles> {
     let (times, values): (Vec<f64>, Vec<f64>) = without_gaps(times, values).into_iter().unzip();
     let estimate = estimate(&times, &values)?;
+    let mut result = sinusoids(&times, &values, estimate)?;
+    let crossings = super::shape::cycles(&times, &values);
+    if is_another_shape(&result.cycles, &crossings) {
+        result = Cycles { estimate, cycles: crossings, lost: None, sinusoidal: false };
+    }
+    (!result.cycles.is_empty()).then_some(result)
+}
+
+/// Whether the cycles between crossings are to be believed, and not those of sinusoids.
+fn is_another_shape(sinusoids: &[Cycle], crossings: &[Cycle]) -> bool {
+    let usual = |cycles: &[Cycle]| super::median(cycles.iter().map(|cycle| cycle.period.error).collect());
+    if sinusoids.is_empty() || crossings.is_empty() || usual(crossings) < usual(sinusoids) {
+        return !crossings.is_empty();
+    }
+    // Each third row shares no data with the one before.
+    let mean = |cycles: &[Cycle]| {
+        let independent: Vec<Measured> = cycles.iter().step_by(3).map(|cycle| cycle.period).collect();
+        let count = independent.len() as f64;
+        let error = independent.iter().map(|one| one.error * one.error).sum::<f64>().sqrt() / count;
+        Measured { value: independent.iter().map(|one| one.value).sum::<f64>() / count, error }
+    };
+    let (one, other) = (mean(sinusoids), mean(crossings));
+    (one.value - other.value).abs() > OFF * libm::hypot(one.error, other.error)
+}
+
+/// The cycles of a damped sinusoid.
+fn sinusoids(times: &[f64], values: &[f64], estimate: Estimate) -> Option<Cycles> {
     let (first, last) = (*times.first()?, *times.last()?);
-    let mut result = Cycles { estimate, cycles: Vec::new(), lost: None };
+    let mut result = Cycles { estimate, cycles: Vec::new(), lost: None, sinusoidal: true };
     let mut local = (estimate.angular_frequency, estimate.damping);
     let mut time = turning_point(&estimate, first + PI / local.0);
     let mut scratch = Vec::new();
     // The time before which nothing was seen any more, and for how many turning points.
     let mut failures = 0;
     while time + 0.98 * PI / local.0 <= last && failures < 3 {
-        let found = at(&times, &values, time, local, &mut scratch);
+        let found = at(times, values, time, local, &mut scratch);
         match found {
             Some(cycle) => {
                 failures = 0;
@@ -84,7 +118,7 @@ pub fn cycles(times: &[f64], values: &[f64]) -> Option<Cycles> {
     }
     // A gap, or an end, is not noise.
     result.lost = result.lost.filter(|_| failures >= 3);
-    (!result.cycles.is_empty()).then_some(result)
+    Some(result)
 }
 
 /// The first turning point of an estimate from `time` on.

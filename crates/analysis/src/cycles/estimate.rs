@@ -95,7 +95,7 @@ fn from_crossings(points: Points, mean: f64) -> Option<(f64, f64)> {
 
 /// How far the middle lies from what the heights were counted from: a quarter of the sum of an extreme, twice the
 /// next, and the one after that, on average over the first few.
-fn centre(found: &Swings) -> Option<f64> {
+pub(super) fn centre(found: &Swings) -> Option<f64> {
     let whole: Vec<f64> = found.lobes.iter().filter(|lobe| !lobe.cut).map(|lobe| lobe.height).take(8).collect();
     let middles: Vec<f64> = whole.windows(3).map(|h| (h[0] + 2.0 * h[1] + h[2]) / 4.0).collect();
     (!middles.is_empty()).then(|| middles.iter().sum::<f64>() / middles.len() as f64)

@@ -7,6 +7,7 @@ mod estimate;
 mod lobes;
 mod quantity;
 mod rows;
+mod shape;
 
 pub use constancy::{Constancy, mean};
 pub use cycle::{Cycle, Cycles, Measured, cycles};

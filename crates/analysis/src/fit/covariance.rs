@@ -1,15 +1,14 @@
-//! How well a fit determines what was varied: the textbook covariance, and one that is honest about residuals that cling
-//! together.
+//! How well a fit determines what was varied: the textbook covariance, and one for residuals as they are, correlated in time
+//! and of uneven size.
 
+use super::autoregression::{Autoregression, Errors, MOST};
+use super::hac::{self, Left};
 use super::linear::{Decomposition, Jacobian, dot, norm};
 use super::plan::Plan;
 use super::search::Search;
-use super::statistics;
 
 /// A direction is undetermined if the curve changes along it by less than this part of the greatest change.
 const FLAT: f64 = 1e-10;
-/// The autocorrelation of fewer residuals than this is not worth knowing.
-const LONG: usize = 12;
 
 /// What is known of the uncertainties at a solution. Matrices hold all columns of the search, row by row; rows and columns
 /// of what is held at a bound are zero.
@@ -17,13 +16,20 @@ const LONG: usize = 12;
 pub(crate) struct Covariance {
     /// The inverse of the normal matrix times the variance of the residuals.
     pub textbook: Vec<f64>,
-    /// The same for residuals that are correlated in time and of uneven size: Newey & West (Econometrica 55 (1987) 703), of
-    /// residuals whitened before (Andrews & Monahan, Econometrica 60 (1992) 953).
-    pub robust: Vec<f64>,
+    /// The same for residuals correlated in time and of uneven size, from the products of scores.
+    hac: Vec<f64>,
+    /// The same for errors that are an autoregressive process of order one.
+    autoregressive: Vec<f64>,
+    /// By series: its standard deviation, which follows from that of the correlation.
+    doubt: Vec<Vec<f64>>,
+    /// By series: these errors.
+    pub errors: Vec<Errors>,
     /// Directions (by column) in which the curve does not change.
     pub flat: Vec<Vec<f64>>,
     /// Independent values minus determined numbers.
     pub dof: f64,
+    /// An orthonormal basis of what the fit can follow, each column as long as the residuals.
+    pub basis: Vec<Vec<f64>>,
     /// How far each number must go to change the curve by as much as any other; 0 where that is nowhere.
     lengths: Vec<f64>,
 }
@@ -45,25 +51,64 @@ impl Covariance {
                 free.push(column);
             }
         }
-        let known = pseudo_inverse(&search.jacobian, &free, &scale);
-        flat.extend(known.flat);
-        let dof = values - known.rank as f64;
+        let known = Inverse::new(&search.jacobian, &free, &scale);
+        let dof = values - known.directions.len() as f64;
         let variance = |squares: f64| if errors_given { 1.0 } else { squares / dof.max(f64::MIN_POSITIVE) };
         let mut textbook: Vec<f64> = known.inverse.iter().map(|value| value * variance(search.sum)).collect();
+        let mut series = series(plans, |_| true);
+        let mut errors = None;
         // What was computed from other columns has errors that follow from theirs. Where these determine as much by themselves,
         // they alone are counted.
         if plans.iter().flat_map(|plan| &plan.points).any(|point| !point.measured) {
-            let (jacobian, squares) = witnesses(search, plans);
-            let alone = pseudo_inverse(&jacobian, &free, &scale);
-            if alone.rank == known.rank {
+            let (jacobian, residuals) = measured_alone(search, plans);
+            let alone = Inverse::new(&jacobian, &free, &scale);
+            if alone.directions.len() == known.directions.len() {
+                let squares = dot(&residuals, &residuals);
                 textbook = alone.inverse.iter().map(|value| value * variance(squares)).collect();
+                series = self::series(plans, |measured| measured);
+                errors = Some(alone.errors(&series, &alone.basis(&jacobian), &residuals));
             }
         }
-        let inverse = known.inverse;
-        let meat = meat(search, plans, &inverse);
-        let robust = product(&product(&inverse, &meat, size), &inverse, size);
+        let basis = known.basis(&search.jacobian);
+        let (errors, autoregressive, doubt) =
+            errors.unwrap_or_else(|| known.errors(&series, &basis, &search.residuals));
+        let left =
+            Left { residuals: &search.residuals, jacobian: &search.jacobian, free: &free, inverse: &known.inverse };
+        let meat = hac::meat(&left, plans);
+        let hac = product(&product(&known.inverse, &meat, size), &known.inverse, size);
+        flat.extend(known.flat);
         let lengths = scale.iter().map(|scale| if *scale > 0.0 { 1.0 / scale } else { 0.0 }).collect();
-        Self { textbook, robust, flat, dof, lengths }
+        Self { textbook, hac, autoregressive, doubt, errors, flat, dof, basis, lengths }
+    }
+
+    /// The variance along `gradient` for residuals as they are: the greater one of what the products of scores and what an
+    /// autoregressive process of order one give. The first is too small where a record is short for its correlation, the second
+    /// where errors are of uneven size.
+    pub fn robust(&self, gradient: &[f64]) -> f64 {
+        Self::variance(&self.hac, gradient).max(Self::variance(&self.autoregressive, gradient))
+    }
+
+    /// The degrees of freedom of that variance: as many as a sum of squares has that scatters as much (Satterthwaite, Biometrics
+    /// Bull. 2 (1946) 110). The variance of the errors is known from the residuals, and their correlation with a standard
+    /// deviation of its own.
+    pub fn freedom(&self, gradient: &[f64]) -> f64 {
+        let variance = Self::variance(&self.autoregressive, gradient);
+        let doubt: f64 = self.doubt.iter().map(|doubt| quadratic(doubt, gradient)).map(|doubt| doubt * doubt).sum();
+        if variance > 0.0 {
+            (2.0 / (2.0 / self.dof + doubt / (variance * variance))).clamp(1.0, self.dof.max(1.0))
+        } else {
+            self.dof
+        }
+    }
+
+    /// As many independent values would tell as much about a slow change as all do.
+    pub fn independent(&self) -> f64 {
+        self.errors.iter().map(Errors::independent).sum()
+    }
+
+    /// Whether the residuals of a series cannot be told from a random walk.
+    pub fn wanders(&self) -> bool {
+        self.errors.iter().any(|errors| errors.rho >= MOST)
     }
 
     /// Whether a change along `gradient` (by column) changes the curve, so that its uncertainty is known.
@@ -75,125 +120,126 @@ impl Covariance {
 
     /// The variance along `gradient` in one of the matrices.
     pub fn variance(matrix: &[f64], gradient: &[f64]) -> f64 {
-        let size = gradient.len();
-        let mut sum = 0.0;
-        for row in 0..size {
-            sum += gradient[row] * dot(&matrix[row * size..(row + 1) * size], gradient);
-        }
-        sum.max(0.0)
+        quadratic(matrix, gradient).max(0.0)
     }
+}
+
+fn quadratic(matrix: &[f64], gradient: &[f64]) -> f64 {
+    let size = gradient.len();
+    (0..size).fold(0.0, |sum, row| sum + gradient[row] * dot(&matrix[row * size..(row + 1) * size], gradient))
+}
+
+/// The places of the values of each observation of each record, in the order of time; `wanted` is told whether it was measured.
+pub(crate) fn series(plans: &[Plan], wanted: impl Fn(bool) -> bool) -> Vec<Vec<usize>> {
+    let mut series = Vec::new();
+    let mut base = 0;
+    for plan in plans {
+        for observation in 0..plan.expressions.len() {
+            let own = plan.points.iter().enumerate().filter(|(_, point)| point.observation == observation);
+            let places: Vec<usize> =
+                own.filter(|(_, point)| wanted(point.measured)).map(|(place, _)| base + place).collect();
+            if !places.is_empty() {
+                series.push(places);
+            }
+        }
+        base += plan.points.len();
+    }
+    series
 }
 
 /// The pseudo-inverse of a normal matrix.
 struct Inverse {
     /// All columns, row by row.
     inverse: Vec<f64>,
-    rank: usize,
+    /// Directions (by column) along which the curve changes, each by a vector of length one, all orthogonal.
+    directions: Vec<Vec<f64>>,
     /// Directions in which the curve does not change.
     flat: Vec<Vec<f64>>,
 }
 
-/// V S^-2 V^T in scaled variables, of the columns `free`.
-fn pseudo_inverse(jacobian: &Jacobian, free: &[usize], scale: &[f64]) -> Inverse {
-    let size = jacobian.columns;
-    let decomposition = Decomposition::new(jacobian, free, scale, &vec![0.0; jacobian.rows]);
-    let least = FLAT * decomposition.greatest();
-    let mut result = Inverse { inverse: vec![0.0; size * size], rank: 0, flat: Vec::new() };
-    for (k, &singular) in decomposition.singular.iter().enumerate() {
-        let right = &decomposition.right[k * free.len()..(k + 1) * free.len()];
-        let mut direction = vec![0.0; size];
-        free.iter().zip(right).for_each(|(&column, value)| direction[column] = value / scale[column]);
-        if singular <= least {
-            result.flat.push(direction);
-            continue;
+impl Inverse {
+    /// V S^-2 V^T in scaled variables, of the columns `free`.
+    fn new(jacobian: &Jacobian, free: &[usize], scale: &[f64]) -> Self {
+        let size = jacobian.columns;
+        let decomposition = Decomposition::new(jacobian, free, scale, &vec![0.0; jacobian.rows]);
+        let least = FLAT * decomposition.greatest();
+        let mut result = Self { inverse: vec![0.0; size * size], directions: Vec::new(), flat: Vec::new() };
+        for (k, &singular) in decomposition.singular.iter().enumerate() {
+            let right = &decomposition.right[k * free.len()..(k + 1) * free.len()];
+            let mut direction = vec![0.0; size];
+            free.iter().zip(right).for_each(|(&column, value)| direction[column] = value / scale[column]);
+            if singular <= least {
+                result.flat.push(direction);
+                continue;
+            }
+            direction.iter_mut().for_each(|value| *value /= singular);
+            for row in 0..size {
+                for column in 0..size {
+                    result.inverse[row * size + column] += direction[row] * direction[column];
+                }
+            }
+            result.directions.push(direction);
         }
-        result.rank += 1;
-        for row in 0..size {
-            for column in 0..size {
-                result.inverse[row * size + column] += direction[row] * direction[column] / (singular * singular);
+        result
+    }
+
+    /// How the residuals change along the directions.
+    fn basis(&self, jacobian: &Jacobian) -> Vec<Vec<f64>> {
+        let along = |direction: &Vec<f64>| {
+            let mut sum = vec![0.0; jacobian.rows];
+            for (column, &part) in direction.iter().enumerate().filter(|(_, part)| **part != 0.0) {
+                sum.iter_mut().zip(jacobian.column(column)).for_each(|(sum, slope)| *sum += part * slope);
+            }
+            sum
+        };
+        self.directions.iter().map(along).collect()
+    }
+
+    /// The errors by series, the covariance of what is varied, and by series its standard deviation due to that of the
+    /// correlation.
+    fn errors(
+        &self,
+        series: &[Vec<usize>],
+        basis: &[Vec<f64>],
+        residuals: &[f64],
+    ) -> (Vec<Errors>, Vec<f64>, Vec<Vec<f64>>) {
+        let found = Autoregression::new(series, basis, residuals);
+        let doubt = found.doubt.iter().map(|doubt| self.of_columns(doubt)).collect();
+        (found.errors, self.of_columns(&found.covariance), doubt)
+    }
+
+    /// A matrix of the directions as one of all columns.
+    fn of_columns(&self, matrix: &[f64]) -> Vec<f64> {
+        let count = self.directions.len();
+        let size = self.inverse.len().isqrt();
+        let mut result = vec![0.0; size * size];
+        for (row, left) in self.directions.iter().enumerate() {
+            // This direction's row of the product with the directions at its right.
+            let mut right = vec![0.0; size];
+            for (entry, direction) in matrix[row * count..(row + 1) * count].iter().zip(&self.directions) {
+                right.iter_mut().zip(direction).for_each(|(sum, value)| *sum += entry * value);
+            }
+            for (place, left) in left.iter().enumerate().filter(|(_, left)| **left != 0.0) {
+                let to = &mut result[place * size..(place + 1) * size];
+                to.iter_mut().zip(&right).for_each(|(to, right)| *to += left * right);
             }
         }
+        result
     }
-    result
 }
 
-/// The derivatives of what was measured, with its full weight, and its sum of squares; nothing of what was computed from it.
-fn witnesses(search: &Search, plans: &[Plan]) -> (Jacobian, f64) {
+/// The derivatives and residuals of what was measured, with their full weight; zero for what was computed from it.
+fn measured_alone(search: &Search, plans: &[Plan]) -> (Jacobian, Vec<f64>) {
     let mut jacobian = search.jacobian.clone();
-    let mut squares = 0.0;
+    let mut residuals = search.residuals.clone();
     for (place, point) in plans.iter().flat_map(|plan| &plan.points).enumerate() {
         let factor = if point.measured { 1.0 / point.share.sqrt() } else { 0.0 };
-        squares += factor * factor * search.residuals[place] * search.residuals[place];
+        residuals[place] *= factor;
         for column in 0..jacobian.columns {
             jacobian.values[column * jacobian.rows + place] *= factor;
         }
     }
-    (jacobian, squares)
-}
-
-/// The sum over times of the products of scores, those of neighbouring times with Bartlett's weights. The score of a time is
-/// the gradient that its residuals contribute; columns measured at one time count together.
-fn meat(search: &Search, plans: &[Plan], inverse: &[f64]) -> Vec<f64> {
-    let size = search.x.len();
-    let mut meat = vec![0.0; size * size];
-    let mut base = 0;
-    for plan in plans {
-        let mut scores = vec![vec![0.0; plan.times.len()]; size];
-        for observation in 0..plan.expressions.len() {
-            let places = (0..plan.points.len()).filter(|&place| plan.points[place].observation == observation);
-            let series: Vec<(usize, usize)> = places.map(|place| (plan.points[place].row, base + place)).collect();
-            add_scores(search, &series, inverse, &mut scores);
-        }
-        base += plan.points.len();
-        let window = statistics::lags(&scores, plan.times.len()) + 1;
-        let sums: Vec<Vec<f64>> = scores.iter().map(|scores| sliding_sums(scores, window)).collect();
-        for row in 0..size {
-            for column in 0..=row {
-                let sum = dot(&sums[row], &sums[column]) / window as f64;
-                meat[row * size + column] += sum;
-                if column < row {
-                    meat[column * size + row] += sum;
-                }
-            }
-        }
-    }
-    meat
-}
-
-/// Adds what one observation's residuals contribute; `series` holds their rows among the times and their places in the search.
-///
-/// A residual is a part of the one before and something new: e_t = rho e_(t-1) + u_t. The gradient sum J_t e_t is then
-/// sum G_t u_t with G_t = J_t + rho G_(t+1), and what is new in one residual knows nearly nothing of the next, so that few lags
-/// are left to be counted. Without this, as many lags as residuals cling together are too few of them, and errors too small.
-///
-/// A residual that the fit was drawn towards is made as large as it would be had the fit not known it (MacKinnon & White,
-/// J. Econometrics 29 (1985) 305).
-fn add_scores(search: &Search, series: &[(usize, usize)], inverse: &[f64], scores: &mut [Vec<f64>]) {
-    let size = search.x.len();
-    let residuals: Vec<f64> = series.iter().map(|&(_, place)| search.residuals[place]).collect();
-    let rho = if residuals.len() < LONG { 0.0 } else { statistics::autocorrelation(&[&residuals]).clamp(-0.97, 0.97) };
-    let mut gradient = vec![0.0; size];
-    let mut following = vec![0.0; size];
-    for (number, &(row, place)) in series.iter().enumerate().rev() {
-        for (column, value) in gradient.iter_mut().enumerate() {
-            *value = search.jacobian.values[column * search.jacobian.rows + place];
-        }
-        let leverage = Covariance::variance(inverse, &gradient);
-        let before = if number > 0 { residuals[number - 1] } else { 0.0 };
-        let new = (residuals[number] - rho * before) / (1.0 - leverage).max(0.1);
-        for ((following, value), scores) in following.iter_mut().zip(&gradient).zip(scores.iter_mut()) {
-            *following = value + rho * *following;
-            scores[row] += *following * new;
-        }
-    }
-}
-
-/// The sums over all windows of this length that touch the series. Their products, added up and divided by the length, are the
-/// products of the series at all lags with Bartlett's weights.
-fn sliding_sums(series: &[f64], window: usize) -> Vec<f64> {
-    (0..series.len() + window - 1)
-        .map(|end| series[(end + 1).saturating_sub(window)..series.len().min(end + 1)].iter().sum())
-        .collect()
+    (jacobian, residuals)
 }
 
 fn product(a: &[f64], b: &[f64], size: usize) -> Vec<f64> {

@@ -7,6 +7,7 @@ use super::linear::{Decomposition, norm};
 use super::outcome::{self, Outcome};
 use super::plan::Plan;
 use super::problem::{Problem, Window};
+use super::robust::{Loss, Reweighting};
 use super::search::{Search, Status};
 use super::stages::{Current, Stage};
 use super::task::{FitError, Target, Task};
@@ -59,6 +60,7 @@ pub struct Fit {
     /// Whether all starts have been tried, and the best one is gone on with.
     refined: bool,
     weighings: usize,
+    pub(super) reweighting: Reweighting,
     trials: usize,
     pub(super) finished: bool,
 }
@@ -146,6 +148,7 @@ impl Fit {
             precision: 0,
             refined: false,
             weighings: 0,
+            reweighting: Reweighting::default(),
             trials: 0,
             finished: false,
         })
@@ -185,7 +188,12 @@ impl Fit {
 
     /// The coefficient of determination of the best found so far, 1 where nothing is left unexplained.
     pub fn explained(&self) -> f64 {
-        self.best.as_ref().map_or(0.0, |best| 1.0 - best.sum / self.total)
+        match (&self.best, &self.reweighting.least_squares) {
+            // The sum that a robust loss lowers is another one.
+            (Some(_), Some((_, explained))) => *explained,
+            (Some(best), None) => 1.0 - best.sum / self.total,
+            (None, _) => 0.0,
+        }
     }
 
     /// What is known when the fit is finished; before that, of the best found so far. `None` if nothing was found: the
@@ -195,16 +203,20 @@ impl Fit {
     }
 
     /// What is known of the uncertainties at the end of a search of the whole.
-    pub(super) fn covariance(&self, best: &Search) -> Covariance {
+    pub(super) fn covariance(&mut self, best: &Search) -> Covariance {
+        let best = self.linearised(best);
         let Problem { plans, task, .. } = &self.problem;
-        Covariance::new(best, plans, self.problem.independent_values(), task.errors_given())
+        let errors_given = task.errors_given() && task.loss == Loss::Squares;
+        Covariance::new(&best, plans, self.problem.independent_values(), errors_given)
     }
 
     /// A search over `plans`, from `start`.
     pub(super) fn search(&mut self, start: &[f64], plans: &[Plan], limit: usize) -> Search {
         let rows = plans.iter().map(|plan| plan.points.len()).sum();
+        // Weights that follow the residuals are settled in many rounds, none of which needs the last digits.
+        let precision = if self.reweighting.least_squares.is_some() { 0 } else { self.precision };
         let tolerance = match self.problem.curve.has_states() {
-            true => Self::TOLERANCES_OF_MOTION[self.precision],
+            true => Self::TOLERANCES_OF_MOTION[precision],
             false => Self::TOLERANCE,
         };
         let mut window = Window { problem: &mut self.problem, plans };
@@ -303,12 +315,13 @@ impl Fit {
         } else if first && let Some(like) = symmetry::like_start(self, best, &self.own.clone()) {
             return Some(like);
         }
-        if self.weighings < Self::WEIGHINGS && self.problem.reweigh(&best.residuals) {
+        let least_squares = self.reweighting.least_squares.is_none();
+        if least_squares && self.weighings < Self::WEIGHINGS && self.problem.reweigh(&best.residuals) {
             self.weighings += 1;
             self.total = self.problem.spread_sum();
             return Some(best.x.clone());
         }
-        None
+        self.reweigh_by_loss(best)
     }
 }
 

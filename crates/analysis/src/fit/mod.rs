@@ -1,23 +1,31 @@
 //! Fits a model to measured data: a [`Task`] says what is measured and what may vary, [`Fit`] works on it in slices, and
 //! [`Outcome`] is what is known in the end. All numbers are SI; names and units are the model's.
 
+mod autoregression;
 mod bind;
 mod covariance;
+mod criteria;
 mod curve;
 mod driver;
 mod elsewhere;
+mod estimate;
+mod hac;
 mod identify;
+mod judgement;
 mod linear;
 mod observed;
 mod outcome;
+mod outliers;
 mod plan;
 mod problem;
 mod profile;
 mod rank;
+mod robust;
 mod search;
 mod stages;
 mod start;
 mod statistics;
+mod student;
 mod symmetry;
 mod task;
 mod trace;
@@ -27,11 +35,14 @@ mod words;
 pub use bind::{BindError, observation};
 pub use driver::Fit;
 pub use elsewhere::Rival;
+pub use estimate::Estimate;
 pub use identify::Undetermined;
+pub use judgement::{Outlier, Verdict};
 pub use observed::{ObservationFit, Outside};
-pub use outcome::{Estimate, Outcome, Verdict};
+pub use outcome::Outcome;
 pub use profile::{Interval, profile, profiles};
-pub use rank::{Ranked, rank};
+pub use rank::{Ranked, rank, worth};
+pub use robust::{Loss, Reweighted};
 pub use statistics::RunsTest;
 pub use task::{FitError, Observation, Record, Target, Task, Varied};
 pub use trace::Trace;

@@ -12,12 +12,21 @@ pub(crate) struct Point {
     pub observation: usize,
     /// The value.
     pub value: f64,
-    /// What its residual is multiplied by.
+    /// What its residual is multiplied by, by its error.
     pub weight: f64,
+    /// The same by its size, with a robust loss; else 1.
+    pub trust: f64,
     /// How much of an independent value it is: 1/m if m columns tell the same.
     pub share: f64,
     /// Whether it was measured, and not computed from another column.
     pub measured: bool,
+}
+
+impl Point {
+    /// What its residual is multiplied by.
+    pub fn factor(&self) -> f64 {
+        self.weight * self.trust
+    }
 }
 
 /// The points of one record, ordered by time.
@@ -119,7 +128,7 @@ impl Problem {
                 let weight = 1.0 / observation.error(place).unwrap_or(1.0);
                 let row = plan.times.partition_point(|known| *known < time);
                 let weight = weight * share.sqrt();
-                plan.points.push(Point { row, observation: index, value, weight, share, measured });
+                plan.points.push(Point { row, observation: index, value, weight, trust: 1.0, share, measured });
             }
         }
         plan.points.sort_by_key(|point| (point.row, point.observation));

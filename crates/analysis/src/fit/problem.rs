@@ -196,26 +196,26 @@ impl Problem {
                 _ if !column.belongs_to(record) => slopes.fill(0.0),
                 Target::Parameter(index) => {
                     let of_parameter = self.curve.place(index);
-                    rows.for_each(|(slope, point)| *slope = point.weight * values[place(point, of_parameter)]);
+                    rows.for_each(|(slope, point)| *slope = point.factor() * values[place(point, of_parameter)]);
                 }
                 Target::Origin => {
                     // What has not moved yet does not begin to move where the origin does.
                     let moves = |point: &Point| plan.times[point.row] - origin >= earliest;
                     rows.for_each(|(slope, point)| {
-                        *slope = if moves(point) { point.weight * -values[place(point, stride - 1)] } else { 0.0 };
+                        *slope = if moves(point) { point.factor() * -values[place(point, stride - 1)] } else { 0.0 };
                     });
                 }
                 Target::Offset(observation) => {
                     for ((slope, point), residual) in rows.zip(residuals.iter_mut()) {
                         let own = point.observation == observation;
-                        *slope = if own { point.weight } else { 0.0 };
+                        *slope = if own { point.factor() } else { 0.0 };
                         *residual += if own { x[number] } else { 0.0 };
                     }
                 }
             }
         }
         for (residual, point) in residuals.iter_mut().zip(points) {
-            *residual = point.weight * (*residual - point.value);
+            *residual = point.factor() * (*residual - point.value);
         }
         known == rows
     }

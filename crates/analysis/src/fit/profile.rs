@@ -64,8 +64,8 @@ pub fn profile(fit: &mut Fit, index: usize, mut stderr: f64, mut dof: usize) -> 
             Ok(intervals) => return intervals,
             Err(Lower(x)) => {
                 fit.go_to(&x);
-                if let Some(best) = &fit.best {
-                    let covariance = fit.covariance(best);
+                if let Some(best) = fit.best.clone() {
+                    let covariance = fit.covariance(&best);
                     let mut gradient = vec![0.0; best.x.len()];
                     gradient[index] = 1.0;
                     stderr = Covariance::variance(&covariance.textbook, &gradient).sqrt();

@@ -34,11 +34,11 @@ pub struct RunsTest {
     pub p: f64,
 }
 
-/// Counts the runs in one series after the other; `None` with fewer than ten residuals or all of one sign.
+/// Counts the runs in each series; `None` with fewer than ten residuals or all of one sign.
 pub fn runs_test(series: &[&[f64]]) -> Option<RunsTest> {
-    let (mut runs, mut positive, mut negative) = (0_usize, 0.0, 0.0);
+    let (mut runs, mut expected, mut variance, mut count) = (0_usize, 0.0, 0.0, 0.0);
     for residuals in series {
-        let mut last = None;
+        let (mut positive, mut negative, mut last) = (0.0, 0.0, None);
         for &value in residuals.iter().filter(|value| **value != 0.0) {
             let sign = value > 0.0;
             if last != Some(sign) {
@@ -51,15 +51,16 @@ pub fn runs_test(series: &[&[f64]]) -> Option<RunsTest> {
                 negative += 1.0;
             }
         }
+        let own: f64 = positive + negative;
+        if own == 0.0 {
+            continue;
+        }
+        let twice = 2.0 * positive * negative;
+        count += own;
+        expected += twice / own + 1.0;
+        variance += twice * (twice - own) / (own * own * (own - 1.0).max(1.0));
     }
-    let count: f64 = positive + negative;
-    if count < 10.0 || positive == 0.0 || negative == 0.0 {
-        return None;
-    }
-    let twice = 2.0 * positive * negative;
-    let expected = twice / count + 1.0;
-    let variance = twice * (twice - count) / (count * count * (count - 1.0));
-    if variance <= 0.0 {
+    if count < 10.0 || variance <= 0.0 {
         return None;
     }
     let z = (runs as f64 - expected) / variance.sqrt();
@@ -68,9 +69,10 @@ pub fn runs_test(series: &[&[f64]]) -> Option<RunsTest> {
 
 /// How many lags of the products of scores are counted, for a series of `count` scores by each parameter: Andrews'
 /// choice for the kernel of Bartlett, from the autocorrelation of order one (Econometrica 59 (1991) 817, eq. 6.2 and 6.4).
-pub(crate) fn lags(scores: &[Vec<f64>], count: usize) -> usize {
+/// Parameters without a score have no part in it.
+pub(crate) fn lags(scores: &[&[f64]], count: usize) -> usize {
     let (mut numerator, mut denominator) = (0.0, 0.0);
-    for series in scores {
+    for series in scores.iter().filter(|series| series.iter().any(|score| *score != 0.0)) {
         // Beyond this the formula has no meaning any more.
         let rho = autocorrelation(&[series]).clamp(-0.97, 0.97);
         let (minus, plus) = (1.0 - rho, 1.0 + rho);

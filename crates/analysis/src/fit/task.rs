@@ -1,5 +1,6 @@
 //! What is to be fitted. All numbers are SI.
 
+use super::robust::Loss;
 use engine::Method;
 use model::Compiled;
 
@@ -84,6 +85,8 @@ pub struct Task {
     pub from: Option<f64>,
     /// The fitted part ends here.
     pub until: Option<f64>,
+    /// What residuals cost.
+    pub loss: Loss,
 }
 
 impl Task {

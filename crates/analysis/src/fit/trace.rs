@@ -1,6 +1,5 @@
 //! The fitted curve between the measured values, finely enough to be drawn, and how far it may be off.
 
-use super::covariance::Covariance;
 use super::driver::Fit;
 use super::linear::Jacobian;
 use super::plan::{Plan, Point};
@@ -16,7 +15,7 @@ pub struct Trace {
     pub times: Vec<f64>,
     /// The model's values, with the zero of the scale; NaN where it has none.
     pub values: Vec<f64>,
-    /// Their standard errors, from the parameters' by the covariance that is honest about correlated residuals.
+    /// Their standard errors, from the parameters' for residuals as they are, correlated in time.
     pub stderr: Vec<f64>,
 }
 
@@ -35,7 +34,8 @@ impl Fit {
                 (0..=steps).map(|step| first + (last - first) * (step as f64 / steps as f64)).collect();
             for observation in 0..plan.expressions.len() {
                 // Beside a measured 0, the residual is the model's value.
-                let point = |row| Point { row, observation, value: 0.0, weight: 1.0, share: 1.0, measured: true };
+                let point =
+                    |row| Point { row, observation, value: 0.0, weight: 1.0, trust: 1.0, share: 1.0, measured: true };
                 let points = (0..times.len()).map(point).collect();
                 let plan =
                     Plan { times: times.clone(), points, expressions: plan.expressions.clone(), origin: plan.origin };
@@ -44,7 +44,7 @@ impl Fit {
                 self.problem.record_residuals(record, &plan, &best.x, 0, &mut values, &mut slopes);
                 let error = |row| {
                     let gradient: Vec<f64> = (0..best.x.len()).map(|column| slopes.column(column)[row]).collect();
-                    Covariance::variance(&covariance.robust, &gradient).sqrt()
+                    covariance.robust(&gradient).sqrt()
                 };
                 let stderr = (0..times.len()).map(error).collect();
                 traces.push(Trace { record, observation, times: times.clone(), values, stderr });

@@ -1,35 +1,45 @@
 //! What a fit says, in words.
 
+use super::estimate::Estimate;
 use super::identify::Undetermined;
-use super::outcome::{Estimate, Outcome, Verdict};
+use super::judgement::Verdict;
+use super::outcome::Outcome;
 
 impl Outcome {
     /// What the residuals say of the model, in one or two sentences.
     pub fn verdict_text(&self, spanish: bool) -> String {
         let text = match (self.verdict(), spanish) {
-            (Verdict::Compatible, false) => "The residuals look like chance: the model is compatible with the data.",
-            (Verdict::Compatible, true) => "Los residuos parecen azar: el modelo es compatible con los datos.",
+            (Verdict::Exact, false) => {
+                "The fit is exact: the residuals are less than a billionth of the scatter of the values. AICc and BIC are those \
+                 of residuals of that size."
+            }
+            (Verdict::Exact, true) => {
+                "El ajuste es exacto: los residuos son menores que una milmillonésima parte de la dispersión de los valores. El \
+                 AICc y el BIC son los de residuos de ese tamaño."
+            }
+            (Verdict::Compatible, false) => "The residuals look random: the model is compatible with the data.",
+            (Verdict::Compatible, true) => "Los residuos parecen aleatorios: el modelo es compatible con los datos.",
             (Verdict::TooLarge, false) => {
-                "The residuals look like chance, but they are larger than the given errors: these are too small, or the \
-                 model misses something."
+                "The residuals look random, but they are larger than the given errors: these are too small, or the model misses \
+                 something."
             }
             (Verdict::TooLarge, true) => {
-                "Los residuos parecen azar, pero son mayores que los errores dados: estos son demasiado pequeños o al modelo \
-                 le falta algo."
+                "Los residuos parecen aleatorios, pero son mayores que los errores dados: estos son demasiado pequeños o al \
+                 modelo le falta algo."
             }
             (Verdict::TooSmall, false) => {
-                "The residuals look like chance, but they are smaller than the given errors: these are too large."
+                "The residuals look random, but they are smaller than the given errors: these are too large."
             }
             (Verdict::TooSmall, true) => {
-                "Los residuos parecen azar, pero son menores que los errores dados: estos son demasiado grandes."
+                "Los residuos parecen aleatorios, pero son menores que los errores dados: estos son demasiado grandes."
             }
             (Verdict::Structured, false) => {
-                "The residuals are not chance: neighbouring ones resemble each other. The model, or the measurement, misses \
-                 something, and only the robust errors mean anything."
+                "The residuals are autocorrelated: the model, or the measurement, misses something. Use the standard errors that \
+                 allow for it."
             }
             (Verdict::Structured, true) => {
-                "Los residuos no son azar: los vecinos se parecen. Al modelo, o a la medición, le falta algo, y solo los \
-                 errores robustos significan algo."
+                "Los residuos están autocorrelacionados: al modelo, o a la medición, le falta algo. Use los errores típicos que \
+                 lo tienen en cuenta."
             }
             (Verdict::Unknown, false) => "There are too few values to judge the residuals.",
             (Verdict::Unknown, true) => "Hay muy pocos valores para juzgar los residuos.",

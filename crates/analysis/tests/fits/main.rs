@@ -4,10 +4,12 @@
 mod classic;
 mod coverage;
 mod elsewhere;
+mod judged;
 mod known;
 mod nist;
 #[path = "../support/mod.rs"]
 mod noise;
 mod parts;
+mod robust;
 mod support;
 mod utube;

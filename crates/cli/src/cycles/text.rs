@@ -36,6 +36,15 @@ pub fn table(record: &Record) -> String {
          apart), and the local angular frequency ω = 2π/T and damping γ = decrement/T. After ± stands one standard \
          error. Rows next to each other share data; each third row is independent.",
     );
+    if !record.found.sinusoidal {
+        out.push('\n');
+        wrapped(
+            &mut out,
+            "",
+            "The shape is not a damped sinusoid: T is the time between crossings of the middle level in the same direction, and A \
+             is half the height between turning points.",
+        );
+    }
     out.push('\n');
     for quantity in [Quantity::AngularFrequency, Quantity::Damping] {
         wrapped(&mut out, "", &change(record, quantity));

@@ -2,6 +2,7 @@
 
 use crate::arguments::{Assignment, assignment};
 use crate::data::{Observe, observe};
+use analysis::fit::Loss;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -13,6 +14,7 @@ Examples:
   meniscus fit linear.md run3.txt --observe y --from 1 --until 6  the rest is predicted
   meniscus fit linear.md *.txt --observe y --share L --vary L,gamma,y_0,v_0
   meniscus fit linear.md run3.txt --observe y --error y='1 [mm]' --profile
+  meniscus fit linear.md run3.txt --observe y --loss tukey        outliers count less
   meniscus fit linear.md run3.txt --observe y --output report.html
 
 DATA is text as Tracker, loggers and spreadsheets write it, or XLSX, XLS or ODS; docs/data.md has the rules. NAME is a
@@ -61,6 +63,10 @@ pub struct Common {
     /// The standard error of what is observed: a value, or the column that holds it
     #[arg(long, value_name = "y=VALUE", value_parser = assignment)]
     pub error: Vec<Assignment>,
+
+    /// What residuals cost: with huber or tukey, values far from the curve count less
+    #[arg(long, value_enum, default_value_t = LossName::LeastSquares)]
+    pub loss: LossName,
 
     /// Fit from this time on, in the unit of the model's or as '500 [ms]'
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
@@ -121,6 +127,27 @@ pub struct Rank {
     /// Write a report (.html) or a table (.csv), which appears whole or not at all
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+/// The losses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum LossName {
+    /// The sum of squares
+    LeastSquares,
+    /// Squares up to 1.345 standard deviations, then straight lines
+    Huber,
+    /// The biweight: nothing beyond 4.685 standard deviations counts
+    Tukey,
+}
+
+impl From<LossName> for Loss {
+    fn from(name: LossName) -> Self {
+        match name {
+            LossName::LeastSquares => Self::Squares,
+            LossName::Huber => Self::Huber,
+            LossName::Tukey => Self::Tukey,
+        }
+    }
 }
 
 /// The forms of a result.

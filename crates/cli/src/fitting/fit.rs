@@ -1,6 +1,6 @@
 //! `meniscus fit`: one theory, one or more records.
 
-use super::arguments::{Common, Fit as Arguments, Form};
+use super::arguments::{Common, Fit as Arguments, Form, LossName};
 use super::prepare::{self, Theory};
 use super::{json, text};
 use crate::columns;
@@ -36,6 +36,12 @@ pub struct Fitted {
 /// Fits the document to the data, prints what came of it and writes what is asked for.
 pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     let kind = arguments.output.as_deref().map(kind).transpose()?;
+    if arguments.profile && arguments.common.loss != LossName::LeastSquares {
+        return Err(Failure::with_hint(
+            "--profile needs least squares: with another loss the profile has no probability",
+            "leave out --profile, or --loss",
+        ));
+    }
     let data = read(&arguments.data, &arguments.common, terminal)?;
     let mut theory = prepare::theory(&arguments.document, terminal)?;
     let task = prepare::task(&mut theory.document, &data, &arguments.common, terminal)?;
@@ -117,6 +123,12 @@ fn refused(theory: &Theory, task: &Task, error: &FitError) -> Failure {
 }
 
 impl Fitted {
+    /// What has to be known beside the numbers, in sentences.
+    pub fn remarks(&self) -> Vec<String> {
+        let independent = &self.theory.document.model.independent;
+        report::remarks(&self.outcome, &self.task, (&independent.name, &independent.unit), false)
+    }
+
     /// As the report shows it.
     pub fn report<'a>(&'a self, notes: &'a [Vec<String>], command: &'a str) -> Report<'a> {
         let name = self.theory.sources.path().file_name().and_then(|name| name.to_str());

@@ -3,7 +3,7 @@
 use super::fit::Fitted;
 use crate::columns;
 use crate::data::Measured;
-use analysis::fit::{Estimate, Interval, ObservationFit, Outcome};
+use analysis::fit::{Estimate, Interval, ObservationFit, Outcome, Outlier};
 use serde_json::{Map, Value, json};
 use units::Unit;
 
@@ -11,6 +11,7 @@ use units::Unit;
 pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
     let outcome = &fitted.outcome;
     let several = fitted.task.records.len() > 1;
+    let least_squares = outcome.reweighted.as_ref().map(|robust| robust.least_squares.as_slice());
     let mut object = json!({
         "document": fitted.theory.sources.path().display().to_string(),
         "title": fitted.theory.document.title,
@@ -24,6 +25,13 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
         "rmse_unit": outcome.rmse_unit.text,
         "chi2_reduced": outcome.chi2_reduced,
         "r2": outcome.r2,
+        "loss": fitted.task.loss.code(),
+        "reweighted": outcome.reweighted.as_ref().map(|robust| json!({
+            "scale": in_unit(&outcome.rmse_unit, robust.scale),
+            "values": robust.count,
+            "count_less": robust.less,
+            "count_less_than_half": robust.half,
+        })),
         "aicc": outcome.aicc,
         "bic": outcome.bic,
         "durbin_watson": outcome.durbin_watson,
@@ -31,9 +39,14 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
         "runs_test": outcome.runs.map(|runs| json!({
             "runs": runs.runs, "expected": runs.expected, "z": runs.z, "p": runs.p,
         })),
+        "exact": outcome.exact,
+        "independent_values": outcome.independent,
+        "short_for_its_correlation": outcome.is_short(),
+        "outliers": outliers(fitted),
         "verdict": outcome.verdict_text(false),
-        "parameters": estimates(&outcome.parameters, &fitted.intervals, None),
-        "derived": estimates(&outcome.derived, &[], None),
+        "remarks": fitted.remarks(),
+        "parameters": estimates(&outcome.parameters, &fitted.intervals, least_squares, None),
+        "derived": estimates(&outcome.derived, &[], None, None),
         "correlation": correlation(fitted),
         "undetermined": outcome.undetermined.iter().flat_map(|one| one.names.clone()).collect::<Vec<_>>(),
         "determined_combinations":
@@ -48,8 +61,8 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
         let runs = fitted.task.records.iter().enumerate().map(|(record, one)| {
             json!({
                 "name": one.name,
-                "parameters": estimates(&outcome.parameters, &fitted.intervals, Some(record)),
-                "derived": estimates(&outcome.derived, &[], Some(record)),
+                "parameters": estimates(&outcome.parameters, &fitted.intervals, least_squares, Some(record)),
+                "derived": estimates(&outcome.derived, &[], None, Some(record)),
                 "observations": observations(outcome, Some(record)),
                 "initial_values_at": initial_values_at(fitted, record),
             })
@@ -85,8 +98,13 @@ fn initial_values_at(fitted: &Fitted, record: usize) -> Value {
     origin.map_or(Value::Null, |origin| json!({"value": in_unit(unit, *origin), "unit": unit.text}))
 }
 
-/// Those that belong to `record`, or to all.
-fn estimates(estimates: &[Estimate], intervals: &[Option<[Interval; 2]>], record: Option<usize>) -> Value {
+/// Those that belong to `record`, or to all; `least_squares` are the values that these find, with a robust loss.
+fn estimates(
+    estimates: &[Estimate],
+    intervals: &[Option<[Interval; 2]>],
+    least_squares: Option<&[f64]>,
+    record: Option<usize>,
+) -> Value {
     let mut object = Map::new();
     for (place, one) in estimates.iter().enumerate().filter(|(_, one)| one.record == record) {
         let known = |si: f64| one.determined.then(|| in_unit(&one.unit, si));
@@ -96,6 +114,12 @@ fn estimates(estimates: &[Estimate], intervals: &[Option<[Interval; 2]>], record
             "stderr_hac": one.stderr_hac.map(|error| in_unit(&one.unit, error)),
             "unit": one.unit.text,
         });
+        if let Some(least_squares) = least_squares.and_then(|all| all.get(place)) {
+            entry["least_squares"] = json!(in_unit(&one.unit, *least_squares));
+        }
+        if let Some((low, high)) = one.interval() {
+            entry["interval_95"] = json!([in_unit(&one.unit, low), in_unit(&one.unit, high)]);
+        }
         if one.at_bound {
             entry["at_bound"] = Value::Bool(true);
         }
@@ -129,6 +153,24 @@ fn correlation(fitted: &Fitted) -> Value {
         object.insert(name.clone(), Value::Object(entry));
     }
     Value::Object(object)
+}
+
+/// The values far beyond the scatter of the others; times in the unit of the document's clock.
+fn outliers(fitted: &Fitted) -> Value {
+    let clock = &fitted.theory.document.model.independent.unit;
+    let outcome = &fitted.outcome;
+    let entry = |one: &Outlier| {
+        let fit = outcome.outlying(one)?;
+        Some(json!({
+            "record": fitted.task.records.get(one.record).map(|record| &record.name),
+            "name": fit.name,
+            "time": in_unit(clock, *fit.times.get(one.row)?),
+            "measured": in_unit(&fit.unit, *fit.measured.get(one.row)?),
+            "unit": fit.unit.text,
+            "sigmas": one.sigmas,
+        }))
+    };
+    outcome.outliers.iter().filter_map(entry).collect()
 }
 
 fn observations(outcome: &Outcome, record: Option<usize>) -> Value {

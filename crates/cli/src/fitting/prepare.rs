@@ -44,7 +44,7 @@ pub fn task(
 ) -> Result<Task, Failure> {
     let time = document.model.independent.unit.clone();
     let parameters: Vec<f64> = document.model.parameters.iter().map(|parameter| parameter.value).collect();
-    let mut task = Task { parameters, ..Task::default() };
+    let mut task = Task { parameters, loss: arguments.loss.into(), ..Task::default() };
     if let Some(name) = &document.method {
         task.method = Method::from_str(name)
             .map_err(|_| unknown("method", name, Method::ALL.iter().map(|method| method.name())))?;

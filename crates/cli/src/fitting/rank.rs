@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::settings::Reader;
 use crate::terminal::Terminal;
-use analysis::fit::{Outside, Ranked, rank as order};
+use analysis::fit::{Outcome, Outside, Ranked, rank as order, worth};
 use report::{Ranking, Report};
 use serde_json::json;
 use std::fmt::Write;
@@ -42,8 +42,8 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     }
     let contenders: Vec<Contender> =
         arguments.models.iter().map(|path| contend(path, &data, arguments, terminal)).collect::<Result<_, _>>()?;
-    let aicc: Vec<Option<f64>> = contenders.iter().map(|one| one.fitted.outcome.aicc).collect();
-    let ranked = order(&aicc);
+    let outcomes: Vec<&Outcome> = contenders.iter().map(|one| &one.fitted.outcome).collect();
+    let ranked = order(&outcomes);
     if let (Some(path), Some(kind)) = (&arguments.output, kind) {
         let notes = notes(&data);
         let reports: Vec<Report> = contenders.iter().map(|one| one.fitted.report(&notes, "")).collect();
@@ -144,20 +144,22 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
         columns.push(row);
     }
     let mut text = columns.text(&[false, false, true, true, true, true, true, true, true]);
-    let best = ranked.first().map(|ranked| &contenders[ranked.index].fitted.outcome);
-    if let Some(best) = best {
+    if let Some(first) = ranked.first().map(|ranked| &contenders[ranked.index].fitted) {
+        let best = &first.outcome;
         let _ = writeln!(text, "\nOf the best: {}", best.verdict_text(false));
-        if best.autocorrelation > 0.3 {
-            let rho = best.autocorrelation.min(0.99);
+        let worth = worth(best);
+        if worth < 0.8 {
             let _ = writeln!(
                 text,
-                "Neighbouring residuals resemble each other (correlation {}), so that {} values are worth about {:.0}: \
-                 differences of AICc are overstated about {:.0} times, and the prediction is the better judge.",
-                plain(rho, 2, Style::POINT),
+                "The residuals are autocorrelated: {} values are worth about {:.0} independent ones. Each difference of AICc \
+                 counts {} times in the weights, and the prediction is the better judge.",
                 best.n,
-                best.n as f64 * (1.0 - rho) / (1.0 + rho),
-                (1.0 + rho) / (1.0 - rho)
+                best.independent,
+                plain(worth, 2, Style::POINT)
             );
+        }
+        for remark in first.remarks() {
+            let _ = writeln!(text, "{remark}");
         }
     }
     if let Some(moved) = contenders.iter().map(|one| beginnings(&one.fitted)).find(|found| !found.is_empty())
@@ -185,6 +187,8 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
 }
 
 fn as_json(contenders: &[Contender], ranked: &[Ranked], data: &[Measured]) -> String {
+    let best = ranked.first().map(|ranked| &contenders[ranked.index].fitted.outcome);
+    let worth = best.map(worth);
     let rows: Vec<serde_json::Value> = ranked
         .iter()
         .map(|ranked| {
@@ -193,6 +197,7 @@ fn as_json(contenders: &[Contender], ranked: &[Ranked], data: &[Measured]) -> St
             let unit = &one.fitted.outcome.rmse_unit;
             row["delta_aicc"] = json!(ranked.difference);
             row["weight"] = json!(ranked.weight);
+            row["worth"] = json!(worth);
             if let Some([before, after, prediction]) = one.parts {
                 row["rmse_before"] = json!(unit.from_si(before.rmse));
                 row["rmse_after"] = json!(unit.from_si(after.rmse));

@@ -63,7 +63,7 @@ pub fn fit(fitted: &Fitted, notes: &[Vec<String>]) -> String {
     text.push('\n');
     text.push_str(&quality(outcome, fitted));
     let _ = writeln!(text, "\n{}", outcome.verdict_text(false));
-    for sentence in searches(outcome) {
+    for sentence in searches(outcome).into_iter().chain(fitted.remarks()) {
         let _ = writeln!(text, "{sentence}");
     }
     let derived: Vec<&str> =
@@ -71,7 +71,7 @@ pub fn fit(fitted: &Fitted, notes: &[Vec<String>]) -> String {
     if !derived.is_empty() {
         let _ = writeln!(
             text,
-            "{} was computed from another column: it is no second witness, and is not counted twice.",
+            "{} was computed from another column: it adds no independent information, and is not counted twice.",
             crate::failure::listed(derived)
         );
     }
@@ -89,8 +89,8 @@ fn parameters(fitted: &Fitted) -> String {
     let mut text = estimates(&outcome.parameters, &fitted.intervals, fitted);
     if outcome.parameters.iter().any(|one| one.stderr_hac.is_some()) {
         text.push_str(
-            "  In brackets: the standard error of the last digits, for residuals as they are, correlated in time\n  \
-             (Newey-West). Behind: the textbook's, which supposes that they know nothing of each other.\n",
+            "  In brackets: the standard error of the last digits, for residuals correlated in time (the larger of the\n  \
+             Newey-West error and that of an AR(1) process). Behind: the textbook's, for independent residuals.\n",
         );
     }
     text
@@ -146,7 +146,15 @@ fn quality(outcome: &Outcome, fitted: &Fitted) -> String {
     if let Some(reduced) = outcome.chi2_reduced {
         columns.push(vec!["reduced chi-square".to_owned(), number(reduced)]);
     }
-    columns.push(vec!["R²".to_owned(), number::plain(outcome.r2, 6, Style::POINT)]);
+    match &outcome.reweighted {
+        None => columns.push(vec!["R²".to_owned(), number::plain(outcome.r2, 6, Style::POINT)]),
+        Some(robust) => {
+            if let Some(first) = outcome.observations.first() {
+                let what = format!("scale of {} (median)", called(first, fitted));
+                columns.push(vec![what, in_unit(first, robust.scale)]);
+            }
+        }
+    }
     columns.push(vec![
         "AICc, BIC".to_owned(),
         format!(
@@ -155,9 +163,10 @@ fn quality(outcome: &Outcome, fitted: &Fitted) -> String {
             number::plain(outcome.bic, 6, Style::POINT)
         ),
     ]);
-    let mut witness = format!("{} (2 by chance)", number::plain(outcome.durbin_watson, 3, Style::POINT));
+    let mut witness =
+        format!("{} (2 for independent residuals)", number::plain(outcome.durbin_watson, 3, Style::POINT));
     if let Some(runs) = outcome.runs {
-        let _ = write!(witness, "; {} runs of equal sign ({:.0} by chance)", runs.runs, runs.expected);
+        let _ = write!(witness, "; {} runs of equal sign ({:.0} expected)", runs.runs, runs.expected);
     }
     columns.push(vec!["Durbin-Watson".to_owned(), witness]);
     columns.text(&[])

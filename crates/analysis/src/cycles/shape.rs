@@ -1,0 +1,208 @@
+//! Cycles of an oscillation of any shape, from its crossings of the middle and its turning points: what follows from a sinusoid
+//! of the same size is wrong where the shape is none. A pendulum that swings far, or an oscillation that relaxes in jumps, has
+//! the period that lies between crossings in the same direction.
+
+use super::cycle::{Cycle, Measured};
+use super::damped::Points;
+use super::estimate::centre;
+use super::lobes::{Lobe, Swings, median, scatter, swings};
+use crate::smoothing;
+use core::f64::consts::TAU;
+
+/// The parts of a period to either side of a crossing, and of a turning point, through which a polynomial is laid.
+const CROSSING: f64 = 0.08;
+const TURNING: f64 = 0.08;
+/// Of more rows than these, not all are used.
+const ROWS: usize = 40;
+/// Rows this part of a swing's height away from the middle are no longer near a crossing.
+const STEEP: f64 = 0.7;
+
+/// Each cycle around a turning point that has two crossings to either side. A period is the mean of the two between crossings
+/// in the same direction, one downwards and one upwards; the amplitude, half the height between the turning point and the mean
+/// of its neighbours.
+pub(super) fn cycles(times: &[f64], values: &[f64]) -> Vec<Cycle> {
+    let points = Points { times, values };
+    let Some(found) = about_middle(points) else { return Vec::new() };
+    let periods = found.crossings.windows(3).map(|three| three[2] - three[0]).collect();
+    let period = median(periods);
+    if !(period > 0.0 && period.is_finite()) {
+        return Vec::new();
+    }
+    let noise = scatter(values);
+    let crossings: Vec<Measured> = (0..found.crossings.len())
+        .map(|place| crossing(points, &found.swings, place, found.middle, period, noise))
+        .collect();
+    let turns: Vec<(Measured, Measured)> =
+        found.swings.lobes.iter().map(|lobe| turning_point(points, lobe, found.middle, period, noise)).collect();
+    let mut cycles = Vec::new();
+    for place in 2..crossings.len().saturating_sub(1) {
+        let cycle = cycle(&crossings[place - 2..place + 2], &turns[place - 1..place + 2]);
+        let near = cycle.as_ref().is_some_and(|cycle| (0.7..1.4).contains(&(cycle.period.value / period)));
+        cycles.extend(cycle.filter(|_| near));
+    }
+    cycles
+}
+
+/// The swings of a record about its middle.
+struct Found {
+    middle: f64,
+    crossings: Vec<f64>,
+    swings: Swings,
+}
+
+fn about_middle(points: Points) -> Option<Found> {
+    let (low, high) = (points.values.iter())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)));
+    let size = high / 2.0 - low / 2.0;
+    if !(size > 0.0 && size.is_finite()) {
+        return None;
+    }
+    // As in the estimate: three standard deviations of noise make no crossing; neither does a hundredth of the range.
+    let threshold = (3.0 * scatter(points.values)).clamp(0.02 * size, 0.3 * size);
+    let mut middle = points.values.iter().sum::<f64>() / points.values.len() as f64;
+    let mut found = swings(points, middle, threshold);
+    for _ in 0..2 {
+        let Some(off) = centre(&found) else { break };
+        middle += off;
+        found = swings(points, middle, threshold);
+    }
+    Some(Found { middle, crossings: found.crossings.clone(), swings: found })
+}
+
+/// The rows within `reach` of a time that `wanted` lets pass, at least so many.
+fn near<'a>(points: Points<'a>, time: f64, reach: f64, least: usize, wanted: impl Fn(f64) -> bool) -> Points<'a> {
+    let count = points.times.len();
+    let place = points.times.partition_point(|row| *row < time);
+    let half = least / 2;
+    let (mut from, mut until) = (place.saturating_sub(half), (place + half).min(count));
+    while from > 0 && points.times[from - 1] >= time - reach && wanted(points.values[from - 1]) {
+        from -= 1;
+    }
+    while until < count && points.times[until] <= time + reach && wanted(points.values[until]) {
+        until += 1;
+    }
+    Points { times: &points.times[from..until], values: &points.values[from..until] }
+}
+
+/// A polynomial through some rows.
+struct Local {
+    times: Vec<f64>,
+    values: Vec<f64>,
+    degree: usize,
+    /// The standard deviation of the values about it.
+    scatter: f64,
+}
+
+impl Local {
+    fn new(points: Points, degree: usize, noise: f64) -> Option<Self> {
+        let stride = points.times.len().div_ceil(ROWS).max(1);
+        let times: Vec<f64> = points.times.iter().copied().step_by(stride).collect();
+        let values: Vec<f64> = points.values.iter().copied().step_by(stride).collect();
+        let degree = degree.min(times.len().checked_sub(1)?);
+        let mut local = Self { times, values, degree, scatter: noise };
+        let freedom = local.times.len() - degree - 1;
+        if freedom >= 3 {
+            let off = |(time, value): (&f64, &f64)| Some(value - local.at(*time, 0)?.value);
+            let squares: Option<f64> =
+                local.times.iter().zip(&local.values).map(off).map(|off| Some(off? * off?)).sum();
+            local.scatter = (squares? / freedom as f64).sqrt();
+        }
+        Some(local)
+    }
+
+    /// The polynomial, or a derivative, at a time, with its error.
+    fn at(&self, time: f64, derivative: usize) -> Option<Measured> {
+        let weights = smoothing::weights(&self.times, time, self.degree, derivative)?;
+        let value = weights.iter().zip(&self.values).map(|(weight, value)| weight * value).sum();
+        let square: f64 = weights.iter().map(|weight| weight * weight).sum();
+        Some(Measured { value, error: self.scatter * square.sqrt() })
+    }
+
+    /// Where the polynomial, or its derivative, has the value `level` near `time`, by Newton's method.
+    fn root(&self, time: f64, derivative: usize, level: f64) -> Option<Measured> {
+        let (first, last) = (*self.times.first()?, *self.times.last()?);
+        let mut at = time;
+        for _ in 0..20 {
+            let off = self.at(at, derivative)?.value - level;
+            let step = off / self.at(at, derivative + 1)?.value;
+            if !step.is_finite() {
+                return None;
+            }
+            at = (at - step).clamp(first, last);
+            if step.abs() <= 1e-12 * (last - first) {
+                break;
+            }
+        }
+        let slope = self.at(at, derivative + 1)?.value;
+        let error = self.at(at, derivative)?.error / slope.abs();
+        (error.is_finite() && at > first && at < last).then_some(Measured { value: at, error })
+    }
+}
+
+/// A crossing of the middle: a cubic through the rows about it, those of the steep part alone.
+fn crossing(points: Points, swings: &Swings, place: usize, middle: f64, period: f64, noise: f64) -> Measured {
+    let rough = swings.crossings[place];
+    let height = swings.lobes[place].height.abs().min(swings.lobes[place + 1].height.abs());
+    let rows = near(points, rough, CROSSING * period, 4, |value| (value - middle).abs() <= STEEP * height);
+    let root = |degree: usize, rows: Points| Local::new(rows, degree, noise)?.root(rough, 0, middle);
+    let Some(cubic) = root(3, rows) else {
+        let step = rows.times.last().zip(rows.times.first()).map_or(0.0, |(last, first)| last - first);
+        return Measured { value: rough, error: step / 4.0 };
+    };
+    // So few rows do not say how well a cubic meets them; how much it differs from a straight line does.
+    let coarse = if rows.times.len() < 7 {
+        root(1, near(points, rough, 0.0, 2, |_| false)).map_or(0.0, |line| (line.value - cubic.value) / 4.0)
+    } else {
+        0.0
+    };
+    Measured { value: cubic.value, error: libm::hypot(cubic.error, coarse) }
+}
+
+/// When a lobe turns, and its value there: a polynomial of degree four through the rows about it.
+fn turning_point(points: Points, lobe: &Lobe, middle: f64, period: f64, noise: f64) -> (Measured, Measured) {
+    let rows = near(points, lobe.time, TURNING * period, 6, |_| true);
+    let found = Local::new(rows, 4, noise).and_then(|local| {
+        let time = local.root(lobe.time, 1, 0.0)?;
+        Some((time, local.at(time.value, 0)?))
+    });
+    let step = rows.times.last().zip(rows.times.first()).map_or(0.0, |(last, first)| last - first);
+    found.unwrap_or((
+        Measured { value: lobe.time, error: step / 4.0 },
+        Measured { value: middle + lobe.height, error: noise.max(f64::MIN_POSITIVE) },
+    ))
+}
+
+/// The cycle around the middle one of three turning points, with the two crossings to either side of it.
+fn cycle(crossings: &[Measured], turns: &[(Measured, Measured)]) -> Option<Cycle> {
+    let (&[a, b, c, d], &[(_, before), (time, own), (_, after)]) = (crossings, turns) else { return None };
+    let squares = |of: &[Measured]| of.iter().map(|one| one.error * one.error).sum::<f64>();
+    let period =
+        Measured { value: ((c.value - a.value) + (d.value - b.value)) / 2.0, error: squares(crossings).sqrt() / 2.0 };
+    let others = (before.value + after.value) / 2.0;
+    let beside = squares(&[before, after]) / 4.0;
+    let amplitude =
+        Measured { value: (own.value - others).abs() / 2.0, error: (own.error * own.error + beside).sqrt() / 2.0 };
+    let offset = Measured { value: (own.value + others) / 2.0, error: amplitude.error };
+    // One period lies between the neighbours.
+    let (early, late) = ((before.value - offset.value).abs(), (after.value - offset.value).abs());
+    let decrement =
+        Measured { value: libm::log(early / late), error: libm::hypot(before.error / early, after.error / late) };
+    let angular_frequency =
+        Measured { value: TAU / period.value, error: TAU * period.error / (period.value * period.value) };
+    let damping = Measured {
+        value: decrement.value / period.value,
+        error: libm::hypot(decrement.error, decrement.value * period.error / period.value) / period.value,
+    };
+    let known =
+        [period, amplitude, decrement, damping].iter().all(|one| one.value.is_finite() && one.error.is_finite());
+    known.then_some(Cycle {
+        time,
+        maximum: own.value > others,
+        amplitude,
+        period,
+        decrement,
+        angular_frequency,
+        damping,
+        offset,
+    })
+}

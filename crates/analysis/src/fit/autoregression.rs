@@ -1,0 +1,211 @@
+//! The uncertainties of least squares where errors are an autoregressive process of order one, e_t = rho e_(t-1) + u_t.
+//!
+//! The residuals of a fit are less correlated than the errors, the more so the shorter the record: the fit has followed a part
+//! of what is slow. So rho and the variance are those with which the moments of the residuals, M e with the residual maker M =
+//! 1 - Q Q^T, are expected to be the observed ones. What is left is the bias of a ratio of moments, 2 rho/n (M. G. Kendall,
+//! Biometrika 41 (1954) 403; F. H. C. Marriott & J. A. Pope, ibid. 390).
+
+use super::linear::dot;
+use super::statistics;
+
+/// The correlation of neighbours in fewer values than this is not asked for.
+const LONG: usize = 12;
+/// The greatest correlation that is told from a random walk.
+pub(crate) const MOST: f64 = 0.99;
+/// The step of the numerical derivative by rho.
+const STEP: f64 = 0.005;
+
+/// The errors of one series.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Errors {
+    /// How many values.
+    pub count: usize,
+    /// The correlation of each error with the one before.
+    pub rho: f64,
+    /// Their variance, in units of the weighted residuals.
+    pub variance: f64,
+}
+
+impl Errors {
+    /// How many independent values would tell as much about a mean (G. V. Bayley & J. M. Hammersley, J. R. Statist. Soc. Suppl. 8
+    /// (1946) 184).
+    pub fn independent(&self) -> f64 {
+        let rho = self.rho.max(0.0);
+        self.count as f64 * (1.0 - rho) / (1.0 + rho)
+    }
+}
+
+/// What all series together say.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Autoregression {
+    /// By series.
+    pub errors: Vec<Errors>,
+    /// The covariance of the coefficients of the basis, row by row.
+    pub covariance: Vec<f64>,
+    /// By series: its standard deviation due to that of rho.
+    pub doubt: Vec<Vec<f64>>,
+}
+
+impl Autoregression {
+    /// Of weighted residuals of a fit. `series` holds the places of each one's values, in the order of time; errors of different
+    /// series are taken for independent. `basis` is orthonormal and spans the columns of the Jacobian.
+    pub fn new(series: &[Vec<usize>], basis: &[Vec<f64>], residuals: &[f64]) -> Self {
+        let size = basis.len();
+        let blocks: Vec<Block> = series
+            .iter()
+            .filter(|places| !places.is_empty())
+            .map(|places| Block::new(places, basis, residuals))
+            .collect();
+        let mut errors: Vec<Errors> = blocks.iter().map(|block| block.errors(0.0, block.count())).collect();
+        let mut shares: Vec<Vec<f64>> = blocks.iter().map(|block| block.products(0.0).0).collect();
+        // What one series is expected to leave depends on the others, through the fit: a few rounds are enough.
+        for _ in 0..if blocks.len() > 1 { 3 } else { 1 } {
+            for (place, block) in blocks.iter().enumerate() {
+                let mut rest = vec![0.0; size * size];
+                for (other, share) in shares.iter().enumerate().filter(|(other, _)| *other != place) {
+                    let ratio = errors[other].variance / errors[place].variance.max(f64::MIN_POSITIVE);
+                    rest.iter_mut().zip(share).for_each(|(rest, value)| *rest += ratio.min(1e12) * value);
+                }
+                errors[place] = block.solve(&rest);
+                shares[place] = block.products(errors[place].rho).0;
+            }
+        }
+        let mut covariance = vec![0.0; size * size];
+        let mut doubt = Vec::with_capacity(blocks.len());
+        for ((block, errors), share) in blocks.iter().zip(&errors).zip(&shares) {
+            covariance.iter_mut().zip(share).for_each(|(sum, value)| *sum += errors.variance * value);
+            // What is new in each error is known by itself: its variance stays while rho changes.
+            let new = errors.variance * (1.0 - errors.rho * errors.rho);
+            let [low, high] = [-STEP, STEP].map(|step| (errors.rho + step).clamp(-0.995, 0.995));
+            let [below, above] = [low, high].map(|rho| (block.products(rho).0, new / (1.0 - rho * rho)));
+            let deviation = ((1.0 - errors.rho * errors.rho) / block.count()).sqrt() / (high - low);
+            let pairs = above.0.iter().zip(&below.0);
+            doubt.push(pairs.map(|(high, low)| deviation * (high * above.1 - low * below.1)).collect());
+        }
+        Self { errors, covariance, doubt }
+    }
+}
+
+/// One series beside the basis.
+struct Block {
+    residuals: Vec<f64>,
+    /// The rows of the basis, column by column.
+    basis: Vec<Vec<f64>>,
+    /// The same averaged over the row before and the row after.
+    shifted: Vec<Vec<f64>>,
+    /// The products of the columns, and of the columns with the shifted ones, row by row.
+    own: Vec<f64>,
+    lagged: Vec<f64>,
+}
+
+impl Block {
+    fn new(places: &[usize], basis: &[Vec<f64>], residuals: &[f64]) -> Self {
+        let of = |column: &Vec<f64>| -> Vec<f64> { places.iter().map(|&place| column[place]).collect() };
+        let basis: Vec<Vec<f64>> = basis.iter().map(of).collect();
+        let shifted: Vec<Vec<f64>> = basis.iter().map(|column| beside(column)).collect();
+        let own = products(&basis, &basis);
+        let lagged = products(&basis, &shifted);
+        Self { residuals: places.iter().map(|&place| residuals[place]).collect(), basis, shifted, own, lagged }
+    }
+
+    fn count(&self) -> f64 {
+        self.residuals.len() as f64
+    }
+
+    /// The errors whose residuals have the observed sum of squares, where this many are expected for a variance of one.
+    fn errors(&self, rho: f64, expected: f64) -> Errors {
+        let variance = dot(&self.residuals, &self.residuals) / expected.max(1e-6 * self.count());
+        Errors { count: self.residuals.len(), rho, variance }
+    }
+
+    /// The products of the basis with its columns correlated by `rho`, and the products of those with the shifted ones (their
+    /// trace alone).
+    fn products(&self, rho: f64) -> (Vec<f64>, f64) {
+        let correlated: Vec<Vec<f64>> = self.basis.iter().map(|column| correlated(column, rho)).collect();
+        let trace = correlated.iter().zip(&self.shifted).map(|(one, other)| dot(one, other)).sum();
+        (products(&self.basis, &correlated), trace)
+    }
+
+    /// The sums of products of neighbouring residuals and of squares that are expected of errors of variance one; `rest` is what
+    /// other series add to the covariance of the coefficients.
+    fn expected(&self, rho: f64, rest: &[f64]) -> (f64, f64) {
+        let (own, lagged) = self.products(rho);
+        let size = self.basis.len();
+        let trace = (0..size).map(|k| own[k * size + k]).sum::<f64>();
+        let whole: Vec<f64> = own.iter().zip(rest).map(|(own, rest)| own + rest).collect();
+        let neighbours = (self.count() - 1.0) * rho - 2.0 * lagged + dot(&whole, &self.lagged);
+        (neighbours, self.count() - 2.0 * trace + dot(&whole, &self.own))
+    }
+
+    /// The errors that such residuals are expected of.
+    fn solve(&self, rest: &[f64]) -> Errors {
+        let count = self.count();
+        let mut rho: f64 = 0.0;
+        if self.residuals.len() >= LONG {
+            let observed = statistics::autocorrelation(&[&self.residuals]);
+            // Expected and true correlation differ by little, and by nearly as much for neighbouring values.
+            for _ in 0..60 {
+                let (neighbours, squares) = self.expected(rho, rest);
+                let expected = neighbours / squares.max(1e-6 * count) - 2.0 * rho / count;
+                let next = (rho + observed - expected).clamp(-MOST, MOST);
+                let moved = (next - rho).abs();
+                rho = next;
+                if moved < 1e-5 {
+                    break;
+                }
+            }
+        }
+        self.errors(rho, self.expected(rho, rest).1)
+    }
+}
+
+/// The products of columns, row by row.
+fn products(one: &[Vec<f64>], other: &[Vec<f64>]) -> Vec<f64> {
+    one.iter().flat_map(|one| other.iter().map(move |other| dot(one, other))).collect()
+}
+
+/// Half the sum of the row before and the row after.
+fn beside(column: &[f64]) -> Vec<f64> {
+    let at = |row: Option<usize>| row.and_then(|row| column.get(row)).copied().unwrap_or(0.0);
+    (0..column.len()).map(|row| 0.5 * (at(row.checked_sub(1)) + at(Some(row + 1)))).collect()
+}
+
+/// The sums over all rows with the weights rho^|distance|.
+fn correlated(column: &[f64], rho: f64) -> Vec<f64> {
+    let mut sums = vec![0.0; column.len()];
+    let (mut before, mut after) = (0.0, 0.0);
+    for (sum, value) in sums.iter_mut().zip(column) {
+        before = value + rho * before;
+        *sum = before;
+    }
+    for (sum, value) in sums.iter_mut().zip(column).rev() {
+        *sum += rho * after;
+        after = value + rho * after;
+    }
+    sums
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of three values 1, 2, 4: the sums written out.
+    #[test]
+    fn correlated_sums() {
+        let found = correlated(&[1.0, 2.0, 4.0], 0.5);
+        assert_eq!(found, [1.0 + 1.0 + 1.0, 0.5 + 2.0 + 2.0, 0.25 + 1.0 + 4.0]);
+        assert_eq!(beside(&[1.0, 2.0, 4.0]), [1.0, 2.5, 1.0]);
+    }
+
+    /// The mean of n values: rho = 0 leaves the usual variance over n.
+    #[test]
+    fn alternating_values_about_a_mean() {
+        let count = 40;
+        let basis = vec![vec![1.0 / (count as f64).sqrt(); count]];
+        let residuals: Vec<f64> = (0..count).map(|row| if row % 4 < 2 { 1.0 } else { -1.0 }).collect();
+        let found = Autoregression::new(&[(0..count).collect()], &basis, &residuals);
+        // The correlation of these is 1/40; that of values about their mean is less by about as much.
+        assert!((0.03..0.07).contains(&found.errors[0].rho), "{found:?}");
+        assert!((found.errors[0].variance / (40.0 / 39.0) - 1.0).abs() < 0.01, "{found:?}");
+    }
+}

@@ -1,0 +1,142 @@
+//! What the residuals of a fit say of its model. One value that is off decides nothing here: it is named, and left out.
+
+use super::covariance::series;
+use super::criteria::EXACT;
+use super::linear::norm;
+use super::observed::ObservationFit;
+use super::outcome::Outcome;
+use super::outliers::Judged;
+use super::plan::Plan;
+use super::problem::Problem;
+use super::statistics::{self, RunsTest};
+
+/// Fewer independent values than this make standard errors that are uncertain by a quarter and more.
+const FEW: f64 = 15.0;
+
+/// Whether the model is compatible with the data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Nothing is left over but rounding.
+    Exact,
+    /// Residuals look random and, where errors were given, have their size.
+    Compatible,
+    /// Residuals look random but are larger than the given errors.
+    TooLarge,
+    /// Residuals look random but are smaller than the given errors.
+    TooSmall,
+    /// Residuals are autocorrelated: the model misses something, or the measurement does.
+    Structured,
+    /// There are too few values to tell.
+    Unknown,
+}
+
+/// A value far beyond the scatter of the others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outlier {
+    /// Which record.
+    pub record: usize,
+    /// Which of its observations.
+    pub observation: usize,
+    /// The row in the columns of its [`ObservationFit`].
+    pub row: usize,
+    /// Its distance, measured minus what the others let expect, in standard deviations of these.
+    pub sigmas: f64,
+}
+
+/// What the residuals of all measured observations say, without outliers.
+pub(super) struct Judgement {
+    /// The values off the others, in the order of records, observations and rows.
+    pub outliers: Vec<Outlier>,
+    /// How many values are judged.
+    pub count: usize,
+    /// Durbin and Watson's statistic.
+    pub durbin_watson: f64,
+    /// The correlation of each residual with the one before.
+    pub autocorrelation: f64,
+    /// The test of their signs.
+    pub runs: Option<RunsTest>,
+}
+
+impl Judgement {
+    /// Of the residuals of `plans`, model minus measured, weighted by their errors; `basis` as in [`Judged`].
+    pub fn new(
+        problem: &Problem,
+        plans: &[Plan],
+        observations: &[ObservationFit],
+        mut residuals: Vec<f64>,
+        basis: &[Vec<f64>],
+    ) -> Self {
+        let series = series(plans, |measured| measured);
+        let points: Vec<_> =
+            plans.iter().zip(0..).flat_map(|(plan, record)| plan.points.iter().map(move |one| (record, one))).collect();
+        let spread = problem.spread();
+        let floor = |places: &Vec<usize>| {
+            let heaviest = places.iter().map(|&place| points[place].1.weight).fold(0.0, f64::max);
+            let (record, point) = points[places[0]];
+            EXACT * spread[record][point.observation] * heaviest
+        };
+        let floors: Vec<f64> = series.iter().map(floor).collect();
+        let off = Judged { series: &series, basis, floors: &floors }.outliers(&mut residuals);
+        let kept: Vec<Vec<f64>> = series
+            .iter()
+            .map(|places| {
+                let kept = places.iter().filter(|place| off.iter().all(|off| off.place != **place));
+                let mut kept: Vec<f64> = kept.map(|&place| residuals[place]).collect();
+                // Each observation counts by its own scatter.
+                let size = norm(&kept) / (kept.len().max(1) as f64).sqrt();
+                kept.iter_mut().filter(|_| size > 0.0).for_each(|residual| *residual /= size);
+                kept
+            })
+            .collect();
+        let kept: Vec<&[f64]> = kept.iter().map(Vec::as_slice).collect();
+        let outlier = |off: super::outliers::Off| {
+            let (record, point) = points[off.place];
+            let observation = point.observation;
+            let fit = observations.iter().find(|one| one.record == record && one.observation == observation)?;
+            // Both hold the values of an observation in the same order; the plan those of the fitted part alone.
+            let own = points[..off.place].iter().filter(|(of, one)| *of == record && one.observation == observation);
+            let (row, _) = fit.inside.iter().enumerate().filter(|(_, inside)| **inside).nth(own.count())?;
+            Some(Outlier { record, observation, row, sigmas: -off.sigmas })
+        };
+        Self {
+            outliers: off.into_iter().filter_map(outlier).collect(),
+            count: kept.iter().map(|series| series.len()).sum(),
+            durbin_watson: statistics::durbin_watson(&kept),
+            autocorrelation: statistics::autocorrelation(&kept),
+            runs: statistics::runs_test(&kept),
+        }
+    }
+}
+
+impl Outcome {
+    /// What the residuals say.
+    pub fn verdict(&self) -> Verdict {
+        if self.exact {
+            return Verdict::Exact;
+        }
+        let Some(runs) = self.runs else { return Verdict::Unknown };
+        // 2.6 standard deviations: one in a hundred by chance.
+        let by_chance = 2.6 / (self.judged as f64).sqrt();
+        if runs.z < -2.6 || self.autocorrelation > by_chance {
+            return Verdict::Structured;
+        }
+        match self.chi2_reduced {
+            // Chi-square has the variance of twice its degrees of freedom.
+            Some(reduced) if reduced > 1.0 + 2.6 * (2.0 / self.dof as f64).sqrt() => Verdict::TooLarge,
+            Some(reduced) if reduced < 1.0 - 2.6 * (2.0 / self.dof as f64).sqrt() => Verdict::TooSmall,
+            _ => Verdict::Compatible,
+        }
+    }
+
+    /// Whether the record is short for the correlation of its errors: it is worth fewer than [`FEW`] independent values, and
+    /// would be worth more without it.
+    pub fn is_short(&self) -> bool {
+        let correlated = self.independent < 0.5 * self.judged as f64;
+        self.wanders || (correlated && self.independent < FEW)
+    }
+
+    /// The row of an outlier among its observation's columns.
+    pub fn outlying(&self, outlier: &Outlier) -> Option<&ObservationFit> {
+        self.observations.iter().find(|one| one.record == outlier.record && one.observation == outlier.observation)
+    }
+}

@@ -24,7 +24,9 @@ impl Figure {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{FONT_FAMILY}\">"
         )?;
-        write!(out, "<title>{}</title>", Escaped(&self.title))?;
+        // An image needs a name: where the page around it shows the title, the description is it.
+        let name = if self.title.is_empty() { &self.description } else { &self.title };
+        write!(out, "<title>{}</title>", Escaped(name))?;
         write!(out, "<desc>{}</desc>", Escaped(&self.description))?;
         for item in self.items() {
             write_item(out, item, palette)?;

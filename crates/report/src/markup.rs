@@ -98,6 +98,8 @@ impl Page {
         }
         for (place, cell) in cells.iter().enumerate() {
             match (place, cell.strip_prefix('#')) {
+                // A header without words would head nothing: a record that has no name.
+                (0, None) if cell.is_empty() => self.raw("<td></td>"),
                 (0, None) => self.wrapped("th scope=\"row\"", cell),
                 (0, Some(cell)) => self.wrapped("th scope=\"row\" class=\"n\"", cell),
                 (_, Some(cell)) => self.wrapped("td class=\"n\"", cell),

@@ -75,7 +75,7 @@ pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], d
     let words = Words::of(report.language);
     let profiles = if derived { &[][..] } else { report.intervals };
     let mut headings = vec![
-        "",
+        words.pick("Symbol", "Símbolo"),
         words.pick("Quantity", "Magnitud"),
         words.pick("#Value", "#Valor"),
         words.pick("Unit", "Unidad"),
@@ -188,7 +188,12 @@ pub fn correlations(page: &mut Page, report: &Report<'_>) {
         }
     };
     if count > MATRIX {
-        page.table("", &["", "", words.pick("#Correlation", "#Correlación")]);
+        let heads = [
+            words.pick("Parameter", "Parámetro"),
+            words.pick("Correlated with", "Correlacionado con"),
+            words.pick("#Correlation", "#Correlación"),
+        ];
+        page.table("", &heads);
         for (a, b, value) in strongest.into_iter().take(12) {
             page.row(&[&named(a), &named(b), &cell(&fixed(value, 3, words.style()))]);
         }

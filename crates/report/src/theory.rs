@@ -31,7 +31,12 @@ pub fn theory(page: &mut Page, report: &Report<'_>) {
     page.element("h3", words.pick("Held", "Mantenido"));
     page.table(
         "",
-        &["", words.pick("Quantity", "Magnitud"), words.pick("#Value", "#Valor"), words.pick("Unit", "Unidad")],
+        &[
+            words.pick("Symbol", "Símbolo"),
+            words.pick("Quantity", "Magnitud"),
+            words.pick("#Value", "#Valor"),
+            words.pick("Unit", "Unidad"),
+        ],
     );
     for (index, parameter) in held {
         let label = parameter.label.as_deref().map_or("", |label| report.document.text(words.tag(), label));

@@ -240,3 +240,30 @@ fn theories_are_ranked() {
     assert!(texts(&ranking_html(&nothing)).contains("Which theory"));
     assert_eq!(ranking_csv(&nothing, false).lines().count(), 1);
 }
+
+#[test]
+fn every_header_has_words_and_every_image_a_name() {
+    // An unnamed record, many parameters, two records: every kind of table.
+    let fits = [fit("linear", "swing.txt"), fit("quadratic", "")];
+    for language in ["en", "es"] {
+        let reports: Vec<_> = fits.iter().map(|fit| fit.report(language)).collect();
+        let ranking = Ranking { theories: &reports, command: "" };
+        let pages = reports.iter().map(html).chain([ranking_html(&ranking)]);
+        for page in pages {
+            let source = parsed(&page);
+            let tree = roxmltree::Document::parse(&source).unwrap_or_else(|error| panic!("{error}"));
+            let words = |node: roxmltree::Node<'_, '_>| {
+                node.descendants().filter_map(|inner| inner.text()).collect::<String>().trim().to_owned()
+            };
+            for node in tree.descendants() {
+                if node.tag_name().name() == "th" {
+                    assert!(!words(node).is_empty(), "{}", &source[node.range()]);
+                }
+                if node.attribute("role") == Some("img") {
+                    let title = node.children().find(|child| child.tag_name().name() == "title");
+                    assert!(title.is_some_and(|title| !words(title).is_empty()), "{}", &source[node.range()][..200]);
+                }
+            }
+        }
+    }
+}

@@ -2,8 +2,10 @@
 
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
-import { readFileSync } from "node:fs";
-import { eventually, visit } from "./lab.mjs";
+import { readFileSync, writeFileSync } from "node:fs";
+import { drop, eventually, meniscus, temporary, visit } from "./lab.mjs";
+import { film, fit, openTheory, records } from "./measured.mjs";
+import { pathToFileURL } from "node:url";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -36,6 +38,139 @@ for (const language of ["en-GB", "es-ES"]) {
     }
   }
 }
+
+/** A document with two errors, one of them a missing factor. */
+const BROKEN = "---\ntitle: Mine\nlanguage: en\n---\n\n```model\nparameter k = 1 [N/m]\nparameter m = 1 [kg]\nm*x'' + k = 0\nx(0) = 1 [m]\nx'(0) = 0\nz = sqr(k/m)\n```\n";
+const brokenFile = { name: "mine.md", mimeType: "text/markdown", buffer: Buffer.from(BROKEN) };
+
+for (const language of ["en-GB", "es-ES"]) {
+  for (const [theme, size] of [["light", {}], ["dark", { width: 390, height: 844, touch: true }]]) {
+    visit(`axe finds nothing in a document with errors: ${language}, ${theme}`, { language, theme, ...size }, async (lab) => {
+      await lab.page.setInputFiles("#open-file", brokenFile);
+      await lab.page.locator(".broken").waitFor();
+      assert.deepEqual(await faults(lab, "errors"), []);
+      assert.equal(await lab.page.evaluate(() => document.querySelector(document.querySelector(".skip").getAttribute("href")) !== null), true, "the skip link leads somewhere");
+      assert.equal(await lab.page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth), false, "no sideways scrolling");
+    });
+  }
+  visit(`axe finds nothing in reports: ${language}`, { language }, async (lab) => {
+    const spanish = language === "es-ES";
+    await openTheory(lab, spanish ? "Amortiguamiento lineal" : "Linear damping", spanish ? "Documentos" : "Documents");
+    await drop(lab, { name: "film.csv", text: film() });
+    await records(lab).waitFor();
+    await fit(lab);
+    const [download] = await Promise.all([
+      lab.page.waitForEvent("download"),
+      lab.page.locator(".detail").getByRole("button", { name: spanish ? "Informe" : "Report", exact: true }).click(),
+    ]);
+    const [ofPage, data, ofProgram] = ["report.html", "film.csv", "program.html"].map((name) => temporary(`${language}-${name}`));
+    await download.saveAs(ofPage);
+    writeFileSync(data, film());
+    meniscus("fit", "simulations/theories/linear.md", data, "--output", ofProgram);
+    const found = [];
+    for (const file of [ofPage, ofProgram]) {
+      await lab.page.goto(pathToFileURL(file).href);
+      await lab.page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
+      found.push(...(await faults(lab, file)));
+    }
+    assert.deepEqual(found, []);
+  });
+}
+
+visit("a document with errors says what is wrong, and is corrected on the spot", async (lab) => {
+  await lab.page.setInputFiles("#open-file", brokenFile);
+  const finding = lab.page.locator(".finding");
+  await finding.first().waitFor();
+  const text = await lab.page.locator(".broken").innerText();
+  assert.doesNotMatch(text, /`|dimension-mismatch|unknown-function/, "no raw backticks and codes");
+  await finding.getByRole("heading", { name: "Dimensions do not match" }).waitFor();
+  await finding.locator("code", { hasText: /^sqr$/ }).first().waitFor();
+
+  // A place leads to its line in the text.
+  const area = lab.page.getByRole("textbox", { name: "mine.md" });
+  await lab.button("mine.md, line 12").click();
+  assert.equal(await area.evaluate((area) => area.value.slice(area.selectionStart, area.selectionEnd)), "z = sqr(k/m)");
+
+  // One error corrected, one left: what was typed stays, also in another language.
+  await area.fill(BROKEN.replace("sqr(", "sqrt("));
+  await lab.press("Check again");
+  await eventually(async () => assert.equal(await finding.count(), 1));
+  await area.fill((await area.inputValue()).replace("+ k = 0", "+ k*x = 0"));
+  await lab.press("ES – Español");
+  assert.match(await area.inputValue(), /k\*x = 0/);
+  await lab.press("EN – English");
+  await lab.press("Check again");
+  await lab.page.getByRole("heading", { level: 1, name: "Mine" }).waitFor();
+  await lab.press("Step forward");
+  assert.ok((await lab.time()) > 0);
+});
+
+visit("from a document with errors there is a way back", async (lab) => {
+  await drop(lab, { name: "film.csv", text: film() });
+  await records(lab).waitFor();
+  await lab.page.setInputFiles("#open-file", brokenFile);
+  await lab.press("Back to the previous document");
+  await lab.page.getByRole("heading", { level: 1, name: /U-tube/ }).waitFor();
+  await lab.tab("Measurements");
+  assert.equal(await records(lab).count(), 1, "the records are still there");
+  await lab.page.setInputFiles("#open-file", brokenFile);
+  await lab.press("Other documents");
+  await lab.page.getByRole("dialog").getByRole("heading", { name: "Simulations" }).waitFor();
+});
+
+for (const [width, height] of [[844, 390], [667, 375], [568, 320]]) {
+  visit(`a phone on its side has Play in sight: ${width} by ${height}`, { width, height, touch: true }, async (lab) => {
+    for (const button of await lab.page.locator("#transport button").all()) {
+      const box = await button.boundingBox();
+      assert.ok(box.y >= 0 && box.y + box.height <= height && box.x >= 0 && box.x + box.width <= width, `${await button.getAttribute("aria-label")} at ${box.x}, ${box.y}`);
+      assert.ok(box.width >= 40 && box.height >= 40);
+    }
+    await lab.press("Play");
+    await lab.watchUntil(0.3);
+    const { height: bar } = await lab.page.locator("#transport").boundingBox();
+    assert.ok(bar <= 60, `the row is ${bar} px high`);
+    assert.equal(await lab.page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth), false, "no sideways scrolling");
+  });
+}
+
+visit("handles have names and ranges of their own", async (lab) => {
+  const handles = lab.page.locator("#scene [role=slider]");
+  const described = await handles.evaluateAll((handles) => handles.map((handle) => [handle.getAttribute("aria-label"), handle.getAttribute("aria-valuemin"), handle.getAttribute("aria-valuemax")]));
+  assert.deepEqual(described, [["Left column: Displacement", "-2.5", "2.5"], ["Right column: Displacement", "-2.5", "2.5"]]);
+  await lab.enter("Height of the left column", "5");
+  await eventually(async () => assert.equal(await handles.first().getAttribute("aria-valuemax"), "3.5"));
+});
+
+visit("a drag with the mouse leaves no ring, the keyboard has one", async (lab) => {
+  const handle = lab.page.locator("#scene [role=slider]").first();
+  const ring = () => handle.evaluate((node) => node.matches("[part~=ring]:focus-visible") && getComputedStyle(node).strokeWidth === "3px");
+  const { x, y, width } = await handle.boundingBox();
+  await lab.page.mouse.move(x + width / 2, y + 150);
+  await lab.page.mouse.down();
+  await lab.page.mouse.move(x + width / 2, y + 120, { steps: 4 });
+  await lab.page.mouse.up();
+  assert.equal(await ring(), false);
+  await lab.keys("ArrowUp");
+  assert.equal(await ring(), true);
+});
+
+visit("hints fit the device", { width: 390, height: 844, touch: true }, async (lab) => {
+  const text = await lab.page.locator("#scene").innerText();
+  assert.match(text, /finger/);
+  assert.doesNotMatch(text, /keys/);
+});
+
+visit("a symbol stands on the line of the last word", async (lab) => {
+  const parted = await lab.page.locator(".parameter label .unbroken").evaluateAll((names) =>
+    names.filter((name) => {
+      const [word, symbol] = [document.createRange(), name.querySelector(".symbol")];
+      word.selectNodeContents(name.firstChild);
+      const [a, b] = [word.getBoundingClientRect(), symbol.getBoundingClientRect()];
+      return a.bottom < b.top || b.bottom < a.top;
+    }).map((name) => name.textContent));
+  assert.ok((await lab.page.locator(".parameter label .symbol").count()) > 5);
+  assert.deepEqual(parted, []);
+});
 
 visit("a phone shows everything without sideways scrolling", { width: 390, height: 844, touch: true }, async (lab) => {
   const isWide = () => lab.page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth);

@@ -53,12 +53,51 @@ visit("the recorded run is scrubbed and continued from there", async (lab) => {
   await lab.keys("Home");
   await eventually(async () => assert.equal(await lab.time(), 0));
   assert.equal(await lab.number("Displacement"), 0.5);
+  // The line ends later than what is recorded.
   const box = await line.boundingBox();
-  await lab.page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  const recorded = parseFloat(await line.evaluate((line) => line.style.getPropertyValue("--recorded"))) / 100;
+  await lab.page.mouse.click(box.x + (box.width * recorded) / 2, box.y + box.height / 2);
   await eventually(async () => assert.ok(Math.abs((await lab.time()) - end / 2) < end / 10, `half of ${end}`));
   const from = await lab.time();
   await lab.press("Play");
   await eventually(async () => assert.ok((await lab.time()) > from));
+});
+
+visit("the time line shows how far the run has come", async (lab) => {
+  const line = lab.slider("Time line");
+  const part = () => line.evaluate((line) => Number(line.value) / Number(line.max));
+  await lab.press("Play");
+  await lab.watchUntil(1);
+  const first = await part();
+  await lab.watchUntil(3);
+  const [later, time] = [await part(), await lab.time()];
+  assert.ok(first < later && later < 0.6, `${first}, then ${later} at ${time} s`);
+  await lab.press("Pause");
+  // Beyond what is recorded there is nothing to go to.
+  const box = await line.boundingBox();
+  const end = await lab.time();
+  await lab.page.mouse.click(box.x + box.width * 0.95, box.y + box.height / 2);
+  assert.equal(await lab.time(), end);
+  assert.ok(Math.abs((await part()) - end / 10) < 0.01, "the thumb goes back to the end of the run");
+});
+
+visit("the values are those of the curves in the same frame", async (lab) => {
+  await lab.press("Play");
+  await lab.watchUntil(0.3);
+  // The clock is drawn with the curves. The value that stands beside it must be that of its time.
+  const seen = await lab.page.evaluate(async () => {
+    const row = [...document.querySelectorAll("#readouts dl > div")].find((row) => row.textContent.startsWith("Displacement"));
+    const seen = [];
+    for (let frames = 0; frames < 30; frames += 1) {
+      await new Promise((drawn) => requestAnimationFrame(() => setTimeout(drawn)));
+      seen.push([document.querySelector("#clock").textContent, row.querySelector("dd").textContent]);
+    }
+    return seen;
+  });
+  const clocks = new Set(seen.map(([clock]) => clock));
+  const values = new Set(seen.map(([, value]) => value));
+  // The clock shows hundredths of a second; no value is held while it goes on.
+  assert.ok(values.size >= 0.8 * clocks.size, `${values.size} values at ${clocks.size} times`);
 });
 
 visit("damping acts at once and without a jump", async (lab) => {

@@ -2,6 +2,7 @@
 
 use crate::browser;
 use crate::frame::{self, Stage};
+use crate::messages::{self, Message};
 use crate::opening::Findings;
 use crate::saved::{self, Saved};
 use crate::sound::Sound;
@@ -20,8 +21,14 @@ use web_sys::File;
 pub struct Lab {
     /// The session, when a document is open that has no errors.
     pub session: Option<Session>,
+    /// The session of the last document that ran, while another is open that does not: it holds the records.
+    pub parked: Option<Session>,
     /// The files of the document.
     pub sources: Vec<Source>,
+    /// The files of the last document that ran, while another is open that does not.
+    pub sources_before: Vec<Source>,
+    /// What a person has made of the texts of a document that does not run; empty while nothing has been typed.
+    pub drafts: Vec<String>,
     /// What was found in them.
     pub findings: Findings,
     /// The nodes that are redrawn in each frame.
@@ -40,6 +47,8 @@ pub struct Lab {
     pub reading: bool,
     /// What the views have been told of.
     seen: Revision,
+    /// The frame that the values have been told of.
+    seen_frame: u64,
 }
 
 /// Counters that views track. Each is raised when that part of the session has changed.
@@ -59,6 +68,8 @@ pub struct Changes {
     pub records: Signal<u64>,
     /// Fits, what they vary and what has come of them.
     pub fits: Signal<u64>,
+    /// The time shown: raised in every frame in which it has changed, for what must not lag behind the curves.
+    pub frame: Signal<u64>,
     /// The time shown and the rows recorded; raised at most ten times a second while the run is playing.
     pub values: Signal<u64>,
 }
@@ -78,6 +89,14 @@ pub struct Page {
     pub language: Signal<Language>,
     /// What the live region says.
     pub spoken: Signal<String>,
+    /// What the line of messages shows.
+    pub messages: Signal<Vec<Message>>,
+    /// Whether the browser is about to print.
+    pub printing: Signal<bool>,
+    /// Whether files are being dragged over the page.
+    pub dragging_files: Signal<bool>,
+    /// The record that was added last, until a person has seen it.
+    pub new_record: Signal<Option<u32>>,
     /// Whether single keys act.
     pub single_keys: Signal<bool>,
     /// How far the fits have come that a person has begun.
@@ -119,10 +138,15 @@ impl App {
                 plots: counter(),
                 records: counter(),
                 fits: counter(),
+                frame: counter(),
                 values: counter(),
             },
             language: create_signal(language),
             spoken: create_signal(String::new()),
+            messages: create_signal(Vec::new()),
+            printing: create_signal(false),
+            dragging_files: create_signal(false),
+            new_record: create_signal(None),
             single_keys: create_signal(single_keys),
             fit_progress: create_signal(None),
             record_progress: create_signal(None),
@@ -191,20 +215,26 @@ impl App {
             if let Some(transport) = &mut lab.stage.transport {
                 transport.draw(session);
             }
-            let mut told = Vec::new();
+            let (mut told, mut shown, mut added) = (Vec::new(), Vec::new(), None);
             while let Some(announcement) = session.take_announcement() {
                 if !(by_slider && matches!(announcement, Announcement::ParameterSet(..))) {
-                    told.push(session.announcement_text(&announcement));
+                    let text = session.announcement_text(&announcement);
+                    if matches!(announcement, Announcement::RecordAdded(_)) {
+                        added = session.newest_record();
+                    }
+                    shown.extend(Message::of(session, &announcement, &text));
+                    told.push(text);
                 }
             }
             let (before, mut now) = (lab.seen, session.revision());
+            let moved = std::mem::replace(&mut lab.seen_frame, now.frame) != now.frame;
             if !values {
                 (now.frame, now.rows) = (before.frame, before.rows);
             }
             lab.seen = now;
-            Some((before, now, told.join(" ")))
+            Some((before, now, told.join(". "), shown, added, moved))
         });
-        let Some((before, now, told)) = news.flatten() else { return };
+        let Some((before, now, told, shown, added, moved)) = news.flatten() else { return };
         let lasting = |revision: &Revision| (revision.records, revision.fits, revision.answers);
         if lasting(&before) != lasting(&now) {
             saved::later(self);
@@ -222,6 +252,7 @@ impl App {
             (before.plots != now.plots, changes.plots),
             (before.records != now.records, changes.records),
             (before.fits != now.fits, changes.fits),
+            (moved, changes.frame),
             ((before.frame, before.rows) != (now.frame, now.rows), changes.values),
         ];
         let focused = browser::focused();
@@ -234,9 +265,27 @@ impl App {
         if !told.is_empty() {
             self.say(told);
         }
+        if added.is_some() {
+            self.new_record.set(added);
+        }
+        for message in shown {
+            messages::show(self, message);
+        }
     }
 
-    /// Says something through the live region. The same words twice must differ, or they are said once.
+    /// Says and shows that something has been done.
+    pub fn notify(self, words: &str) {
+        self.say(words.to_owned());
+        messages::show(self, Message::notice(words.to_owned()));
+    }
+
+    /// Says and shows why something was not done.
+    pub fn complain(self, words: String) {
+        self.say(words.clone());
+        messages::show(self, Message::error(words));
+    }
+
+    /// Says something through the live region alone: what a person who sees the page sees anyway. The same words twice must differ, or they are said once.
     pub fn say(self, mut words: String) {
         if self.spoken.with_untracked(|spoken| *spoken == words) {
             words.push('\u{a0}');

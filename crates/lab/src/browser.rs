@@ -5,7 +5,7 @@ use crate::views::{document, window};
 use js_sys::{Array, Function, Promise, Reflect, Uint8Array};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
-use web_sys::{Blob, BlobPropertyBag, Event, HtmlAnchorElement, HtmlElement, HtmlTextAreaElement, Url};
+use web_sys::{Blob, BlobPropertyBag, Event, FocusOptions, HtmlAnchorElement, HtmlElement, HtmlTextAreaElement, Url};
 
 /// The element with this id, if it is of type `T`.
 pub fn by_id<T: JsCast>(id: &str) -> Option<T> {
@@ -28,6 +28,26 @@ pub fn focus(id: &str) {
 pub fn focus_later(id: String) {
     let focus = Closure::once_into_js(move || focus(&id));
     let _ = window().request_animation_frame(focus.unchecked_ref());
+}
+
+/// Moves the focus to an element without scrolling to it: where what had the focus is gone.
+pub fn focus_in_place(id: &str) {
+    let options = FocusOptions::new();
+    options.set_prevent_scroll(true);
+    if let Some(element) = by_id::<HtmlElement>(id) {
+        let _ = element.focus_with_options(&options);
+    }
+}
+
+/// Scrolls to an element and gives it the focus, once it is there.
+pub fn reveal_later(id: String) {
+    let reveal = Closure::once_into_js(move || {
+        if let Some(element) = by_id::<HtmlElement>(&id) {
+            element.scroll_into_view();
+            focus_in_place(&id);
+        }
+    });
+    let _ = window().request_animation_frame(reveal.unchecked_ref());
 }
 
 /// Calls `react` whenever this happens in the window, as long as the page lives.

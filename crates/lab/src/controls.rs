@@ -11,6 +11,13 @@ pub fn symbol(name: &str) -> HtmlSpan {
     span().class("symbol").attr("aria-hidden", "true").inner_html(model::typeset_name(name))
 }
 
+/// What a quantity is called, and its symbol beside the last word, from which no line break parts it.
+pub fn name_and_symbol(label: &str, name: &str) -> HtmlSpan {
+    let (start, last) = label.rsplit_once(' ').map_or(("", label), |(start, last)| (start, last));
+    let start = if start.is_empty() { String::new() } else { format!("{start} ") };
+    span().child(start).child(span().class("unbroken").child(last.to_owned()).child(symbol(name)))
+}
+
 /// The controls.
 pub fn view(app: App) -> HtmlSection {
     let words = app.words();
@@ -84,7 +91,7 @@ fn states(app: App) -> View {
     let field = |state: StateView| {
         let (index, id) = (state.index, format!("state-{}", state.index));
         let view = move || {
-            app.changes.values.track();
+            app.changes.frame.track();
             app.changes.transport.track();
             app.read(|session| session.states().into_iter().nth(index))
         };
@@ -100,7 +107,7 @@ fn states(app: App) -> View {
         };
         div()
             .class("parameter")
-            .child(label().r#for(id.clone()).child(span().child(state.label)).child(symbol(&state.name)))
+            .child(label().r#for(id.clone()).child(name_and_symbol(&state.label, &state.name)))
             .child(with_unit(field.view(), state.unit))
             .child(refusal_of(error).id(format!("{id}-error")))
     };

@@ -52,7 +52,7 @@ pub fn view(app: App, record: &RecordView, choice: Choice) -> View {
     let again = place.clone();
     let make = move |_| {
         let refusal = app.attempt(|session| session.make_derivatives(id, column.get_untracked(), choice.method()));
-        app.record_refusal.set(refusal);
+        crate::measurements::refuse(app, refusal);
         browser::focus_later(again.clone());
     };
     let forget_focus = place.clone();

@@ -2,19 +2,46 @@
 
 use crate::app::App;
 use crate::views::*;
+use crate::{correction, library, opening, titles};
 use document::page::Source;
 use model::{Diagnostic, Label, Severity};
 use units::{Language, Words};
 
-/// In place of the apparatus, for a document that does not run.
+/// In place of the apparatus, for a document that does not run: what is wrong, the text to correct it, and the ways back.
 pub fn view(app: App) -> View {
     let words = app.words();
     let (sources, findings) = app.with(|lab| (lab.sources.clone(), lab.findings.clone())).unwrap_or_default();
+    // The skip link leads here.
+    let page = section().class("broken").id("apparatus").tabindex("-1").attr("aria-labelledby", "broken-title");
     if sources.is_empty() {
-        return section().class("broken").child(h2().child(words.nothing)).child(p().child(words.nothing_intro)).into();
+        let title = h2().id("broken-title").child(words.nothing);
+        return page.child(title).child(p().child(words.nothing_intro)).child(ways_back(app)).into();
     }
-    let list = list(app, &sources, &findings);
-    section().class("broken").child(h2().child(words.broken)).child(p().child(words.broken_intro)).child(list).into()
+    page.child(h2().id("broken-title").child(words.broken))
+        .child(p().child(words.broken_intro))
+        .child(ways_back(app))
+        .child(list(app, &sources, &findings, true))
+        .child(correction::view(app, sources))
+        .into()
+}
+
+/// Where else one can go: to the document that was open before, to the list of documents.
+fn ways_back(app: App) -> HtmlDiv {
+    let words = app.words();
+    let before = app.with(|lab| lab.sources_before.clone()).unwrap_or_default();
+    let back = (!before.is_empty()).then(|| {
+        button()
+            .class("quiet outlined")
+            .id("previous-document")
+            .when(events::click, move |_| opening::open_sources(app, before.clone()))
+            .child(words.previous_document)
+    });
+    let browse = button()
+        .class("quiet outlined")
+        .attr("aria-haspopup", "dialog")
+        .when(events::click, move |_| library::choose(app))
+        .child(words.other_documents);
+    div().class("actions ways-back").maybe(back).child(browse)
 }
 
 /// Remarks on a document that runs; nothing if there are none.
@@ -24,16 +51,20 @@ pub fn remarks(app: App) -> View {
     if findings.is_empty() {
         return View::new();
     }
-    let list = list(app, &sources, &findings);
+    let list = list(app, &sources, &findings, false);
     section().child(h3().child(words.warnings)).child(list).into()
 }
 
-fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)]) -> HtmlOl {
-    let item = |(file, diagnostic): &(usize, Diagnostic)| li().child(finding(app, sources.get(*file), diagnostic));
+/// The findings; where the text stands below them to be corrected, each place leads to its line there.
+fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)], correctable: bool) -> HtmlOl {
+    let item = |(file, diagnostic): &(usize, Diagnostic)| {
+        let correctable = correctable.then_some(*file);
+        li().child(finding(app, sources.get(*file), diagnostic, correctable))
+    };
     ol().class("findings").each(findings, item)
 }
 
-fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic) -> HtmlArticle {
+fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic, correctable: Option<usize>) -> HtmlArticle {
     let (words, language) = (app.words(), Language::of(app.language.get_untracked().tag()));
     let (kind, class) = match diagnostic.severity {
         Severity::Error => (words.error, "finding error"),
@@ -41,27 +72,46 @@ fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic) -> HtmlAr
     };
     let (text, name) = source.map_or(("", ""), |source| (&source.text, &source.name));
     let places = if source.is_some() { places(text, &diagnostic.labels, language) } else { Vec::new() };
-    let note = |note: &Words| pre().tabindex("0").class("reason").child(note.text(language).to_owned());
+    let note = |note: &Words| pre().tabindex("0").class("reason").child(with_code(note.text(language)));
     let hint = |hint: &Words| {
-        let text = hint.text(language).to_owned();
-        p().class("remedy").child(strong().child(words.help).child(": ")).child(text)
+        p().class("remedy").child(strong().child(words.help).child(": ")).child(with_code(hint.text(language)))
     };
+    let title = titles::title(diagnostic.code, language);
     article()
         .class(class)
-        .child(
-            h3().child(span().class("badge").child(kind))
-                .child(" ")
-                .child(diagnostic.message.text(language).to_owned()),
-        )
-        .each(places, |place| place.view(app, name))
+        .child(h3().child(span().class("badge").child(kind)).child(" ").child(title))
+        .child(p().class("what").child(with_code(&capitalised(diagnostic.message.text(language)))).child("."))
+        .each(places, |place| place.view(app, name, correctable))
         .each(&diagnostic.notes, note)
         .each(&diagnostic.hints, hint)
-        .child(p().class("code").child(diagnostic.code))
+}
+
+/// With a capital at its beginning.
+fn capitalised(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
+}
+
+/// A sentence of a diagnostic: what stands in it between backticks is code.
+fn with_code(sentence: &str) -> View {
+    // Without its partner the last backtick is one.
+    let paired = sentence.matches('`').count() / 2 * 2;
+    let mut pieces = sentence.splitn(paired + 1, '`');
+    let mut views: Vec<View> = Vec::new();
+    while let Some(text) = pieces.next() {
+        views.push(text.to_owned().into());
+        if let Some(marked) = pieces.next() {
+            views.push(code().child(marked.to_owned()).into());
+        }
+    }
+    views.into()
 }
 
 /// A line of the source with what is marked in it.
 struct Place {
     number: usize,
+    /// Where in the text it begins, in bytes.
+    start: usize,
     /// The line, cut into what is marked and what is not.
     pieces: Vec<(String, bool)>,
     /// What is marked, and what there is to say about it.
@@ -114,14 +164,25 @@ impl Place {
             (text[start..end].to_owned(), label.text.text(language).to_owned())
         };
         let remarks = labels.iter().filter(|label| !label.text.is_empty()).map(remark).collect();
-        Self { number: text[..first].matches('\n').count() + 1, pieces, remarks }
+        let start = labels.iter().map(|label| span(label).0).min().unwrap_or(first);
+        Self { number: text[..first].matches('\n').count() + 1, start, pieces, remarks }
     }
 
-    fn view(self, app: App, file: &str) -> View {
+    /// `correctable` is the number of the file whose text stands below.
+    fn view(self, app: App, file: &str, correctable: Option<usize>) -> View {
         let head = format!("{file}, {} {}", app.words().line, self.number);
+        let start = self.start;
+        let head: View = match correctable {
+            Some(file) => {
+                let go = move |_| correction::go_to(file, start);
+                button().class("pick").when(events::click, go).child(head).into()
+            }
+            None => head.into(),
+        };
         let piece =
             |(piece, marked): (String, bool)| if marked { mark().child(piece).into() } else { View::from(piece) };
-        let remark = |(marked, remark): (String, String)| li().child(code().child(marked)).child(" ").child(remark);
+        let remark =
+            |(marked, remark): (String, String)| li().child(code().child(marked)).child(" ").child(with_code(&remark));
         View::from((
             p().class("place").child(head),
             pre().tabindex("0").child(code().each(self.pieces, piece)),

@@ -14,14 +14,33 @@ const KEY_STEP: f64 = 0.01;
 pub struct Handle {
     node: SvgElement,
     drag: Drag,
+    /// What the document calls it.
+    name: Option<String>,
+    /// Its number among several unnamed ones of one state; 0 where it is the only one.
+    pub number: usize,
     listeners: Vec<Closure<dyn FnMut(Event)>>,
     shown: String,
 }
 
 impl Handle {
     /// Makes a node a handle.
-    pub fn new(node: SvgElement, drag: Drag) -> Self {
-        Self { node, drag, listeners: Vec::new(), shown: String::new() }
+    pub fn new(node: SvgElement, drag: Drag, name: Option<String>) -> Self {
+        Self { node, drag, name, number: 0, listeners: Vec::new(), shown: String::new() }
+    }
+
+    /// Numbers those that would otherwise have the same name.
+    pub fn number_unnamed(handles: &mut [Self]) {
+        for index in 0..handles.len() {
+            let Some(state) = handles.get(index).filter(|one| one.name.is_none()).map(|one| one.drag.state) else {
+                continue;
+            };
+            let same = |one: &&Self| one.name.is_none() && one.drag.state == state;
+            let several = handles.iter().filter(same).count() > 1;
+            let before = handles.iter().take(index).filter(same).count();
+            if let Some(handle) = handles.get_mut(index).filter(|_| several) {
+                handle.number = before + 1;
+            }
+        }
     }
 
     /// What takes hold of it by pointer.
@@ -31,15 +50,24 @@ impl Handle {
 
     /// Says where it is to those who do not see it. Left alone while the run is playing: a screen reader on the handle
     /// would talk without end.
-    pub fn describe(&mut self, session: &Session) {
+    pub fn describe(&mut self, session: &mut Session) {
         if session.is_playing() && !self.shown.is_empty() {
             return;
         }
         let Some(state) = session.states().into_iter().nth(self.drag.state) else { return };
         let text = format!("{} {}", state.text, state.unit);
         if text != self.shown {
-            let _ = self.node.set_attribute("aria-label", &state.label);
-            let _ = self.node.set_attribute("aria-valuenow", &state.value.to_string());
+            let label = match (&self.name, self.number) {
+                (Some(name), _) => format!("{name}: {}", state.label),
+                (None, 0) => state.label,
+                (None, number) => format!("{} {number}", state.label),
+            };
+            let _ = self.node.set_attribute("aria-label", &label);
+            if let Some((least, greatest)) = session.drag_range(&self.drag) {
+                let _ = self.node.set_attribute("aria-valuemin", &short(least));
+                let _ = self.node.set_attribute("aria-valuemax", &short(greatest));
+            }
+            let _ = self.node.set_attribute("aria-valuenow", &short(state.value));
             let _ = self.node.set_attribute("aria-valuetext", &text);
             self.shown = text;
         }
@@ -52,6 +80,11 @@ impl Handle {
     }
 }
 
+/// Seven digits: the ends of a range are found by halving it, and are no rounder than that.
+fn short(value: f64) -> String {
+    (value as f32).to_string()
+}
+
 /// Makes a handle known to readers of the screen, and follow keys. `root` is the scene's `svg`, whose user units the
 /// document counts in.
 pub fn attach(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
@@ -59,21 +92,33 @@ pub fn attach(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
         ("role", "slider"),
         ("tabindex", "0"),
         ("aria-roledescription", app.words().drag_role),
-        // Any number is allowed, but the role demands limits.
-        ("aria-valuemin", "-1000000"),
-        ("aria-valuemax", "1000000"),
         ("aria-orientation", if handle.drag.up.is_some() { "vertical" } else { "horizontal" }),
     ] {
         let _ = handle.node.set_attribute(name, value);
     }
     let _ = handle.node.set_attribute("part", "handle");
+    ring(handle);
     keyboard(app, handle, root);
 }
 
+/// The ring of the focus is for those who came by keyboard; some browsers draw it after a drag by mouse, too.
+fn ring(handle: &mut Handle) {
+    let node = handle.node.clone();
+    handle.listen("focus", move |_| {
+        let held = node.get_attribute("part").is_some_and(|part| part.contains("held"));
+        if !held {
+            let _ = node.set_attribute("part", "handle ring");
+        }
+    });
+    let node = handle.node.clone();
+    handle.listen("blur", move |_| drop(node.set_attribute("part", "handle")));
+}
+
 fn keyboard(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
-    let (drag, root) = (handle.drag.clone(), root.clone());
+    let (drag, root, node) = (handle.drag.clone(), root.clone(), handle.node.clone());
     handle.listen("keydown", move |event| {
         let Ok(event) = event.dyn_into::<KeyboardEvent>() else { return };
+        let _ = node.set_attribute("part", "handle ring");
         let (right, up): (f64, f64) = match event.key().as_str() {
             "ArrowUp" => (0.0, 1.0),
             "ArrowDown" => (0.0, -1.0),

@@ -40,7 +40,7 @@ fn table(app: App, rows: View) -> HtmlDiv {
         [words.fit_theory_head, words.fit_counts, words.fit_rmse, words.fit_predicted, "ΔAICc", words.fit_weight];
     let actions = column_head(span().class("visually-hidden").child(words.fit_actions));
     let head = tr().each(heads, column_head).child(actions);
-    table_in("table fits", words.fit_results, Some(head), tbody().child(rows))
+    table_in("table fits", words.fit_results, Some(head), tbody().child(rows)).id("fit-results")
 }
 
 fn row(app: App, fit: FitView, shown: Option<u32>, chosen: Signal<Option<u32>>) -> HtmlTr {

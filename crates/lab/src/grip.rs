@@ -71,10 +71,11 @@ impl Grips {
             // Otherwise the browser selects text.
             event.prevent_default();
             let _ = node.set_pointer_capture(event.pointer_id());
+            // Before the focus, which draws its ring only on what is not held.
+            let _ = node.set_attribute("part", "handle held");
             let options = FocusOptions::new();
             options.set_prevent_scroll(true);
             let _ = node.focus_with_options(&options);
-            let _ = node.set_attribute("part", "handle held");
             held.set(Some(Held { pointer: event.pointer_id(), handle, at }));
             app.act(|session| session.drag_begin(drag));
         });

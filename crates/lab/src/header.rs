@@ -81,7 +81,7 @@ fn theme(app: App) -> HtmlButton {
     let next = move |_| {
         theme.update(|theme| *theme = theme.next());
         theme.get_untracked().choose(app);
-        app.say(label().to_owned());
+        app.notify(label());
     };
     button()
         .class("icon")

@@ -2,8 +2,8 @@
 //! out.
 
 use crate::app::App;
-use crate::browser;
 use crate::views::*;
+use crate::{browser, measurements};
 use session::{LONGEST_RECORD, RecordProgress, Refusal, Session};
 use web_sys::File;
 
@@ -52,7 +52,7 @@ pub fn read(app: App, files: Vec<File>) {
             while let Some(file) = app.with(|lab| lab.files.pop_front()).flatten() {
                 let refusal = read_file(app, &file).await;
                 app.record_progress.set(None);
-                app.record_refusal.set(refusal);
+                measurements::refuse(app, refusal);
                 app.tab.set(app.measurements_tab.get_untracked());
             }
             app.with(|lab| lab.reading = false);
@@ -67,11 +67,13 @@ async fn read_file(app: App, file: &File) -> Option<String> {
     if file.size() > LONGEST_RECORD as f64 {
         return app.attempt(|_| Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 }));
     }
-    app.record_refusal.set(None);
+    measurements::refuse(app, None);
     app.record_progress.set(Some(RecordProgress { name: name.clone(), part: 0.0 }));
     app.tab.set(app.measurements_tab.get_untracked());
     app.say(format!("{} {name}", app.words().reading_record));
-    let buffer = browser::wait(file.array_buffer()).await.ok()?;
+    let Ok(buffer) = browser::wait(file.array_buffer()).await else {
+        return Some(format!("{} {name}", app.words().file_not_read));
+    };
     // Given up while the browser was reading it.
     if app.record_progress.with_untracked(Option::is_none) {
         return None;

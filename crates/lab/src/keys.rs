@@ -3,7 +3,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use crate::{browser, views};
+use crate::{browser, messages, views};
 use session::{SPEEDS, Session};
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlDialogElement, KeyboardEvent};
@@ -18,6 +18,16 @@ pub fn listen(app: App) {
 }
 
 fn pressed(app: App, event: &KeyboardEvent) {
+    // Where text is being typed, the browser undoes the typing.
+    let undoes = (event.ctrl_key() || event.meta_key()) && !event.shift_key() && !event.alt_key() && event.key() == "z";
+    let typing = event
+        .target()
+        .and_then(|target| target.dyn_into::<Element>().ok())
+        .is_some_and(|target| target.matches(TAKES_TEXT).unwrap_or_default());
+    if undoes && !typing && messages::undo(app) {
+        event.prevent_default();
+        return;
+    }
     let modified = event.ctrl_key() || event.alt_key() || event.meta_key() || event.default_prevented();
     if modified || !app.single_keys.get_untracked() {
         return;
@@ -38,7 +48,7 @@ fn pressed(app: App, event: &KeyboardEvent) {
         ">" => app.act(|session| change_speed(session, true)),
         "s" | "S" => {
             if let Some(refusal) = app.attempt(Session::keep) {
-                app.say(refusal);
+                app.complain(refusal);
             }
         }
         "?" => open(),
@@ -78,6 +88,7 @@ pub fn dialog(app: App) -> HtmlDialog {
                 (vec!["R"], words.back_to_start),
                 (vec!["<", ">"], words.key_speed),
                 (vec!["S"], words.key_keep),
+                (vec!["Ctrl Z"], words.key_undo),
                 (vec!["?"], words.key_help),
             ],
         ),

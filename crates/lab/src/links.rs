@@ -93,7 +93,8 @@ pub fn share(app: App) {
             if !missing.is_empty() {
                 sentences.push(format!("{}: {}.", words.link_without, missing.join(", ")));
             }
-            app.say(sentences.join(" "));
+            let sentences = sentences.join(" ");
+            if allowed { app.notify(&sentences) } else { app.complain(sentences) }
         });
     });
 }

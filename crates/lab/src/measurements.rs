@@ -13,7 +13,12 @@ pub fn view(app: App) -> HtmlDiv {
         .child(note(words.measurements_intro))
         .child(ways_in(app))
         .child(intake::view(app))
-        .child(refusal_of(app.record_refusal).id("record-refusal"))
+        // No live region: the line of messages has said it.
+        .child(
+            p().class("refusal")
+                .id("record-refusal")
+                .child(text(move || app.record_refusal.get_clone().unwrap_or_default())),
+        )
         .child(records::view(app))
         .child(cycles::view(app))
         .child(fitting::view(app))
@@ -72,7 +77,7 @@ fn sample(app: App, number: usize) {
     let file = session::SAMPLES.get(number).map_or("", |sample| sample.file);
     let theory = library::theories().into_iter().find(|entry| entry.file() == file).and_then(|entry| entry.open());
     if let Some(theory) = theory {
-        app.record_refusal.set(app.attempt(|session| session.add_sample(number, theory).map(|_| ())));
+        refuse(app, app.attempt(|session| session.add_sample(number, theory).map(|_| ())));
     }
 }
 
@@ -80,7 +85,15 @@ fn sample(app: App, number: usize) {
 fn add(app: App, name: &str, bytes: &[u8]) -> bool {
     let refusal = app.attempt(|session| session.add_record(name, bytes).map(|_| ()));
     let added = refusal.is_none();
-    app.record_refusal.set(refusal);
+    refuse(app, refusal);
     app.tab.set(app.measurements_tab.get_untracked());
     added
+}
+
+/// Shows why a record was not taken: in the line of messages, and where records come in.
+pub fn refuse(app: App, refusal: Option<String>) {
+    if let Some(why) = &refusal {
+        app.complain(why.clone());
+    }
+    app.record_refusal.set(refusal);
 }

@@ -190,5 +190,10 @@ fn source(app: App) -> HtmlDiv {
 /// Copies a text and says whether that worked.
 pub fn copy(app: App, text: &str) {
     let words = app.words();
-    browser::copy(text, move |allowed| app.say(if allowed { words.copied } else { words.not_copied }.to_owned()));
+    browser::copy(
+        text,
+        move |allowed| {
+            if allowed { app.notify(words.copied) } else { app.complain(words.not_copied.to_owned()) }
+        },
+    );
 }

@@ -3,11 +3,11 @@
 
 use crate::app::App;
 use crate::links::Arrival;
-use crate::{browser, fitting, frame, intake, saved, visited};
+use crate::{browser, fitting, frame, intake, messages, saved, visited};
 use document::page::{self, Source};
 use model::Diagnostic;
 use session::Session;
-use web_sys::{DragEvent, Event, File, FileList};
+use web_sys::{Event, File, FileList};
 
 /// What was found in the files, each with the number of its file.
 pub type Findings = Vec<(usize, Diagnostic)>;
@@ -18,7 +18,7 @@ pub fn arrive(app: App, arrival: Arrival) {
     let is_open = app.with(|lab| lab.session.is_some() && lab.sources == sources) == Some(true);
     if is_open && !state.is_empty() {
         if let Some(refusal) = app.attempt(|session| session.restore(&state)) {
-            app.say(refusal);
+            app.complain(refusal);
         }
     } else if !is_open {
         leave(app);
@@ -27,7 +27,7 @@ pub fn arrive(app: App, arrival: Arrival) {
     app.with(|lab| lab.awaited = awaited);
     visited::note(app, None);
     if let Some(refusal) = refusal {
-        app.say(app.read(|session| session.refusal_text(&refusal)));
+        app.complain(app.read(|session| session.refusal_text(&refusal)));
     }
 }
 
@@ -43,14 +43,23 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
     };
     let closed = app.with(|lab| {
         let (mut session, mut closed) = (session, 0);
-        match (&mut lab.session, &mut session) {
-            (Some(before), Some(session)) => session.adopt_records(before),
+        // A document that does not run holds no records; they wait for the next one that does.
+        // From there a button leads back to the last one that did.
+        if session.is_some() {
+            lab.sources_before.clear();
+        } else if lab.session.is_some() {
+            lab.sources_before = std::mem::take(&mut lab.sources);
+        }
+        let before = lab.session.take().or_else(|| lab.parked.take());
+        match (before, &mut session) {
+            (Some(mut before), Some(session)) => session.adopt_records(&mut before),
             (None, Some(session)) => closed = saved::restore_measured(&mut lab.saved, session),
-            (_, None) => {}
+            (before, None) => lab.parked = before,
         }
         if let Some(session) = &mut session {
             saved::restore_answers(&mut lab.saved, &sources, session);
         }
+        lab.drafts.clear();
         lab.session = session;
         lab.sources = sources;
         lab.findings = findings;
@@ -66,12 +75,13 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
         let refusal = if state.is_empty() { None } else { session.restore(state).err() };
         refusal.map(|refusal| session.refusal_text(&refusal))
     });
+    messages::leave_document(app);
     app.rebuild();
     if let Some(refusal) = refusal {
-        app.say(refusal);
+        app.complain(refusal);
     }
     if closed.is_some_and(|closed| closed > 0) {
-        app.say(app.words().records_closed.to_owned());
+        app.complain(app.words().records_closed.to_owned());
     }
     if app.read(|session| session.has_fits_waiting()) {
         fitting::go_on(app);
@@ -83,6 +93,19 @@ pub fn open_sources(app: App, sources: Vec<Source>) {
     leave(app);
     open(app, sources, "");
     visited::step(app);
+}
+
+/// Opens the corrected text of a document that did not run.
+pub fn check_again(app: App, sources: Vec<Source>) {
+    open(app, sources, "");
+    visited::step(app);
+    if app.read(|_| true) {
+        app.notify(app.words().it_runs);
+        browser::focus_later("play".to_owned());
+    } else {
+        app.say(app.words().broken.to_owned());
+        browser::reveal_later("apparatus".to_owned());
+    }
 }
 
 /// Saves what there is of the open document before another one takes its place.
@@ -115,7 +138,10 @@ pub fn open_files(app: App, files: &FileList) {
             return intake::read(app, records);
         }
         for file in documents {
-            let Ok(text) = browser::wait(file.text()).await else { continue };
+            let Ok(text) = browser::wait(file.text()).await else {
+                app.complain(format!("{} {}", app.words().file_not_read, file.name()));
+                continue;
+            };
             let (name, text) = (file.name(), text.as_string().unwrap_or_default());
             if let Some(embedded) = page::read(&text) {
                 sources = embedded;
@@ -128,7 +154,7 @@ pub fn open_files(app: App, files: &FileList) {
         // `utube.md` before `utube.es.md`: the document before its translations.
         sources.sort_by_key(|source| source.name.matches('.').count());
         if sources.is_empty() {
-            return app.say(app.words().unreadable.to_owned());
+            return app.complain(app.words().unreadable.to_owned());
         }
         leave(app);
         // A link may have been waiting for this file.
@@ -139,16 +165,5 @@ pub fn open_files(app: App, files: &FileList) {
         visited::step(app);
         intake::read(app, records);
         browser::focus_later("play".to_owned());
-    });
-}
-
-/// Files may be dropped anywhere.
-pub fn accept_drops(app: App) {
-    browser::listen("dragover", |event: &Event| event.prevent_default());
-    browser::listen("drop", move |event: &DragEvent| {
-        event.prevent_default();
-        if let Some(files) = event.data_transfer().and_then(|data| data.files()) {
-            open_files(app, &files);
-        }
     });
 }

@@ -1,7 +1,7 @@
 //! A control for each parameter: name, slider, number field with unit.
 
 use crate::app::App;
-use crate::controls::symbol;
+use crate::controls::name_and_symbol;
 use crate::views::*;
 use session::ParameterView;
 use std::rc::Rc;
@@ -154,7 +154,7 @@ pub fn control(app: App, first: ParameterView) -> HtmlDiv {
     let changed = move || now.with(|view| view.as_ref().is_some_and(|view| !view.is_default));
     div()
         .class(move || if changed() { "parameter changed" } else { "parameter" })
-        .child(label().r#for(id.clone()).title(title).child(span().child(first.label)).child(symbol(&first.name)))
+        .child(label().r#for(id.clone()).title(title).child(name_and_symbol(&first.label, &first.name)))
         .child(with_unit(field.view(), first.unit))
         .maybe(slider)
         .child(refusal_of(error).id(format!("{id}-error")))

@@ -104,7 +104,7 @@ fn setup(app: App, index: usize) -> View {
 }
 
 /// `h_l = 4 m, b = 0 kg/s`, with the names as in formulas.
-fn supposed(values: Vec<(String, String)>) -> View {
+pub fn supposed(values: Vec<(String, String)>) -> View {
     let one = |(place, (name, value)): (usize, (String, String))| {
         let before = if place == 0 { "" } else { ", " };
         View::from((before, span().class("symbol").inner_html(model::typeset_name(&name)), format!(" = {value}")))

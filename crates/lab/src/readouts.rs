@@ -9,7 +9,7 @@ pub fn view(app: App) -> HtmlSection {
     let words = app.words();
     let first: Vec<Readout> = app.read(|session| session.readouts());
     let now = memo(move || {
-        app.changes.values.track();
+        app.changes.frame.track();
         app.changes.parameters.track();
         app.read(|session| session.readouts())
     });

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use crate::{browser, derivatives};
+use crate::{browser, derivatives, measurements};
 use session::{ColumnView, RecordView};
 
 /// Rows of the preview.
@@ -48,7 +48,7 @@ fn item(app: App, records: Records, record: RecordView, choice: derivatives::Cho
     let remove = cross(label_of_remove).when(events::click, remove);
     let head = div()
         .class("record-head")
-        .child(h3().id(format!("record-{id}")).child(record.name.clone()))
+        .child(h3().id(format!("record-{id}-name")).child(record.name.clone()))
         .maybe(record.synthetic.then(|| span().class("tag").title(words.sample_title).child(words.synthetic)))
         .child(span().class("note").child(format!("{} {}", record.rows, words.rows)))
         .maybe((!record.lasting).then(|| span().class("note").child(words.not_lasting)))
@@ -58,9 +58,13 @@ fn item(app: App, records: Records, record: RecordView, choice: derivatives::Cho
         let findings = ul().each(&record.findings, |finding| li().child(finding.clone()));
         div().class("hidden-things").child(h4().child(words.findings)).child(findings)
     });
+    let is_new = move || app.new_record.get() == Some(id);
     article()
-        .class("record card")
-        .attr("aria-labelledby", format!("record-{id}"))
+        .class(move || if is_new() { "record card new" } else { "record card" })
+        .id(format!("record-{id}"))
+        .tabindex("-1")
+        .attr("aria-labelledby", format!("record-{id}-name"))
+        .when(events::animationend, move |_| app.new_record.set(None))
         .child(head)
         .child(preview(app, records, &record))
         .child(derivatives::view(app, &record, choice))
@@ -132,7 +136,7 @@ fn unit(app: App, records: Records, record: u32, column: &ColumnView) -> View {
     let take = move |event| {
         let typed = value_of(&event);
         let refusal = app.attempt(|session| session.set_column_unit(record, index, &typed));
-        app.record_refusal.set(refusal);
+        measurements::refuse(app, refusal);
         browser::focus_later(again.clone());
     };
     let words = app.words();

@@ -10,7 +10,7 @@ pub fn keep_button(app: App) -> HtmlButton {
     let words = app.words();
     let keep = move |_| {
         if let Some(refusal) = app.attempt(Session::keep) {
-            app.say(refusal)
+            app.complain(refusal)
         }
     };
     labelled(icons::keep(), words.keep).id("keep").title(words.keep_title).when(events::click, keep)
@@ -45,7 +45,7 @@ pub fn list(app: App) -> View {
             li().class("run").child(switch(tick, name)).child(remove)
         };
         let ghost = ghost.then(|| {
-            let remove = remove(app, words.ghost, Session::clear_ghost);
+            let remove = remove(app, words.ghost, Session::remove_ghost);
             li().class("run ghost").child(span().child(words.ghost)).child(remove)
         });
         ul().class("runs").attr("aria-label", words.runs).each(named, run).maybe(ghost).into()

@@ -107,7 +107,7 @@ pub fn later(app: App) {
 /// Saves everything. What the browser refuses to store is said once.
 pub fn now(app: App) {
     if app.with(save) == Some(true) {
-        app.say(app.words().not_saved.to_owned());
+        app.complain(app.words().not_saved.to_owned());
     }
 }
 

@@ -58,6 +58,7 @@ impl SceneNodes {
         let _ = shadow.append_child(&root);
         nodes.ghost.place = Some((scene.clone(), root.clone()));
         let root: SvgGraphicsElement = root.dyn_into().ok()?;
+        Handle::number_unnamed(&mut nodes.handles);
         for handle in &mut nodes.handles {
             drag::attach(app, handle, &root);
         }
@@ -97,7 +98,16 @@ impl SceneNodes {
             }
         }
         if let Some(drag) = &element.drag {
-            self.handles.push(Handle::new(node.clone(), drag.clone()));
+            // Its `title` names it, as a tooltip does for those who see it.
+            let named = |child: &Child| match child {
+                Child::Element(title) if title.name == "title" => match title.children.as_slice() {
+                    [Child::Text(text)] => fixed(text),
+                    _ => None,
+                },
+                _ => None,
+            };
+            let name = element.children.iter().find_map(named);
+            self.handles.push(Handle::new(node.clone(), drag.clone(), name));
         }
         Some(node)
     }

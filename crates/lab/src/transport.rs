@@ -14,7 +14,8 @@ pub struct TransportNodes {
     clock: HtmlElement,
     line: HtmlInputElement,
     shown: String,
-    position: i32,
+    /// Which parts of the line lie behind and are recorded.
+    parts: (f64, f64),
 }
 
 impl TransportNodes {
@@ -29,14 +30,19 @@ impl TransportNodes {
             }
             self.shown = text;
         }
-        let end = session.end();
-        let fraction = if end > 0.0 { (session.time() / end).clamp(0.0, 1.0) } else { 0.0 };
-        let position = (fraction * POSITIONS).round() as i32;
-        if position != self.position {
+        let part = |time: f64| (time / session.horizon()).clamp(0.0, 1.0);
+        let (fraction, recorded) = (part(session.time()), part(session.end()));
+        let position = (fraction * POSITIONS).round();
+        // A hand may have put the slider beyond what is recorded.
+        if position != self.line.value_as_number() {
             self.line.set_value(&position.to_string());
-            // The part that lies behind, for the style sheet.
-            let _ = HtmlElement::style(&self.line).set_property("--part", &format!("{:.2}%", fraction * 100.0));
-            self.position = position;
+        }
+        if (fraction, recorded) != self.parts {
+            // What lies behind, and how far one can go, for the style sheet.
+            let style = HtmlElement::style(&self.line);
+            let _ = style.set_property("--part", &format!("{:.2}%", fraction * 100.0));
+            let _ = style.set_property("--recorded", &format!("{:.2}%", recorded * 100.0));
+            self.parts = (fraction, recorded);
         }
     }
 }
@@ -52,7 +58,8 @@ pub fn view(app: App) -> HtmlSection {
     let mut clock = output().class("clock").id("clock").attr("aria-label", words.time).attr("aria-live", "off");
     let mut line =
         input().r#type("range").class("line").id("time-line").min("0").max(POSITIONS.to_string()).step("any");
-    let nodes = TransportNodes { clock: clock.node(), line: line.node(), shown: String::new(), position: -1 };
+    let nodes =
+        TransportNodes { clock: clock.node(), line: line.node(), shown: String::new(), parts: (f64::NAN, f64::NAN) };
     app.with(|lab| lab.stage.transport = Some(nodes));
     frame::wake(app);
     let step = |id: &'static str, name: &'static str, key: char, icon: SvgSvg, act: fn(&mut Session)| {
@@ -83,10 +90,10 @@ pub fn view(app: App) -> HtmlSection {
         .attr("aria-label", words.time_line)
         .when(events::input, move |event| scrub(app, &value_of(&event)))
         .when(events::keydown, move |event| line_key(app, &event));
-    let trouble = move || {
+    let trouble = move |announced: bool| {
         app.changes.values.track();
         status();
-        trouble(app)
+        trouble(app, announced)
     };
     section()
         .class("transport")
@@ -95,12 +102,14 @@ pub fn view(app: App) -> HtmlSection {
         .child(buttons)
         .child(div().class("time").child(clock).child(line))
         .child(div().class("extras").child(speed(app)).child(sound(app)))
-        .child(p().class("trouble").role("status").child(text(trouble)))
+        // Why the run has stopped is announced by the session; only the other has to be spoken from here.
+        .child(p().class("trouble").child(text(move || trouble(true))))
+        .child(p().class("trouble").role("status").child(text(move || trouble(false))))
 }
 
 fn scrub(app: App, position: &str) {
     let fraction = position.parse::<f64>().unwrap_or(0.0) / POSITIONS;
-    app.slide(|session| session.scrub(fraction * session.end()));
+    app.slide(|session| session.scrub(fraction * session.horizon()));
 }
 
 /// On the time line the arrows go by steps of the grid, not by the slider's positions.
@@ -164,15 +173,15 @@ fn sound(app: App) -> HtmlButton {
         .child(changing(move || if on.get() { icons::sound() } else { icons::mute() }))
 }
 
-/// What keeps the run from going on as it should.
-fn trouble(app: App) -> String {
+/// What keeps the run from going on as it should: what the session has `announced`, or else what it has not.
+fn trouble(app: App, announced: bool) -> String {
     let words = app.words();
     app.read(|session| match session.status() {
-        Status::Failed => {
+        Status::Failed if announced => {
             session.problem().map(|problem| format!("{} {}", problem.message, problem.hint)).unwrap_or_default()
         }
-        Status::Full => words.full.to_owned(),
-        Status::Playing if session.slippage() > 0.5 => words.slow.to_owned(),
+        Status::Full if announced => words.full.to_owned(),
+        Status::Playing if !announced && session.slippage() > 0.5 => words.slow.to_owned(),
         _ => String::new(),
     })
 }

@@ -80,13 +80,23 @@ words! {
     open: "Open", "Abrir";
     open_title: "Open a simulation document or an exported page", "Abrir un documento de simulación o una página exportada";
     close: "Close", "Cerrar";
+    messages: "Messages", "Mensajes";
+    undo: "Undo", "Deshacer";
+    show: "Show", "Mostrar";
+    dismiss: "Dismiss", "Descartar";
+    file_not_read: "The browser could not read this file:", "El navegador no pudo leer este archivo:";
     footer: "Made with Meniscus. This page is one file: it works offline and sends nothing to anyone.", "Hecho con Meniscus. Esta página es un solo archivo: funciona sin conexión y no envía nada a nadie.";
+
+    drop_title: "Drop a document or measured data", "Suelta un documento o datos medidos";
+    drop_what: "A simulation document, an exported page, or a table from a film or a sensor", "Un documento de simulación, una página exportada o una tabla de un vídeo o un sensor";
 
     // The apparatus.
     apparatus: "Apparatus", "Aparato";
     scene: "Scene", "Escena";
     no_scene: "This document draws no scene.", "Este documento no dibuja ninguna escena.";
+    outline: "Dashed: measured", "A trazos: lo medido";
     drag_hint: "Drag in the scene, or use the arrow keys.", "Arrastra en la escena, o usa las flechas.";
+    drag_hint_touch: "Drag in the scene with a finger.", "Arrastra en la escena con un dedo.";
     drag_role: "handle", "asa";
 
     // Transport.
@@ -116,6 +126,7 @@ words! {
     key_step: "Step back, step forward", "Paso atrás, paso adelante";
     key_speed: "Slower, faster", "Más lento, más rápido";
     key_keep: "Keep this run", "Guardar esta serie";
+    key_undo: "Undo the last removal or reset of parameters", "Deshacer lo último que se quitó o se restableció";
     key_help: "This list", "Esta lista";
     key_cursor: "Move the read-out (with Shift: ten rows)", "Mover la lectura (con Mayús: diez filas)";
     key_zoom: "Zoom in, zoom out", "Acercar, alejar";
@@ -161,7 +172,7 @@ words! {
     keep: "Keep run", "Guardar serie";
     keep_title: "Keep this run and draw the next one over it", "Guardar esta serie y dibujar la siguiente encima";
     remove_run: "Remove", "Quitar";
-    ghost: "Earlier run", "Serie anterior";
+    ghost: "Previous run", "Serie anterior";
 
     // The notebook.
     notebook: "Notebook", "Cuaderno";
@@ -292,6 +303,12 @@ words! {
     fit_all: "All of them", "Todos";
     fit_errors: "The standard errors allow for autocorrelated residuals.", "Los errores típicos tienen en cuenta que los residuos pueden estar autocorrelacionados.";
 
+    // The worksheet.
+    sheet_name: "Name", "Nombre";
+    sheet_date: "Date", "Fecha";
+    sheet_answer: "Answer", "Respuesta";
+    sheet_made: "Made with Meniscus.", "Hecho con Meniscus.";
+
     // Questions.
     question: "Question", "Pregunta";
     answer: "Your answer", "Tu respuesta";
@@ -306,6 +323,12 @@ words! {
     // Diagnostics.
     broken: "This document does not run yet", "Este documento aún no funciona";
     broken_intro: "Meniscus found errors in it. Each is shown with its place.", "Meniscus encontró errores en él. Cada uno se muestra con su lugar.";
+    previous_document: "Back to the previous document", "Volver al documento anterior";
+    other_documents: "Other documents", "Otros documentos";
+    correct: "Correct the text", "Corrige el texto";
+    correct_intro: "Change the text and check it again. Your file on disk stays as it is; download the text to keep your changes.", "Cambia el texto y compruébalo de nuevo. Tu archivo en el disco no cambia; descarga el texto para conservar los cambios.";
+    check_again: "Check again", "Comprobar de nuevo";
+    it_runs: "The document runs", "El documento funciona";
     warnings: "Remarks on this document", "Observaciones sobre este documento";
     error: "Error", "Error";
     warning: "Warning", "Aviso";

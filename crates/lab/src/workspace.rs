@@ -7,8 +7,8 @@ use crate::theme::Theme;
 use crate::views::*;
 use crate::words::Language;
 use crate::{
-    browser, controls, diagnostics, frame, header, keys, library, links, notebook, opening, plots, readouts, transport,
-    visited,
+    browser, controls, diagnostics, drop, frame, header, keys, library, links, messages, notebook, opening, plots,
+    readouts, transport, visited, worksheet,
 };
 
 /// Starts the laboratory in the element `lab`.
@@ -36,8 +36,9 @@ fn prepare(app: App, arrival: Arrival) {
     frame::start(app);
     opening::arrive(app, arrival);
     opening::save_when_left(app);
-    opening::accept_drops(app);
     visited::listen(app);
+    drop::listen(app);
+    worksheet::listen(app);
     keys::listen(app);
 }
 
@@ -52,6 +53,9 @@ fn page(app: App) -> View {
             .attr("aria-live", "polite")
             .id("spoken")
             .child(text(move || app.spoken.get_clone())),
+        messages::view(app),
+        drop::view(app),
+        worksheet::view(app),
     ))
 }
 
@@ -121,8 +125,30 @@ fn scene(app: App) -> HtmlSection {
     }
     part("scene", "scene card", words.scene)
         .child(place)
-        .maybe(draggable.then(|| note(words.drag_hint)))
+        .child(changing(move || outline_legend(app)))
+        .maybe(draggable.then(|| drag_hint(app)))
         .maybe((!exists).then(|| p().class("empty").child(words.no_scene)))
+}
+
+/// What the dashed outline in the scene is; nothing while there is none.
+fn outline_legend(app: App) -> View {
+    app.changes.records.track();
+    let records = app.read(|session| session.ghost_records());
+    if records.is_empty() {
+        return View::new();
+    }
+    let sample = span().class("outline-sample").attr("aria-hidden", "true");
+    p().class("note scene-legend")
+        .child(sample)
+        .child(format!("{}: {}", app.words().outline, records.join(", ")))
+        .into()
+}
+
+/// How to drag, for the device in hand: who has no keyboard does not read of keys.
+fn drag_hint(app: App) -> HtmlP {
+    let words = app.words();
+    let keys = span().class("for-keys").child(words.drag_hint);
+    note(keys).child(span().class("for-touch").child(words.drag_hint_touch))
 }
 
 fn has_handle(element: &document::Element) -> bool {

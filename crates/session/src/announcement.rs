@@ -49,6 +49,10 @@ pub enum Announcement {
     DerivativesMade(String),
     /// The record of this name was removed.
     RecordRemoved(String),
+    /// The fit of this theory was removed.
+    FitRemoved(String),
+    /// What was removed or overwritten last is back.
+    Undone,
     /// The fit, or the last of several, is finished.
     FitFinished,
     /// Theories that could not be fitted, each with the reason.
@@ -71,6 +75,70 @@ pub enum Announcement {
     QuestionSetup(usize),
     /// A state was restored from a link or the last visit.
     Restored,
+}
+
+/// How much attention an announcement asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Prominence {
+    /// The control that was used shows it already (the clock, a slider): it is only spoken.
+    Spoken,
+    /// It is shown for a while.
+    Shown,
+    /// It is shown until it is dismissed.
+    Error,
+}
+
+impl Announcement {
+    /// Whether it is shown besides being spoken. What changes while a control is being moved is not shown: the line of
+    /// messages would flicker.
+    pub fn prominence(&self) -> Prominence {
+        match self {
+            Self::Playing
+            | Self::Paused(_)
+            | Self::Stepped(_)
+            | Self::Scrubbed(_)
+            | Self::BackAtStart
+            | Self::ParameterSet(..)
+            | Self::StateSet(..)
+            | Self::StartSet { .. }
+            | Self::Speed(_)
+            | Self::Method(_)
+            | Self::Step(_)
+            // The transport shows why the run cannot go on.
+            | Self::Full
+            | Self::Failed => Prominence::Spoken,
+            Self::FitFailed | Self::TheoriesLeftOut(_) => Prominence::Error,
+            Self::Restarted(_)
+            | Self::DefaultsRestored
+            | Self::Preset(_)
+            | Self::Kept(_)
+            | Self::Removed(_)
+            | Self::RecordAdded(_)
+            | Self::RecordCancelled(_)
+            | Self::DerivativesMade(_)
+            | Self::RecordRemoved(_)
+            | Self::FitRemoved(_)
+            | Self::Undone
+            | Self::FitFinished
+            | Self::FitCancelled
+            | Self::FitApplied(_)
+            | Self::QuestionSetup(_)
+            | Self::Restored => Prominence::Shown,
+        }
+    }
+
+    /// Whether [`Session::undo`] takes it back.
+    pub fn can_be_undone(&self) -> bool {
+        matches!(
+            self,
+            Self::DefaultsRestored
+                | Self::Preset(_)
+                | Self::QuestionSetup(_)
+                | Self::Removed(_)
+                | Self::RecordRemoved(_)
+                | Self::FitRemoved(_)
+        )
+    }
 }
 
 /// Announcements that have not been taken.

@@ -50,6 +50,24 @@ impl Session {
         if self.hold.is_some() {
             self.drag_end();
         }
+        let Some(hold) = self.grip(drag) else { return };
+        self.pause();
+        self.hold = Some(hold);
+    }
+
+    /// The least and the greatest value (SI) that dragging this part can give its state from where it is now: as far as
+    /// the drawing follows.
+    pub fn drag_range(&mut self, drag: &Drag) -> Option<(f64, f64)> {
+        let mut hold = self.grip(drag)?;
+        let now = *hold.from.get(hold.state)?;
+        let way = hold.reach.0 * hold.right.abs() + hold.reach.1 * hold.up.abs();
+        let mut end = |way: f64| self.followed(&mut hold, way)?.state.get(drag.state).copied();
+        let (one, other) = (end(-way).unwrap_or(now), end(way).unwrap_or(now));
+        Some((one.min(other).min(now), one.max(other).max(now)))
+    }
+
+    /// What is to be known of a part that is taken hold of; `None` where the state cannot be dragged.
+    fn grip(&mut self, drag: &Drag) -> Option<Hold> {
         let factor = |values: &[f64], index: Option<usize>| {
             index.and_then(|index| values.get(index).copied()).filter(|value| value.is_finite()).unwrap_or(0.0)
         };
@@ -57,7 +75,7 @@ impl Session {
         let (right, up) = (factor(values, drag.right), factor(values, drag.up));
         let mut from = self.course.state().to_vec();
         if drag.state >= from.len() || from.iter().any(|value| !value.is_finite()) {
-            return;
+            return None;
         }
         let at_start = self.course.time() == 0.0 && !self.is_started_by_hand();
         if !at_start {
@@ -71,9 +89,7 @@ impl Session {
             collect_shaping(&scene.root, &mut shaping);
         }
         let playing = self.playing;
-        self.pause();
-        self.hold =
-            Some(Hold { state: drag.state, from, parameters, start, right, up, reach, shaping, moved: false, playing });
+        Some(Hold { state: drag.state, from, parameters, start, right, up, reach, shaping, moved: false, playing })
     }
 
     /// The pointer is now `right` and `up` scene units from where it took hold (up is positive). It pulls the state no

@@ -1,7 +1,8 @@
 //! What has come of fits: kept side by side, ranked, looked at.
 
 use crate::fitting::{Definition, Job};
-use crate::{Session, number, words};
+use crate::undo::Removed;
+use crate::{Announcement, Session, number, words};
 use analysis::fit::{Estimate, Outcome, Task, Trace};
 use document::Document;
 use units::number::{Group, Style};
@@ -269,9 +270,13 @@ impl Session {
 
     /// Forgets a fit.
     pub fn remove_fit(&mut self, id: u32) {
-        self.fits.finished.retain(|fit| fit.id != id);
+        let Some(place) = self.fits.finished.iter().position(|fit| fit.id == id) else { return };
+        let fit = self.fits.finished.remove(place);
+        let theory = self.title_of(&fit);
+        self.can_undo(Removed::Fit(place, Box::new(fit)));
         self.forget_applied();
         self.revision.fits += 1;
+        self.announce(Announcement::FitRemoved(theory));
     }
 
     /// Forgets which fit is in the sliders where it is no longer in the list.

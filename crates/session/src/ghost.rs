@@ -35,6 +35,15 @@ impl Session {
         self.data.ghost.as_ref().map_or(&[], |ghost| &ghost.follows)
     }
 
+    /// The names of the records that the outline in the scene follows; empty when there is no outline.
+    pub fn ghost_records(&self) -> Vec<String> {
+        let Some(ghost) = &self.data.ghost else { return Vec::new() };
+        let ids = ghost.columns.iter().filter_map(|column| Some(self.data.measured.get(*column)?.record));
+        let mut names: Vec<String> = ids.filter_map(|id| Some(self.record(id)?.name.clone())).collect();
+        names.dedup();
+        names
+    }
+
     /// The values of the scene as the measurement has them at the time shown; none before, after or in a gap of it.
     pub fn ghost_values(&mut self) -> Option<&[f64]> {
         let time = self.course.time();

@@ -3,6 +3,7 @@
 use crate::course::{Course, Recipe};
 use crate::symbol::symbol;
 use crate::traces::Traces;
+use crate::undo::Removed;
 use crate::{Announcement, Refusal, Session, words};
 
 /// How many runs can be kept: no more can be told apart in a plot.
@@ -108,7 +109,10 @@ impl Session {
         let Some(view) = self.kept().into_iter().find(|view| view.id == id) else {
             return;
         };
-        self.kept.retain(|kept| kept.id != id);
+        if let Some(place) = self.kept.iter().position(|kept| kept.id == id) {
+            let kept = self.kept.remove(place);
+            self.can_undo(Removed::Run(place, kept));
+        }
         self.revision.runs += 1;
         self.announce(Announcement::Removed(view.name));
     }
@@ -116,6 +120,15 @@ impl Session {
     /// Whether the rows given up last are drawn.
     pub fn has_ghost(&self) -> bool {
         self.ghost.is_some()
+    }
+
+    /// Removes the ghost at a person's wish; it can be put back.
+    pub fn remove_ghost(&mut self) {
+        if let Some(ghost) = self.ghost.take() {
+            self.can_undo(Removed::Ghost(ghost));
+            self.revision.runs += 1;
+            self.announce(Announcement::Removed(words::previous_run(self.language).to_owned()));
+        }
     }
 
     /// Forgets the ghost.

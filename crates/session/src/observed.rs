@@ -4,9 +4,13 @@ use crate::Session;
 use crate::ghost::Ghost;
 use crate::recognise::observed;
 use crate::record::{Record, Use};
+use crate::symbol::symbol;
 use document::Curve;
 use engine::Readings;
 use model::{Compiled, Node};
+
+/// Longer names of records are shortened in legends, in characters.
+const LONGEST_NAME: usize = 24;
 
 /// The records, and what they are for the document that is open.
 #[derive(Debug, Default)]
@@ -62,6 +66,8 @@ pub(crate) struct Points {
     pub record: u32,
     /// Which curve.
     pub curve: usize,
+    /// The entry in the legend: the curve and the record, `y (film.csv)`.
+    pub label: String,
     pub x: Vec<f64>,
     pub y: Vec<f64>,
 }
@@ -108,7 +114,8 @@ impl Session {
                 }
             }
         }
-        self.data.points = self.document.plots.iter().map(|plot| points(model, plot, &measured)).collect();
+        let name = |id: u32| self.record(id).map_or("", |record| record.name.as_str());
+        self.data.points = self.document.plots.iter().map(|plot| points(model, plot, &measured, &name)).collect();
         self.data.residuals = measured
             .iter()
             .map(|measured| Residuals {
@@ -258,7 +265,12 @@ impl Record {
 }
 
 /// The points of a plot.
-fn points(model: &model::Model, plot: &document::Plot, measured: &[Measured]) -> Vec<Points> {
+fn points<'a>(
+    model: &model::Model,
+    plot: &document::Plot,
+    measured: &[Measured],
+    record_name: &dyn Fn(u32) -> &'a str,
+) -> Vec<Points> {
     let mut found = Vec::new();
     let against_time = model.graph.node(plot.x.value.node) == Node::Independent;
     let of = |curve: &Curve, measured: &&Measured| measured.observed.node == curve.value.node;
@@ -286,10 +298,20 @@ fn points(model: &model::Model, plot: &document::Plot, measured: &[Measured]) ->
                 };
                 column.times.iter().zip(&column.values).filter_map(at).unzip()
             };
-            found.push(Points { record: column.record, curve: number, x, y });
+            let label = format!("{} ({})", symbol(&curve.expression), shortened(record_name(column.record)));
+            found.push(Points { record: column.record, curve: number, label, x, y });
         }
     }
     found
+}
+
+/// The name of a record as a legend has room for it.
+pub(crate) fn shortened(name: &str) -> String {
+    if name.chars().count() <= LONGEST_NAME {
+        return name.to_owned();
+    }
+    let start: String = name.chars().take(LONGEST_NAME - 1).collect();
+    format!("{}…", start.trim_end())
 }
 
 /// Three times the middle one of the pauses between the times.

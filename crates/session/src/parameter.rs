@@ -2,6 +2,7 @@
 
 use crate::input::DIGITS;
 use crate::slider::Mapping;
+use crate::undo::Removed;
 use crate::{Announcement, Refusal, Session, Slider, number};
 use engine::Setup;
 use model::Parameter;
@@ -108,9 +109,11 @@ impl Session {
     pub fn restore_defaults(&mut self) {
         let parameters = self.defaults.parameters.clone();
         if self.is_started_by_hand() {
-            self.restart(Setup { parameters, start: None, ..self.course.begun().clone() });
+            let before = Setup { parameters: self.course.parameters().to_vec(), ..self.course.begun().clone() };
+            self.restart(Setup { parameters, start: None, ..before.clone() });
+            self.can_undo(Removed::Start(before));
         } else {
-            self.change_parameters(parameters);
+            self.overwrite_parameters(parameters);
         }
         self.announce(Announcement::DefaultsRestored);
     }

@@ -55,7 +55,7 @@ impl Default for PlotState {
 pub(crate) const MEASURED: u8 = 3;
 
 /// A plot against the independent variable begins with room for so many steps.
-const STEPS_AT_FIRST: f64 = 200.0;
+pub(crate) const STEPS_AT_FIRST: f64 = 200.0;
 
 impl Session {
     /// The plots, in the order of the text.
@@ -257,14 +257,20 @@ impl Session {
             let (_, axis) = *columns.curves.get(points.curve)?;
             let (colour, style) = (MEASURED + points.curve as u8, Style::Points);
             let (x, y, version) = (&points.x[..], &points.y[..], self.data.version_of(number));
-            Some(Series { label: "", axis, colour, style, x, y, version, ..Series::default() })
+            let label = points.label.as_str();
+            Some(Series { label, axis, colour, style, x, y, version, ..Series::default() })
         });
         let mut series: Vec<Series<'_>> = points.collect();
         for (traces, style) in ghosts.chain(kept).chain([(&self.traces, Style::Line)]) {
             let present_run = style == Style::Line;
             for (number, &(column, axis)) in columns.curves.iter().enumerate() {
                 let present = self.present.get(columns.x).copied().zip(self.present.get(column).copied());
-                let label = labels.curves.get(number).filter(|_| present_run).map_or("", String::as_str);
+                let label = match style {
+                    Style::Line => labels.curves.get(number).map_or("", String::as_str),
+                    // One entry stands for all its curves.
+                    Style::Ghost if number == 0 => words::previous_run(self.language),
+                    _ => "",
+                };
                 let (x, y) = (traces.column(columns.x), traces.column(column));
                 let mut curve = Series { label, axis, colour: number as u8, style, x, y, ..Series::default() };
                 curve.breaks = traces.breaks(columns.first + number);

@@ -66,7 +66,7 @@ impl Session {
         let parameters = self.preset_parameters(index);
         let preset = self.document.presets.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
         let parameters = self.admit_assignments(&preset.values, parameters)?;
-        self.change_parameters(parameters);
+        self.overwrite_parameters(parameters);
         self.announce(Announcement::Preset(index));
         Ok(())
     }

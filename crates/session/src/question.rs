@@ -97,7 +97,7 @@ impl Session {
         let unknown = || Refusal::Unknown { name: question.to_string() };
         let asked = self.document.questions.get(question).ok_or_else(unknown)?;
         let parameters = self.admit_assignments(&asked.setup, parameters)?;
-        self.change_parameters(parameters);
+        self.overwrite_parameters(parameters);
         self.announce(Announcement::QuestionSetup(question));
         Ok(())
     }

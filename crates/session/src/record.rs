@@ -3,6 +3,7 @@
 
 use crate::derived::{Made, differentiation};
 use crate::recognise::{Meaning, recognise};
+use crate::undo::Removed;
 use crate::words::sentence;
 use crate::{Announcement, Refusal, Session, number};
 use analysis::finding::Finding;
@@ -127,6 +128,11 @@ impl Session {
     /// The records, oldest first.
     pub fn records(&self) -> Vec<RecordView> {
         self.data.records.iter().map(|record| self.record_view(record)).collect()
+    }
+
+    /// The id of the record that came last.
+    pub fn newest_record(&self) -> Option<u32> {
+        self.data.records.last().map(|record| record.id)
     }
 
     fn record_view(&self, record: &Record) -> RecordView {
@@ -275,8 +281,10 @@ impl Session {
     pub fn remove_record(&mut self, id: u32) {
         if let Some(index) = self.data.records.iter().position(|record| record.id == id) {
             let record = self.data.records.remove(index);
+            let name = record.name.clone();
+            self.can_undo(Removed::Record(index, record));
             self.records_changed();
-            self.announce(Announcement::RecordRemoved(record.name));
+            self.announce(Announcement::RecordRemoved(name));
         }
     }
 
@@ -289,6 +297,7 @@ impl Session {
             record.uses.iter_mut().for_each(|used| used.offset = 0.0);
         }
         self.fits.adopt(&mut other.fits);
+        self.adopt_undo(other);
         self.looking = std::mem::take(&mut other.looking);
         self.intake = other.intake.take();
         self.recognise_records();

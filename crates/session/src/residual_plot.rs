@@ -1,5 +1,6 @@
 //! The plot of the residuals: what measurements leave over beside the run.
 
+use crate::observed::shortened;
 use crate::plot::{Labels, MEASURED};
 use crate::symbol::symbol;
 use crate::{Session, number, words};
@@ -54,12 +55,19 @@ impl Session {
                 None => axes.push((name.clone(), unit)),
             }
         }
+        let first = self.data.measured.first().map(|measured| measured.record);
+        let several = self.data.measured.iter().any(|measured| Some(measured.record) != first);
+        let curves = self.data.measured.iter().zip(names).map(|(measured, name)| {
+            let record = self.record(measured.record).filter(|_| several);
+            record.map_or(name.clone(), |record| format!("{name} ({})", shortened(&record.name)))
+        });
+        let curves = curves.collect();
         let labels = Labels {
             title: title.to_owned(),
             description: format!("{title}: {left_over}"),
             x: (symbol(&independent.name), number::unit_text(&independent.unit.text)),
             axes: axes.into_iter().map(|(label, unit)| (label, number::unit_text(&unit.text))).collect(),
-            curves: names,
+            curves,
         };
         let index = self.document.plots.len();
         if let Some(state) = self.plots.get_mut(index) {

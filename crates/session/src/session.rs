@@ -13,6 +13,7 @@ use crate::number::Style;
 use crate::observed::Data;
 use crate::plot::PlotState;
 use crate::traces::{Columns, Traces};
+use crate::undo::Undo;
 use document::Document;
 use engine::{Method, Readings, RunError, Setup};
 use model::{Model, NodeId};
@@ -86,6 +87,7 @@ pub struct Session {
     /// Whether the values that questions hide are shown all the same.
     pub(crate) shows_hidden: bool,
     pub(crate) cycle_plot: CyclePlot,
+    pub(crate) undo: Undo,
     /// For each node of the model whether it is a count.
     pub(crate) whole: Vec<bool>,
     /// The greatest size that each state and then each quantity has shown in this run.
@@ -156,6 +158,7 @@ impl Session {
             solved,
             shows_hidden: false,
             cycle_plot: CyclePlot::default(),
+            undo: Undo::default(),
         };
         let vary = |index| session.document.vary.contains(&index);
         session.fits.setup.varied = (0..session.document.model.parameters.len()).map(vary).collect();

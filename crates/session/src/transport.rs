@@ -155,6 +155,16 @@ impl Session {
         self.course.front()
     }
 
+    /// The end of the time line (SI): as long as a plot against time at first, and twice as long whenever the run gets
+    /// there. So the line shows how far the run has come and does not stretch in every frame.
+    pub fn horizon(&self) -> f64 {
+        let mut horizon = self.step() * crate::plot::STEPS_AT_FIRST;
+        while horizon < self.end() {
+            horizon *= 2.0;
+        }
+        horizon
+    }
+
     /// Whether an earlier time than [`Session::end`] is shown.
     pub fn is_scrubbed(&self) -> bool {
         self.course.is_scrubbed()

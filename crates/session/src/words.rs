@@ -62,6 +62,11 @@ pub(crate) fn run(language: Language) -> &'static str {
     language.pick("run", "serie")
 }
 
+/// What the run before the present one is called.
+pub(crate) fn previous_run(language: Language) -> &'static str {
+    language.pick("previous run", "serie anterior")
+}
+
 pub(crate) fn record(language: Language) -> &'static str {
     language.pick("record", "registro")
 }
@@ -320,6 +325,8 @@ impl Session {
             }
             Announcement::RecordCancelled(name) => with("Not read: {}", "No se ha leído: {}", name),
             Announcement::RecordRemoved(name) => with("Record removed: {}", "Registro quitado: {}", name),
+            Announcement::FitRemoved(theory) => with("Fit removed: {}", "Ajuste quitado: {}", theory),
+            Announcement::Undone => say("Undone", "Deshecho"),
             Announcement::FitFinished => say("The fit is finished", "El ajuste ha terminado"),
             Announcement::TheoriesLeftOut(which) => with("Not fitted: {}", "Sin ajustar: {}", which),
             Announcement::FitFailed => say(

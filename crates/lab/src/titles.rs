@@ -1,0 +1,116 @@
+//! Titles of diagnostics: a few words for the kind of fault that a code stands for. The sentence below the title says what
+//! is wrong in this place.
+
+use units::Language;
+
+/// The title of a diagnostic's code.
+pub fn title(code: &str, language: Language) -> &'static str {
+    let (english, spanish) = of(code);
+    language.pick(english, spanish)
+}
+
+fn of(code: &str) -> (&'static str, &'static str) {
+    match code {
+        // Units and dimensions.
+        "dimension-mismatch" => ("Dimensions do not match", "Las dimensiones no concuerdan"),
+        "type-mismatch" => ("Wrong kind of value", "Clase de valor incorrecta"),
+        "undetermined-dimension" => ("The dimension is not determined", "La dimensión no está determinada"),
+        "dimension-too-large" => ("The dimension is too large", "La dimensión es demasiado grande"),
+        "missing-unit"
+        | "unit-without-brackets"
+        | "unit-without-number"
+        | "unit-of-equation"
+        | "unit-in-range"
+        | "unit-in-exponent" => ("Units", "Unidades"),
+
+        // Writing.
+        "unclosed-parenthesis"
+        | "unclosed-bracket"
+        | "unclosed-brace"
+        | "unmatched-parenthesis"
+        | "unmatched-bracket"
+        | "unmatched-brace"
+        | "missing-parentheses"
+        | "missing-braces"
+        | "scene-brace" => ("Brackets do not match", "Los paréntesis no concuerdan"),
+        "unclosed-text" => ("Quotation marks do not match", "Las comillas no concuerdan"),
+        "malformed-number" | "number-too-large" | "not-a-number" | "decimal-comma" => ("Numbers", "Números"),
+        "unexpected-token"
+        | "unexpected-character"
+        | "unknown-word"
+        | "semicolon"
+        | "missing-expression"
+        | "missing-equals"
+        | "second-equals"
+        | "missing-name"
+        | "missing-operator"
+        | "foreign-operator"
+        | "missing-then"
+        | "missing-else"
+        | "equals-in-condition"
+        | "chained-comparison"
+        | "label-not-last"
+        | "ambiguous-logarithm"
+        | "no-indices" => ("This cannot be read", "Esto no se puede leer"),
+
+        // Names.
+        "unknown-name" | "unknown-function" => ("Unknown name", "Nombre desconocido"),
+        "wrong-argument-count" => ("Wrong number of arguments", "Número de argumentos incorrecto"),
+        "duplicate-name"
+        | "duplicate-key"
+        | "duplicate-independent"
+        | "duplicate-initial-value"
+        | "duplicate-action" => ("Defined twice", "Definido dos veces"),
+        "reserved-name" | "reserved-word" | "name-character" => {
+            ("This name cannot be used", "Este nombre no se puede usar")
+        }
+        "cycle" => ("Circular definition", "Definición circular"),
+        "prime-after-expression" | "prime-of-constant" | "too-many-primes" => ("Derivatives", "Derivadas"),
+
+        // Parameters, initial values, equations, events.
+        "parameter-range"
+        | "parameter-value"
+        | "parameter-without-value"
+        | "parameter-step"
+        | "parameter-not-finite"
+        | "default-out-of-range"
+        | "empty-range"
+        | "out-of-range"
+        | "varies"
+        | "vary" => ("Parameters", "Parámetros"),
+        "missing-initial-value"
+        | "initial-value-of-highest"
+        | "initial-value-of-constant"
+        | "initial-value-not-at-zero"
+        | "initial-value-without-equation"
+        | "initial-value-varies"
+        | "initial-value-of-definition"
+        | "initial-not-finite" => ("Initial values", "Valores iniciales"),
+        "too-few-equations"
+        | "too-many-equations"
+        | "equations-dependent"
+        | "singular-equations"
+        | "coefficient-zero"
+        | "nonlinear-highest-derivative"
+        | "nothing-to-solve-for"
+        | "order-too-high"
+        | "not-second-order" => ("The equations cannot be solved", "Las ecuaciones no se pueden resolver"),
+        "event-action" | "event-changes-no-state" | "event-at-equality" | "empty-event" => ("Events", "Sucesos"),
+        "too-large" | "model-too-large" | "too-deep" | "too-many-coupled-equations" | "too-many-events" => {
+            ("Too large", "Demasiado grande")
+        }
+
+        // The document around the model.
+        "no-model" => ("There is no model", "No hay modelo"),
+        "front-matter" | "setting" | "unknown-key" | "empty-key" | "language" | "step-not-positive"
+        | "bad-tolerance" => ("Settings at the top", "Ajustes del encabezado"),
+        "fence" | "unknown-fence" => ("Blocks of the document", "Bloques del documento"),
+        "translation" | "untranslated" => ("Translation", "Traducción"),
+        "scene-syntax" | "scene-style" | "scene-refused" | "scene-definition" => ("Scene", "Escena"),
+        "plot-syntax" => ("Plots", "Gráficas"),
+        "preset-syntax" => ("Presets", "Ajustes"),
+        "question-syntax" => ("Questions", "Preguntas"),
+        "link" | "image" | "raw-html" | "math" => ("Text", "Texto"),
+        _ => ("The document", "El documento"),
+    }
+}

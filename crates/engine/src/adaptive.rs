@@ -30,24 +30,39 @@ pub(crate) struct Adaptive {
     tolerance: f64,
     /// Errors below tolerance times this do not count, for each state.
     floors: Vec<f64>,
-    /// The greatest magnitude each state has had.
-    peaks: Vec<f64>,
     /// A state is near zero below this part of its peak: the error allowed falls no further.
     below_peak: f64,
     /// No step is longer, lest a short push be leapt over while all is at rest.
     longest: f64,
-    proposed: f64,
-    /// The error of the last accepted step, for the controller.
-    earlier_error: f64,
+    last: LastStep,
+    attempt: Vec<f64>,
+    error: Vec<f64>,
+}
+
+/// The last accepted step, and all else that decides the next one.
+#[derive(Clone, Debug)]
+pub(crate) struct LastStep {
     start: f64,
     size: f64,
     /// `start + size`, but exactly the row it was to reach.
     end: f64,
     from: Vec<f64>,
     to: Vec<f64>,
-    attempt: Vec<f64>,
-    error: Vec<f64>,
+    /// The coefficients of the continuous solution.
     dense: [Vec<f64>; 5],
+    /// The size proposed for the next step.
+    proposed: f64,
+    /// The error, for the controller.
+    error: f64,
+    /// The greatest magnitude each state has had.
+    peaks: Vec<f64>,
+}
+
+impl LastStep {
+    /// The memory it takes.
+    pub fn bytes(&self) -> usize {
+        size_of::<f64>() * 8 * self.to.len() + size_of::<Self>()
+    }
 }
 
 impl Adaptive {
@@ -70,27 +85,29 @@ impl Adaptive {
             pair,
             tolerance: setup.tolerance,
             floors: model.states.iter().map(|state| Self::BELOW_UNIT * state.unit.factor.abs()).collect(),
-            peaks: zeros.clone(),
             below_peak: Self::BELOW_PEAK,
             longest: Self::ROWS * setup.step,
-            proposed: Self::FIRST_STEP * setup.step,
-            earlier_error: Self::FIRST_ERROR,
-            start: 0.0,
-            size: 0.0,
-            end: 0.0,
-            from: zeros.clone(),
-            to: zeros.clone(),
+            last: LastStep {
+                start: 0.0,
+                size: 0.0,
+                end: 0.0,
+                from: zeros.clone(),
+                to: zeros.clone(),
+                dense: std::array::from_fn(|_| zeros.clone()),
+                proposed: Self::FIRST_STEP * setup.step,
+                error: Self::FIRST_ERROR,
+                peaks: zeros.clone(),
+            },
             attempt: zeros.clone(),
-            error: zeros.clone(),
-            dense: std::array::from_fn(|_| zeros.clone()),
+            error: zeros,
         }
     }
 
     /// Forgets all runs made before; rows are `step` apart.
     pub fn renew(&mut self, step: f64) {
-        self.proposed = Self::FIRST_STEP * step;
-        self.earlier_error = Self::FIRST_ERROR;
-        self.peaks.fill(0.0);
+        self.last.proposed = Self::FIRST_STEP * step;
+        self.last.error = Self::FIRST_ERROR;
+        self.last.peaks.fill(0.0);
     }
 
     /// Allows this error in each step, relative to the peak of each state.
@@ -101,28 +118,50 @@ impl Adaptive {
 
     /// Begins anew at `time` with `state`, after a jump of the state or the parameters.
     pub fn restart(&mut self, time: f64, state: &[f64]) {
-        self.start = time;
-        self.size = 0.0;
-        self.end = time;
-        self.from.copy_from_slice(state);
-        self.to.copy_from_slice(state);
+        self.last.start = time;
+        self.last.size = 0.0;
+        self.last.end = time;
+        self.last.from.copy_from_slice(state);
+        self.last.to.copy_from_slice(state);
         self.note_peaks();
         self.forget();
     }
 
+    /// The last step: what has to be known to go on with the same bits.
+    pub fn last_step(&self) -> &LastStep {
+        &self.last
+    }
+
+    /// Goes on after a step that was the last one before.
+    pub fn go_on_after(&mut self, step: &LastStep) {
+        self.last.clone_from(step);
+        // The rates at its end are computed again, from the same numbers.
+        self.forget();
+    }
+
+    /// About how many operations the linear systems of the stiff method took, after so many evaluations of the equations:
+    /// a factorisation for each step and a solution for each stage.
+    pub fn work_of_systems(&self, evaluations: u64) -> u64 {
+        let states = self.attempt.len() as u64;
+        match self.pair {
+            Pair::DormandPrince(_) => 0,
+            Pair::Rosenbrock(_) => evaluations * states * states * (2 + states / 18),
+        }
+    }
+
     /// Where the last step started.
     pub fn start(&self) -> f64 {
-        self.start
+        self.last.start
     }
 
     /// Where the last step ended.
     pub fn end(&self) -> f64 {
-        self.end
+        self.last.end
     }
 
     /// The state at the end of the last step.
     pub fn end_state(&self) -> &[f64] {
-        &self.to
+        &self.last.to
     }
 
     /// Makes the next step. The controller is proportional-integral (Hairer & Wanner, Solving Ordinary Differential
@@ -132,29 +171,29 @@ impl Adaptive {
     /// The stiff method does not step over `row`: where a stiff part forces the solution, as in the problem of Prothero
     /// and Robinson, its dense output is less exact by orders than its steps.
     pub fn extend(&mut self, equations: &mut Equations, row: f64) -> Result<(), Stuck> {
-        let time = self.end;
+        let time = self.last.end;
         let order = match self.pair {
             Pair::DormandPrince(_) => 5.0,
             Pair::Rosenbrock(_) => 4.0,
         };
         let integral = 0.04;
         let proportional = 1.0 / order - 0.75 * integral;
-        let wanted = self.proposed.min(self.longest);
+        let wanted = self.last.proposed.min(self.longest);
         let lands = matches!(self.pair, Pair::Rosenbrock(_)) && time + 1.001 * wanted >= row;
         let mut size = if lands { row - time } else { wanted };
         let mut rejected = false;
         loop {
             let smallest = 16.0 * f64::EPSILON * time.abs().max(f64::MIN_POSITIVE / f64::EPSILON);
-            step(&mut self.pair, equations, time, size, &self.to, &mut self.attempt, &mut self.error);
+            step(&mut self.pair, equations, time, size, &self.last.to, &mut self.attempt, &mut self.error);
             let error = self.error_norm();
             if error <= 1.0 {
-                let growth = 0.9 * libm::pow(self.earlier_error, integral) / libm::pow(error.max(1e-10), proportional);
+                let growth = 0.9 * libm::pow(self.last.error, integral) / libm::pow(error.max(1e-10), proportional);
                 let growth = growth.clamp(0.2, if rejected { 1.0 } else { 10.0 });
-                self.earlier_error = error.max(1e-4);
+                self.last.error = error.max(1e-4);
                 let on_row = lands && !rejected;
                 self.accept(time, size, if on_row { row } else { time + size });
                 // A step cut short by a row says nothing against the size that was wanted.
-                self.proposed = if on_row { wanted.max(size * growth) } else { size * growth };
+                self.last.proposed = if on_row { wanted.max(size * growth) } else { size * growth };
                 return Ok(());
             }
             if size <= smallest {
@@ -171,7 +210,7 @@ impl Adaptive {
 
     /// The state on the continuous solution over the last step, at `part` of the time since its start.
     pub fn dense(&self, since_start: f64, out: &mut [f64]) {
-        dense_value(&self.dense, since_start / self.size, out);
+        dense_value(&self.last.dense, since_start / self.last.size, out);
     }
 
     /// Where the event lies that is due between `low` and `high` after the start of the last step. A shorter step from the
@@ -179,7 +218,7 @@ impl Adaptive {
     /// all, which is a matter of errors within the tolerance, the dense output decides.
     pub fn locate(&mut self, equations: &mut Equations, events: &mut Events, low: f64, high: f64) -> Crossing {
         self.forget();
-        let Self { pair, start, from, error, dense, size, .. } = self;
+        let Self { pair, error, last: LastStep { start, from, dense, size, .. }, .. } = self;
         let (start, size) = (*start, *size);
         let mut again = |since: f64, out: &mut [f64]| {
             if since < Self::AT_ONCE {
@@ -214,18 +253,19 @@ impl Adaptive {
     }
 
     fn accept(&mut self, time: f64, size: f64, end: f64) {
-        std::mem::swap(&mut self.from, &mut self.to);
-        self.to.copy_from_slice(&self.attempt);
-        self.start = time;
-        self.size = size;
-        self.end = end;
+        let last = &mut self.last;
+        std::mem::swap(&mut last.from, &mut last.to);
+        last.to.copy_from_slice(&self.attempt);
+        last.start = time;
+        last.size = size;
+        last.end = end;
         match &mut self.pair {
             Pair::DormandPrince(pair) => {
-                pair.dense(size, &self.from, &self.to, &mut self.dense);
+                pair.dense(size, &last.from, &last.to, &mut last.dense);
                 pair.accept();
             }
             Pair::Rosenbrock(pair) => {
-                pair.dense(&self.from, &self.to, &mut self.dense);
+                pair.dense(&last.from, &last.to, &mut last.dense);
                 pair.reset();
             }
         }
@@ -233,7 +273,7 @@ impl Adaptive {
     }
 
     fn note_peaks(&mut self) {
-        for (peak, value) in self.peaks.iter_mut().zip(&self.to) {
+        for (peak, value) in self.last.peaks.iter_mut().zip(&self.last.to) {
             if value.abs() > *peak {
                 *peak = value.abs();
             }
@@ -244,8 +284,8 @@ impl Adaptive {
     fn error_norm(&self) -> f64 {
         let mut sum = 0.0;
         for (k, error) in self.error.iter().enumerate() {
-            let size = self.to[k].abs().max(self.attempt[k].abs());
-            let scale = self.tolerance * size.max(self.below_peak * self.peaks[k]).max(self.floors[k]);
+            let size = self.last.to[k].abs().max(self.attempt[k].abs());
+            let scale = self.tolerance * size.max(self.below_peak * self.last.peaks[k]).max(self.floors[k]);
             let ratio = error / scale;
             // A value that is not finite must not hide behind `max`, which passes over NaN.
             sum += if self.attempt[k].is_finite() { ratio * ratio } else { f64::NAN };

@@ -59,6 +59,12 @@ impl Equations {
         }
     }
 
+    /// About how many floating-point operations all evaluations took.
+    pub fn work(&self) -> u64 {
+        let slopes = self.slopes.as_ref().map_or(0, Routine::work);
+        self.evaluations * self.rates.work() + self.jacobians * slopes
+    }
+
     /// Whether the equations could not be solved for the highest derivatives when f was evaluated last.
     pub fn singular(&self) -> bool {
         self.rates.singular()

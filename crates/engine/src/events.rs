@@ -41,6 +41,8 @@ pub(crate) struct Events {
     probe: Vec<f64>,
     /// How sensitivities change, where they are among the states.
     jumps: Option<Jumps>,
+    /// How often the conditions were evaluated to see what is due.
+    looks: u64,
 }
 
 /// Where an event lies within a step, counted from its start.
@@ -82,6 +84,7 @@ impl Events {
             rates_after: zeros.clone(),
             probe: zeros,
             jumps: Jumps::new(model),
+            looks: 0,
         }
     }
 
@@ -105,19 +108,24 @@ impl Events {
         self.pass();
     }
 
-    /// Arms the events at a state right after a jump, where a condition that is about to become true has been used up.
-    pub fn arm_after_jump(&mut self, equations: &mut Equations, time: f64, state: &[f64], ahead: f64) {
-        self.arm(time, state);
-        equations.rates(time, state, &mut self.rates_after);
-        follow(&mut self.probe, state, &self.rates_after, ahead);
-        self.conditions.evaluate(time + ahead, &self.probe, &mut self.truths);
-        for (armed, &truth) in self.armed.iter_mut().zip(&self.truths) {
-            *armed &= truth == 0.0;
-        }
+    /// By event, whether it can fire: its condition was false when last looked at, and its crossing is not used up.
+    pub fn armed(&self) -> &[bool] {
+        &self.armed
+    }
+
+    /// Arms exactly these events, as they were armed at an earlier moment.
+    pub fn set_armed(&mut self, armed: &[bool]) {
+        self.armed.copy_from_slice(armed);
+    }
+
+    /// About how many floating-point operations all looks at the conditions took.
+    pub fn work(&self) -> u64 {
+        self.looks * self.conditions.work()
     }
 
     /// Whether an event fires between the last look and `time`.
     pub fn due(&mut self, time: f64, state: &[f64]) -> bool {
+        self.looks += 1;
         self.conditions.evaluate(time, state, &mut self.truths);
         let mut any = false;
         for ((due, &armed), &truth) in self.due.iter_mut().zip(&self.armed).zip(&self.truths) {

@@ -1,5 +1,7 @@
 //! What a run has recorded: every step, in columns.
 
+use crate::{AfterJump, Record};
+
 /// The recorded rows of a run. A row is the independent variable, the states, the parameters in force and the segment; a
 /// new segment begins where the state jumps, and there no line may be drawn and nothing interpolated.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,13 +12,19 @@ pub struct History {
     segments: Vec<u32>,
     /// Parameter sets, each with the first row it holds for.
     parameters: Vec<(usize, Vec<f64>)>,
+    /// The rows right after jumps, each with what it does not tell by itself.
+    after_jumps: Vec<(usize, AfterJump)>,
+    /// For each state the rows at which its magnitude exceeded twice what it was before, with the magnitude.
+    scales: Vec<Vec<(usize, f64)>>,
 }
 
 impl History {
     /// The history of a run that starts at 0 with the state `initial`.
     pub(crate) fn new(initial: Vec<f64>, parameters: Vec<f64>) -> Self {
         let columns = initial.iter().map(|&value| vec![value]).collect();
-        Self { initial, times: vec![0.0], columns, segments: vec![0], parameters: vec![(0, parameters)] }
+        let scales = initial.iter().map(|value| vec![(0, value.abs())]).collect();
+        let parameters = vec![(0, parameters)];
+        Self { initial, times: vec![0.0], columns, segments: vec![0], parameters, after_jumps: Vec::new(), scales }
     }
 
     /// How many rows there are; at least one.
@@ -77,6 +85,25 @@ impl History {
         &self.initial
     }
 
+    /// The parameters that came into force exactly at a row.
+    pub(crate) fn parameters_from(&self, row: usize) -> Option<&[f64]> {
+        let place = self.parameters.binary_search_by_key(&row, |&(first, _)| first).ok()?;
+        Some(&self.parameters[place].1)
+    }
+
+    /// What a row right after a jump does not tell by itself; for other rows there is nothing of the kind.
+    pub(crate) fn after_jump(&self, row: usize) -> Option<&AfterJump> {
+        let place = self.after_jumps.binary_search_by_key(&row, |&(after, _)| after).ok()?;
+        Some(&self.after_jumps[place].1)
+    }
+
+    /// The greatest magnitude that a state had up to a row, to a factor of two. It does not depend on later rows.
+    pub(crate) fn scale(&self, state: usize, row: usize) -> f64 {
+        let scales = &self.scales[state];
+        let after = scales.partition_point(|&(first, _)| first <= row);
+        scales[after.saturating_sub(1)].1
+    }
+
     /// The last row at or before `time`; the first row if there is none.
     pub fn row_at(&self, time: f64) -> usize {
         self.times.partition_point(|&at| at <= time).saturating_sub(1)
@@ -86,7 +113,8 @@ impl History {
     pub fn bytes(&self) -> usize {
         let row = size_of::<f64>() * (1 + self.columns.len()) + size_of::<u32>();
         let sets: usize = self.parameters.iter().map(|(_, set)| size_of_val(set.as_slice()) + 32).sum();
-        row * self.times.len() + sets
+        let jumps: usize = self.after_jumps.iter().map(|(_, after)| after.armed.len() + 40).sum();
+        row * self.times.len() + sets + jumps
     }
 
     /// A hash of all bits of all rows (FNV-1a, 64 bits), to compare runs on different machines.
@@ -107,15 +135,6 @@ impl History {
         hash
     }
 
-    pub(crate) fn push(&mut self, time: f64, state: &[f64], jumped: bool) {
-        let segment = self.segments.last().copied().unwrap_or_default() + u32::from(jumped);
-        self.times.push(time);
-        for (column, &value) in self.columns.iter_mut().zip(state) {
-            column.push(value);
-        }
-        self.segments.push(segment);
-    }
-
     /// Parameters for the rows pushed from now on.
     pub(crate) fn push_parameters(&mut self, parameters: Vec<f64>) {
         let first = self.len();
@@ -132,6 +151,8 @@ impl History {
             column.truncate(rows);
         }
         self.parameters.retain(|&(first, _)| first <= row);
+        self.after_jumps.retain(|&(after, _)| after <= row);
+        self.scales.iter_mut().for_each(|scales| scales.retain(|&(first, _)| first <= row));
     }
 
     /// Drops all rows but the last.
@@ -144,10 +165,34 @@ impl History {
             *first -= dropped;
         }
         self.parameters.insert(0, (0, parameters));
+        self.after_jumps.retain(|&(after, _)| after == dropped);
+        self.after_jumps.iter_mut().for_each(|(after, _)| *after = 0);
+        for scales in &mut self.scales {
+            *scales = scales.last().map(|&(_, scale)| (0, scale)).into_iter().collect();
+        }
         self.times.drain(..dropped);
         self.segments.drain(..dropped);
         for column in &mut self.columns {
             column.drain(..dropped);
         }
+    }
+}
+
+impl Record for History {
+    fn row(&mut self, time: f64, state: &[f64], jumped: bool) {
+        let segment = self.segments.last().copied().unwrap_or_default() + u32::from(jumped);
+        let row = self.times.len();
+        self.times.push(time);
+        for ((column, scales), &value) in self.columns.iter_mut().zip(&mut self.scales).zip(state) {
+            column.push(value);
+            if scales.last().is_none_or(|&(_, scale)| value.abs() > 2.0 * scale) {
+                scales.push((row, value.abs()));
+            }
+        }
+        self.segments.push(segment);
+    }
+
+    fn after_jump(&mut self, after: AfterJump) {
+        self.after_jumps.push((self.times.len() - 1, after));
     }
 }

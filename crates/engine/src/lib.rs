@@ -1,6 +1,7 @@
 //! Runs a model: virtual machine, methods, events, history.
 
 mod adaptive;
+mod checkpoints;
 pub mod csv;
 mod dormand_prince;
 mod equations;
@@ -16,6 +17,7 @@ mod method;
 mod order_conditions;
 mod places;
 mod readings;
+mod record;
 mod rosenbrock;
 mod routine;
 mod run;
@@ -27,7 +29,8 @@ pub use error::RunError;
 pub use history::History;
 pub use method::{Method, UnknownMethod};
 pub use readings::Readings;
+pub use record::{AfterJump, Record};
 pub use routine::Routine;
 pub use run::{Advance, CAPACITY, Run};
 pub use setup::Setup;
-pub use stepper::Stepper;
+pub use stepper::{Progress, Stepper};

@@ -19,6 +19,12 @@ pub(crate) struct Elimination {
 }
 
 impl Elimination {
+    /// About how many floating-point operations a solution takes.
+    pub fn work(&self) -> usize {
+        let size = self.solution.len();
+        size * size * (2 + size / 3)
+    }
+
     /// Reads the system of one row from `registers` and writes the unknowns there.
     pub fn solve<const ROWS: usize>(&mut self, registers: &mut [[f64; ROWS]], row: usize) {
         for (value, &register) in self.factors.values.iter_mut().zip(&self.matrix) {

@@ -101,6 +101,12 @@ impl Routine {
         self.body.len()
     }
 
+    /// About how many floating-point operations an evaluation takes, copying included.
+    pub(crate) fn work(&self) -> u64 {
+        let systems: usize = self.systems.iter().map(|system| system.work()).sum();
+        (self.body.len() + self.roots.len() + self.states + systems) as u64
+    }
+
     /// Whether the last evaluation met a linear system without a solution.
     pub(crate) fn singular(&self) -> bool {
         self.systems.iter().any(|system| system.factors.singular)

@@ -1,6 +1,7 @@
 //! A run: a model in motion and the record of it.
 
-use crate::{History, Readings, RunError, Setup, Stepper};
+use crate::checkpoints::Checkpoints;
+use crate::{History, Progress, Readings, RunError, Setup, Stepper};
 use model::{Model, NodeId};
 
 /// The greatest size of a history in bytes; a run that reaches it pauses.
@@ -15,6 +16,8 @@ pub enum Advance {
     Event,
     /// Not at all: the history is full.
     Full,
+    /// Not yet to the next row: the work allowed is done ([`Run::advance_within`]).
+    Partial,
 }
 
 /// A model in motion and the record of it.
@@ -26,6 +29,10 @@ pub struct Run {
     rates: Readings,
     /// The states at both ends of an interval.
     ends: [Vec<f64>; 2],
+    /// The last row on the grid.
+    last_on_grid: usize,
+    /// For adaptive methods.
+    checkpoints: Option<Checkpoints>,
 }
 
 impl Run {
@@ -38,7 +45,9 @@ impl Run {
         let history = History::new(stepper.initial().to_vec(), setup.parameters.clone());
         let rates: Vec<NodeId> = model.states.iter().map(|state| state.derivative).collect();
         let state = stepper.state().to_vec();
-        Ok(Self { rates: Readings::new(model, &rates), setup, stepper, history, ends: [state.clone(), state] })
+        let checkpoints = setup.method.adaptive().then(|| Checkpoints::new(&stepper));
+        let rates = Readings::new(model, &rates);
+        Ok(Self { rates, setup, stepper, history, ends: [state.clone(), state], last_on_grid: 0, checkpoints })
     }
 
     /// Goes on to the next point of the grid t_n = n h.
@@ -47,12 +56,36 @@ impl Run {
     /// A state that is no longer finite, too many events in one step, a step size that has become too small. The rows
     /// recorded before stay.
     pub fn advance(&mut self) -> Result<Advance, RunError> {
+        loop {
+            match self.advance_within(u64::MAX)? {
+                Advance::Partial => {}
+                other => return Ok(other),
+            }
+        }
+    }
+
+    /// [`Run::advance`] with no more than about `work` floating-point operations; where these are not enough,
+    /// [`Advance::Partial`] is returned and the next call goes on. The bits of the rows do not depend on it.
+    ///
+    /// # Errors
+    /// As [`Run::advance`].
+    pub fn advance_within(&mut self, work: u64) -> Result<Advance, RunError> {
         if self.history.bytes() >= CAPACITY {
             return Ok(Advance::Full);
         }
-        let history = &mut self.history;
-        let events = self.stepper.advance(|time, state, jumped| history.push(time, state, jumped))?;
+        let Progress::Row { events } = self.stepper.advance_within(work, &mut self.history)? else {
+            return Ok(Advance::Partial);
+        };
+        self.last_on_grid = self.history.len() - 1;
+        if let Some(checkpoints) = &mut self.checkpoints {
+            checkpoints.note(&self.stepper, self.last_on_grid);
+        }
         Ok(if events == 0 { Advance::Step } else { Advance::Event })
+    }
+
+    /// About how many floating-point operations were made so far.
+    pub fn work(&self) -> u64 {
+        self.stepper.work()
     }
 
     /// What has been recorded.
@@ -70,20 +103,24 @@ impl Run {
         self.history.initial()
     }
 
-    /// The independent variable at the last row.
+    /// The independent variable where the run stands: at the last row, or beyond after [`Advance::Partial`].
     pub fn time(&self) -> f64 {
         self.stepper.time()
     }
 
-    /// The state at the last row.
+    /// The state there.
     pub fn state(&self) -> &[f64] {
         self.stepper.state()
     }
 
-    /// Changes the parameters from the next step on, one value for each; the state stays.
+    /// Changes the parameters from the next step on, one value for each; the state stays. Of a step that is only partly
+    /// made the beginning is given up.
     pub fn set_parameters(&mut self, parameters: Vec<f64>) {
         if parameters.len() != self.setup.parameters.len() || parameters == self.setup.parameters {
             return;
+        }
+        if self.stepper.is_between_rows() {
+            self.truncate(self.last_on_grid);
         }
         self.history.push_parameters(parameters.clone());
         self.setup.parameters.clone_from(&parameters);
@@ -91,7 +128,8 @@ impl Run {
     }
 
     /// Drops the rows after `row` and goes on from there, with the parameters then in force. Of the rows around a jump
-    /// the last is kept: what has happened there does not happen again.
+    /// the last is kept: what has happened there does not happen again. From a row on the grid the run goes on with the
+    /// bits that it had, also with adaptive methods.
     pub fn truncate(&mut self, row: usize) {
         let history = &mut self.history;
         let mut row = row.min(history.len() - 1);
@@ -99,16 +137,42 @@ impl Run {
             row += 1;
         }
         history.truncate(row);
+        self.last_on_grid = self.last_on_grid.min(row);
         self.setup.parameters = history.parameters(row).to_vec();
-        let after_jump = row > 0 && history.segment(row) != history.segment(row - 1);
-        let [state, _] = &mut self.ends;
-        history.state(row, state);
-        self.stepper.resume(history.time(row), state, self.setup.parameters.clone(), after_jump);
+        if !self.repeat_to(row) {
+            let history = &self.history;
+            let [state, _] = &mut self.ends;
+            history.state(row, state);
+            let parameters = self.setup.parameters.clone();
+            self.stepper.resume(history.time(row), state, parameters, history.after_jump(row));
+        }
+    }
+
+    /// Makes the steps to a recorded row of an adaptive method again, from the checkpoint before it. False where no step
+    /// has ended at that row, which then lies off the grid.
+    fn repeat_to(&mut self, row: usize) -> bool {
+        let Some(checkpoints) = &mut self.checkpoints else { return false };
+        let Some((mut at, moment)) = checkpoints.back_to(row, self.stepper.work()) else { return false };
+        self.stepper.go_on_from(moment);
+        while at < row {
+            if let Some(parameters) = self.history.parameters_from(at + 1) {
+                self.stepper.set_parameters(parameters.to_vec());
+            }
+            if self.stepper.advance(|_, _, _| at += 1).is_err() {
+                return false;
+            }
+        }
+        at == row
     }
 
     /// Drops all rows but the last, where they have been written elsewhere; the run goes on as if they were there.
     pub fn forget(&mut self) {
+        let dropped = self.history.len() - 1;
         self.history.forget();
+        self.last_on_grid = self.last_on_grid.saturating_sub(dropped);
+        if let Some(checkpoints) = &mut self.checkpoints {
+            checkpoints.forget(dropped);
+        }
     }
 
     /// The state at any time up to the last row: between two rows the cubic with the values and slopes of both (Hermite),
@@ -130,18 +194,19 @@ impl Run {
         out.copy_from_slice(self.rates.at(parameters, initial, start, from));
         let end_rates = self.rates.at(parameters, initial, end, to);
         for (k, value) in out.iter_mut().enumerate() {
-            *value = hermite(part, from[k], to[k], size * *value, size * end_rates[k]);
+            *value = hermite(part, [from[k], to[k]], [size * *value, size * end_rates[k]], history.scale(k, next));
         }
     }
 }
 
-/// The cubic with the values `from` and `to` and the slopes `leaving` and `arriving` at 0 and 1. Where the slopes have
-/// nothing to do with the change in between, because it went too fast for the rows, the straight line.
-fn hermite(part: f64, from: f64, to: f64, leaving: f64, arriving: f64) -> f64 {
+/// The cubic with the values `ends` and the slopes `slopes` at 0 and 1. Where a slope leads far beyond `scale`, the greatest
+/// magnitude of the state so far, it belongs to a change too fast for the rows and has nothing to do with the way in
+/// between: then the straight line.
+fn hermite(part: f64, ends: [f64; 2], slopes: [f64; 2], scale: f64) -> f64 {
+    let ([from, to], [leaving, arriving]) = (ends, slopes);
     let change = to - from;
     let steepest = leaving.abs().max(arriving.abs());
-    let plausible = 10.0 * from.abs().max(to.abs());
-    if steepest > plausible || steepest.is_nan() {
+    if steepest > 10.0 * scale || steepest.is_nan() {
         return from + part * change;
     }
     let rest = 1.0 - part;

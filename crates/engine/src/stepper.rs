@@ -1,5 +1,11 @@
 //! A model in motion, without memory of where it has been.
 
+mod advance;
+mod moment;
+
+pub use advance::Progress;
+pub(crate) use moment::Moment;
+
 use crate::adaptive::{Adaptive, Pair};
 use crate::dormand_prince::DormandPrince;
 use crate::equations::Equations;
@@ -9,6 +15,7 @@ use crate::places::Places;
 use crate::rosenbrock::Rosenbrock;
 use crate::setup;
 use crate::{Method, Routine, RunError, Setup};
+use advance::RowWork;
 use model::{Model, NodeId};
 use units::words;
 
@@ -29,6 +36,8 @@ pub struct Stepper {
     next: Vec<f64>,
     parameters: Vec<f64>,
     initial: Vec<f64>,
+    /// What has been done since the last point of the grid.
+    row: RowWork,
     /// Why it cannot go on, until something is changed.
     stopped: Option<RunError>,
 }
@@ -40,11 +49,6 @@ enum Solver {
 }
 
 impl Stepper {
-    /// So many events in one step stop the run.
-    pub const EVENT_LIMIT: usize = 1000;
-    /// So many steps of an adaptive method between two grid points stop the run.
-    pub const STEP_LIMIT: usize = 100_000;
-
     /// Checks the setup and computes the initial state.
     ///
     /// # Errors
@@ -81,6 +85,7 @@ impl Stepper {
             state: initial.clone(),
             parameters: setup.parameters.clone(),
             initial,
+            row: RowWork::default(),
             stopped: None,
         };
         stepper.prepare();
@@ -114,6 +119,16 @@ impl Stepper {
         self.equations.jacobians
     }
 
+    /// About how many floating-point operations were made so far: evaluations of the equations and of the conditions of
+    /// events and, for the stiff method, the solution of its linear systems.
+    pub fn work(&self) -> u64 {
+        let systems = match &self.solver {
+            Solver::Adaptive(adaptive) => adaptive.work_of_systems(self.equations.evaluations),
+            Solver::Fixed(_) => 0,
+        };
+        self.equations.work() + self.events.work() + systems
+    }
+
     /// The parameters in force.
     pub fn parameters(&self) -> &[f64] {
         &self.parameters
@@ -123,73 +138,9 @@ impl Stepper {
     pub fn set_parameters(&mut self, parameters: Vec<f64>) {
         self.parameters = parameters;
         self.stopped = None;
+        self.row = RowWork::default();
         self.prepare();
         self.restart();
-    }
-
-    /// Goes to the next point of the grid; `record` receives every row on the way: time, state, and whether the state
-    /// jumped there from the row before. The result is the number of events.
-    ///
-    /// # Errors
-    /// A state that is no longer finite, too many events, a step that has become too small or too many of them. The state
-    /// is then the last finite one, and every further try gives the same error until parameters change.
-    pub fn advance(&mut self, mut record: impl FnMut(f64, &[f64], bool)) -> Result<usize, RunError> {
-        if let Some(error) = &self.stopped {
-            return Err(error.clone());
-        }
-        let result = self.advance_to_grid(&mut record);
-        if let Err(error) = &result {
-            self.stopped = Some(error.clone());
-        }
-        result
-    }
-
-    /// Goes to any later time, which need not be on the grid, without a record; the result is the number of events.
-    ///
-    /// # Errors
-    /// As [`Stepper::advance`].
-    pub fn advance_to(&mut self, time: f64) -> Result<usize, RunError> {
-        if let Some(error) = &self.stopped {
-            return Err(error.clone());
-        }
-        self.on_grid = false;
-        let result = self.advance_until(time, &mut |_, _, _| {});
-        if let Err(error) = &result {
-            self.stopped = Some(error.clone());
-        }
-        self.find_grid();
-        result
-    }
-
-    fn advance_to_grid(&mut self, record: &mut impl FnMut(f64, &[f64], bool)) -> Result<usize, RunError> {
-        let target = (self.index + 1) as f64 * self.step;
-        let fired = self.advance_until(target, record)?;
-        self.index += 1;
-        self.on_grid = self.time == target;
-        Ok(fired)
-    }
-
-    fn advance_until(&mut self, target: f64, record: &mut impl FnMut(f64, &[f64], bool)) -> Result<usize, RunError> {
-        let mut fired = 0;
-        let mut steps = 0;
-        while self.time < target {
-            let jumped = match self.solver {
-                Solver::Fixed(_) => self.fixed(target)?,
-                Solver::Adaptive(_) => {
-                    steps += 1;
-                    if steps > Self::STEP_LIMIT {
-                        return Err(self.places.too_many_steps(Self::STEP_LIMIT, self.time));
-                    }
-                    self.adaptive(target)?
-                }
-            };
-            match jumped {
-                Some(resolution) => fired += self.jump(resolution, fired, record)?,
-                None if self.time == target => record(self.time, &self.state, false),
-                None => {}
-            }
-        }
-        Ok(fired)
     }
 
     /// From here on an adaptive method may make this error in each step, relative to the greatest magnitude that each state
@@ -201,43 +152,6 @@ impl Stepper {
         }
     }
 
-    /// Begins a new run at 0 with other parameters and another initial state, as if it were a new stepper.
-    pub fn begin(&mut self, parameters: Vec<f64>, initial: &[f64]) {
-        self.initial.copy_from_slice(initial);
-        if let Solver::Adaptive(adaptive) = &mut self.solver {
-            adaptive.renew(self.step);
-        }
-        self.resume(0.0, initial, parameters, false);
-    }
-
-    /// Goes on from another moment; `after_jump` where the state has just jumped.
-    pub(crate) fn resume(&mut self, time: f64, state: &[f64], parameters: Vec<f64>, after_jump: bool) {
-        self.time = time;
-        self.state.copy_from_slice(state);
-        self.parameters = parameters;
-        self.stopped = None;
-        self.find_grid();
-        self.prepare();
-        self.restart();
-        if after_jump {
-            self.events.arm_after_jump(&mut self.equations, time, &self.state, 1e-9 * self.step);
-        } else {
-            self.events.arm(time, &self.state);
-        }
-    }
-
-    /// Finds the last grid point at or before the present time.
-    fn find_grid(&mut self) {
-        self.index = (self.time / self.step) as u64;
-        while self.index > 0 && self.index as f64 * self.step > self.time {
-            self.index -= 1;
-        }
-        while (self.index + 1) as f64 * self.step <= self.time {
-            self.index += 1;
-        }
-        self.on_grid = self.index as f64 * self.step == self.time;
-    }
-
     fn prepare(&mut self) {
         self.equations.prepare(&self.parameters, &self.initial);
         self.events.prepare(&self.parameters, &self.initial);
@@ -247,98 +161,6 @@ impl Stepper {
         if let Solver::Adaptive(adaptive) = &mut self.solver {
             adaptive.restart(self.time, &self.state);
         }
-    }
-
-    /// One step to `target`, or, if an event lies before it, to the event, whose resolution in time is returned.
-    // Not inlined: `advance` is compiled with its caller, which in the page is optimised for size.
-    fn fixed(&mut self, target: f64) -> Result<Option<f64>, RunError> {
-        let Solver::Fixed(method) = &mut self.solver else {
-            return Ok(None);
-        };
-        let equations = &mut self.equations;
-        let size = if self.on_grid { self.step } else { target - self.time };
-        method.step(equations, self.time, size, &self.state, &mut self.next);
-        if !self.next.iter().all(|value| value.is_finite()) {
-            return Err(self.places.not_finite(self.time, &self.next, equations.singular()));
-        }
-        if !self.events.is_empty() {
-            if self.events.due(target, &self.next) {
-                let (time, state) = (self.time, &self.state);
-                let crossing = self.events.locate(time, 0.0, size, |since, out| {
-                    method.step(equations, time, since, state, out);
-                });
-                self.time += crossing.low;
-                return Ok(Some(crossing.high - crossing.low));
-            }
-            self.events.pass();
-        }
-        std::mem::swap(&mut self.state, &mut self.next);
-        self.time = target;
-        Ok(None)
-    }
-
-    /// Goes on to `target` or to the end of the method's own step, whichever is first; or, if an event lies before that, to
-    /// the event, whose resolution in time is returned.
-    fn adaptive(&mut self, target: f64) -> Result<Option<f64>, RunError> {
-        let Solver::Adaptive(method) = &mut self.solver else {
-            return Ok(None);
-        };
-        let equations = &mut self.equations;
-        if method.end() <= self.time
-            && let Err(stuck) = method.extend(equations, target)
-        {
-            return Err(self.places.stuck(stuck, self.time, method.attempt(), equations.singular()));
-        }
-        let until = target.min(method.end());
-        if until == method.end() {
-            self.next.copy_from_slice(method.end_state());
-        } else {
-            method.dense(until - method.start(), &mut self.next);
-        }
-        if !self.events.is_empty() {
-            if self.events.due(until, &self.next) {
-                let start = method.start();
-                let crossing = method.locate(equations, &mut self.events, self.time - start, until - start);
-                self.time = start + crossing.low;
-                return Ok(Some(crossing.high - crossing.low));
-            }
-            self.events.pass();
-        }
-        std::mem::swap(&mut self.state, &mut self.next);
-        self.time = until;
-        Ok(None)
-    }
-
-    /// Lets the located events act; how many there were.
-    fn jump(
-        &mut self,
-        resolution: f64,
-        fired: usize,
-        record: &mut impl FnMut(f64, &[f64], bool),
-    ) -> Result<usize, RunError> {
-        self.on_grid = false;
-        self.state.copy_from_slice(self.events.before());
-        record(self.time, &self.state, false);
-        let mut count = self.events.fire(self.time);
-        loop {
-            let after = self.events.after();
-            if !after.iter().all(|value| value.is_finite()) {
-                return Err(self.places.not_finite(self.time, after, false));
-            }
-            self.state.copy_from_slice(after);
-            record(self.time, &self.state, true);
-            if fired + count > Self::EVENT_LIMIT {
-                let event = self.events.first_due();
-                return Err(self.places.too_many_events(Self::EVENT_LIMIT, event, self.time));
-            }
-            match self.events.cascade(self.time) {
-                0 => break,
-                more => count += more,
-            }
-        }
-        self.events.settle(&mut self.equations, self.time, resolution, self.step);
-        self.restart();
-        Ok(count)
     }
 }
 

@@ -24,7 +24,7 @@ pub(crate) struct Recipe {
 pub(crate) enum Outcome {
     /// Where it was to go.
     Reached,
-    /// As far as the budget of steps allowed; so much is missing (SI).
+    /// As far as the work allowed; so much is missing (SI).
     Behind(f64),
     /// As far as the memory allowed.
     Full,
@@ -83,23 +83,23 @@ impl Course {
         }
     }
 
-    /// Runs a recipe with at most `left` steps, which are counted down. Returns whether it could be followed to its end.
-    pub fn replay(model: &Model, recipe: &Recipe, overhead: usize, left: &mut usize) -> (Self, bool) {
+    /// Runs a recipe with no more than about the work in `left` ([`Run::work`]), from which what was done is taken.
+    /// Returns whether it could be followed to its end.
+    pub fn replay(model: &Model, recipe: &Recipe, overhead: usize, left: &mut u64) -> (Self, bool) {
         let mut course = Self::start(model, recipe.setup.clone(), overhead);
         for (row, parameters) in &recipe.changes {
             while course.rows_computed() < *row && *left > 0 {
-                *left -= 1;
-                if matches!(course.advance(), None | Some(Advance::Full)) {
+                if matches!(course.advance(left), None | Some(Advance::Full)) {
                     break;
                 }
             }
             if course.rows_computed() != *row {
-                course.proceed(course.last_time(), 0);
+                course.proceed(course.last_time(), &mut 0);
                 return (course, false);
             }
             course.set_parameters(model, parameters.clone());
         }
-        let complete = course.proceed_within(recipe.front, left) == Outcome::Reached;
+        let complete = course.proceed(recipe.front, left) == Outcome::Reached;
         course.show(recipe.time.min(course.front));
         (course, complete)
     }
@@ -184,21 +184,16 @@ impl Course {
         }
     }
 
-    /// Goes on to `to` with at most `budget` steps and shows that moment. Only from the front: see [`Course::resume`].
-    pub fn proceed(&mut self, to: f64, mut budget: usize) -> Outcome {
-        self.proceed_within(to, &mut budget)
-    }
-
-    /// The same, counting the budget down.
-    fn proceed_within(&mut self, to: f64, left: &mut usize) -> Outcome {
+    /// Goes on to `to` with no more than about the work in `left`, from which what was done is taken, and shows that moment.
+    /// Only from the front: see [`Course::resume`].
+    pub fn proceed(&mut self, to: f64, left: &mut u64) -> Outcome {
         let mut outcome = Outcome::Reached;
         while self.last_time() < to {
             if *left == 0 {
                 outcome = Outcome::Behind(to - self.last_time());
                 break;
             }
-            *left -= 1;
-            match self.advance() {
+            match self.advance(left) {
                 Some(Advance::Full) => {
                     outcome = Outcome::Full;
                     break;
@@ -233,15 +228,11 @@ impl Course {
 
     /// Gives up the rows after the step that the moment shown lies in, so that the run goes on from there with the
     /// parameters then in force.
-    pub fn resume(&mut self, model: &Model) {
+    pub fn resume(&mut self) {
         let Some(row) = self.resume_row() else { return };
         self.changes.retain(|&(first, _)| first <= row);
         self.front = self.time;
-        if self.begun.method.adaptive() {
-            // What such a method does next depends on the steps behind it. They are made again, so that the run stays one
-            // that can be repeated to the bit.
-            (*self, _) = Self::replay(model, &self.recipe(), self.overhead, &mut { usize::MAX });
-        } else if let Some(run) = &mut self.run {
+        if let Some(run) = &mut self.run {
             run.truncate(row);
             self.error = None;
         }
@@ -256,23 +247,28 @@ impl Course {
             *self = Self::start(model, setup, self.overhead);
             return;
         };
+        // This gives up what is only partly a step, with the rows in it.
+        run.set_parameters(parameters.clone());
         let row = run.history().len();
         self.changes.retain(|&(first, _)| first < row);
         let before = self.changes.last().map_or(&self.begun.parameters, |(_, last)| last);
         if *before != parameters {
-            self.changes.push((row, parameters.clone()));
+            self.changes.push((row, parameters));
         }
-        run.set_parameters(parameters);
     }
 
-    /// One step further; `None` when it fails.
-    fn advance(&mut self) -> Option<Advance> {
+    /// To the next row, or as far as the work in `left` allows; `None` when it fails.
+    fn advance(&mut self, left: &mut u64) -> Option<Advance> {
         let run = self.run.as_mut()?;
         let history = run.history();
         if history.bytes() + self.overhead * history.len() >= CAPACITY {
             return Some(Advance::Full);
         }
-        match run.advance() {
+        let (rows, work) = (history.len(), run.work());
+        let result = run.advance_within(*left);
+        let recorded = (run.history().len() - rows) as u64 * (ROW + VALUE * self.state.len() as u64);
+        *left = left.saturating_sub(recorded + run.work() - work);
+        match result {
             Ok(advance) => Some(advance),
             Err(error) => {
                 self.error = Some(error);
@@ -308,6 +304,9 @@ impl Course {
     }
 }
 
+/// The work of recording a row and its values, in floating-point operations.
+const ROW: u64 = 20;
+const VALUE: u64 = 4;
 /// A step to a grid time nearer than this part of a step would look as if the button did nothing.
 const SEEN: f64 = 0.25;
 /// Grid times closer than this part of a step are the same: quotients of times are rounded.

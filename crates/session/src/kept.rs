@@ -56,11 +56,11 @@ impl Session {
         Ok(())
     }
 
-    /// Keeps a run by computing it again with at most `steps` steps, which are counted down. Returns whether they were
-    /// enough for all of it.
-    pub(crate) fn keep_recipe(&mut self, recipe: &Recipe, steps: &mut usize) -> Result<bool, Refusal> {
+    /// Keeps a run by computing it again with no more than the work given, from which what was done is taken. Returns whether
+    /// that was enough for all of it.
+    pub(crate) fn keep_recipe(&mut self, recipe: &Recipe, work: &mut u64) -> Result<bool, Refusal> {
         let overhead = self.columns.bytes_per_row();
-        let (mut course, complete) = Course::replay(&self.document.model, recipe, overhead, steps);
+        let (mut course, complete) = Course::replay(&self.document.model, recipe, overhead, work);
         course.show(course.front());
         let mut present = Vec::new();
         let mut traces = Traces::default();

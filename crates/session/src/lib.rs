@@ -110,6 +110,6 @@ pub use shelf::{Change, Shelf};
 pub use slider::Slider;
 pub use state::StateView;
 pub use symbol::symbol;
-pub use transport::{LONGEST_GAP, SPEEDS, STEPS_PER_TICK, Status};
+pub use transport::{LONGEST_GAP, SPEEDS, Status, WORK_PER_TICK};
 pub use units::Language;
 pub use words::speed_text;

@@ -19,8 +19,8 @@ pub struct MeasurementForm {
 /// Frame rate, duration, pixel size, noise, jitter of the frames, error of the scale, seed.
 pub const MEASUREMENT_FIELDS: usize = 7;
 
-/// The most steps that the run behind a measurement takes.
-const MOST_STEPS: usize = 400_000;
+/// The work of the run behind a measurement, in floating-point operations: a second or two.
+const MOST_WORK: u64 = 500_000_000;
 
 /// Rows of the run between two frames: what lies between them is interpolated, to far less than a pixel.
 const ROWS_PER_FRAME: f64 = 4.0;
@@ -169,13 +169,11 @@ fn quantity_rate(model: &model::Model, quantity: &str) -> Option<(String, units:
 /// A run up to `end`.
 fn recorded(model: &model::Model, setup: Setup, end: f64) -> Result<Run, ()> {
     let mut run = Run::start(model, setup).map_err(|_| ())?;
-    for _ in 0..MOST_STEPS {
-        if run.time() >= end {
-            return Ok(run);
-        }
-        if !matches!(run.advance(), Ok(Advance::Step | Advance::Event)) {
-            break;
+    while run.time() < end {
+        let left = MOST_WORK.checked_sub(run.work()).ok_or(())?;
+        if !matches!(run.advance_within(left), Ok(Advance::Step | Advance::Event)) {
+            return Err(());
         }
     }
-    Err(())
+    Ok(run)
 }

@@ -26,9 +26,12 @@ use units::number::compact as exact;
 /// What the text begins with.
 const VERSION: &str = "1";
 
-/// The most steps that all runs of a link together are computed again with: a link may come from a stranger, and the page
-/// stands still meanwhile.
-const MOST_STEPS: usize = 400_000;
+/// The work that all runs of a link together may take, in floating-point operations: a link may come from a stranger, and
+/// the page stands still meanwhile, on a slow phone for about a second.
+const MOST_WORK: u64 = 50_000_000;
+
+/// No run of a link has more rows: recording each takes some work.
+const MOST_ROWS: usize = 2_500_000;
 
 /// The most parts of a link that a refusal names one by one.
 const MOST_NAMED: usize = 12;
@@ -97,13 +100,13 @@ impl Session {
     ///
     /// # Errors
     /// A text that is no state, or parts that do not fit: an unknown key, a value out of range, a kept run too many, a run
-    /// that takes more than the steps that a link may cost.
+    /// that takes more than the work that a link may cost.
     pub fn restore(&mut self, fragment: &str) -> Result<(), Refusal> {
-        self.restore_within(fragment, &mut { MOST_STEPS })
+        self.restore_within(fragment, &mut { MOST_WORK })
     }
 
-    /// The same with at most `steps` steps for all runs together; what is left of them stays in `steps`.
-    fn restore_within(&mut self, fragment: &str, steps: &mut usize) -> Result<(), Refusal> {
+    /// The same with no more than about the work in `work` for all runs together; what is left of it stays there.
+    fn restore_within(&mut self, fragment: &str, work: &mut u64) -> Result<(), Refusal> {
         let fragment = fragment.trim_start_matches('#');
         if fragment.is_empty() {
             return Ok(());
@@ -126,7 +129,7 @@ impl Session {
         let mut left_out = reader.left_out;
         left_out.extend(sections.map(|_| "k".to_owned()).take(MOST_NAMED + 1));
         let overhead = self.columns.bytes_per_row();
-        let (course, complete) = Course::replay(&self.document.model, &present, overhead, steps);
+        let (course, complete) = Course::replay(&self.document.model, &present, overhead, work);
         if !complete {
             left_out.push(format!("t={}", exact(present.front)));
         }
@@ -137,7 +140,7 @@ impl Session {
         self.revision.runs += 1;
         self.replace_course(course);
         for recipe in &kept {
-            if self.keep_recipe(recipe, steps) != Ok(true) {
+            if self.keep_recipe(recipe, work) != Ok(true) {
                 left_out.push(format!("k, t={}", exact(recipe.front)));
             }
         }
@@ -231,7 +234,7 @@ impl Reader<'_> {
                 let (row, values) = value.split_once(',')?;
                 let row: usize = row.parse().ok()?;
                 let last = recipe.changes.last();
-                if !(1..=MOST_STEPS).contains(&row)
+                if !(1..=MOST_ROWS).contains(&row)
                     || last.is_some_and(|(before, _)| *before >= row)
                     || recipe.changes.len() >= MOST_CHANGES
                 {
@@ -312,7 +315,7 @@ fn number(text: &str) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MOST_NAMED, MOST_STEPS};
+    use super::{MOST_NAMED, MOST_WORK};
     use crate::{MOST_KEPT, Refusal, Session};
 
     fn opened() -> Session {
@@ -321,37 +324,41 @@ mod tests {
         Session::open(document::open(source, &[]).document.unwrap())
     }
 
-    /// What restoring a link computes, in steps, and how many parts are named as left out.
-    fn cost(link: &str) -> (usize, usize) {
-        let (mut session, mut steps) = (opened(), MOST_STEPS);
-        let left_out = match session.restore_within(link, &mut steps) {
+    /// The work of restoring a link, and how many parts are named as left out.
+    fn cost(link: &str) -> (u64, usize) {
+        let (mut session, mut left) = (opened(), MOST_WORK);
+        let left_out = match session.restore_within(link, &mut left) {
             Ok(()) => 0,
             Err(Refusal::PartlyRestored { left_out }) => left_out.len(),
             Err(refusal) => panic!("{refusal:?}"),
         };
         assert!(session.kept().len() <= MOST_KEPT);
-        (MOST_STEPS - steps, left_out)
+        (MOST_WORK - left, left_out)
     }
 
     #[test]
     fn kept_runs_beyond_the_most_cost_nothing() {
-        assert_eq!(cost("1&t=10"), (1_000, 0));
-        assert_eq!(cost(&format!("1&t=10{}", "&k&t=20".repeat(MOST_KEPT))), (1_000 + 2_000 * MOST_KEPT, 0));
-        assert_eq!(cost(&format!("1&t=10{}", "&k&t=20".repeat(MOST_KEPT + 1))), (1_000 + 2_000 * MOST_KEPT, 1));
+        // Each run of 20 s takes twice the work of one of 10 s.
+        let (ten, all) = (cost("1&t=10").0, 1 + 2 * MOST_KEPT as u64);
+        assert!(ten > 1000, "more than an operation for each of 1000 steps: {ten}");
+        assert_eq!(cost(&format!("1&t=10{}", "&k&t=20".repeat(MOST_KEPT))), (ten * all, 0));
+        assert_eq!(cost(&format!("1&t=10{}", "&k&t=20".repeat(MOST_KEPT + 1))), (ten * all, 1));
         let many = format!("1&t=10{}", "&k&t=20".repeat(100_000));
-        assert_eq!(cost(&many), (1_000 + 2_000 * MOST_KEPT, MOST_NAMED + 1));
+        assert_eq!(cost(&many), (ten * all, MOST_NAMED + 1));
     }
 
     #[test]
     fn all_runs_of_a_link_share_one_budget() {
-        let long = format!("1&t=1500{}", "&k&t=1500".repeat(MOST_KEPT));
+        let ten = cost("1&t=10").0;
+        let time = 10 * (MOST_WORK * 2 / 5 / ten);
+        let long = format!("1&t={time}{}", format!("&k&t={time}").repeat(MOST_KEPT));
         assert_eq!(
             cost(&long),
-            (MOST_STEPS, MOST_KEPT - 1),
+            (MOST_WORK, MOST_KEPT - 1),
             "the present run, one whole kept run and a part of the next"
         );
-        assert_eq!(cost("1&h=1e-9&t=1&k&t=1"), (MOST_STEPS, 2));
-        assert_eq!(cost("1&c=100,k:2&c=200,k:3&t=3"), (300, 0));
+        assert_eq!(cost("1&h=1e-9&t=1&k&t=1"), (MOST_WORK, 2));
+        assert_eq!(cost("1&c=100,k:2&c=200,k:3&t=3"), (3 * ten / 10, 0));
     }
 
     #[test]

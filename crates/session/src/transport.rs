@@ -24,8 +24,12 @@ pub const SPEEDS: [f64; 7] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 /// worst once a minute: its run goes on with the clock. A longer gap is a machine that slept, and its run slept too.
 pub const LONGEST_GAP: f64 = 60.0;
 
-/// The most steps computed in one tick; what is missing then is [`Session::slippage`].
-pub const STEPS_PER_TICK: usize = 5_000;
+/// The work done in one tick, in floating-point operations: some milliseconds. What is missing then is
+/// [`Session::slippage`].
+pub const WORK_PER_TICK: u64 = 1_000_000;
+
+/// The work done when a person asks for one step: less than half a second.
+const WORK_PER_STEP: u64 = 50_000_000;
 
 impl Session {
     /// Lets `seconds` of wall time pass. Returns whether anything that is shown has changed.
@@ -34,7 +38,7 @@ impl Session {
             return false;
         }
         let to = self.course.time() + seconds * self.speed;
-        self.proceed(to);
+        self.proceed(to, WORK_PER_TICK);
         true
     }
 
@@ -79,7 +83,7 @@ impl Session {
     pub fn step_forward(&mut self) {
         self.stop();
         self.branch();
-        self.proceed(self.course.next_grid_time());
+        self.proceed(self.course.next_grid_time(), WORK_PER_STEP);
         self.announce(Announcement::Stepped(self.course.time()));
     }
 
@@ -192,8 +196,8 @@ impl Session {
         number::fixed(unit.from_si(time), self.time_decimals(), self.style)
     }
 
-    /// Wall seconds by which the run has fallen behind the clock since it was last started or taken back to the start, because the
-    /// machine could not compute more than [`STEPS_PER_TICK`] steps in each tick.
+    /// Wall seconds by which the run has fallen behind the clock since it was last started or taken back to the start,
+    /// because no more than [`WORK_PER_TICK`] is done in each tick.
     pub fn slippage(&self) -> f64 {
         self.slippage
     }
@@ -219,7 +223,7 @@ impl Session {
             return;
         }
         self.keep_ghost(self.course.rows_until_shown());
-        self.course.resume(&self.document.model);
+        self.course.resume();
         self.traces.truncate(self.course.rows());
         self.truncate_residuals(self.course.front());
         self.full = false;
@@ -230,12 +234,12 @@ impl Session {
 
     /// Computes the run up to a time and shows its beginning.
     pub(crate) fn run_through(&mut self, to: f64) {
-        self.proceed(to);
+        self.proceed(to, WORK_PER_STEP);
         self.show(0.0);
     }
 
-    fn proceed(&mut self, to: f64) {
-        match self.course.proceed(to, STEPS_PER_TICK) {
+    fn proceed(&mut self, to: f64, mut work: u64) {
+        match self.course.proceed(to, &mut work) {
             Outcome::Reached => {}
             Outcome::Behind(missing) => self.slippage += missing / self.speed,
             Outcome::Full => {

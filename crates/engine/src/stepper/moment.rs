@@ -1,0 +1,93 @@
+//! Moments: what decides how a stepper goes on, and how it goes on from there.
+
+use super::advance::RowWork;
+use super::{Solver, Stepper};
+use crate::AfterJump;
+use crate::adaptive::LastStep;
+
+/// Everything that decides how a stepper goes on, besides its model and setup.
+#[derive(Clone, Debug)]
+pub(crate) struct Moment {
+    time: f64,
+    state: Vec<f64>,
+    parameters: Vec<f64>,
+    armed: Vec<bool>,
+    last_step: Option<LastStep>,
+}
+
+impl Moment {
+    /// The memory it takes.
+    pub fn bytes(&self) -> usize {
+        let numbers = size_of::<f64>() * (self.state.len() + self.parameters.len());
+        numbers + self.armed.len() + size_of::<Self>() + self.last_step.as_ref().map_or(0, LastStep::bytes)
+    }
+}
+
+impl Stepper {
+    /// Begins a new run at 0 with other parameters and another initial state, as if it were a new stepper.
+    pub fn begin(&mut self, parameters: Vec<f64>, initial: &[f64]) {
+        self.initial.copy_from_slice(initial);
+        if let Solver::Adaptive(adaptive) = &mut self.solver {
+            adaptive.renew(self.step);
+        }
+        self.resume(0.0, initial, parameters, None);
+    }
+
+    /// Goes on from another moment. Where the state has just jumped, `after` is known besides.
+    pub(crate) fn resume(&mut self, time: f64, state: &[f64], parameters: Vec<f64>, after: Option<&AfterJump>) {
+        self.stand_at(time, state, parameters);
+        self.restart();
+        match after {
+            Some(after) => {
+                self.events.set_armed(&after.armed);
+                self.on_grid = after.on_grid;
+            }
+            None => self.events.arm(time, &self.state),
+        }
+    }
+
+    /// What has to be known to go on from here with the same bits.
+    pub(crate) fn moment(&self) -> Moment {
+        Moment {
+            time: self.time,
+            state: self.state.clone(),
+            parameters: self.parameters.clone(),
+            armed: self.events.armed().to_vec(),
+            last_step: match &self.solver {
+                Solver::Adaptive(adaptive) => Some(adaptive.last_step().clone()),
+                Solver::Fixed(_) => None,
+            },
+        }
+    }
+
+    /// Goes on from a moment, with the bits with which it went on then.
+    pub(crate) fn go_on_from(&mut self, moment: &Moment) {
+        self.stand_at(moment.time, &moment.state, moment.parameters.clone());
+        self.events.set_armed(&moment.armed);
+        if let (Solver::Adaptive(adaptive), Some(step)) = (&mut self.solver, &moment.last_step) {
+            adaptive.go_on_after(step);
+        }
+    }
+
+    fn stand_at(&mut self, time: f64, state: &[f64], parameters: Vec<f64>) {
+        self.time = time;
+        self.state.copy_from_slice(state);
+        self.parameters = parameters;
+        self.stopped = None;
+        self.row = RowWork::default();
+        self.find_grid();
+        self.prepare();
+    }
+
+    /// Finds the last grid point at or before the present time.
+    pub(super) fn find_grid(&mut self) {
+        self.index = (self.time / self.step) as u64;
+        while self.index > 0 && self.index as f64 * self.step > self.time {
+            self.index -= 1;
+        }
+        while (self.index + 1) as f64 * self.step <= self.time {
+            self.index += 1;
+        }
+        self.on_grid = self.index as f64 * self.step == self.time;
+    }
+}

@@ -67,7 +67,9 @@ fn assemble(glue: &str, packed: &[u8], unpacker: &Part) -> Result<String> {
         format!("<script type=\"application/octet-stream\" id=\"{id}\">{}</script>", base64(bytes))
     };
     let mut html = read(&source.join("index.html"))?;
+    let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">", page::POLICY);
     for (marker, text) in [
+        ("<!--policy-->", policy),
         ("<!--style-->", format!("<style>\n{style}</style>")),
         ("<!--glue-->", script(glue)),
         ("<!--module-->", data("module", packed)),

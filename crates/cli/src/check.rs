@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::output::Output;
 use crate::terminal::{Terminal, findings_as_json, findings_as_text};
+use crate::visible::visible;
 use std::io::Write;
 use std::path::PathBuf;
 use units::Language;
@@ -21,12 +22,12 @@ pub fn check(arguments: &Check, terminal: Terminal) -> Result<(), Failure> {
             loaded.push(Loaded::open(sources));
         }
     }
-    let mut output = Output::standard();
-    let text = match arguments.format {
-        Findings::Json => findings_as_json(&loaded, terminal.language),
+    let language = terminal.language;
+    let (mut output, text) = match arguments.format {
+        Findings::Json => (Output::standard(), findings_as_json(&loaded, language)),
         Findings::Text => {
-            let language = terminal.language;
-            findings_as_text(&loaded, language, terminal.standard_output_colors()) + &summary(&loaded, language)
+            let findings = findings_as_text(&loaded, language, terminal.standard_output_colors());
+            (Output::rendered(), findings + &visible(&summary(&loaded, language)))
         }
     };
     output.write_all(text.as_bytes()).map_err(|error| output.failure(&error))?;

@@ -6,6 +6,7 @@ mod columns;
 mod cycles;
 mod data;
 mod derivatives;
+mod excerpt;
 mod export;
 mod failure;
 mod fitting;
@@ -13,11 +14,12 @@ mod language;
 mod load;
 mod output;
 mod page;
-
 mod run;
 mod serve;
 mod settings;
 mod terminal;
+mod unfinished;
+mod visible;
 
 use arguments::{Arguments, Command};
 use clap::Parser;

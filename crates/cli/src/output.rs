@@ -2,8 +2,10 @@
 
 use crate::failure::Failure;
 use crate::load::Sources;
+use crate::unfinished::Unfinished;
+use crate::visible::Visible;
 use std::fs;
-use std::io::{self, BufWriter, StdoutLock, Write};
+use std::io::{self, BufWriter, IsTerminal, StdoutLock, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
@@ -12,12 +14,16 @@ use tempfile::{Builder, NamedTempFile};
 pub enum Output {
     /// The standard output.
     Standard(BufWriter<StdoutLock<'static>>),
+    /// The standard output where a person looks at it: control characters of documents and data are escaped.
+    Screen(BufWriter<Visible<StdoutLock<'static>>>),
     /// A temporary file beside its target.
     File {
         /// What is written so far.
         writer: BufWriter<NamedTempFile>,
         /// What it will be called.
         target: PathBuf,
+        /// Removes the temporary file if the program is interrupted.
+        unfinished: Unfinished,
     },
     /// A device such as /dev/null, which must be written to and not replaced.
     Device {
@@ -29,8 +35,14 @@ pub enum Output {
 }
 
 impl Output {
-    /// The standard output.
+    /// The standard output: byte for byte into files and other programs, with control characters escaped on a terminal.
     pub fn standard() -> Self {
+        let output = io::stdout().lock();
+        if output.is_terminal() { Self::Screen(BufWriter::new(Visible::new(output))) } else { Self::rendered() }
+    }
+
+    /// The standard output for text in which nothing has to be escaped any more, such as diagnostics in colour.
+    pub fn rendered() -> Self {
         Self::Standard(BufWriter::new(io::stdout().lock()))
     }
 
@@ -70,20 +82,20 @@ impl Output {
         let new_file = <fs::Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666);
         #[cfg(unix)]
         builder.permissions(new_file);
-        let file = builder.tempfile_in(directory)?;
+        let (file, unfinished) = Unfinished::watching(|| builder.tempfile_in(directory))?;
         if let Some(permissions) = permissions {
             if permissions.readonly() {
                 return Err(io::ErrorKind::PermissionDenied.into());
             }
             file.as_file().set_permissions(permissions)?;
         }
-        Ok(Self::File { writer: BufWriter::new(file), target })
+        Ok(Self::File { writer: BufWriter::new(file), target, unfinished })
     }
 
     /// What an error of writing here means.
     pub fn failure(&self, error: &io::Error) -> Failure {
         match self {
-            Self::Standard(_) => Failure::standard_output(error),
+            Self::Standard(_) | Self::Screen(_) => Failure::standard_output(error),
             Self::File { target, .. } | Self::Device { target, .. } => Failure::file("write", target, error),
         }
     }
@@ -92,11 +104,12 @@ impl Output {
     pub fn finish(mut self) -> Result<(), Failure> {
         self.flush().map_err(|error| self.failure(&error))?;
         match self {
-            Self::Standard(_) | Self::Device { .. } => Ok(()),
-            Self::File { writer, target } => {
+            Self::Standard(_) | Self::Screen(_) | Self::Device { .. } => Ok(()),
+            Self::File { writer, target, unfinished } => {
                 let file = writer.into_inner().map_err(|error| Failure::file("write", &target, error.error()))?;
-                file.persist(&target).map_err(|error| Failure::file("write", &target, &error.error))?;
-                Ok(())
+                let named = file.persist(&target).map_err(|error| Failure::file("write", &target, &error.error));
+                drop(unfinished);
+                named.map(drop)
             }
         }
     }
@@ -106,6 +119,7 @@ impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self {
             Self::Standard(writer) => writer.write(bytes),
+            Self::Screen(writer) => writer.write(bytes),
             Self::File { writer, .. } => writer.write(bytes),
             Self::Device { writer, .. } => writer.write(bytes),
         }
@@ -114,6 +128,7 @@ impl Write for Output {
     fn flush(&mut self) -> io::Result<()> {
         match self {
             Self::Standard(writer) => writer.flush(),
+            Self::Screen(writer) => writer.flush(),
             Self::File { writer, .. } => writer.flush(),
             Self::Device { writer, .. } => writer.flush(),
         }

@@ -11,9 +11,25 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
+use document::page::POLICY;
+use hyper::server::conn::http1;
+use hyper_util::rt::TokioIo;
+use hyper_util::service::TowerToHyperService;
 use std::io;
 use std::net::{Ipv4Addr, TcpListener};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::sync::Semaphore;
+use tokio::time::{sleep, timeout};
+
+/// How long a connection may last. The page is one answer over the loopback device; a connection that is open longer
+/// waits for a request that does not come.
+const CONNECTION: Duration = Duration::from_secs(10);
+/// How many connections are open at once.
+const CONNECTIONS: usize = 64;
+/// The pause after a connection could not be accepted, for instance for want of file descriptors.
+const PAUSE: Duration = Duration::from_millis(200);
 
 /// The port unless one is asked for, and how many after it are tried.
 const PORT: u16 = 4242;
@@ -70,8 +86,27 @@ async fn answer(listener: TcpListener, laboratory: Laboratory) -> io::Result<()>
     let guard = middleware::from_fn_with_state(laboratory.clone(), only_this_computer);
     let routes = Router::new().route("/", get(index)).layer(guard).with_state(laboratory);
     tokio::select! {
-        result = axum::serve(listener, routes) => result,
+        () = accept(listener, routes) => Ok(()),
         interrupted = tokio::signal::ctrl_c() => interrupted,
+    }
+}
+
+/// Answers one request on each connection, within a limited time.
+async fn accept(listener: tokio::net::TcpListener, routes: Router) {
+    let places = Arc::new(Semaphore::new(CONNECTIONS));
+    loop {
+        let Ok(place) = places.clone().acquire_owned().await else { return };
+        let Ok((stream, _)) = listener.accept().await else {
+            sleep(PAUSE).await;
+            continue;
+        };
+        let service = TowerToHyperService::new(routes.clone());
+        let connection = http1::Builder::new().keep_alive(false).serve_connection(TokioIo::new(stream), service);
+        tokio::spawn(async move {
+            // A client that leaves or stays silent is no concern of the others.
+            let _ = timeout(CONNECTION, connection).await;
+            drop(place);
+        });
     }
 }
 
@@ -94,7 +129,10 @@ fn is_local(headers: &HeaderMap, port: u16) -> bool {
 
 /// The page, with the document as it is now.
 async fn index(State(laboratory): State<Laboratory>) -> Response {
+    // Only as a header can a policy forbid that other sites put the page into a frame.
+    let policy = format!("{POLICY}; frame-ancestors 'self'");
     let headers = [
+        (header::CONTENT_SECURITY_POLICY, policy.as_str()),
         (header::CONTENT_TYPE, "text/html; charset=utf-8"),
         (header::CACHE_CONTROL, "no-store"),
         (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),

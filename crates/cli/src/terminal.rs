@@ -1,7 +1,9 @@
 //! Diagnostics for people, with the line of the source under them, and for programs, as JSON.
 
 use crate::arguments::Color;
+use crate::excerpt::Excerpt;
 use crate::load::{Loaded, Sources};
+use crate::visible::{Visible, visible};
 use codespan_reporting::diagnostic as shown;
 use codespan_reporting::files::SimpleFiles;
 use codespan_reporting::term;
@@ -43,26 +45,32 @@ impl Terminal {
     /// Writes all findings about a document to the standard error.
     pub fn report(self, loaded: &Loaded) {
         let colors = self.colors(std::io::stderr().is_terminal());
-        self.print(&findings_as_text(std::slice::from_ref(loaded), self.language, colors));
+        write(&findings_as_text(std::slice::from_ref(loaded), self.language, colors));
     }
 
     /// Writes one finding about a document to the standard error.
     pub fn report_one(self, sources: &Sources, diagnostic: &Diagnostic) {
         let colors = self.colors(std::io::stderr().is_terminal());
-        self.print(&rendered(sources, [(0, diagnostic)], self.language, colors));
+        write(&rendered(sources, [(0, diagnostic)], self.language, colors));
     }
 
     /// Writes an error that has no place in a document.
     pub fn error(self, message: &str, hint: Option<&str>) {
         let notes = hint.map(|hint| hinted(hint, self.language)).into_iter().collect();
         let error = shown::Diagnostic::error().with_message(message).with_notes(notes);
-        self.print(&emitted(&SimpleFiles::new(), [error], self.colors(std::io::stderr().is_terminal())));
+        let colors = self.colors(std::io::stderr().is_terminal());
+        write(&emitted(&SimpleFiles::new(), [error], self.language, colors));
     }
 
-    /// Writes a line to the standard error; if that is closed, there is nobody to be told.
+    /// Writes a line to the standard error.
     pub fn print(self, text: &str) {
-        let _ = std::io::stderr().lock().write_all(text.as_bytes());
+        write(&visible(text));
     }
+}
+
+/// Writes to the standard error. If that is closed, the message is lost: there is no other place for it.
+fn write(text: &str) {
+    let _ = std::io::stderr().lock().write_all(text.as_bytes());
 }
 
 /// All findings, each with its place.
@@ -88,12 +96,7 @@ fn rendered<'a>(
         let (&id, &text) = (ids.get(file)?, texts.get(file)?);
         Some(with_places(diagnostic, id, text, language))
     });
-    let text = emitted(&files, findings, colors);
-    // The library writes the severity before the code, in English; "error" is Spanish too.
-    match language {
-        Language::English => text,
-        Language::Spanish => text.replace("warning[", "aviso["),
-    }
+    emitted(&files, findings, language, colors)
 }
 
 fn hinted(hint: &str, language: Language) -> String {
@@ -122,18 +125,26 @@ fn with_places(diagnostic: &Diagnostic, file: usize, text: &str, language: Langu
 fn emitted<'a>(
     files: &'a SimpleFiles<String, &'a str>,
     findings: impl IntoIterator<Item = shown::Diagnostic<usize>>,
+    language: Language,
     colors: bool,
 ) -> String {
-    let mut bytes = Vec::new();
-    {
+    let mut text = String::new();
+    for mut finding in findings {
+        let mut bytes = Vec::new();
         let writer: &mut dyn WriteColor =
-            if colors { &mut Ansi::new(&mut bytes) } else { &mut NoColor::new(&mut bytes) };
-        for finding in findings {
-            // Writing to memory cannot fail, and the places are inside their texts.
-            let _ = term::emit_to_write_style(writer, &term::Config::default(), files, &finding);
-        }
+            if colors { &mut Visible::new(Ansi::new(&mut bytes)) } else { &mut Visible::new(NoColor::new(&mut bytes)) };
+        let excerpt = Excerpt::of(files, &mut finding, language);
+        // Writing to memory cannot fail, and the places are inside their texts.
+        let _ = term::emit_to_write_style(writer, &term::Config::default(), &excerpt, &finding);
+        let _ = writer.flush();
+        let shown = String::from_utf8_lossy(&bytes);
+        // The library begins with the severity, in English; "error" is Spanish too.
+        text.push_str(&match language {
+            Language::English => shown,
+            Language::Spanish => shown.replacen("warning[", "aviso[", 1).into(),
+        });
     }
-    String::from_utf8_lossy(&bytes).into_owned()
+    text
 }
 
 /// The span, moved inside the text and to the boundaries of its characters.

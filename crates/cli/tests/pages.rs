@@ -107,6 +107,31 @@ mod with_the_page {
     }
 
     #[test]
+    fn the_policy_is_sent_and_no_other_site_can_frame_the_page() {
+        let server = Server::start(&[]);
+        let answer = server.get("/", &format!("127.0.0.1:{}", server.port)).to_lowercase();
+        let (head, page) = answer.split_once("\r\n\r\n").expect("a head and a page");
+        let policy = head.lines().find_map(|line| line.strip_prefix("content-security-policy: ")).expect("a policy");
+        let (own, frames) = policy.rsplit_once("; ").expect("several rules");
+        assert_eq!(frames, "frame-ancestors 'self'");
+        assert!(page.contains(&format!("content=\"{own}\"")), "the page says the same of itself");
+    }
+
+    #[test]
+    fn connections_without_a_request_are_closed() {
+        let server = Server::start(&[]);
+        let connect = || TcpStream::connect(("127.0.0.1", server.port)).expect("the server listens");
+        let mut silent = [connect(), connect(), connect()];
+        silent[1].write_all(b"GET / HTTP/1.1\r\nHost:").expect("a part of a request");
+        silent[2].write_all(b"GET / HTTP/1.1\r\n").expect("a part of a request");
+        for stream in &mut silent {
+            // Ends when the server closes the connection, and only then.
+            let mut rest = Vec::new();
+            let _ = stream.read_to_end(&mut rest);
+        }
+    }
+
+    #[test]
     fn a_port_that_is_asked_for_is_taken_or_refused() {
         let server = Server::start(&["--port", "0"]);
         let port = server.port.to_string();

@@ -62,11 +62,16 @@ pub fn open(source: &str, translations: &[&str]) -> Opened {
 
 /// The findings in the order of their places; if there are too many, errors go before warnings.
 fn bounded(mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
-    if found.len() > FINDINGS {
+    let more = found.len().saturating_sub(FINDINGS);
+    if more > 0 {
         found.sort_by_key(|diagnostic| std::cmp::Reverse(diagnostic.severity));
         found.truncate(FINDINGS);
     }
     found.sort_by_key(|diagnostic| diagnostic.span().start);
+    if let Some(last) = found.last().filter(|_| more > 0) {
+        let message = words!("{more} more findings are not listed", "otros {more} hallazgos no se muestran");
+        found.push(Diagnostic::warning("more-findings", message, last.span()));
+    }
     found
 }
 

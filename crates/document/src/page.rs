@@ -18,6 +18,10 @@ pub struct Options {
     pub language: Option<String>,
 }
 
+/// The page's content security policy: it asks nobody for anything, and what is not in the file does not exist for it.
+pub const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; \
+                          img-src data: blob:; font-src data:; base-uri 'none'; form-action 'none'";
+
 /// The place in a page where the documents go.
 pub const MARKER: &str = "<!--documents-->";
 

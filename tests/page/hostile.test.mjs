@@ -5,19 +5,71 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { beside, eventually, meniscus, temporary, visit } from "./lab.mjs";
 
-/** No script of the document has run, and nothing of it is in the page. */
+/** Elements that a document must not be able to put into the page. */
+const forbidden = "script, iframe, object, embed, foreignObject, animate, animateMotion, animateTransform, set, base, meta, link, image[href^='http'], form[action]";
+
+/** No script of the document has run, and nothing of it is in the page, the drawing's own tree included. */
 async function isHarmless(lab) {
   await lab.page.waitForTimeout(300);
-  const found = await lab.page.evaluate(() => ({
-    ran: window.harm ?? null,
-    elements: [...document.querySelectorAll("#lab :is(script, iframe, object, embed, foreignObject, animate, set, base, meta, form[action])")].map((element) => element.outerHTML),
-    handlers: [...document.querySelectorAll("#lab *")].flatMap((element) => [...element.attributes].filter((attribute) => /^on/i.test(attribute.name)).map((attribute) => attribute.name)),
-    addresses: [...document.querySelectorAll("#lab [href], #lab [src]")]
-      .flatMap((element) => [element.getAttribute("href"), element.getAttribute("src"), element.getAttribute("xlink:href")])
-      .filter((address) => address !== null && !/^(https?:|mailto:|#|data:image\/)/.test(address)),
-  }));
-  assert.deepEqual(found, { ran: null, elements: [], handlers: [], addresses: [] });
+  const found = await lab.page.evaluate((forbidden) => {
+    const elements = [];
+    const collect = (root) => {
+      for (const element of root.querySelectorAll("*")) {
+        elements.push(element);
+        if (element.shadowRoot) collect(element.shadowRoot);
+      }
+    };
+    collect(document.getElementById("lab"));
+    const attributes = elements.flatMap((element) => [...element.attributes]);
+    const styles = elements.filter((element) => element.localName === "style").map((element) => element.textContent);
+    const painted = [...attributes.map((attribute) => attribute.value), ...styles];
+    return {
+      ran: window.harm ?? null,
+      elements: elements.filter((element) => element.matches(forbidden)).map((element) => element.outerHTML),
+      handlers: attributes.map((attribute) => attribute.name).filter((name) => /^on/i.test(name)),
+      addresses: attributes
+        .filter((attribute) => /^(href|src|xlink:href|action|formaction)$/i.test(attribute.name))
+        .map((attribute) => attribute.value)
+        .filter((address) => !/^(https?:|mailto:|#|data:image\/)/.test(address)),
+      fetched: painted.filter((text) => /@import|url\(\s*["']?(?!#|data:)/i.test(text)),
+    };
+  }, forbidden);
+  assert.deepEqual(found, { ran: null, elements: [], handlers: [], addresses: [], fetched: [] });
 }
+
+visit("what looks for harm finds it in the page and inside the drawing", async (lab) => {
+  await isHarmless(lab);
+  const harms = [
+    '<script>harm = 1</script>',
+    '<svg><animate attributeName="href"/></svg>',
+    '<svg><g onclick="harm = 1"></g></svg>',
+    '<a href="javascript:harm = 1">x</a>',
+    '<svg><rect style="fill: url(http://example.invalid/b.svg#c)"/></svg>',
+    '<style>@import url(http://example.invalid/a.css);</style>',
+  ];
+  for (const inside of [false, true]) {
+    for (const harm of harms) {
+      await lab.page.evaluate(
+        ({ harm, inside }) => {
+          const host = [...document.querySelectorAll("#lab *")].find((element) => element.shadowRoot);
+          const place = document.createElement("div");
+          place.id = "harm";
+          place.innerHTML = harm;
+          (inside ? host.shadowRoot : document.getElementById("lab")).append(place);
+        },
+        { harm, inside },
+      );
+      await assert.rejects(isHarmless(lab), assert.AssertionError, `${harm}, ${inside ? "inside the drawing" : "in the page"}`);
+      await lab.page.evaluate(() => {
+        const host = [...document.querySelectorAll("#lab *")].find((element) => element.shadowRoot);
+        (document.getElementById("harm") ?? host.shadowRoot.getElementById("harm")).remove();
+      });
+    }
+  }
+  // The policy of the page has refused what was put in here, and said so.
+  lab.faults.length = 0;
+  lab.requests.length = 0;
+});
 
 visit("hostile words are only words", { file: exportedWords }, async (lab) => {
   await isHarmless(lab);
@@ -44,13 +96,27 @@ visit("hostile drawings and links are told and left out", async (lab) => {
 });
 
 visit("a hostile link changes nothing but settings", async (lab) => {
-  for (const fragment of ["<img src=x onerror=harm=1>", "b=1e999&h_l=-5&t=nan", "%00%ff%fe", "v=" + "9".repeat(10_000)]) {
+  // Each is read as a link: what is sound in it is taken.
+  for (const hostile of [
+    "p=<img src=x onerror=harm=1>",
+    "p=b:1e999,g:-5&t=nan&e=inf",
+    "y=1,2,3,4&m=<script>harm=1</script>&h=-1&x=javascript:harm=1",
+    "%00%ff%fe&c=0,b:1&c=99999999999999999999,b:1",
+    "v=" + "9".repeat(10_000),
+    "z=0,<b>:1,2:<i>&" + "k&".repeat(2000),
+  ]) {
     await lab.page.goto("about:blank");
-    await lab.go(lab.address + "#" + fragment);
+    await lab.go(lab.address + "#1&p=h_l:3.5&" + hostile);
     await isHarmless(lab);
+    assert.equal(await lab.number("Height of the left column"), 3.5, hostile.slice(0, 60));
     await lab.press("Step forward");
     await eventually(async () => assert.ok((await lab.time()) > 0));
   }
+  // Without the version of a link nothing is read.
+  await lab.page.goto("about:blank");
+  await lab.go(lab.address + "#<img src=x onerror=harm=1>&p=h_l:3.5");
+  await isHarmless(lab);
+  assert.notEqual(await lab.number("Height of the left column"), 3.5);
 });
 
 visit("a page whose document was damaged says so", { file: damaged }, async (lab) => {

@@ -44,7 +44,7 @@ pub fn run(arguments: &Cycles, terminal: Terminal) -> Result<(), Failure> {
     if matches!(format, CyclesFormat::Csv | CyclesFormat::Svg) {
         terminal.print(&columns::as_text(&data));
         for finding in &data.findings {
-            terminal.print(&format!("note: {}\n", finding.text(false)));
+            terminal.note(finding);
         }
     }
     Ok(())

@@ -68,7 +68,11 @@ pub fn read(path: &Path, units: &[Assignment]) -> Result<Measured, Failure> {
 }
 
 fn refused(name: &str, error: &ReadingError) -> Failure {
-    Failure::with_hint(format!("cannot read {name}: {}", error.message(false)), error.hint(false))
+    let why = units::Words { english: error.message(false).into(), spanish: error.message(true).into() };
+    Failure::in_words(
+        units::words!("cannot read {name}: {why}", "no se puede leer {name}: {why}", why = why),
+        units::words(error.hint(false), error.hint(true)),
+    )
 }
 
 fn too_large(path: &Path) -> Failure {

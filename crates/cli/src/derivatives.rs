@@ -59,7 +59,7 @@ pub fn run(arguments: &Derivatives, terminal: Terminal) -> Result<(), Failure> {
     output::deliver(arguments.output.as_deref(), std::slice::from_ref(&arguments.data), text.as_bytes())?;
     terminal.print(&columns::as_text(&data));
     for finding in &data.findings {
-        terminal.print(&format!("note: {}\n", finding.text(false)));
+        terminal.note(finding);
     }
     Ok(())
 }

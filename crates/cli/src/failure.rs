@@ -3,6 +3,7 @@
 use std::fmt::Display;
 use std::io;
 use std::path::Path;
+use units::Words;
 
 /// Why a command stopped.
 #[derive(Debug)]
@@ -14,9 +15,9 @@ pub enum Failure {
     /// What was asked for cannot be done: a wrong argument, a file that cannot be read or written. Exit code 2.
     Request {
         /// What is wrong.
-        message: String,
+        message: Words,
         /// What to do.
-        hint: Option<String>,
+        hint: Option<Words>,
     },
     /// Whoever read our output has seen enough, as `head` does. No failure: exit code 0.
     OutputClosed,
@@ -25,17 +26,22 @@ pub enum Failure {
 impl Failure {
     /// Something in the request is wrong.
     pub fn request(message: impl Into<String>) -> Self {
-        Self::Request { message: message.into(), hint: None }
+        Self::Request { message: Words::same(message.into()), hint: None }
     }
 
     /// Something in the request is wrong, and there is a remedy.
     pub fn with_hint(message: impl Into<String>, hint: impl Into<String>) -> Self {
-        Self::Request { message: message.into(), hint: Some(hint.into()) }
+        Self::Request { message: Words::same(message.into()), hint: Some(Words::same(hint.into())) }
+    }
+
+    /// As [`Self::with_hint`], in every language.
+    pub fn in_words(message: Words, hint: Words) -> Self {
+        Self::Request { message, hint: Some(hint) }
     }
 
     /// A file that cannot be read or written.
     pub fn file(doing: &str, path: &Path, error: &io::Error) -> Self {
-        Self::Request { message: format!("cannot {doing} {}: {}", path.display(), plain(error)), hint: None }
+        Self::request(format!("cannot {doing} {}: {}", path.display(), plain(error)))
     }
 
     /// What writing to standard output ran into.

@@ -104,9 +104,10 @@ pub fn sources(path: &Path) -> Result<Sources, Failure> {
     };
     let base = path.with_file_name(&name);
     let text = read_text(&base).map_err(|failure| match failure {
-        Failure::Request { message, .. } => {
-            Failure::with_hint(message, format!("{} is a translation and says `translates: {name}`", path.display()))
-        }
+        Failure::Request { message, .. } => Failure::with_hint(
+            message.english,
+            format!("{} is a translation and says `translates: {name}`", path.display()),
+        ),
         other => other,
     })?;
     with_translations(&base, text, Some(path))
@@ -215,6 +216,6 @@ mod tests {
         let Err(Failure::Request { message, .. }) = text(b"one\nse\xf1or".to_vec(), "a.md") else {
             panic!("it was read")
         };
-        assert_eq!(message, "a.md is not text in UTF-8 (line 2)");
+        assert_eq!(message.english, "a.md is not text in UTF-8 (line 2)");
     }
 }

@@ -51,7 +51,8 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             if let Failure::Request { message, hint } = &failure {
-                terminal.error(message, hint.as_deref());
+                let language = terminal.language;
+                terminal.error(message.text(language), hint.as_ref().map(|hint| hint.text(language)));
             }
             ExitCode::from(failure.exit_code())
         }

@@ -141,7 +141,8 @@ async fn index(State(laboratory): State<Laboratory>) -> Response {
     match laboratory_page(laboratory.document.as_deref(), laboratory.terminal) {
         Ok(page) => (headers, page).into_response(),
         Err(Failure::Request { message, .. }) => {
-            (StatusCode::INTERNAL_SERVER_ERROR, format!("{message}\n")).into_response()
+            (StatusCode::INTERNAL_SERVER_ERROR, format!("{}\n", message.text(laboratory.terminal.language)))
+                .into_response()
         }
         Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
     }

@@ -62,6 +62,12 @@ impl Terminal {
         write(&emitted(&SimpleFiles::new(), [error], self.language, colors));
     }
 
+    /// Writes what was noticed about measured data to the standard error.
+    pub fn note(self, finding: &analysis::finding::Finding) {
+        let text = finding.text(self.language == Language::Spanish);
+        self.print(&format!("{}: {text}\n", self.language.pick("note", "nota")));
+    }
+
     /// Writes a line to the standard error.
     pub fn print(self, text: &str) {
         write(&visible(text));

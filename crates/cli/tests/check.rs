@@ -66,6 +66,41 @@ fn a_translation_is_checked_with_its_base() {
 }
 
 #[test]
+fn messages_are_in_the_language_asked_for_or_that_of_the_environment() {
+    let (_directory, path) = directory_with(&SPRING.replace("k*x = 0", "kk*x = 0"));
+    let path = path.to_str().expect("UTF-8");
+    let spanish = meniscus(&["check", path, "--language", "es-MX"]);
+    assert!(spanish.stdout.contains("error[unknown-name]: no se conoce `kk`"), "{}", spanish.stdout);
+    assert!(spanish.stdout.contains("ayuda: ") && !spanish.stdout.contains("hint"), "{}", spanish.stdout);
+    let from = |variables: &[(&str, &str)], arguments: &[&str]| {
+        let mut command = common::program();
+        command.env_remove("LC_ALL").env_remove("LC_MESSAGES").env_remove("LANG").envs(variables.iter().copied());
+        common::done(command.args(arguments).output().expect("the program starts")).stdout
+    };
+    assert_eq!(from(&[("LANG", "es_ES.UTF-8")], &["check", path]), spanish.stdout);
+    assert_eq!(from(&[("LANG", "en_GB"), ("LC_ALL", "es")], &["check", path]), spanish.stdout);
+    assert_eq!(from(&[("LC_ALL", ""), ("LC_MESSAGES", "es"), ("LANG", "C")], &["check", path]), spanish.stdout);
+    let english = meniscus(&["check", path]).stdout;
+    assert_eq!(from(&[("LANG", "es"), ("LC_ALL", "fr_FR.UTF-8")], &["check", path]), english);
+    assert_eq!(from(&[("LANG", "es")], &["check", path, "--language", "en"]), english);
+    let json = meniscus(&["check", path, "--format", "json", "--language", "es"]).stdout;
+    assert!(json.contains(r#""code": "unknown-name""#) && json.contains("no se conoce"), "{json}");
+    let unknown = meniscus(&["check", path, "--language", "fr"]);
+    assert_eq!(unknown.code, 2);
+    assert!(unknown.stderr.contains("the languages are en and es"), "{}", unknown.stderr);
+}
+
+#[test]
+fn refused_data_are_explained_in_spanish() {
+    let directory = tempfile::tempdir().expect("a temporary directory");
+    let path = directory.path().join("words.csv");
+    std::fs::write(&path, "only\nwords\nhere\n").expect("it can be written");
+    let done = meniscus(&["--language", "es", "cycles", path.to_str().expect("UTF-8")]);
+    assert_eq!(done.code, 2);
+    assert!(done.stderr.contains("no se puede leer") && done.stderr.contains("ayuda: "), "{}", done.stderr);
+}
+
+#[test]
 fn colours_are_there_when_asked_for() {
     let (_directory, path) = directory_with("```model\nx'' = \n```\n");
     let done = meniscus(&["check", path.to_str().expect("UTF-8"), "--color", "always"]);

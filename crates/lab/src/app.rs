@@ -7,13 +7,14 @@ use crate::opening::Findings;
 use crate::saved::{self, Saved};
 use crate::sound::Sound;
 use crate::views::*;
-use crate::words::{Language, Words};
+use crate::words::{Words, words_in};
 use document::page::Source;
 use session::{Announcement, FitProgress, RecordProgress, Refusal, Revision, Session};
 use std::cell::{RefCell, RefMut};
 use std::collections::VecDeque;
 use std::ops::Deref;
 use sycamore_reactive::{NodeHandle, batch, use_current_scope};
+use units::Language;
 use web_sys::File;
 
 /// What the page holds for as long as it is open.
@@ -161,7 +162,7 @@ impl App {
 
     /// The words of the interface, without tracking: whatever shows words is built anew for another language.
     pub fn words(self) -> &'static Words {
-        self.language.get_untracked().words()
+        words_in(self.language.get_untracked())
     }
 
     /// Works on everything the page holds. Must not be nested.

@@ -65,7 +65,7 @@ fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)], correcta
 }
 
 fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic, correctable: Option<usize>) -> HtmlArticle {
-    let (words, language) = (app.words(), Language::of(app.language.get_untracked().tag()));
+    let (words, language) = (app.words(), app.language.get_untracked());
     let (kind, class) = match diagnostic.severity {
         Severity::Error => (words.error, "finding error"),
         Severity::Warning => (words.warning, "finding warning"),

@@ -3,8 +3,8 @@
 use crate::app::App;
 use crate::theme::Theme;
 use crate::views::*;
-use crate::words::Language;
 use crate::{browser, icons, keys, library, links, opening};
+use units::Language;
 use web_sys::HtmlInputElement;
 
 /// The head of the page.

@@ -1,51 +1,11 @@
 //! The words of the interface in every language it speaks. What the document says is translated by the document, and
 //! what the session says by the session.
 
-/// A language of the interface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Language {
-    /// English.
-    English,
-    /// Spanish.
-    Spanish,
-}
+use units::Language;
 
-impl Language {
-    /// The languages, as the switch offers them.
-    pub const ALL: [Self; 2] = [Self::English, Self::Spanish];
-
-    /// The language of a tag such as `es-MX`; English where the interface does not speak it.
-    pub fn of(tag: &str) -> Self {
-        if tag.get(..2).is_some_and(|primary| primary.eq_ignore_ascii_case("es")) {
-            Self::Spanish
-        } else {
-            Self::English
-        }
-    }
-
-    /// The tag, for `lang` attributes.
-    pub fn tag(self) -> &'static str {
-        match self {
-            Self::English => "en",
-            Self::Spanish => "es",
-        }
-    }
-
-    /// The language's own name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::English => "English",
-            Self::Spanish => "Español",
-        }
-    }
-
-    /// Its words.
-    pub fn words(self) -> &'static Words {
-        match self {
-            Self::English => &ENGLISH,
-            Self::Spanish => &SPANISH,
-        }
-    }
+/// The words in one language.
+pub fn words_in(language: Language) -> &'static Words {
+    language.pick(&ENGLISH, &SPANISH)
 }
 
 /// Declares [`Words`] and its two tables from one: a word that lacks a language does not compile.

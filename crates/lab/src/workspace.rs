@@ -5,11 +5,11 @@ use crate::links::Arrival;
 use crate::scene::SceneNodes;
 use crate::theme::Theme;
 use crate::views::*;
-use crate::words::Language;
 use crate::{
     browser, controls, diagnostics, drop, frame, header, keys, library, links, messages, notebook, opening, plots,
     readouts, transport, visited, worksheet,
 };
+use units::Language;
 
 /// Starts the laboratory in the element `lab`.
 pub fn start() {

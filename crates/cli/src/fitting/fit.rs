@@ -14,6 +14,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use report::Report;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+use units::Language;
 use units::number::{Style, plain};
 
 /// Points of a drawn curve.
@@ -46,7 +47,7 @@ pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     let mut theory = prepare::theory(&arguments.document, terminal)?;
     let task = prepare::task(&mut theory.document, &data, &arguments.common, terminal)?;
     let fitted = complete(theory, task, arguments.profile)?;
-    let notes = notes(&data);
+    let notes = notes(&data, &fitted.theory);
     if let (Some(path), Some(kind)) = (&arguments.output, kind) {
         let command = command();
         write(path, kind, &arguments.data, &fitted.report(&notes, &command))?;
@@ -148,9 +149,10 @@ impl Fitted {
     }
 }
 
-/// What was noticed about each file, in sentences.
-pub fn notes(data: &[Measured]) -> Vec<Vec<String>> {
-    data.iter().map(|one| one.findings.iter().map(|finding| finding.text(false)).collect()).collect()
+/// What was noticed about each file, in sentences of the report's language, which is that of the document.
+pub fn notes(data: &[Measured], theory: &Theory) -> Vec<Vec<String>> {
+    let spanish = Language::of(&theory.document.language) == Language::Spanish;
+    data.iter().map(|one| one.findings.iter().map(|finding| finding.text(spanish)).collect()).collect()
 }
 
 /// The command as it was typed, as far as a shell needs quotes.

@@ -36,8 +36,8 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     let data = read(&arguments.data, &arguments.common, terminal)?;
     if arguments.common.format == Form::Text {
         // The table of theories has no place for these.
-        for note in notes(&data).iter().flatten() {
-            terminal.print(&format!("note: {note}\n"));
+        for finding in data.iter().flat_map(|one| &one.findings) {
+            terminal.note(finding);
         }
     }
     let contenders: Vec<Contender> =
@@ -45,8 +45,9 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     let outcomes: Vec<&Outcome> = contenders.iter().map(|one| &one.fitted.outcome).collect();
     let ranked = order(&outcomes);
     if let (Some(path), Some(kind)) = (&arguments.output, kind) {
-        let notes = notes(&data);
-        let reports: Vec<Report> = contenders.iter().map(|one| one.fitted.report(&notes, "")).collect();
+        let notes: Vec<Vec<Vec<String>>> = contenders.iter().map(|one| notes(&data, &one.fitted.theory)).collect();
+        let reports: Vec<Report> =
+            contenders.iter().zip(&notes).map(|(one, notes)| one.fitted.report(notes, "")).collect();
         let command = command();
         let ranking = Ranking { theories: &reports, command: &command };
         let bytes = match kind {

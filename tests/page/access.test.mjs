@@ -66,7 +66,7 @@ for (const language of ["en-GB", "es-ES"]) {
     const [ofPage, data, ofProgram] = ["report.html", "film.csv", "program.html"].map((name) => temporary(`${language}-${name}`));
     await download.saveAs(ofPage);
     writeFileSync(data, film());
-    meniscus("fit", "simulations/theories/linear.md", data, "--output", ofProgram);
+    meniscus("fit", "simulations/theories/linear.md", data, "--observe", "y", "--language", language.slice(0, 2), "--output", ofProgram);
     const found = [];
     for (const file of [ofPage, ofProgram]) {
       await lab.page.goto(pathToFileURL(file).href);

@@ -28,9 +28,14 @@ pub fn symbol(name: &str) -> String {
 
 /// A name as plain text, for the axes of a figure: `ω0`, `y′`.
 pub fn plain_symbol(name: &str) -> String {
+    without_tags(&symbol(name)).replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&amp;", "&")
+}
+
+/// The text of some markup, still escaped.
+fn without_tags(markup: &str) -> String {
     let mut out = String::new();
     let mut inside = false;
-    for character in symbol(name).chars() {
+    for character in markup.chars() {
         match character {
             '<' => inside = true,
             '>' => inside = false,
@@ -38,7 +43,7 @@ pub fn plain_symbol(name: &str) -> String {
             _ => {}
         }
     }
-    out.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&amp;", "&")
+    out
 }
 
 /// A growing page.
@@ -64,6 +69,17 @@ impl Page {
         for piece in ["<", element, ">", markup, "</", name, ">\n"] {
             self.out.push_str(piece);
         }
+    }
+
+    /// The header of a row or a column, markup, with attributes. Not every screen reader takes mathematics for words, so a
+    /// header that holds any is heard as plain text.
+    pub fn header(&mut self, attributes: &str, markup: &str) {
+        let element = ["th ", attributes].concat();
+        if !markup.contains("<math") {
+            return self.wrapped(&element, markup);
+        }
+        let heard = ["<span class=\"heard\">", &without_tags(markup), "</span>"].concat();
+        self.wrapped(&element, &[&heard, "<span aria-hidden=\"true\">", markup, "</span>"].concat());
     }
 
     /// The heading of a section, which ends with the next one.
@@ -100,8 +116,8 @@ impl Page {
             match (place, cell.strip_prefix('#')) {
                 // A header without words would head nothing: a record that has no name.
                 (0, None) if cell.is_empty() => self.raw("<td></td>"),
-                (0, None) => self.wrapped("th scope=\"row\"", cell),
-                (0, Some(cell)) => self.wrapped("th scope=\"row\" class=\"n\"", cell),
+                (0, None) => self.header("scope=\"row\"", cell),
+                (0, Some(cell)) => self.header("scope=\"row\" class=\"n\"", cell),
                 (_, Some(cell)) => self.wrapped("td class=\"n\"", cell),
                 (_, None) => self.wrapped("td", cell),
             }

@@ -93,7 +93,7 @@ pub fn ranking_html(ranking: &Ranking<'_>) -> String {
     }
     if !ranking.command.is_empty() {
         page.heading(words.pick("To repeat this", "Para repetirlo"));
-        page.wrapped("pre", &escaped(ranking.command));
+        page.wrapped("pre tabindex=\"0\"", &escaped(ranking.command));
     }
     page::footer(&mut page, words, version, date);
     markup::document(title, words.tag(), version, &page.out)

@@ -202,12 +202,12 @@ pub fn correlations(page: &mut Page, report: &Report<'_>) {
     }
     page.raw("<div class=\"scroll\"><table class=\"matrix\"><thead><tr><td></td>");
     for index in 0..count {
-        page.wrapped("th scope=\"col\"", &named(index).replace(" <small>", "<br/><small>"));
+        page.header("scope=\"col\"", &named(index).replace(" <small>", "<br/> <small>"));
     }
     page.raw("</tr></thead><tbody>\n");
     for row in 0..count {
         page.raw("<tr>");
-        page.wrapped("th scope=\"row\"", &named(row));
+        page.header("scope=\"row\"", &named(row));
         for column in 0..count {
             let value = matrix[row * count + column];
             page.wrapped(&tinted(value), &fixed(value, 2, words.style()));

@@ -71,7 +71,7 @@ pub fn data(page: &mut Page, report: &Report<'_>) {
         (escaped(words.pick("of which fitted", "de ellos ajustados")), true),
         (of, true),
     ] {
-        page.wrapped(if number { "th scope=\"col\" class=\"n\"" } else { "th scope=\"col\"" }, &heading);
+        page.header(if number { "scope=\"col\" class=\"n\"" } else { "scope=\"col\"" }, &heading);
     }
     page.raw("</tr></thead><tbody>\n");
     for fit in &report.outcome.observations {
@@ -103,7 +103,7 @@ pub fn repeat(page: &mut Page, report: &Report<'_>, csv: &str) {
     let words = Words::of(report.language);
     page.heading(words.pick("To repeat this", "Para repetirlo"));
     if !report.command.is_empty() {
-        page.wrapped("pre", &escaped(report.command));
+        page.wrapped("pre tabindex=\"0\"", &escaped(report.command));
     }
     page.raw("<dl class=\"steps\">");
     page.pair(words.pick("Theory", "Teoría"), &report.document_name);
@@ -117,7 +117,7 @@ pub fn repeat(page: &mut Page, report: &Report<'_>, csv: &str) {
     let mut detail = |summary: &str, text: &str| {
         page.raw("<details>");
         page.element("summary", summary);
-        page.wrapped("pre", &escaped(text));
+        page.wrapped("pre tabindex=\"0\"", &escaped(text));
         page.raw("</details>\n");
     };
     let source = [words.pick("The document, ", "El documento, "), report.document_name].concat();

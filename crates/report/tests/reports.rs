@@ -258,6 +258,9 @@ fn every_header_has_words_and_every_image_a_name() {
             for node in tree.descendants() {
                 if node.tag_name().name() == "th" {
                     assert!(!words(node).is_empty(), "{}", &source[node.range()]);
+                    let mathematics = node.descendants().any(|inner| inner.tag_name().name() == "math");
+                    let heard = node.children().any(|inner| inner.attribute("class") == Some("heard"));
+                    assert!(!mathematics || heard, "{}", &source[node.range()]);
                 }
                 if node.attribute("role") == Some("img") {
                     let title = node.children().find(|child| child.tag_name().name() == "title");

@@ -178,7 +178,8 @@ pub(super) fn correlation(covariance: &[f64], size: usize) -> Vec<f64> {
         for column in 0..size {
             let scale = deviation[row] * deviation[column];
             if scale > 0.0 {
-                correlation[row * size + column] = covariance[row * size + column] / scale;
+                let rounded = covariance[row * size + column] / scale;
+                correlation[row * size + column] = if row == column { 1.0 } else { rounded };
             }
         }
     }

@@ -144,7 +144,11 @@ fn what_cannot_be_read_is_refused_with_the_remedy() {
         &[],
         &["cannot read", "data.txt: this is not text", "hint: export the table as text"],
     );
-    refused(b"PK\x03\x04 no workbook", &[], &["cannot read", "as a workbook", "XLSX, XLS or ODS"]);
+    refused(
+        b"PK\x03\x04 no workbook",
+        &[],
+        &["cannot read", "the workbook is damaged or incomplete", "hint: open it in the spreadsheet program"],
+    );
     refused(b"Dear Ann,\nhow are you?\n", &[], &["line 1: there is no table", "hint: a table has one row a line"]);
     refused(b"t,y\n0,1\n1,1\n2,1\n", &[], &["y does not oscillate", "--observe NAME=COLUMN"]);
     let good = text("t\ty", false);

@@ -67,7 +67,7 @@ visit("the cycles of a record: table, words, plots, files", async (lab) => {
   await cycles(lab).locator("canvas").focus();
   await eventually(async () => {
     await lab.keys("ArrowRight");
-    assert.match(await lab.told(), /T = 0\.6\d+ ± 0\.\d+ s/);
+    assert.match(await lab.told(), /T = \(0\.6\d+ ± 0\.\d+\) s/);
   });
 });
 

@@ -44,7 +44,10 @@ visit("with other parameters and in Spanish too", { language: "es-ES" }, async (
   await lab.tab("Datos");
   const { text } = await lab.save(lab.button("Descargar CSV"));
   const settings = ["h_l=2", "h_r=6", "rho=13600", "S=0.5", "b=200"].flatMap((setting) => ["--set", setting]);
-  assert.equal(text, sameRun(text, ...settings));
+  // As programs with decimal commas read it: the same numbers to the last digit.
+  assert.match(text, /^\ufeff[^,]*;[^,]*\r?\n/);
+  const plain = text.replace(/^\ufeff/, "").replaceAll("\r\n", "\n").replaceAll(",", ".").replaceAll(";", ",");
+  assert.equal(plain, sameRun(plain, ...settings));
 });
 
 visit("figures are saved as SVG and PNG", async (lab) => {

@@ -61,7 +61,7 @@ fn assemble(glue: &str, packed: &[u8], unpacker: &Part) -> Result<String> {
     let font = source.join("math.woff2");
     let font = std::fs::read(&font).with_context(|| format!("cannot read {}", font.display()))?;
     let style = read(&source.join("style.css"))?.replace("/*math-font*/", &base64(&font));
-    let style = style + &read(&source.join("print.css"))?;
+    let style = style + &read(&source.join("narrow.css"))? + &read(&source.join("print.css"))?;
     let boot = read(&source.join("boot.js"))?.replace("/*unpacker*/", unpacker.glue.trim_end());
     let data = |id: &str, bytes: &[u8]| {
         format!("<script type=\"application/octet-stream\" id=\"{id}\">{}</script>", base64(bytes))

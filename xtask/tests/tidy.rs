@@ -11,7 +11,7 @@ const ARROWS: [(&str, &[&str]); 12] = [
     ("units", &[]),
     ("unpack", &[]),
     ("model", &["units"]),
-    ("figure", &[]),
+    ("figure", &["units"]),
     ("engine", &["model", "units"]),
     ("document", &["model", "units"]),
     ("analysis", &["engine", "model", "units"]),

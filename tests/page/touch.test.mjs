@@ -53,7 +53,7 @@ const handles = (lab) => lab.page.locator("#scene [role=slider]");
 async function grip(lab, handle) {
   // A scene that has just been opened stands in its place once it has been drawn.
   await lab.time();
-  await handle.evaluate((node) => node.scrollIntoView({ block: "center" }));
+  await handle.evaluate((node) => node.scrollIntoView({ block: "center", behavior: "instant" }));
   return handle.evaluate((node) => {
     const box = node.getBoundingClientRect();
     return { x: box.x + box.width / 2, y: box.y + box.height / 2, width: box.width, height: box.height, unit: node.ownerSVGElement.getScreenCTM().d };

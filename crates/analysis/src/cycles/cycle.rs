@@ -100,7 +100,9 @@ fn sinusoids(times: &[f64], values: &[f64], estimate: Estimate) -> Option<Cycles
     // The time before which nothing was seen any more, and for how many turning points.
     let mut failures = 0;
     while time + 0.98 * PI / local.0 <= last && failures < 3 {
-        let found = at(times, values, time, local, &mut scratch);
+        // A turning point that lies no later than the last one is that one again: so every round goes forwards.
+        let earliest = result.cycles.last().map_or(f64::NEG_INFINITY, |last| last.time.value + 0.5 * PI / local.0);
+        let found = at(times, values, time, local, &mut scratch).filter(|cycle| cycle.time.value > earliest);
         match found {
             Some(cycle) => {
                 failures = 0;

@@ -1,0 +1,243 @@
+//! What is said of residuals: outliers, verdicts, criteria.
+
+use crate::support::Noise;
+use crate::support::fitting::{fitted, model, observation, parameter, record, task};
+use analysis::fit::{Outcome, Varied, Verdict, rank};
+use model::Model;
+
+const SWING: &str = "
+parameter A = 0.05 [m]
+parameter gamma = 0.4 [1/s]
+parameter omega = 9.6 [1/s]
+parameter phi = 0.5
+parameter c = 0.002 [m]
+y = A*exp(-gamma*t)*cos(omega*t + phi) + c
+";
+const NAMES: [&str; 5] = ["A", "gamma", "omega", "phi", "c"];
+const LINE: &str = "parameter a = 2 [m]\nparameter s = -0.3 [m/s]\ny = a + s*t";
+const SIGMA: f64 = 5e-4;
+
+fn swing(time: f64) -> f64 {
+    0.05 * libm::exp(-0.4 * time) * libm::cos(9.6 * time + 0.5) + 0.002
+}
+
+fn frames(count: u32) -> Vec<f64> {
+    (0..count).map(|row| f64::from(row) / 30.0).collect()
+}
+
+/// Values with noise whose neighbours have the correlation `rho`.
+fn noisy(times: &[f64], noise: &mut Noise, rho: f64, truth: impl Fn(f64) -> f64) -> Vec<f64> {
+    let mut scatter = noise.normal();
+    let value = |time: &f64| {
+        scatter = rho * scatter + (1.0 - rho * rho).sqrt() * noise.normal();
+        truth(*time) + SIGMA * scatter
+    };
+    times.iter().map(value).collect()
+}
+
+fn fit(model: &Model, names: &[&str], times: &[f64], values: &[f64]) -> Outcome {
+    fitted(model, task(model, record(vec![observation(model, "y", 0, times, values)]), names))
+}
+
+/// The rows of the outliers.
+fn rows(outcome: &Outcome) -> Vec<usize> {
+    outcome.outliers.iter().map(|one| one.row).collect()
+}
+
+#[test]
+fn one_value_that_is_off_is_named_and_changes_no_verdict() {
+    let swing_model = model(SWING);
+    let line = model(LINE);
+    let truth = |time: f64| 2.0 - 0.3 * time;
+    let mut noise = Noise::new(4_711);
+    for (model, names, count) in
+        [(&swing_model, &NAMES[..], 200), (&swing_model, &NAMES, 60), (&line, &["a", "s"], 100)]
+    {
+        let times = frames(count);
+        for size in [20.0, 100.0] {
+            let (mut alone, mut random) = (0, 0);
+            for number in 0..100 {
+                let straight = names.len() == 2;
+                let mut values =
+                    noisy(&times, &mut noise, 0.0, |time| if straight { truth(time) } else { swing(time) });
+                let clean = fit(model, names, &times, &values);
+                let row = number * 7_919 % times.len();
+                let sign = if number % 2 == 0 { 1.0 } else { -1.0 };
+                values[row] += sign * size * SIGMA;
+                let outcome = fit(model, names, &times, &values);
+                let named = outcome.outliers.iter().find(|one| one.row == row);
+                let sigmas = sign * named.unwrap().sigmas;
+                assert!((0.5 * size..2.0 * size).contains(&sigmas), "{count} {size} {number}: {sigmas}");
+                // By chance one clean record in two hundred has an outlier or another verdict.
+                alone += i32::from(outcome.outliers.len() == 1);
+                random += i32::from(outcome.verdict() == Verdict::Compatible);
+                assert!((outcome.autocorrelation - clean.autocorrelation).abs() < 0.12, "{count} {size} {number}");
+            }
+            println!("{count} rows, {size} sigma: named alone in {alone}, random in {random} of 100");
+            assert!(alone >= 98 && random >= 98, "{count} {size}: {alone} {random}");
+        }
+    }
+}
+
+#[test]
+fn a_clean_record_has_no_outliers() {
+    let model = model(SWING);
+    let mut noise = Noise::new(12);
+    for (count, rho) in [(60, 0.0), (60, 0.8), (200, 0.0), (200, 0.8)] {
+        let times = frames(count);
+        let named = (0..300).filter(|_| {
+            let values = noisy(&times, &mut noise, rho, swing);
+            !fit(&model, &NAMES, &times, &values).outliers.is_empty()
+        });
+        let named = named.count();
+        assert!(named < 3, "{count} {rho}: {named} of 300");
+    }
+}
+
+/// Two values off, one of them beside the other, and one at the end, where a single value decides most.
+#[test]
+fn several_outliers_are_named() {
+    let model = model(SWING);
+    let times = frames(200);
+    let mut noise = Noise::new(77);
+    for rho in [0.0, 0.8] {
+        let mut values = noisy(&times, &mut noise, rho, swing);
+        for (row, off) in [(0, 40.0), (50, -30.0), (51, 60.0), (120, 25.0), (199, -40.0)] {
+            values[row] += off * SIGMA;
+        }
+        assert_eq!(rows(&fit(&model, &NAMES, &times, &values)), [0, 50, 51, 120, 199], "{rho}");
+    }
+}
+
+/// A wrong theory leaves large residuals where the motion is large: these are no outliers.
+#[test]
+fn what_a_theory_misses_is_no_outlier() {
+    let model = model(SWING);
+    let times = frames(200);
+    let mut noise = Noise::new(5);
+    for _ in 0..20 {
+        let values =
+            noisy(&times, &mut noise, 0.0, |time| swing(time) + 0.01 * libm::exp(-1.5 * time) * libm::cos(25.0 * time));
+        let outcome = fit(&model, &NAMES, &times, &values);
+        assert_eq!((rows(&outcome), outcome.verdict()), (Vec::new(), Verdict::Structured));
+    }
+}
+
+#[test]
+fn exact_fits_come_first_and_are_as_good_as_each_other() {
+    let line = model(LINE);
+    let parabola = model("parameter a = 2 [m]\nparameter s = -0.3 [m/s]\nparameter b = 0 [m/s^2]\ny = a + s*t + b*t^2");
+    let other = model("parameter p = 1 [m]\nparameter q = 1 [m/s]\ny = p + q*(t - 1 [s])");
+    let constant = model("parameter a = 2 [m]\ny = a + 0*t*1[m/s]");
+    let times = frames(100);
+    let values: Vec<f64> = times.iter().map(|time| 2.5 + 0.5 * time).collect();
+    let outcomes = [
+        fit(&constant, &["a"], &times, &values),
+        fit(&parabola, &["a", "s", "b"], &times, &values),
+        fit(&line, &["a", "s"], &times, &values),
+        fit(&other, &["p", "q"], &times, &values),
+    ];
+    assert_eq!(outcomes.each_ref().map(|one| one.exact), [false, true, true, true]);
+    assert_eq!(outcomes[2].verdict(), Verdict::Exact);
+    for outcome in &outcomes {
+        assert!(outcome.aicc.unwrap().is_finite() && outcome.bic.is_finite());
+    }
+    let ranked = rank(&outcomes.each_ref());
+    // The two lines are one theory; the parabola has a number too many.
+    assert_eq!(ranked.iter().map(|one| one.index).collect::<Vec<_>>(), [2, 3, 1, 0]);
+    assert_eq!((ranked[0].difference, ranked[1].difference), (0.0, 0.0));
+    assert!((ranked[0].weight - ranked[1].weight).abs() < 1e-12 && ranked.iter().all(|one| one.weight.is_finite()));
+    assert!((1.0..5.0).contains(&ranked[2].difference) && ranked[3].difference > 1_000.0, "{ranked:?}");
+    // A record in which nothing changes is met exactly, too.
+    let still = fit(&constant, &["a"], &times, &vec![0.0; times.len()]);
+    assert!(still.exact && still.aicc.unwrap().is_finite() && still.outliers.is_empty());
+    // One value that is off is an outlier beside rounding, too.
+    let mut values = values;
+    values[30] += 1.0;
+    assert_eq!(rows(&fit(&line, &["a", "s"], &times, &values)), [30]);
+}
+
+/// The verdict is about all that was measured: structure in a second column, or in a second record, counts.
+#[test]
+fn verdicts_are_of_all_columns_and_records() {
+    let model = model("parameter a = 1 [m]\nparameter b = 1 [m/s]\ny = a + 0*t*1[m/s]\nv = b + 0*t*1[m/s^2]");
+    let mut noise = Noise::new(21);
+    let (few, many) = (frames(30), frames(1_000));
+    for _ in 0..20 {
+        let random = |times: &[f64], noise: &mut Noise| noisy(times, noise, 0.0, |_| 1.0);
+        let structured = noisy(&many, &mut noise, 0.5, |_| 1.0);
+        let (short, long) = (random(&few, &mut noise), random(&many, &mut noise));
+        let columns = |long: &[f64]| {
+            let columns = vec![observation(&model, "y", 0, &few, &short), observation(&model, "v", 0, &many, long)];
+            fitted(&model, task(&model, record(columns), &["a", "b"]))
+        };
+        let [two, bad] = [&long, &structured].map(|long| columns(long));
+        assert_eq!((two.judged, bad.judged), (1_030, 1_030));
+        assert_eq!(bad.verdict(), Verdict::Structured);
+        // The same values in two records.
+        let records = |long: &[f64]| {
+            let one = |times: &[f64], values: &[f64]| record(vec![observation(&model, "y", 0, times, values)]);
+            let mut task = task(&model, one(&few, &short), &["a"]);
+            task.records.push(one(&many, long));
+            fitted(&model, task)
+        };
+        let [apart, bad] = [&long, &structured].map(|long| records(long));
+        assert_eq!(bad.verdict(), Verdict::Structured);
+        // They leave the same residuals, and so the same is said.
+        assert_eq!(apart.verdict(), two.verdict());
+        assert!((apart.autocorrelation - two.autocorrelation).abs() < 1e-9);
+    }
+}
+
+/// What is stopped by its range costs nothing in AICc and is no determined number: one rule.
+#[test]
+fn a_number_at_its_bound_is_not_counted() {
+    let line = model("parameter a = 1 [m]\nparameter s = 0 [m/s] in -1..0.2\ny = a + s*t");
+    let times = frames(50);
+    let values = noisy(&times, &mut Noise::new(10), 0.0, |time| 2.0 + 0.3 * time);
+    let stopped = fit(&line, &["a", "s"], &times, &values);
+    let mut held = task(&line, record(vec![observation(&line, "y", 0, &times, &values)]), &["a"]);
+    held.parameters[parameter(&line, "s")] = 0.2;
+    let held = fitted(&line, held);
+    assert!(stopped.parameters[1].at_bound);
+    assert_eq!((stopped.n - stopped.dof, held.n - held.dof), (1, 1));
+    assert!((stopped.aicc.unwrap() - held.aicc.unwrap()).abs() < 1e-9);
+    assert!((stopped.bic - held.bic).abs() < 1e-9);
+}
+
+/// Correlated residuals tell less than as many independent ones, and so do the weights of theories.
+#[test]
+fn weights_of_evidence_count_independent_values() {
+    let line = model(LINE);
+    let parabola = model("parameter a = 2 [m]\nparameter s = -0.3 [m/s]\nparameter b = 0 [m/s^2]\ny = a + s*t + b*t^2");
+    let times = frames(300);
+    let values = noisy(&times, &mut Noise::new(3), 0.9, |time| 2.0 - 0.3 * time);
+    let outcomes = [fit(&line, &["a", "s"], &times, &values), fit(&parabola, &["a", "s", "b"], &times, &values)];
+    let ranked = rank(&outcomes.each_ref());
+    let best = &outcomes[ranked[0].index];
+    let worth = best.independent / 300.0;
+    assert!((0.01..0.15).contains(&worth), "{worth}");
+    let expected = libm::exp(-0.5 * worth * ranked[1].difference);
+    assert!((ranked[1].weight / ranked[0].weight / expected - 1.0).abs() < 1e-9, "{ranked:?}");
+}
+
+/// Records with numbers of their own are known as well together as each alone: what belongs to another one has no score, and
+/// must not count in the choice of lags.
+#[test]
+fn numbers_of_another_record_do_not_change_the_errors() {
+    let model = model(SWING);
+    let (long, short) = (frames(300), frames(150));
+    let mut noise = Noise::new(31);
+    let one = record(vec![observation(&model, "y", 0, &long, &noisy(&long, &mut noise, 0.7, swing))]);
+    let other = record(vec![observation(&model, "y", 0, &short, &noisy(&short, &mut noise, 0.2, swing))]);
+    let alone = [&one, &other].map(|record| fitted(&model, task(&model, record.clone(), &NAMES)));
+    let mut both = task(&model, one, &NAMES);
+    both.records.push(other);
+    both.varied = NAMES.iter().map(|name| Varied::parameter(parameter(&model, name))).collect();
+    let both = fitted(&model, both);
+    for estimate in &both.parameters {
+        let alone = alone[estimate.record.unwrap()].estimate(&estimate.name).unwrap();
+        let ratio = estimate.stderr_hac.unwrap() / alone.stderr_hac.unwrap();
+        assert!((ratio - 1.0).abs() < 1e-3, "{} {:?}: {ratio}", estimate.name, estimate.record);
+    }
+}

@@ -1,0 +1,10 @@
+//! Fits of models to data with known results.
+mod classic;
+mod coverage;
+mod elsewhere;
+mod judged;
+mod known;
+mod nist;
+mod parts;
+mod robust;
+mod utube;

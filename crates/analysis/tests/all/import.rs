@@ -1,0 +1,425 @@
+//! What is read from text, with what is expected beside it.
+
+use crate::support::utube_bytes;
+use analysis::import::{self, Import};
+
+fn read(bytes: &[u8]) -> Import {
+    import::text(bytes).unwrap_or_else(|error| panic!("{error}\n{}", String::from_utf8_lossy(bytes)))
+}
+
+/// A table in one line for each column: `*` before an independent variable, the body, name and unit, then the values.
+fn shown(import: &Import) -> String {
+    let mut text = format!("{}\n", import.format.text(false));
+    for (index, column) in import.table.columns.iter().enumerate() {
+        let own = column.independent == index;
+        let body = column.body.as_ref().map(|body| format!("{body}.")).unwrap_or_default();
+        let unit = column.unit.as_ref().map(|unit| format!(" [{}]", unit.text)).unwrap_or_default();
+        let values: Vec<String> =
+            column.values.iter().map(|value| if value.is_nan() { "·".to_owned() } else { value.to_string() }).collect();
+        let times = if own { "*".to_owned() } else { format!("{}:", column.independent + 1) };
+        text.push_str(&format!("{times}{body}{}{unit}={}\n", column.name, values.join(" ")));
+    }
+    for finding in &import.findings {
+        text.push_str(&format!("! {}\n", finding.text(false)));
+    }
+    text
+}
+
+/// A name, the text of a file, and what is read from it.
+type Case = (&'static str, &'static str, &'static str);
+
+const CASES: &[Case] = &[
+    (
+        "no header, one blank",
+        "0.1 1.5\n0.2 -2.5E-1\n",
+        "blanks, decimal point, no header
+*=0.1 0.2
+1:=1.5 -0.25",
+    ),
+    (
+        "Tracker's export of two tracks",
+        "#multi:\n\tmass_A\t\tmass_B\t\t\nt\tx\ty\tx\ty\t\n0.0E0\t1.0E0\t2.0E0\t3.0E0\t\t\n1.0E-1\t\t2.5E0\t3.5E0\t4.0E0\t\n",
+        "tabs, decimal point, 3 header lines
+*t=0 0.1
+1:mass_A.x=1 ·
+1:mass_A.y=2 2.5
+1:mass_B.x=3 3.5
+1:mass_B.y=· 4",
+    ),
+    (
+        "a copied table",
+        "mass_A\nt\tx\tv_{x}\n0\t1\t\n1\t2\t0.5\n2\t3\t\n",
+        "tabs, decimal point, 2 header lines
+*mass_A.t=0 1 2
+1:mass_A.x=1 2 3
+1:mass_A.v_x=· 0.5 ·",
+    ),
+    (
+        "decimal comma with exponent, semicolons",
+        "t;y;v\n0,0E0;-1,686115217E2;\n3,3E-2;1,5;2,25\n",
+        "semicolons, decimal comma, 1 header line
+*t=0 0.033
+1:y=-168.6115217 1.5
+1:v=· 2.25",
+    ),
+    (
+        "decimal comma between blanks",
+        "1,5 2,5\n2 3,5\n",
+        "blanks, decimal comma, no header
+*=1.5 2
+1:=2.5 3.5",
+    ),
+    (
+        "commas alone are delimiters",
+        "1,5,2,5\n2,6,3,6\n",
+        "commas, decimal point, no header
+*=1 2
+1:=5 6
+1:=2 3
+1:=5 6",
+    ),
+    (
+        "decimal commas, comma and blank between",
+        "t, y\n0,5, 1,25\n1, 2,5\n",
+        "commas with a blank, decimal comma, 1 header line
+*t=0.5 1
+1:y=1.25 2.5",
+    ),
+    (
+        "comma and blank with points",
+        "t, y\n0.5, 1.25\n1, 2.5\n",
+        "commas, decimal point, 1 header line
+*t=0.5 1
+1:y=1.25 2.5",
+    ),
+    (
+        "quotation marks around decimal commas",
+        "\"t [s]\",\"y, measured [cm]\"\n\"0,5\",\"1,25\"\n1,\"2,5\"\n",
+        "commas, decimal comma, 1 header line
+*t [s]=0.5 1
+1:y, measured [cm]=1.25 2.5",
+    ),
+    (
+        "two blanks and a tab, CRLF, byte-order mark",
+        "\u{feff}t  \ty\r\n0.1  \t-1.5\r\n0.2  \t2.5  \r\n",
+        "tabs, decimal point, 1 header line
+*t=0.1 0.2
+1:y=-1.5 2.5",
+    ),
+    (
+        "blanks and tabs mixed",
+        "  0.1  1.5\t7\n  0.2 -2.5\t8\n",
+        "blanks, decimal point, no header
+*=0.1 0.2
+1:=1.5 -2.5
+1:=7 8",
+    ),
+    (
+        "one blank, with empty cells",
+        "t x y \n0 1 2 \n1  3 \n2 4  \n",
+        "blanks, decimal point, 1 header line
+*t=0 1 2
+1:x=1 · 4
+1:y=2 3 ·",
+    ),
+    (
+        "units in brackets and parentheses",
+        "Time (s)\ty [cm]\tv (m/s²)\tω(t)\tp(Pa)\ty (left)\n0\t1\t2\t3\t4\t5\n1\t1\t2\t3\t4\t5\n",
+        "tabs, decimal point, 1 header line
+*Time [s]=0 1
+1:y [cm]=1 1
+1:v [m/s^2]=2 2
+1:ω(t)=3 3
+1:p [Pa]=4 4
+1:y (left)=5 5
+! `left`, the unit of y (left), is not known; its numbers are taken as they are",
+    ),
+    (
+        "units between blanks",
+        "t (s)  y [cm]  v / (cm/s)\n0 1 2\n1 2 3\n",
+        "blanks, decimal point, 1 header line
+*t [s]=0 1
+1:y [cm]=1 2
+1:v [cm/s]=2 3",
+    ),
+    (
+        "units in the manner of ISO 80000 and as people write them",
+        "t/ms;y / mm;a [m/s2];F (N)\n0;1;2;3\n1;2;3;4\n",
+        "semicolons, decimal point, 1 header line
+*t [ms]=0 1
+1:y [mm]=1 2
+1:a [m/s^2]=2 3
+1:F [N]=3 4",
+    ),
+    (
+        "a line of units",
+        "t\ty\ns\tcm\n0\t1\n1\t2\n",
+        "tabs, decimal point, 2 header lines
+*t [s]=0 1
+1:y [cm]=1 2",
+    ),
+    (
+        "a unit nobody knows",
+        "t [s],y [px]\n0,1\n1,2\n",
+        "commas, decimal point, 1 header line
+*t [s]=0 1
+1:y=1 2
+! `px`, the unit of y, is not known; its numbers are taken as they are",
+    ),
+    (
+        "three bodies side by side, each with its own time",
+        "A\t\tB\t\tC\nt\ty\tt\ty\tt\ty\n0\t1\t0.1\t4\t0\t7\n0.1\t2\t0.2\t5\t\t\n0.2\t3\n",
+        "tabs, decimal point, 2 header lines
+*A.t=0 0.1 0.2
+1:A.y=1 2 3
+*B.t=0.1 0.2 ·
+3:B.y=4 5 ·
+*C.t=0 · ·
+5:C.y=7 · ·",
+    ),
+    (
+        "two bodies without names",
+        "t,y,t,y\n0,1,0,3\n1,2,1,4\n",
+        "commas, decimal point, 1 header line
+*1.t=0 1
+1:1.y=1 2
+*2.t=0 1
+3:2.y=3 4",
+    ),
+    (
+        "bodies whose times have their names",
+        "t_A;y_A;t_B;y_B\n0;1;0;3\n1;2;1;4\n",
+        "semicolons, decimal point, 1 header line
+*1.t_A=0 1
+1:1.y_A=1 2
+*2.t_B=0 1
+3:2.y_B=3 4",
+    ),
+    (
+        "a quantity that is a time",
+        "t;t_half;time_of_flight\n0;1;2\n1;2;3\n",
+        "semicolons, decimal point, 1 header line
+*t=0 1
+1:t_half=1 2
+1:time_of_flight=2 3",
+    ),
+    (
+        "a counter of frames",
+        "n\tx\n0\t1.5\n1\t2.5\n",
+        "tabs, decimal point, 1 header line
+*n=0 1
+1:x=1.5 2.5",
+    ),
+    (
+        "an index and a time that is not first",
+        ",t,y\n0,0.5,1\n1,0.6,2\n",
+        "commas, decimal point, 1 header line
+*=0 1
+*t=0.5 0.6
+2:y=1 2",
+    ),
+    (
+        "comments, and a header in one",
+        "# made by a logger\n# t y\n0 1\n# pause\n1 2\n",
+        "blanks, decimal point, 2 header lines
+*t=0 1
+1:y=1 2",
+    ),
+    (
+        "last cells missing in the first row",
+        "0;1\n1;2;3\n2;3;4;5\n",
+        "semicolons, decimal point, no header
+*=0 1 2
+1:=1 2 3
+1:=· 3 4
+1:=· · 5",
+    ),
+    (
+        "words for nothing, signs of typesetters",
+        "t;y\n0;NaN\n1;−2,5\n2;-\n3;n/a\n4;1e-3\n",
+        "semicolons, decimal comma, 1 header line
+*t=0 1 2 3 4
+1:y=· -2.5 · · 0.001",
+    ),
+    (
+        "words among the numbers",
+        "t\ty\n0\t1\n1\toops\n2\t3\nt\ty\n3\t4 m\n4\t5\n",
+        "tabs, decimal point, 1 header line
+*t=0 1 2 3 4
+1:y=1 · 3 · 5
+! line 5 has no number and was passed over
+! line 3, column y: `oops` is not a number and became a gap
+! line 6, column y: `4 m` is not a number and became a gap",
+    ),
+    (
+        "a column of words",
+        "t,y,note\n0,1,a\n1,2,b\n2,3,c\n",
+        "commas, decimal point, 1 header line
+*t=0 1 2
+1:y=1 2 3
+! column note holds words and was left out",
+    ),
+    (
+        "a delimiter of one's own",
+        "t|y\n0,5|1,5\n1,5|2,5\n",
+        "|, decimal comma, 1 header line
+*t=0.5 1.5
+1:y=1.5 2.5",
+    ),
+    (
+        "an empty column with a name",
+        "t\ty\tv\n0\t1\t\n1\t2\t\n",
+        "tabs, decimal point, 1 header line
+*t=0 1
+1:y=1 2
+1:v=· ·
+! column v is empty",
+    ),
+    (
+        "lines that end as on an old Macintosh",
+        "t\ty\r0\t1\r1\t2",
+        "tabs, decimal point, 1 header line
+*t=0 1
+1:y=1 2",
+    ),
+    (
+        "a title over the names",
+        "Run 3 of 12 May 2024\n\nt [s];y [mm]\n0;1\n1;2\n\n",
+        "semicolons, decimal point, 3 header lines
+*t [s]=0 1
+1:y [mm]=1 2",
+    ),
+    (
+        "times are known by their unit",
+        "y [cm];Zeitpunkt [s]\n1;0\n2;1\n",
+        "semicolons, decimal point, 1 header line
+2:y [cm]=1 2
+*Zeitpunkt [s]=0 1",
+    ),
+];
+
+#[test]
+fn texts_are_read_as_expected() {
+    let mut wrong = String::new();
+    for (name, text, expected) in CASES {
+        let found = shown(&read(text.as_bytes()));
+        if found.trim_end() != *expected {
+            wrong.push_str(&format!("{name}:\n{found}instead of\n{expected}\n\n"));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+#[test]
+fn other_encodings_are_read() {
+    let text = "Zeit [µs];Höhe [cm]\n0;1,5\n1;2,5\n";
+    let expected = read(text.as_bytes());
+    assert_eq!(expected.table.columns[0].unit.as_ref().map(|unit| unit.factor), Some(1e-6));
+    let latin: Vec<u8> = text.chars().map(|character| u8::try_from(u32::from(character)).expect("Latin-1")).collect();
+    assert_eq!(read(&latin), expected);
+    let little: Vec<u8> = [0xff, 0xfe].into_iter().chain(text.encode_utf16().flat_map(u16::to_le_bytes)).collect();
+    assert_eq!(read(&little), expected);
+    let big: Vec<u8> = [0xfe, 0xff].into_iter().chain(text.encode_utf16().flat_map(u16::to_be_bytes)).collect();
+    assert_eq!(read(&big), expected);
+}
+
+#[test]
+fn what_is_no_table_is_refused_with_place_and_reason() {
+    let cases: &[(&[u8], &str)] = &[
+        (b"", "the file is empty"),
+        (b" \r\n\n", "the file is empty"),
+        (b"PK\x03\x04rest", "this is not text but a ZIP archive, as XLSX, ODS and TRZ are"),
+        (b"\x7fELF\x02\x01\x01\0\0\0", "this is not text: it has bytes that no text has"),
+        (
+            b"<?xml version=\"1.0\"?>\n<object class=\"org.opensourcephysics.cabrillo.tracker\">",
+            "this is XML or HTML, not a table",
+        ),
+        (b"Dear Ann,\nhow are you?\n", "line 1: there is no table: no line has numbers; the first is `Dear Ann,`"),
+        (b"y\n1.5\n2.5\n", "line 2: there is only one column of numbers; a measurement needs the time and a quantity"),
+        (b"t,y\n0,1\n", "line 2: there are fewer than two rows of numbers"),
+        (
+            b"t,y\n0,5,1,5\n0,6,2,5\n",
+            "line 2: 4 numbers for 2 names: the comma seems to be both delimiter and decimal sign",
+        ),
+        (
+            b"t y z\n0 1 2\na 2 b\nc 3 d\ne 4 f\n5 g h\n7 i j\n",
+            "line 3: `a` in column 1 is not a number, and there are more words than numbers",
+        ),
+    ];
+    for (bytes, expected) in cases {
+        match import::text(bytes) {
+            Ok(import) => panic!("{expected}: read as\n{}", shown(&import)),
+            Err(error) => {
+                assert_eq!(error.message(false), *expected);
+                assert!(
+                    !error.message(true).is_empty() && !error.hint(true).is_empty() && !error.hint(false).is_empty()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn columns_are_found_by_name_body_and_number() {
+    let table = read(b"A\t\tB\t\nt\ty\tt\tY\n0\t1\t0\t3\n1\t2\t1\t4\n").table;
+    for (which, expected) in [
+        ("y", Some(1)),
+        ("Y", Some(3)),
+        ("A.y", Some(1)),
+        ("b.y", Some(3)),
+        (" B.Y ", Some(3)),
+        ("T", Some(0)),
+        ("4", Some(3)),
+        ("0", None),
+        ("5", None),
+        ("", None),
+        ("z", None),
+        ("A.", None),
+    ] {
+        assert_eq!(table.column(which), expected, "{which}");
+    }
+    assert_eq!(table.independent().collect::<Vec<_>>(), [0, 2]);
+    assert_eq!(table.observed_columns().collect::<Vec<_>>(), [1, 3]);
+    assert_eq!(table.times_of(3), [0.0, 1.0]);
+    assert_eq!(table.times_of(9), [0.0; 0]);
+    assert_eq!([0, 1, 2, 3].map(|index| table.label(index)), ["A.t", "y", "B.t", "Y"]);
+}
+
+#[test]
+fn a_comma_that_is_rare_is_found() {
+    let mut text = String::new();
+    for row in 0..5000 {
+        let value = if row % 10 == 9 && row > 400 { "0,5" } else { "1" };
+        text.push_str(&format!("{row}\t{value}\n"));
+    }
+    let import = read(text.as_bytes());
+    assert_eq!(import.format.decimal, b',');
+    assert_eq!(import.findings, []);
+    assert_eq!(import.table.columns[1].values[4999], 0.5);
+}
+
+#[test]
+fn a_small_file_cannot_ask_for_much_memory() {
+    let mut text = "1;2\n".repeat(100_000);
+    text.push_str(&"1;".repeat(100_000));
+    let import = read(text.as_bytes());
+    assert!(import.table.columns.len() * import.table.rows() <= 4_000_000);
+    assert!(import.findings.iter().any(|finding| finding.text(false).contains("the first in line 100001")));
+    // Nor with a header that is wider than the table.
+    let text = format!("{}\n{}", "t\ty [?]\t".repeat(100_000), "1\t2\n".repeat(10_000));
+    let import = read(text.as_bytes());
+    assert!(import.table.columns.len() * import.table.rows() <= 4_000_000);
+    assert!(import.findings.len() <= 21, "{}", import.findings.len());
+    assert!(analysis::inspection::inspect(&import.table).findings.is_empty());
+}
+
+#[test]
+fn measured_records_have_four_columns_and_all_rows() {
+    for (name, rows) in [("U1", 226), ("U2", 238), ("U3", 267), ("U4", 271)] {
+        let Some(bytes) = utube_bytes(name) else { continue };
+        let import = read(&bytes);
+        assert_eq!(import.format.text(true), "espacios, punto decimal, sin encabezado");
+        assert_eq!((import.table.columns.len(), import.table.rows(), import.findings.len()), (4, rows, 0), "{name}");
+        assert_eq!(import.table.observed_columns().collect::<Vec<_>>(), [1, 2, 3]);
+    }
+}

@@ -1,0 +1,15 @@
+//! Tests of measured data: tables, import, cycles and fits; one program, since linking many takes longer than they do.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
+
+mod cycles;
+mod derivatives;
+mod estimate;
+mod fits;
+mod import;
+mod import_properties;
+mod spreadsheets;
+mod support;
+mod traces;
+mod understood;
+mod workbooks;

@@ -1,0 +1,55 @@
+//! What the tests of fits share.
+use analysis::fit::{Fit, Observation, Outcome, Record, Task, Varied};
+use model::Model;
+
+/// The model that `text` states.
+pub fn model(text: &str) -> Model {
+    let (model, diagnostics) = model::compile(text, std::slice::from_ref(&(0..text.len())));
+    model.unwrap_or_else(|| panic!("{diagnostics:#?}"))
+}
+
+/// `values` at `times` as an observation of `name` (with `order` primes).
+pub fn observation(model: &Model, name: &str, order: u32, times: &[f64], values: &[f64]) -> Observation {
+    let model = model.clone();
+    let observed = model.lookup(name, order).expect(name);
+    Observation {
+        name: format!("{name}{}", "'".repeat(order as usize)),
+        observed,
+        times: times.to_vec(),
+        values: values.to_vec(),
+        errors: None,
+        derived_from: None,
+    }
+}
+
+pub fn record(observations: Vec<Observation>) -> Record {
+    Record { name: "record".to_owned(), observations, ..Record::default() }
+}
+
+/// Index of the parameter called `name`.
+pub fn parameter(model: &Model, name: &str) -> usize {
+    model.parameters.iter().position(|parameter| parameter.name == name).expect(name)
+}
+
+/// One record, the named parameters varied.
+pub fn task(model: &Model, record: Record, names: &[&str]) -> Task {
+    Task {
+        parameters: model.parameters.iter().map(|parameter| parameter.value).collect(),
+        records: vec![record],
+        varied: names.iter().map(|name| Varied::parameter(parameter(model, name))).collect(),
+        ..Task::default()
+    }
+}
+
+/// The outcome of a fit that must reach its end.
+pub fn fitted(model: &Model, task: Task) -> Outcome {
+    let mut fit = Fit::new(model, task).unwrap_or_else(|error| panic!("{error}"));
+    fit.complete();
+    let outcome = fit.outcome().expect("a curve");
+    assert!(outcome.converged);
+    outcome
+}
+
+pub fn value(outcome: &Outcome, name: &str) -> f64 {
+    outcome.estimate(name).expect(name).value
+}

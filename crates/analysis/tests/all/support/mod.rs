@@ -1,0 +1,54 @@
+//! Noise from a seed, and the measured records outside the project.
+
+pub mod fitting;
+pub mod packed;
+
+use std::path::Path;
+
+/// Random numbers that are the same in every run: Steele's SplitMix64.
+#[derive(Debug)]
+pub struct Noise(u64);
+
+impl Noise {
+    pub fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    /// Between 0 and 1, neither included.
+    pub fn uniform(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut bits = self.0;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        (((bits ^ (bits >> 31)) >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
+    }
+
+    /// Of mean 0 and standard deviation 1, by Box and Muller.
+    pub fn normal(&mut self) -> f64 {
+        let radius = (-2.0 * libm::log(self.uniform())).sqrt();
+        radius * libm::cos(core::f64::consts::TAU * self.uniform())
+    }
+}
+
+/// The bytes of one of the measured records in `../shared/data/utube`, seen from the root of the project. They are no part
+/// of it; where they are absent this says so, and the test has nothing to do.
+pub fn utube_bytes(name: &str) -> Option<Vec<u8>> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/utube").join(format!("{name}.txt"));
+    let bytes = std::fs::read(&path).ok();
+    if bytes.is_none() {
+        eprintln!("skipped: {} is not there", path.display());
+    }
+    bytes
+}
+
+/// The columns time, position, velocity and acceleration of a measured record.
+pub fn utube(name: &str) -> Option<Vec<Vec<f64>>> {
+    let text = String::from_utf8(utube_bytes(name)?).expect("UTF-8");
+    let mut columns = vec![Vec::new(); 4];
+    for line in text.lines() {
+        for (column, cell) in columns.iter_mut().zip(line.split(' ')) {
+            column.push(cell.parse().expect("a number"));
+        }
+    }
+    Some(columns)
+}

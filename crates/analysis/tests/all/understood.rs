@@ -1,0 +1,470 @@
+//! Files as loggers, spreadsheets and people write them: what is understood of each column, with what is expected beside it.
+
+use analysis::import::{self, Import};
+use analysis::inspection::doubtful_times;
+
+/// Each column in a line, `*` before an independent variable: body, name, unit, where that comes from, the values, and how many
+/// cells are words; then the findings about the file.
+fn shown(import: &Import) -> String {
+    let mut text = String::new();
+    for (index, column) in import.table.columns.iter().enumerate() {
+        let own = if column.independent == index { "*".to_owned() } else { format!("{}:", column.independent + 1) };
+        let body = column.body.as_ref().map(|body| format!("{body}.")).unwrap_or_default();
+        let unit = column.unit.as_ref().map(|unit| unit.text.clone()).unwrap_or_default();
+        let value = |value: &f64| if value.is_nan() { "·".to_owned() } else { value.to_string() };
+        let values: Vec<String> = column.values.iter().map(value).collect();
+        let origin = column.origin.unit.code();
+        text.push_str(&format!("{own}{body}{} [{unit}] {origin}: {}", column.name, values.join(" ")));
+        if column.origin.words > 0 {
+            let (line, word) = column.origin.first_word.clone().expect("a word has a place");
+            text.push_str(&format!(" ({} words, `{word}` in line {line})", column.origin.words));
+        }
+        text.push('\n');
+    }
+    for finding in &import.findings {
+        assert!(!finding.text(true).is_empty());
+        text.push_str(&format!("! {}\n", finding.text(false)));
+    }
+    text
+}
+
+/// A name, the text of a file, and what is read from it; `refused: ` and the message where it is not.
+type Case = (&'static str, &'static str, &'static str);
+
+/// Odd cells in the first rows.
+const HEADERS: &[Case] = &[
+    (
+        "a failed formula in the first row",
+        "t [s],y [cm],v [cm/s]\n0.0,1.5,#DIV/0!\n0.1,2.5,10\n0.2,2.0,-5\n",
+        "*t [s] header: 0 0.1 0.2
+1:y [cm] header: 1.5 2.5 2
+1:v [cm/s] header: · 10 -5 (1 words, `#DIV/0!` in line 2)
+! line 2, column v: `#DIV/0!` is not a number and became a gap",
+    ),
+    (
+        "failed formulas wherever a number could be, one like a unit",
+        "t;y;v\n0,0;#N/A;#WERT!\n0,1;2,5;1,5\n0,2;2,0;0,5\n",
+        "*t [] not stated: 0 0.1 0.2
+1:y [] not stated: · 2.5 2 (1 words, `#N/A` in line 2)
+1:v [] not stated: · 1.5 0.5 (1 words, `#WERT!` in line 2)
+! line 2, column y: `#N/A` is not a number and became a gap
+! line 2, column v: `#WERT!` is not a number and became a gap",
+    ),
+    (
+        "a failed formula at the beginning of a line is no comment",
+        "t,y\n#N/A,1\n1,2\n2,3\n",
+        "*t [] not stated: · 1 2 (1 words, `#N/A` in line 2)
+1:y [] not stated: 1 2 3
+! line 2, column t: `#N/A` is not a number and became a gap",
+    ),
+    (
+        "remarks beside the numbers",
+        "Zeit [s];Weg [cm];Bemerkung\n0,0;1,5;Start\n0,1;2,5;\n0,2;2,0;zu schnell\n",
+        "*Zeit [s] header: 0 0.1 0.2
+1:Weg [cm] header: 1.5 2.5 2
+! column Bemerkung holds words and was left out",
+    ),
+    (
+        "a word in the first row",
+        "t\ty\n0\toops\n1\t2\n2\t3\n",
+        "*t [] not stated: 0 1 2
+1:y [] not stated: · 2 3 (1 words, `oops` in line 2)
+! line 2, column y: `oops` is not a number and became a gap",
+    ),
+    (
+        "columns that are called by numbers",
+        "trial;1;2\n0;1,5;2,5\n1;3,5;4,5\n",
+        "*trial [] not stated: 0 1
+1:1 [] not stated: 1.5 3.5
+1:2 [] not stated: 2.5 4.5",
+    ),
+    (
+        "what a device says before its table",
+        "Booting...\nMPU6050 ready\ntime_ms,angle\n0,3.45\n50,2.81\n",
+        "*time [ms] end of the name: 0 50
+1:angle [] not stated: 3.45 2.81",
+    ),
+    (
+        "a title with numbers, blanks between",
+        "12 May 2024\nt y v\n0 1 2\n1 2 3\n",
+        "*12 May 2024.t [] not stated: 0 1
+1:12 May 2024.y [] not stated: 1 2
+1:12 May 2024.v [] not stated: 2 3",
+    ),
+    (
+        "Logger Pro's text: names, symbols and units",
+        "Vernier Format 2\nfile.cmbl 1/2/2024\nRun 1\nTime\tPosition\nT\tX\ns\tm\n\n0\t1.5\n0.1\t2.5\n",
+        "*T [s] line of units: 0 0.1
+1:X [m] line of units: 1.5 2.5",
+    ),
+    (
+        "a unit among the units that is not known",
+        "t\tx\ty\nms\tpx\tpx\n0\t1\t2\n1\t2\t3\n",
+        "*t [ms] line of units: 0 1
+1:x [] unknown: 1 2
+1:y [] unknown: 2 3
+! `px`, the unit of x, is not known; its numbers are taken as they are
+! `px`, the unit of y, is not known; its numbers are taken as they are",
+    ),
+    (
+        "lines that end in several ways, quotation marks with a line end inside",
+        "t\ty\r0\t1.5\n1\t\"2.5\"\r\n2\t3.5\r\"a\nremark\"\t7\n",
+        "*t [] not stated: 0 1 2 · (1 words, `a remark` in line 5)
+1:y [] not stated: 1.5 2.5 3.5 7
+! line 5, column t: `a remark` is not a number and became a gap",
+    ),
+    (
+        "a footer",
+        "t;y\n0;1\n1;2\nmean;1.5\nend of file\n",
+        "*t [] not stated: 0 1 · (1 words, `mean` in line 4)
+1:y [] not stated: 1 2 1.5
+! line 5 has no number and was passed over
+! line 4, column t: `mean` is not a number and became a gap",
+    ),
+    (
+        "infinity is no measurement",
+        "t,y\n0,inf\n1,2\n2,-Infinity\n3,NaN\n",
+        "*t [] not stated: 0 1 2 3
+1:y [] not stated: · 2 · · (2 words, `inf` in line 2)
+! line 2, column y: `inf` is not a number and became a gap
+! line 4, column y: `-Infinity` is not a number and became a gap",
+    ),
+    (
+        "times and temperatures",
+        "t,T\n0,90.5\n60,80.5\n",
+        "*t [] not stated: 0 60
+1:T [] not stated: 90.5 80.5",
+    ),
+    (
+        "a period against a length",
+        "L [m];T [s]\n0,5;1,42\n1,0;2,01\n",
+        "*L [m] header: 0.5 1
+1:T [s] header: 1.42 2.01",
+    ),
+    (
+        "a time that is not first, and a current",
+        "I (A),U (V),t (min)\n0.5,1.5,0\n0.6,2.5,1\n",
+        "3:I [A] header: 0.5 0.6
+3:U [V] header: 1.5 2.5
+*t [min] header: 0 1",
+    ),
+];
+
+/// Signs inside numbers.
+const SEPARATORS: &[Case] = &[
+    (
+        "an ordinary decimal comma with some whole numbers",
+        "t\ty\n0,5\t1\n1\t1,5\n1,5\t2\n",
+        "*t [] not stated: 0.5 1 1.5
+1:y [] not stated: 1 1.5 2",
+    ),
+    (
+        "groups of three digits, which a column passes",
+        "t\ty\n0\t1,250\n1\t1,128\n2\t1,004\n3\t880\n4\t755\n5\t830\n6\t955\n7\t1,080\n",
+        "*t [] not stated: 0 1 2 3 4 5 6 7
+1:y [] not stated: 1250 1128 1004 880 755 830 955 1080
+! line 2: `1,250` is read as 1250 and not as 1.250, as `880` stands in the same column",
+    ),
+    (
+        "the same with points",
+        "t;y\n0;1.251\n1;1.128\n2;1.004\n3;881\n4;755\n5;832\n6;957\n7;1.081\n",
+        "*t [] not stated: 0 1 2 3 4 5 6 7
+1:y [] not stated: 1251 1128 1004 881 755 832 957 1081
+! line 2: `1.251` is read as 1251 and not as 1.251, as `881` stands in the same column",
+    ),
+    (
+        "nobody can know",
+        "t\ty\n0\t1,295\n1\t926\n",
+        "refused: line 2: column 2: `1,295` can be 1.295 or 1295, as `926` stands in the same column",
+    ),
+    (
+        "three decimals everywhere",
+        "n\ty\n0\t1,295\n1\t1,926\n",
+        "*n [] not stated: 0 1
+1:y [] not stated: 1.295 1.926
+! line 2: the comma of `1,295` is taken for a decimal sign: 1.295, not 1295",
+    ),
+    (
+        "points in the thousands and a decimal comma",
+        "t;y\n0,00;8.454,31\n0,05;12.806,47\n0,10;880,58\n",
+        "*t [] not stated: 0 0.05 0.1
+1:y [] not stated: 8454.31 12806.47 880.58",
+    ),
+    (
+        "commas in the thousands and decimal points, between tabs and in quotation marks",
+        "t\ty\n0.00\t1,454\n0.05\t\"1,234,567.5\"\n0.10\t880\n",
+        "*t [] not stated: 0 0.05 0.1
+1:y [] not stated: 1454 1234567.5 880",
+    ),
+    (
+        "semicolons and decimal points",
+        "t;y\n0.5;1.25\n1;2.5\n",
+        "*t [] not stated: 0.5 1
+1:y [] not stated: 1.25 2.5",
+    ),
+];
+
+/// Units.
+const UNITS: &[Case] = &[
+    (
+        "units in words and in other brackets",
+        "Time (msec),Winkel [Grad],v <cm/sec>,x {mm}\n0,1,2,3\n50,2,3,4\n",
+        "*Time [ms] header: 0 50
+1:Winkel [deg] header: 1 2
+1:v [cm/s] header: 2 3
+1:x [mm] header: 3 4",
+    ),
+    (
+        "units behind a word, a colon, the name",
+        "t in ms,y in cm,Kraft: N,angle_deg,Länge mm\n0,1,2,3,4\n50,2,3,4,5\n",
+        "*t [ms] header: 0 50
+1:y [cm] header: 1 2
+1:Kraft [N] header: 2 3
+1:angle [deg] end of the name: 3 4
+1:Länge [mm] header: 4 5",
+    ),
+    (
+        "Spanish",
+        "Tiempo (segundos);Ángulo (grados);Posición en metros\n0;1;2\n1;2;3\n",
+        "*Tiempo [s] header: 0 1
+1:Ángulo [deg] header: 1 2
+1:Posición [m] header: 2 3",
+    ),
+    (
+        "blanks between",
+        "t in ms  y in cm\n0 1.5\n50 2.5\n",
+        "*t [ms] header: 0 50
+1:y [cm] header: 1.5 2.5",
+    ),
+    (
+        "a time in a unit that nobody knows",
+        "t (ticks),y\n0,1\n50,2\n",
+        "*t (ticks) [] unknown: 0 50
+1:y [] not stated: 1 2
+! `ticks`, the unit of t (ticks), is not known; its numbers are taken as they are",
+    ),
+    (
+        "two cameras",
+        "t [ms] (camera),y [cm] (left),y [cm] (right)\n0,1,2\n50,2,3\n",
+        "*t [ms] header: 0 50
+1:y (left) [cm] header: 1 2
+1:y (right) [cm] header: 2 3",
+    ),
+    (
+        "units in the cells",
+        "t;y;p\n0,0 s;1,5 cm;5 %\n0,5 s;2,5 cm;6 %\n1,0 s;;7 %\n",
+        "*t [s] cells: 0 0.5 1
+1:y [cm] cells: 1.5 2.5 ·
+1:p [%] cells: 5 6 7",
+    ),
+    (
+        "degrees in the cells",
+        "t,phi\n0,30.5°\n1,-20.5°\n",
+        "*t [] not stated: 0 1
+1:phi [°] cells: 30.5 -20.5",
+    ),
+];
+
+/// Runs of loggers.
+const RUNS: &[Case] = &[
+    (
+        "Capstone",
+        "\"Time (s) Run #1\",\"Angle (deg) Run #1\",\"Time (s) Run #2\",\"Angle (deg) Run #2\"\n0,30,0,20\n0.5,28,1,15\n1,23\n",
+        "*Run 1.Time [s] header: 0 0.5 1
+1:Run 1.Angle [deg] header: 30 28 23
+*Run 2.Time [s] header: 0 1 ·
+3:Run 2.Angle [deg] header: 20 15 ·
+! there are 2 runs, each with its own clock: Run 1, Run 2; a column is named with its run, `Run 2.y`",
+    ),
+    (
+        "Logger Pro, times first",
+        "Run 1: Time (s),Run 2: Time (s),Run 1: Angle (deg),Run 2: Angle (deg)\n0,0,30,20\n0.5,1,28,15\n",
+        "*Run 1.Time [s] header: 0 0.5
+*Run 2.Time [s] header: 0 1
+1:Run 1.Angle [deg] header: 30 28
+2:Run 2.Angle [deg] header: 20 15
+! there are 2 runs, each with its own clock: Run 1, Run 2; a column is named with its run, `Run 2.y`",
+    ),
+    (
+        "Vernier",
+        "Data Set 1:Time(s),Data Set 1:Angle(deg),Data Set 2:Time(s),Data Set 2:Angle(deg)\n0,30,0,20\n0.5,28,1,15\n",
+        "*Data Set 1.Time [s] header: 0 0.5
+1:Data Set 1.Angle [deg] header: 30 28
+*Data Set 2.Time [s] header: 0 1
+3:Data Set 2.Angle [deg] header: 20 15
+! there are 2 runs, each with its own clock: Data Set 1, Data Set 2; a column is named with its run, `Data Set 2.y`",
+    ),
+    (
+        "one clock for all runs",
+        "Time (s),Angle Run 1,Angle Run 2\n0,30,20\n0.5,28,15\n",
+        "*Time [s] header: 0 0.5
+1:Run 1.Angle [] not stated: 30 28
+1:Run 2.Angle [] not stated: 20 15",
+    ),
+    (
+        "bodies before a colon",
+        "ball: t,ball: y,cart: t,cart: y\n0,30,0,20\n0.5,28,1,15\n",
+        "*ball.t [] not stated: 0 0.5
+1:ball.y [] not stated: 30 28
+*cart.t [] not stated: 0 1
+3:cart.y [] not stated: 20 15",
+    ),
+    (
+        "runs below each other",
+        "t,y\n0,30\n0.5,28\n1,23\nt,y\n0,20\n1,15\n",
+        "*Run 1.t [] not stated: 0 0.5 1
+1:Run 1.y [] not stated: 30 28 23
+*Run 2.t [] not stated: 0 1 ·
+3:Run 2.y [] not stated: 20 15 ·
+! line 5 has no number and was passed over
+! there are 2 runs, each with its own clock: Run 1, Run 2; a column is named with its run, `Run 2.y`",
+    ),
+];
+
+/// Clocks.
+const CLOCKS: &[Case] = &[
+    (
+        "times of day over midnight",
+        "t,y\n23:59:59.900,1\n23:59:59.950,2\n00:00:00.000,3\n",
+        "*t [s] clock: 0 0.05 0.1
+1:y [] not stated: 1 2 3
+! t holds clock times; they are read as seconds from the first row, and the clock began again at zero 1×",
+    ),
+    (
+        "dates with times, decimal commas",
+        "Datum;y\n2026-02-28T23:59:59,5;1,5\n2026-03-01T00:00:00,5;2,5\n",
+        "*Datum [s] clock: 0 1
+1:y [] not stated: 1.5 2.5
+! Datum holds clock times; they are read as seconds from the first row",
+    ),
+    (
+        "a date and a time",
+        "Date,Time,y\n2026-01-02,10:00:00,1.5\n2026-01-02,10:00:02,2.5\n",
+        "*Time [s] clock: 0 2
+1:y [] not stated: 1.5 2.5
+! column Date holds words and was left out
+! Time holds clock times; they are read as seconds from the first row",
+    ),
+    (
+        "a stopwatch",
+        "t;y\n58.5;1\n59.5;2\n1:00.5;3\n1:01.5;4\n1:02.5;4\n",
+        "*t [s] clock: 0 1 2 3 4
+1:y [] not stated: 1 2 3 4 4
+! t holds clock times; they are read as seconds from the first row",
+    ),
+    (
+        "hours and minutes, or minutes and seconds",
+        "t,y\n12:30,1\n12:31,2\n",
+        "*t [s] clock: 0 1
+1:y [] not stated: 1 2
+! t holds clock times; they are read as seconds from the first row; `12:30` is taken for 12 minutes and 30 seconds: if these \
+         are hours and minutes, say so in the header, `t [hh:mm]`",
+    ),
+    (
+        "hours and minutes as the header says",
+        "t [hh:mm],y\n12:30,1\n12:31,2\n",
+        "*t [s] clock: 0 60
+1:y [] not stated: 1 2
+! t holds clock times; they are read as seconds from the first row",
+    ),
+    (
+        "days",
+        "day,spots\n2026-01-01,10\n2026-01-03,12\n",
+        "*day [s] clock: 0 172800
+1:spots [] not stated: 10 12
+! day holds dates; they are read as seconds from the first row",
+    ),
+    (
+        "a serial monitor's stamps before the device's own time",
+        "12:00:00.003 -> millis,angle\n12:00:00.010 -> 1000,3.5\n12:00:00.061 -> 1050,2.5\n12:00:00.112 -> 1100,1.5\n12:00:02.010 -> 3000,1\n",
+        "*millis [ms] name: 1000 1050 1100 3000
+1:angle [] not stated: 3.5 2.5 1.5 1
+! each line has a time stamp; the column behind it shows the same times in ms and is used instead, as it was not delayed on the way",
+    ),
+    (
+        "a serial monitor's stamps alone",
+        "12:00:00.010 -> 3.5\n12:00:00.060 -> 2.5\n12:00:00.110 -> 1.5\n",
+        "* [s] clock: 0 0.05 0.1
+1: [] not stated: 3.5 2.5 1.5
+! column 1 holds clock times; they are read as seconds from the first row",
+    ),
+    (
+        "times that cannot be read",
+        "t,y,v\nsoon,1,2\nlater,2,3\nlast,3,4\n",
+        "refused: line 2: the times in column t cannot be read; the first is `soon`",
+    ),
+];
+
+fn check(cases: &[Case]) {
+    let mut wrong = String::new();
+    for (name, text, expected) in cases {
+        let found = match import::text(text.as_bytes()) {
+            Ok(import) => shown(&import),
+            Err(error) => format!("refused: {}", error.message(false)),
+        };
+        if found.trim_end() != *expected {
+            wrong.push_str(&format!("{name}:\n{found}\ninstead of\n{expected}\n\n"));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+#[test]
+fn odd_cells_do_not_hide_names_units_or_rows() {
+    check(HEADERS);
+}
+
+#[test]
+fn signs_in_numbers_are_read_in_the_only_way_they_can_be() {
+    check(SEPARATORS);
+}
+
+#[test]
+fn units_are_understood_or_said_to_be_unknown() {
+    check(UNITS);
+}
+
+#[test]
+fn runs_have_clocks_of_their_own() {
+    check(RUNS);
+}
+
+#[test]
+fn clocks_are_read_as_seconds() {
+    check(CLOCKS);
+}
+
+#[test]
+fn columns_of_runs_are_found_by_run_name_and_heading() {
+    let table = import::text(RUNS[0].1.as_bytes()).expect("a table").table;
+    for (which, expected) in [
+        ("Run 2.Angle", 3),
+        ("Run #2.Angle", 3),
+        ("run 2.angle", 3),
+        ("Angle (deg) Run #2", 3),
+        ("Angle", 1),
+        ("Run 2.Time", 2),
+    ] {
+        assert_eq!(table.column(which), Some(expected), "{which}");
+    }
+    let runs = table.runs();
+    assert_eq!(runs, [("Run 1".to_owned(), vec![0, 1]), ("Run 2".to_owned(), vec![2, 3])]);
+    // The bodies of a film belong together.
+    let film = import::text(b"ball: t,ball: y,cart: t,cart: y\n0,30,0,20\n0.5,28,1,15\n").expect("a table").table;
+    assert!(film.runs().is_empty());
+    let both = import::text(b"t,T\n0,90\n60,80\n").expect("a table").table;
+    assert_eq!((both.column("t"), both.column("T")), (Some(0), Some(1)));
+}
+
+#[test]
+fn times_of_no_use_are_said() {
+    let findings = |text: &str| -> Vec<String> {
+        let table = import::text(text.as_bytes()).expect("a table").table;
+        doubtful_times(&table).iter().map(|finding| finding.text(false)).collect()
+    };
+    let same = findings("t [s],y\n5,1\n5,2\n5,3\n");
+    assert_eq!(same, ["the times in t are missing or all the same: nothing can be measured against them"]);
+    let unstated = findings("t,y\n0,1\n1,2\n2,3\n");
+    assert!(unstated.len() == 1 && unstated[0].contains("they are taken for seconds"), "{unstated:?}");
+    assert!(findings("t [s],y\n0,1\n1,2\n2,3\n").is_empty());
+}

@@ -1,0 +1,13 @@
+//! Tests of the program, run as a person runs it; one program, since linking many takes longer than they do.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
+
+mod accuracy;
+mod check;
+mod common;
+mod cycles;
+mod fit;
+mod office;
+mod pages;
+mod run;
+mod strangers;

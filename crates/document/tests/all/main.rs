@@ -1,0 +1,13 @@
+//! Tests of documents; one program, since linking many takes longer than they do.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
+
+mod arbitrary;
+#[path = "../../../model/tests/all/common/catalogue.rs"]
+mod catalogue;
+mod open;
+mod reference;
+mod scene;
+mod simulations;
+mod spanish;
+mod theories;

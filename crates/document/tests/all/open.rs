@@ -1,0 +1,168 @@
+//! Whole documents: what comes of them, and what is said about them.
+
+use document::{Block, Document, Tolerance};
+
+const MODEL: &str = "```model\nparameter h = 2 [m] in 0..9 \"Height\"\ny'' = -9.8 [m/s^2]\ny(0) = h \"Place\"\ny'(0) = 0\nmood = if y > 0 then \"high\" else \"low\"\n```\n";
+
+/// The document, and `FILE: MESSAGE` of all findings.
+fn open(source: &str, translations: &[&str]) -> (Option<Document>, Vec<String>) {
+    let opened = document::open(source, translations);
+    let findings = opened.diagnostics.iter().map(|(file, d)| format!("{file}: {}", d.message.english)).collect();
+    (opened.document, findings)
+}
+
+fn good(source: &str, translations: &[&str]) -> Document {
+    let (document, findings) = open(source, translations);
+    assert_eq!(findings, [""; 0]);
+    document.expect("a document without findings")
+}
+
+#[test]
+fn several_model_blocks_are_one_model() {
+    let document = good("A\n\n```model\nm = 2*k\n```\n\nB\n\n```model\nk = 3 [kg] \"Mass\"\n```\n", &[]);
+    assert_eq!(document.model.quantities.len(), 2);
+    assert_eq!(&document.source[document.model.quantities[1].value.span.range()], "3 [kg]");
+}
+
+#[test]
+fn settings_are_in_si() {
+    let front = "---\ntitle: T\nlanguage: es\nmethod: euler\nstep: 50 [ms]\nuntil: 2 [min]\ntolerance: 1e-9\n---\n";
+    let document = good(&format!("{front}{MODEL}"), &[]);
+    assert_eq!((document.step, document.until, document.tolerance), (Some(0.05), Some(120.0), Some(1e-9)));
+    assert_eq!(document.method.as_deref(), Some("euler"));
+    assert_eq!(&document.source[document.method_span.range()], "euler");
+    assert_eq!((document.title.as_str(), document.language.as_str()), ("T", "es"));
+    // Bare numbers are in the unit of the independent variable.
+    let document = good("---\nstep: 5\n---\n```model\nindependent x in [cm]\nA' = -2 [1/m]*A\nA(0) = 1\n```\n", &[]);
+    assert_eq!(document.step, Some(0.05));
+}
+
+#[test]
+fn settings_out_of_place() {
+    let front = "---\nlanguage: my tongue\nstep: -1\nuntil: 5 [kg]\ntolerance: 0.5\n---\n";
+    assert_eq!(
+        open(&format!("{front}{MODEL}"), &[]).1,
+        [
+            "0: `my tongue` is not a language",
+            "0: `step` must be a positive number",
+            "0: `until` has the wrong dimension",
+            "0: the tolerance is too large",
+        ]
+    );
+}
+
+#[test]
+fn without_a_model_there_is_no_document() {
+    let (document, findings) = open("# Only prose\n", &[]);
+    assert!(document.is_none());
+    assert_eq!(findings, ["0: the document has no model"]);
+    let (document, findings) = open("```model\ny = 2 [m] + 1 [s]\n```\n", &[]);
+    assert!(document.is_none());
+    assert_eq!(findings.len(), 1, "{findings:?}");
+}
+
+#[test]
+fn a_faulty_part_is_left_out_and_the_rest_stays() {
+    let source = format!(
+        "{MODEL}```plots\n\"A\": y against t\n\"B\": z against t\n```\n```presets\n\"P\": h = 1 [m], q = 2\n```\n```question\nQ\nanswer: z within 1 %\n```\n```question\nR\nanswer: h within 1 [cm]\n```\n"
+    );
+    let (document, findings) = open(&source, &[]);
+    assert_eq!(findings, ["0: `z` is not known", "0: `q` is not a parameter of the model", "0: `z` is not known"]);
+    let document = document.expect("the model is good");
+    assert_eq!(document.plots.len(), 1);
+    assert_eq!(document.presets[0].values.len(), 1);
+    assert_eq!(document.questions.len(), 1);
+    assert_eq!(document.questions[0].tolerance, Tolerance::Absolute(0.01));
+    assert_eq!(document.question_text("en", 0).prompt, "<p>R</p>\n");
+}
+
+#[test]
+fn an_unclosed_block_spoils_nothing_after_it() {
+    let source = format!("{}```plots\n\"A\": y against t\n```\nThe end.\n", MODEL.trim_end().trim_end_matches('`'));
+    let (document, findings) = open(&source, &[]);
+    assert_eq!(findings, ["0: the `model` block is not closed"]);
+    assert_eq!(document.expect("the model is good").plots.len(), 1);
+}
+
+#[test]
+fn questions_stand_where_they_were_written() {
+    let source = format!(
+        "{MODEL}# A\n\nText\n\n```question\nWhy?\nhint: *Think.*\nanswer: 2*h within 2 %\n```\n\nMore\n\n# B\n"
+    );
+    let document = good(&source, &[]);
+    let [a, b] = document.sections("en") else { panic!("two sections") };
+    assert_eq!((a.id.as_str(), a.level, b.title.as_str()), ("doc-a", 1, "B"));
+    assert_eq!(
+        a.blocks,
+        [Block::Html("<p>Text</p>\n".into()), Block::Question(0), Block::Html("<p>More</p>\n".into())]
+    );
+    assert_eq!(document.question_text("en", 0).hint.as_deref(), Some("<p><em>Think.</em></p>\n"));
+}
+
+const BASE: &str = "# One\n\n```scene\n<svg viewBox='0 0 9 9'><text>now {y in [cm]} high</text><text>t</text></svg>\n```\n```plots\n\"Fall\": y against t\n```\n```question\nWhy?\nanswer: h within 2 %\n```\n```question\nHow?\nanswer: 2*h within 2 %\n```\n";
+
+#[test]
+fn a_translation_keeps_one_model() {
+    let translation = "---\nlanguage: es\ntitle: Uno\ntranslates: base.md\n---\n# Uno\n\n```translations\n\"Height\" = \"Altura\"\n\"Place\" = \"Lugar\"\n\"high\" = \"alto\"\n\"low\" = \"bajo\"\n\"Fall\" = \"Caída\"\n\"now {y in [cm]} high\" = \"a {y in [cm]} de altura\"\n```\n\n```question\n¿Por qué?\n```\n```question\n¿Cómo?\nhint: Así.\n```\n";
+    let document = good(&format!("{MODEL}{BASE}"), &[translation]);
+    assert_eq!(document.languages().collect::<Vec<_>>(), ["en", "es"]);
+    assert_eq!(document.text("es", "Height"), "Altura");
+    assert_eq!(document.text("es", "alone"), "alone");
+    assert_eq!(document.text("de", "Height"), "Height");
+    assert_eq!(document.edition("es").title, "Uno");
+    assert_eq!(document.question_text("es", 1).prompt, "<p>¿Cómo?</p>\n");
+    assert_eq!(document.question_text("de", 1).prompt, "<p>How?</p>\n");
+    let scene = format!("{:?}", document.scene("es").map(|scene| &scene.root));
+    assert!(scene.contains("\"a \"") && scene.contains("\" de altura\"") && !scene.contains("high"), "{scene}");
+}
+
+#[test]
+fn what_is_wrong_with_a_translation() {
+    let translation = "---\nlanguage: es\nstep: 1\n---\n```model\nx = 1\n```\n```translations\n\"Heigth\" = \"Altura\"\n\"Place\" = \"Lugar\"\n\"Place\" = \"Sitio\"\n\"Fall\" \"Caída\"\n\"now {y in [cm]} high\" = \"a {y} de altura\"\n```\n```question\n¿Por qué?\nanswer: 3\n```\n";
+    let (document, findings) = open(&format!("{MODEL}{BASE}"), &[translation]);
+    assert_eq!(
+        findings,
+        [
+            "1: a question has no translation",
+            "1: 4 texts have no translation",
+            "1: `step` in a translation means nothing",
+            "1: a translation has no `model` of its own",
+            "1: the document has no text \"Heigth\"",
+            "1: \"Place\" is translated twice",
+            "1: a translation is a text, `=` and a text",
+            "1: the translation must contain the same `{expressions}` as the original",
+            "1: `answer:` in a translation means nothing",
+        ]
+    );
+    assert_eq!(document.expect("the model is good").languages().count(), 2);
+    let (_, findings) = open(MODEL, &["", "---\nlanguage: en\n---\n"]);
+    assert_eq!(findings, ["1: the translation does not say its language", "2: the document exists in `en` already"]);
+    let (_, findings) = open("---\ntranslates: base.md\n---\n", &[]);
+    assert_eq!(findings, ["0: this is a translation, which has no model of its own"]);
+}
+
+#[test]
+fn sizes_are_bounded() {
+    let (document, findings) = open(&"é".repeat(600_000), &[]);
+    assert!(document.is_none());
+    assert_eq!(findings, ["0: a document cannot be longer than 1048576 bytes; this one has 1200000"]);
+    // Of very many findings the warnings go first.
+    let source = format!("{MODEL}{}", "[a](b)\n\n<b>\n\n".repeat(300));
+    let opened = document::open(&source, &[]);
+    // A hundred findings and a word on how many more there are.
+    assert_eq!(opened.diagnostics.len(), 101);
+    assert_eq!(opened.diagnostics.last().map(|(_, diagnostic)| diagnostic.code), Some("more-findings"));
+    assert!(opened.has_errors());
+    // Names that stand for ever larger expressions.
+    let doubling: String = (1..60).map(|k| format!("a_{k} = a_{} + a_{}\n", k - 1, k - 1)).collect();
+    let (_, findings) = open(&format!("{MODEL}```scene\na_0 = y\n{doubling}<svg viewBox='0 0 1 1'/>\n```\n"), &[]);
+    assert_eq!(findings[0], "0: with the scene's own names written out this expression is too large");
+}
+
+#[test]
+fn warnings_do_not_hide_that_the_model_is_missing() {
+    let (_, findings) = open("---\ntitel: x\n---\n", &[]);
+    assert_eq!(findings, ["0: the front matter has no key `titel`", "0: the document has no model"]);
+    let (_, findings) = open(MODEL, &["---\nlanguage: a b\n---\n"]);
+    assert_eq!(findings, ["1: `a b` is not a language"]);
+}

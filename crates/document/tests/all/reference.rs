@@ -1,0 +1,133 @@
+//! Every example of the language reference is opened. One that a ```text block follows must give exactly the findings in
+//! it; any other must be without fault. `UPDATE_EXPECT=1 cargo test -p document --test all reference` writes the findings
+//! into the page, to be read before they are committed.
+
+use model::{Diagnostic, Severity};
+use std::path::{Path, PathBuf};
+
+fn page() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/language.md")
+}
+
+/// A fenced block of the page.
+struct Block {
+    kind: String,
+    /// What stands inside, in bytes of the page.
+    content: std::ops::Range<usize>,
+    /// Whether only a blank line separates it from the block before.
+    follows: bool,
+}
+
+fn blocks(page: &str) -> Vec<Block> {
+    let mut blocks: Vec<Block> = Vec::new();
+    let mut open: Option<(String, String, usize)> = None;
+    let mut last_end = 0;
+    let mut at = 0;
+    for line in page.split_inclusive('\n') {
+        let text = line.trim_end();
+        match &open {
+            None if text.starts_with("```") => {
+                let kind = text.trim_start_matches('`');
+                let marks = text[..text.len() - kind.len()].to_owned();
+                open = Some((marks, kind.to_owned(), at + line.len()));
+            }
+            Some((marks, kind, start)) if text == marks => {
+                let opening = start - kind.len() - marks.len() - 1;
+                let follows = !blocks.is_empty() && page[last_end..opening].trim().is_empty();
+                blocks.push(Block { kind: kind.clone(), content: *start..at, follows });
+                last_end = at + line.len();
+                open = None;
+            }
+            _ => {}
+        }
+        at += line.len();
+    }
+    blocks
+}
+
+/// The document that an example is, or stands in. The second part is where the example begins in it.
+fn surroundings(page: &str, block: &Block, model: &str) -> Option<String> {
+    let text = &page[block.content.clone()];
+    match block.kind.as_str() {
+        "markdown" => Some(text.to_owned()),
+        "model" => Some(format!("```model\n{text}```\n")),
+        kind @ ("scene" | "plots" | "presets" | "question") => {
+            Some(format!("```model\n{model}```\n\n```{kind}\n{text}```\n"))
+        }
+        _ => None,
+    }
+}
+
+/// The findings in plain text.
+fn print(source: &str, diagnostic: &Diagnostic) -> String {
+    let severity = match diagnostic.severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+    };
+    let mut text = format!("{severity}: {}\n", diagnostic.message.english);
+    for label in &diagnostic.labels {
+        let start = source[..label.span.start].rfind('\n').map_or(0, |at| at + 1);
+        let end = source[start..].find('\n').map_or(source.len(), |length| start + length);
+        let before = source[start..label.span.start].chars().count();
+        let marked = source[label.span.start..label.span.end.clamp(label.span.start, end)].chars().count().max(1);
+        text += &format!("  {}\n", &source[start..end]);
+        text += format!("  {}{} {}", " ".repeat(before), "^".repeat(marked), label.text.english).trim_end();
+        text += "\n";
+    }
+    for note in &diagnostic.notes {
+        text += &note.english.lines().map(|line| format!("  {line}").trim_end().to_owned() + "\n").collect::<String>();
+    }
+    for hint in &diagnostic.hints {
+        text += &format!("hint: {}\n", hint.english);
+    }
+    text
+}
+
+#[test]
+fn every_example_does_what_the_reference_says() {
+    let page_text = std::fs::read_to_string(page()).unwrap();
+    let blocks = blocks(&page_text);
+    // The first model of the page is the one that scenes, plots, presets and questions are about.
+    let model =
+        blocks.iter().find(|block| block.kind == "model").map(|block| &page_text[block.content.clone()]).unwrap();
+    let mut updated = page_text.clone();
+    let mut examples = 0;
+    for (index, block) in blocks.iter().enumerate().rev() {
+        let Some(source) = surroundings(&page_text, block, model) else {
+            continue;
+        };
+        examples += 1;
+        let opened = document::open(&source, &[]);
+        let findings: Vec<String> =
+            opened.diagnostics.iter().map(|(_, diagnostic)| print(&source, diagnostic)).collect();
+        let findings = findings.join("\n");
+        let expected = blocks.get(index + 1).filter(|next| next.kind == "text" && next.follows);
+        match expected {
+            Some(expected) if std::env::var_os("UPDATE_EXPECT").is_some() => {
+                updated.replace_range(expected.content.clone(), &findings);
+            }
+            Some(expected) => {
+                assert_eq!(findings, page_text[expected.content.clone()], "\n{source}")
+            }
+            None => assert_eq!(findings, "", "\n{source}"),
+        }
+    }
+    assert!(examples > 30, "{examples}");
+    if updated != page_text {
+        std::fs::write(page(), updated).unwrap();
+    }
+}
+
+#[test]
+fn the_reference_names_every_method_key_and_function() {
+    let page = std::fs::read_to_string(page()).unwrap();
+    for method in engine::Method::ALL {
+        assert!(page.contains(&format!("`{}`", method.name())), "{}", method.name());
+    }
+    for function in [
+        "sqrt", "cbrt", "abs", "sign", "exp", "ln", "log10", "sin", "cos", "tan", "asin", "acos", "atan", "atan2",
+        "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "floor", "ceil", "round", "min", "max", "mod", "hypot",
+    ] {
+        assert!(page.contains(&format!("`{function}(")), "{function}");
+    }
+}

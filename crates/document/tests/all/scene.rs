@@ -1,0 +1,225 @@
+//! What a scene lets through and what it refuses, on the outside of the crate.
+use document::{Child, Element, Opened, Piece, Template};
+
+fn open(scene: &str) -> Opened {
+    let source = format!(
+        "```model\nparameter h = 2 [m]\ny'' = -9.8 [m/s^2]\ny(0) = h \"Height\"\ny'(0) = 0\nname = \"ball\"\n```\n\n```scene\n{scene}\n```\n"
+    );
+    document::open(&source, &[])
+}
+
+fn print_template(template: &Template) -> String {
+    template
+        .iter()
+        .map(|piece| match piece {
+            Piece::Literal(text) => text.clone(),
+            Piece::Value { index, decimals: None } => format!("{{{index}}}"),
+            Piece::Value { index, decimals: Some(decimals) } => format!("{{{index}:.{decimals}}}"),
+        })
+        .collect()
+}
+
+fn print(element: &Element) -> String {
+    let mut text = format!("<{}", element.name);
+    for attribute in &element.attributes {
+        text += &format!(" {}={}", attribute.name, print_template(&attribute.value));
+    }
+    if let Some(drag) = &element.drag {
+        text += &format!(" drag {} {:?} {:?}", drag.state, drag.up, drag.right);
+    }
+    text += ">";
+    for child in &element.children {
+        match child {
+            Child::Element(element) => text += &print(element),
+            Child::Text(template) => text += &format!("({})", print_template(template)),
+        }
+    }
+    text + ";"
+}
+
+fn check(scene: &str, expected: &str, messages: &[&str]) {
+    let opened = open(scene);
+    let found: Vec<&str> = opened.diagnostics.iter().map(|(_, d)| &*d.message.english).collect();
+    assert_eq!(found, messages, "{scene}");
+    let document = opened.document.expect("the model is good");
+    let scene = document.scene("en").map(|scene| print(&scene.root)).unwrap_or_default();
+    assert_eq!(scene, expected);
+}
+
+/// A scene with one thing inside.
+fn inside(content: &str, expected: &str, messages: &[&str]) {
+    check(
+        &format!("<svg viewBox=\"0 0 9 9\">{content}</svg>"),
+        &format!("<svg class=authored viewBox=0 0 9 9>{expected};"),
+        messages,
+    );
+}
+
+#[test]
+fn values_follow_the_model() {
+    inside(
+        "<rect y='{y}' height='{2*h}'/><text x=\"{y}\">y = {y in [cm]:.1}, {name}</text>",
+        "<rect y={0} height={1}>;<text x={0}>(y = {2:.1}, {3});",
+        &[],
+    );
+    inside("<text>{{y}} &lt;</text><path d='M0 {if y < h then 1 else 2}'/>", "<text>({y} <);<path d=M0 {0}>;", &[]);
+}
+
+#[test]
+fn a_scene_has_names_of_its_own() {
+    check(
+        "half = h/2  # a comment\ntwice = 4*half\n<svg viewBox='0 0 9 9'><rect y='{twice}' x='{2*h}' width='{half}'/></svg>",
+        "<svg class=authored viewBox=0 0 9 9><rect y={0} x={1} width={2}>;;",
+        &[],
+    );
+    check(
+        "h = 2 [m]\na = 1\na = 2\nb = h + 1\n<svg viewBox='0 0 9 9'><rect x='{b}' y='{a}'/></svg>",
+        "<svg class=authored viewBox=0 0 9 9><rect y={0}>;;",
+        &[
+            "`h` is already a name of the model",
+            "`a` is defined twice",
+            "the term `1` has no unit, but a length is needed",
+        ],
+    );
+}
+
+#[test]
+fn dragging_names_a_state_and_says_how_much() {
+    inside(
+        "<g drag='y' drag-up='0.01 [m]'/><g drag=\"y'\" drag-right='0.1 [m/s]' drag-up='-0.2 [m/s]'/>",
+        "<g drag 0 Some(0) None>;<g drag 1 Some(1) Some(2)>;",
+        &[],
+    );
+    inside(
+        "<g drag='h' drag-up='1 [m]'/><g drag='y' drag-up='1'/><g drag='y'/><g drag-up='1 [m]'/>",
+        "<g>;<g>;<g>;<g>;",
+        &[
+            "`h` is not a state, so it cannot be dragged",
+            "one unit of the drawing must add to `y` something of its dimension",
+            "dragging needs `drag-up`, `drag-right` or both",
+            "what does the pointer change?",
+        ],
+    );
+}
+
+#[test]
+fn elements_that_run_load_or_move_by_themselves_are_refused() {
+    for name in [
+        "script",
+        "foreignObject",
+        "iframe",
+        "a",
+        "use",
+        "image",
+        "animate",
+        "set",
+        "animateTransform",
+        "object",
+        "embed",
+        "audio",
+        "video",
+        "handler",
+        "filter",
+        "feImage",
+        "mask",
+        "pattern",
+        "symbol",
+        "switch",
+        "metadata",
+        "SCRIPT",
+        "svg:script",
+    ] {
+        inside(
+            &format!("<{name}>alert(1)</{name}><g/>"),
+            "<g>;",
+            &[&format!("a scene cannot contain `<{name}>`; it is left out with what it holds")],
+        );
+    }
+    inside("<svg/>", "", &["`<svg>` cannot contain `<svg>`"]);
+}
+
+#[test]
+fn attributes_that_run_or_load_are_refused() {
+    for name in [
+        "onclick",
+        "onload",
+        "onbegin",
+        "href",
+        "xlink:href",
+        "style",
+        "filter",
+        "mask",
+        "src",
+        "begin",
+        "values",
+        "ONCLICK",
+        "formaction",
+        "tabindex",
+        "role",
+        "xml:base",
+    ] {
+        inside(
+            &format!("<g {name}=\"x\"/>"),
+            "<g>;",
+            &[&format!("the attribute `{name}` is not allowed in a scene; it is left out")],
+        );
+    }
+}
+
+#[test]
+fn values_that_run_or_load_are_refused() {
+    for (value, word) in [
+        ("url(https://evil.example/x)", "url("),
+        ("url( #a)", "url("),
+        ("url(#a) url(//x)", "url("),
+        ("java&#115;cript:alert(1)", "javascript:"),
+        ("j&#x61;vascript :x", "javascript:"),
+        ("\\75 rl(#a)", "\\"),
+        ("data:x", "data:"),
+        ("ur{y}l(x", ""),
+    ] {
+        if word.is_empty() {
+            continue;
+        }
+        inside(
+            &format!("<linearGradient id='a'/><g fill=\"{value}\"/>"),
+            "<linearGradient id=scene-a>;<g>;",
+            &[&format!("`{word}` is not allowed in a scene; `fill` is left out")],
+        );
+    }
+    // Numbers between the letters do not hide a word.
+    inside("<g fill='ur{y}l(x)'/>", "<g>;", &["`url(` is not allowed in a scene; `fill` is left out"]);
+}
+
+#[test]
+fn references_stay_inside_the_scene() {
+    inside(
+        "<clipPath id='a'/><g clip-path='url(#a)' fill='url(#b)'/><g id='a b'/><g id='a'/>",
+        "<clipPath id=scene-a>;<g clip-path=url(#scene-a) fill=url(#scene-b)>;<g>;<g id=scene-a>;",
+        &["nothing in the scene has the id `b`", "`a b` cannot be an id", "the id `a` is used twice"],
+    );
+    inside("<g d='url(#a)'/>", "<g>;", &["`url(` is not allowed in a scene; `d` is left out"]);
+}
+
+#[test]
+fn names_and_styles_hold_no_values() {
+    inside(
+        "<g id='a{y}' class='b{y}'/>",
+        "<g>;",
+        &["`a{y}` cannot be an id", "`id` cannot hold values of the model", "`class` cannot hold values of the model"],
+    );
+    inside("<g class='a b\"c'/>", "<g class=scene-a>;", &["`a b\"c` is not a list of class names"]);
+    inside(
+        "<style>.a { fill: red } @import url(x); .b { fill: {y} }</style>",
+        "<style>(.authored .scene-a{fill:red;});",
+        &["this selector cannot be confined to the scene", "a rule is `selector { property: value }`"],
+    );
+}
+
+#[test]
+fn text_in_attributes_and_text_outside_text_are_refused() {
+    inside("<rect fill='{name}'/>", "<rect>;", &["an attribute can hold numbers only, and this is a text"]);
+    inside("<g>loose</g>", "<g>;", &["text is shown inside `<text>` only"]);
+    check("nothing", "", &["a scene needs a drawing"]);
+    check("<svg/>", "<svg class=authored>;", &["the `svg` element needs a `viewBox`"]);
+}

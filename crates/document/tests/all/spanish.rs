@@ -1,0 +1,21 @@
+//! Every diagnostic of the documents in `wrong.txt` and of the examples of the language reference in Spanish: nothing is
+//! left in English, names and numbers are those of the English text, and the words are those of `spanish.txt`.
+//! `UPDATE_EXPECTED=1 cargo test -p document --test all spanish` writes that file, to be read before it is committed.
+
+use crate::catalogue::Catalogue;
+use std::path::Path;
+
+#[test]
+fn every_finding_is_said_in_spanish() {
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/all");
+    let mut catalogue = Catalogue::default();
+    for case in std::fs::read_to_string(tests.join("wrong.txt")).unwrap().split("\n## ").skip(1) {
+        let (title, text) = case.split_once('\n').unwrap();
+        let (source, translation) = text.split_once("\n----\n").unwrap_or((text, ""));
+        let translations: &[&str] = if translation.is_empty() { &[] } else { &[translation] };
+        let found = document::open(source, translations).diagnostics;
+        assert!(!found.is_empty(), "{title}: nothing is said");
+        catalogue.add(&found.into_iter().map(|(_, diagnostic)| diagnostic).collect::<Vec<_>>());
+    }
+    catalogue.compare(&tests.join("spanish.txt"));
+}

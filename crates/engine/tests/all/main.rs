@@ -1,0 +1,13 @@
+//! Tests of runs; one program, since linking many takes longer than they do.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
+
+mod closed_forms;
+mod events;
+mod going_on;
+mod orders;
+mod runs;
+mod sensitivities;
+mod support;
+mod tables;
+mod work;

@@ -1,0 +1,220 @@
+//! Sensitivities of solutions to parameters, against derivatives of closed forms.
+
+use crate::support::model;
+use engine::{Method, Setup, Stepper};
+
+/// The state and its sensitivity to each of `parameters` at `time`, by Dormand-Prince to 1e-10.
+fn sensitivities(text: &str, values: &[f64], time: f64) -> (Vec<f64>, Vec<Vec<f64>>) {
+    let model = model(text);
+    let states = model.states.len();
+    let parameters: Vec<usize> = (0..model.parameters.len()).collect();
+    let extended = model.with_sensitivities(&parameters).unwrap();
+    let mut setup = Setup { method: Method::DormandPrince, tolerance: 1e-10, ..Setup::defaults(&extended) };
+    setup.parameters = values.to_vec();
+    let mut stepper = Stepper::new(&extended, &setup).unwrap();
+    stepper.advance_to(time).unwrap();
+    assert_eq!(stepper.time(), time);
+    let all = stepper.state();
+    (all[..states].to_vec(), all[states..].chunks(states).map(<[f64]>::to_vec).collect())
+}
+
+/// Compares with central differences of a closed form y(parameters, t).
+fn check(text: &str, values: &[f64], times: &[f64], exact: impl Fn(&[f64], f64) -> f64, tolerance: f64) {
+    for &time in times {
+        let (state, by_parameter) = sensitivities(text, values, time);
+        let scale = values.iter().fold(1.0_f64, |scale, value| scale.max(value.abs()));
+        assert!((state[0] - exact(values, time)).abs() < 1e-8 * scale, "the state at {time}");
+        for (number, sensitivity) in by_parameter.iter().enumerate() {
+            let step = 1e-5 * values[number].abs().max(0.1);
+            let (mut above, mut below) = (values.to_vec(), values.to_vec());
+            above[number] += step;
+            below[number] -= step;
+            let expected = (exact(&above, time) - exact(&below, time)) / (2.0 * step);
+            let error = (sensitivity[0] - expected).abs();
+            assert!(
+                error < tolerance * expected.abs().max(1.0),
+                "parameter {number} at {time}: {} instead of {expected}",
+                sensitivity[0]
+            );
+        }
+    }
+}
+
+#[test]
+fn of_a_damped_oscillation_to_its_constants_and_initial_values() {
+    let text = "
+parameter k = 4 [s^-2]
+parameter c = 0.3 [s^-1]
+parameter y_0 = 0.7 [m]
+parameter v_0 = -0.2 [m/s]
+y'' = -k*y - c*y'
+y(0) = y_0
+y'(0) = v_0
+";
+    let exact = |p: &[f64], t: f64| {
+        let gamma = p[1] / 2.0;
+        let omega = (p[0] - gamma * gamma).sqrt();
+        let phase = omega * t;
+        libm::exp(-gamma * t) * (p[2] * libm::cos(phase) + (p[3] + gamma * p[2]) / omega * libm::sin(phase))
+    };
+    check(text, &[4.0, 0.3, 0.7, -0.2], &[0.3, 2.0, 9.7], exact, 1e-7);
+}
+
+#[test]
+fn of_what_depends_on_the_initial_value_itself() {
+    let text = "
+parameter a = 0.5 [s^-1]
+parameter y_0 = 2 [m]
+y' = -a*(y - y(0)/2)
+y(0) = y_0^2/(1 [m])
+";
+    let exact = |p: &[f64], t: f64| p[1] * p[1] * (0.5 + 0.5 * libm::exp(-p[0] * t));
+    check(text, &[0.5, 2.0], &[1.0, 3.0], exact, 1e-7);
+}
+
+#[test]
+fn of_a_ball_to_gravity_restitution_and_height_across_two_bounces() {
+    let text = "
+parameter g = 9.8 [m/s^2]
+parameter e = 0.8
+parameter h = 1 [m]
+y'' = -g
+y(0) = h
+y'(0) = 0 [m/s]
+when y < 0 [m] { y' = -e*y' }
+";
+    let exact = |p: &[f64], t: f64| {
+        let (g, e, h) = (p[0], p[1], p[2]);
+        let (mut start, mut speed) = ((2.0 * h / g).sqrt(), e * (2.0 * g * h).sqrt());
+        if t < start {
+            return h - g * t * t / 2.0;
+        }
+        while t > start + 2.0 * speed / g {
+            start += 2.0 * speed / g;
+            speed *= e;
+        }
+        let since = t - start;
+        speed * since - g * since * since / 2.0
+    };
+    check(text, &[9.8, 0.8, 1.0], &[0.3, 0.7, 1.6], exact, 1e-6);
+}
+
+/// Where the force changes at a moment that depends on the parameters, the sensitivity jumps although the state does not.
+#[test]
+fn of_a_force_that_changes_where_a_condition_of_two_parts_is_met() {
+    let text = "
+parameter a = 2 [m/s^2]
+parameter b = 3 [m]
+y'' = if s > 0.5 then -a else a
+y(0) = 0 [m]
+y'(0) = 0 [m/s]
+s' = 0 [s^-1]
+s(0) = 0
+when y > b and t > 0.1 [s] { s = 1 }
+";
+    let exact = |p: &[f64], t: f64| {
+        let turn = (2.0 * p[1] / p[0]).sqrt();
+        if t < turn {
+            return p[0] * t * t / 2.0;
+        }
+        let since = t - turn;
+        p[1] + p[0] * turn * since - p[0] * since * since / 2.0
+    };
+    check(text, &[2.0, 3.0], &[1.0, 2.5], exact, 1e-6);
+}
+
+/// Compares all sensitivities with central differences of the solution itself; one state after the other.
+fn check_against_differences(what: &str, text: &str, time: f64) {
+    let values: Vec<f64> = model(text).parameters.iter().map(|parameter| parameter.value).collect();
+    let (_, by_parameter) = sensitivities(text, &values, time);
+    for (number, sensitivity) in by_parameter.iter().enumerate() {
+        let step = 1e-5 * values[number].abs().max(0.1);
+        let moved = |step: f64| {
+            let mut moved = values.clone();
+            moved[number] += step;
+            sensitivities(text, &moved, time).0
+        };
+        let (above, below) = (moved(step), moved(-step));
+        for (state, found) in sensitivity.iter().enumerate() {
+            let expected = (above[state] - below[state]) / (2.0 * step);
+            let error = (found - expected).abs();
+            assert!(
+                error < 1e-6 * expected.abs().max(1.0),
+                "{what}: state {state} by parameter {number}: {found} instead of {expected}"
+            );
+        }
+    }
+}
+
+const BALL: &str = "
+parameter g = 9.8 [m/s^2]
+parameter e = 0.8
+parameter h = 1 [m]
+y'' = -g
+y(0) = h
+y'(0) = 0 [m/s]
+";
+
+/// Events of one moment, each with a part of its own: none may undo what another has done to the sensitivities.
+#[test]
+fn of_events_at_one_moment() {
+    // Balls that meet the floor at one moment because they are dropped from one height, not because they must.
+    let two_balls = "
+parameter g = 9.8 [m/s^2]
+parameter e_1 = 0.8
+parameter e_2 = 0.6
+parameter h_1 = 1 [m]
+parameter h_2 = 1 [m]
+y'' = -g
+z'' = -g
+y(0) = h_1
+y'(0) = 0 [m/s]
+z(0) = h_2
+z'(0) = 0 [m/s]
+when y < 0 [m] { y' = -e_1*y' }
+when z < 0 [m] { z' = -e_2*z' }
+";
+    check_against_differences("two balls", two_balls, 0.7);
+    // A count of what is lost beside the bounce, which reads the velocity before it.
+    let lost = "
+parameter m = 0.3 [kg]
+w' = 0 [W]
+w(0) = 0 [J]
+when y < 0 [m] { w = w + m*y'^2/2*(1 - e^2) }
+";
+    let bounce = "when y < 0 [m] { y' = -e*y' }\n";
+    check_against_differences("the bounce first", &[BALL, bounce, lost].concat(), 0.7);
+    check_against_differences("the bounce last", &[BALL, lost, bounce].concat(), 0.7);
+    // Both set the velocity: the later one wins, in the state and in its sensitivities.
+    let again = "when y < 0 [m] { y' = -e^2*y' + e*(1 [m/s]) }\n";
+    check_against_differences("both set the velocity", &[BALL, bounce, again].concat(), 0.7);
+    // Nothing moves any more after the first; the second still has the moment of the impact.
+    let stop = "
+parameter u = 0.2 [m/s]
+p' = 0 [m/s]
+p(0) = h
+d' = 1
+d(0) = 0 [s]
+when y < 0 [m] { y' = 0 [m/s] }
+when y < 0 [m] { d = -d }
+when y < 0 [m] { p = p + u*d }
+";
+    let still = BALL.replace("-g\n", "if d < 0 [s] then 0 else -g\n");
+    check_against_differences("a stop and what it starts", &[&still, stop].concat(), 0.6);
+}
+
+/// An event that the jump of another has made due fires with that one, whatever the speed of its own condition.
+#[test]
+fn of_events_that_follow_from_one_another() {
+    let chain = "
+parameter k = 2 [m/s^2]
+n' = 0 [s^-1]
+n(0) = 0
+q'' = k*n
+q(0) = 0 [m]
+q'(0) = 0 [m/s]
+when y < 0 [m] { y' = -e*y'; n = n + 1 }
+when n > 0.5 and q < 1 [m] { q' = h/(1 [s]) }
+";
+    check_against_differences("a chain", &[BALL, chain].concat(), 0.7);
+}

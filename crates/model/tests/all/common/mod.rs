@@ -1,0 +1,151 @@
+//! What the tests share: compiling, computing the value of a node, and diagnostics as plain text.
+pub mod catalogue;
+
+use model::{Diagnostic, Graph, Model, Node, NodeId, Severity, Variable};
+
+/// Compiles a text that is all model; it must have no errors.
+#[track_caller]
+pub fn compile(source: &str) -> Model {
+    let (model, diagnostics) = model::compile(source, std::slice::from_ref(&(0..source.len())));
+    model.unwrap_or_else(|| panic!("{}", render(source, &diagnostics)))
+}
+
+/// The diagnostics of a text that is all model.
+pub fn diagnostics(source: &str) -> String {
+    let (_, diagnostics) = model::compile(source, std::slice::from_ref(&(0..source.len())));
+    render(source, &diagnostics)
+}
+
+/// Diagnostics as plain text: code and message, each place with what is said of it, notes, hints.
+pub fn render(source: &str, diagnostics: &[Diagnostic]) -> String {
+    let mut text = String::new();
+    for diagnostic in diagnostics {
+        let severity = if diagnostic.severity == Severity::Error { "error" } else { "warning" };
+        text += &format!("{severity} [{}]: {}\n", diagnostic.code, diagnostic.message.english);
+        for label in &diagnostic.labels {
+            let line = source[..label.span.start].matches('\n').count() + 1;
+            let quoted = source[label.span.range()].replace('\n', " ");
+            let says = if label.text.is_empty() { String::new() } else { format!(": {}", label.text.english) };
+            text += &format!("  {line}: `{quoted}`{says}\n");
+        }
+        for note in diagnostic.notes.iter().flat_map(|note| note.english.lines()) {
+            text += &format!("  | {note}\n");
+        }
+        for hint in &diagnostic.hints {
+            text += &format!("  hint: {}\n", hint.english);
+        }
+    }
+    text
+}
+
+/// Where a node is evaluated.
+pub struct At {
+    pub parameters: Vec<f64>,
+    pub initial: Vec<f64>,
+    pub time: f64,
+    pub states: Vec<f64>,
+}
+
+impl At {
+    /// The default parameters, a time and states.
+    pub fn new(model: &Model, time: f64, states: &[f64]) -> Self {
+        let parameters: Vec<f64> = model.parameters.iter().map(|parameter| parameter.value).collect();
+        let mut at = Self { parameters, initial: vec![f64::NAN; states.len()], time, states: states.to_vec() };
+        at.initial = model.states.iter().map(|state| at.value(&model.graph, state.initial)).collect();
+        at
+    }
+
+    /// The value of a node, the slow way.
+    pub fn value(&self, graph: &Graph, root: NodeId) -> f64 {
+        let mut values = vec![f64::NAN; graph.len()];
+        for id in graph.reachable(&[root]) {
+            let of = |id: NodeId| values[id.0 as usize];
+            values[id.0 as usize] = match graph.node(id) {
+                Node::Constant(bits) => f64::from_bits(bits),
+                Node::Parameter(index) => self.parameters[index as usize],
+                Node::Initial(index) => self.initial[index as usize],
+                Node::Independent => self.time,
+                Node::State(index) => self.states[index as usize],
+                Node::Unary(function, x) => function.evaluate(of(x)),
+                Node::Binary(function, a, b) => function.evaluate(of(a), of(b)),
+                Node::Select(condition, chosen, other) => {
+                    if of(condition) != 0.0 {
+                        of(chosen)
+                    } else {
+                        of(other)
+                    }
+                }
+                Node::Solution { system, row } => {
+                    let system = &graph.systems()[system as usize];
+                    let matrix = system.matrix.iter().map(|&entry| of(entry)).collect();
+                    let right = system.right.iter().map(|&entry| of(entry)).collect();
+                    eliminate(matrix, right)[row as usize]
+                }
+            };
+        }
+        values[root.0 as usize]
+    }
+}
+
+/// Gaussian elimination with pivoting.
+fn eliminate(mut matrix: Vec<f64>, mut right: Vec<f64>) -> Vec<f64> {
+    let n = right.len();
+    for column in 0..n {
+        let pivot =
+            (column..n).max_by(|&a, &b| matrix[a * n + column].abs().total_cmp(&matrix[b * n + column].abs())).unwrap();
+        for k in 0..n {
+            matrix.swap(column * n + k, pivot * n + k);
+        }
+        right.swap(column, pivot);
+        for row in column + 1..n {
+            let factor = matrix[row * n + column] / matrix[column * n + column];
+            for k in column..n {
+                matrix[row * n + k] -= factor * matrix[column * n + k];
+            }
+            right[row] -= factor * right[column];
+        }
+    }
+    for row in (0..n).rev() {
+        for k in row + 1..n {
+            right[row] -= matrix[row * n + k] * right[k];
+        }
+        right[row] /= matrix[row * n + row];
+    }
+    right
+}
+
+/// The value of a name with primes.
+#[track_caller]
+pub fn value(model: &Model, at: &At, name: &str, order: u32) -> f64 {
+    let compiled = model.lookup(name, order).unwrap_or_else(|| panic!("no {name} with {order} primes"));
+    at.value(&model.graph, compiled.node)
+}
+
+/// Compares with a relative tolerance of some roundings.
+#[track_caller]
+pub fn assert_near(found: f64, expected: f64) {
+    let scale = expected.abs().max(1e-3);
+    assert!((found - expected).abs() <= 1e-12 * scale, "{found} instead of {expected}");
+}
+
+/// The derivative by central differences, good to some nine digits.
+pub fn difference(model: &Model, at: &At, node: NodeId, variable: Variable) -> f64 {
+    let moved = |by: f64| {
+        let mut at = At {
+            parameters: at.parameters.clone(),
+            initial: at.initial.clone(),
+            time: at.time,
+            states: at.states.clone(),
+        };
+        match variable {
+            Variable::State(index) => at.states[index as usize] += by,
+            Variable::Parameter(index) => at.parameters[index as usize] += by,
+            Variable::Initial(index) => at.initial[index as usize] += by,
+            Variable::Independent => at.time += by,
+        }
+        at.value(&model.graph, node)
+    };
+    let h = 1e-4;
+    // Fourth order: the error is of the order of h^4.
+    (8.0 * (moved(h) - moved(-h)) - (moved(2.0 * h) - moved(-2.0 * h))) / (12.0 * h)
+}

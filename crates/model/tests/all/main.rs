@@ -1,0 +1,14 @@
+//! Tests of the equation language; one program, since linking many takes longer than they do.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
+
+mod bounds;
+mod common;
+mod derivatives;
+mod errors;
+mod expressions;
+mod lowering;
+mod properties;
+mod spanish;
+mod syntax_errors;
+mod syntax_properties;

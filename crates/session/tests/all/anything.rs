@@ -1,0 +1,163 @@
+//! Nothing that can be done, in any order, breaks the session.
+
+use proptest::prelude::*;
+use session::figure::{Direction, Point, Settings};
+use session::{Session, number};
+
+/// Something a person can do.
+#[derive(Clone, Debug)]
+enum Deed {
+    Tick(f64),
+    Toggle,
+    StepForward,
+    StepBack,
+    Reset,
+    Scrub(f64),
+    Speed(f64),
+    Slide(usize, u32),
+    Set(usize, f64),
+    Type(usize, String),
+    State(usize, f64),
+    Drag(f64, f64),
+    Preset(usize),
+    Keep,
+    Remove(u32),
+    Method(usize),
+    Step(f64),
+    Zoom(f64, f64),
+    Answer(String),
+    Reopen,
+}
+
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![4 => -10.0..10.0_f64, 1 => -1e6..1e6_f64, 1 => any::<f64>()]
+}
+
+fn deed() -> impl Strategy<Value = Deed> {
+    prop_oneof![
+        6 => (0.0..0.5_f64).prop_map(Deed::Tick),
+        1 => number().prop_map(Deed::Tick),
+        4 => Just(Deed::Toggle),
+        2 => Just(Deed::StepForward),
+        2 => Just(Deed::StepBack),
+        1 => Just(Deed::Reset),
+        2 => number().prop_map(Deed::Scrub),
+        1 => number().prop_map(Deed::Speed),
+        2 => (0..9_usize, any::<u32>()).prop_map(|(index, position)| Deed::Slide(index, position % 400)),
+        2 => (0..9_usize, number()).prop_map(|(index, value)| Deed::Set(index, value)),
+        1 => (0..9_usize, ".{0,12}").prop_map(|(index, text)| Deed::Type(index, text)),
+        1 => (0..4_usize, number()).prop_map(|(index, value)| Deed::State(index, value)),
+        1 => (number(), number()).prop_map(|(right, up)| Deed::Drag(right, up)),
+        1 => (0..8_usize).prop_map(Deed::Preset),
+        1 => Just(Deed::Keep),
+        1 => (0..8_u32).prop_map(Deed::Remove),
+        1 => (0..6_usize).prop_map(Deed::Method),
+        1 => (1e-3..1.0_f64).prop_map(Deed::Step),
+        1 => (number(), number()).prop_map(|(at, factor)| Deed::Zoom(at, factor)),
+        1 => ".{0,12}".prop_map(Deed::Answer),
+        1 => Just(Deed::Reopen),
+    ]
+}
+
+fn perform(session: &mut Session, deed: Deed) {
+    match deed {
+        Deed::Tick(seconds) => {
+            session.tick(seconds);
+        }
+        Deed::Toggle => session.toggle(),
+        Deed::StepForward => session.step_forward(),
+        Deed::StepBack => session.step_back(),
+        Deed::Reset => session.back_to_start(),
+        Deed::Scrub(time) => session.scrub(time),
+        Deed::Speed(speed) => session.set_speed(speed),
+        Deed::Slide(index, position) => session.slide(index, position),
+        Deed::Set(index, value) => drop(session.set_parameter(index, value)),
+        Deed::Type(index, text) => drop(session.set_parameter_text(index, &text)),
+        Deed::State(index, value) => drop(session.set_state(index, value)),
+        Deed::Drag(right, up) => {
+            session.drag_begin(&session::document::Drag { state: 0, up: Some(0), right: Some(1) });
+            session.drag_move(right, up);
+            session.drag_end();
+        }
+        Deed::Preset(index) => drop(session.apply_preset(index)),
+        Deed::Keep => drop(session.keep()),
+        Deed::Remove(id) => session.remove_kept(id),
+        Deed::Method(index) => {
+            let name = session.methods()[index].name;
+            drop(session.set_method(name));
+        }
+        Deed::Step(step) => drop(session.set_step(step)),
+        Deed::Zoom(at, factor) => {
+            session.zoom_plot(0, Some(Point { x: at as f32, y: at as f32 }), factor, Direction::Both);
+            session.pan_plot(1, at, factor);
+        }
+        Deed::Answer(text) => drop(session.check_answer(0, &text)),
+        Deed::Reopen => {
+            let fragment = session.share();
+            let before = (session.csv(), session.time(), session.parameter_values().to_vec());
+            let changes = fragment.matches("&c=").count();
+            session.restore(&fragment).unwrap_or_else(|refusal| panic!("{fragment}: {refusal:?}"));
+            assert!(changes < 300);
+            assert_eq!((session.csv(), session.time(), session.parameter_values().to_vec()), before, "{fragment}");
+        }
+    }
+}
+
+fn look(session: &mut Session) {
+    assert!(session.time() >= 0.0 && session.time() <= session.end());
+    assert_eq!(session.table_length(), session.csv().lines().count() - 1);
+    assert!(session.table_row_now() < session.table_length());
+    session.readouts();
+    session.scene_values();
+    session.presets();
+    assert!(session.kept().len() <= session::MOST_KEPT);
+    for plot in 0..3 {
+        session.layout_plot(plot, &Settings::default());
+        session.move_cursor(plot, 3);
+        session.hover_plot(plot, Point { x: 300.0, y: 100.0 });
+    }
+    while let Some(announcement) = session.take_announcement() {
+        session.announcement_text(&announcement);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_deeds_in_any_order(deeds in prop::collection::vec(deed(), 1..40)) {
+        let mut session = crate::support::utube();
+        for deed in deeds {
+            perform(&mut session, deed);
+            look(&mut session);
+        }
+    }
+
+    #[test]
+    fn any_saved_state(fields in "1(&[pymhcetxvk]=?[a-z0-9:.,e-]{0,10}){0,6}", other in ".{0,30}") {
+        let mut session = crate::support::utube();
+        let _ = session.restore(&fields);
+        let _ = session.restore(&other);
+        look(&mut session);
+    }
+
+    #[test]
+    fn any_typed_number(text in ".{0,16}", digits in "[0-9.,e× ^−-]{0,12}") {
+        for style in [number::Style { decimal_comma: false }, number::Style { decimal_comma: true }] {
+            for text in [&text, &digits] {
+                if let Some((value, _)) = number::parse(text, style) {
+                    prop_assert!(value.is_finite());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn any_number_written_reads_back(value in any::<f64>().prop_filter("finite", |value| value.is_finite())) {
+        for style in [number::Style { decimal_comma: false }, number::Style { decimal_comma: true }] {
+            let text = number::plain(value, 17, style);
+            let read = number::parse(&text, style);
+            prop_assert_eq!(read.map(|(read, rest)| (read, rest.len())), Some((value, 0)), "{}", text);
+        }
+    }
+}

@@ -19,7 +19,7 @@ fn lints() -> Result<()> {
     const STRICT: [&str; 3] = ["--", "-D", "warnings"];
     run(cargo(&["clippy", "--all-targets"]).args(STRICT))?;
     tools::wasm_target()?;
-    let browser = ["clippy", "--package", "lab", "--package", "probe", "--package", "unpack"];
+    let browser = ["clippy", "--package", "lab", "--package", "probe"];
     run(cargo(&browser).args(["--target", wasm::TARGET]).args(STRICT))
 }
 

@@ -3,8 +3,6 @@
 mod bench;
 mod checks;
 mod golden;
-mod order;
-mod pack;
 mod page;
 mod steps;
 mod tools;

@@ -1,14 +1,14 @@
-//! Builds the laboratory into one HTML file: template, styles, JavaScript glue, and the WebAssembly module as base64 of
-//! its streams, gzipped, beside the small module that joins them. Nothing is fetched when the file is opened, so that it
-//! works from a disk, from any host and inside a frame.
+//! Builds the laboratory into one HTML file: template, styles, JavaScript glue, and the WebAssembly module, gzipped,
+//! as base64. Nothing is fetched when the file is opened, so that it works from a disk, from any host and inside a frame.
 
+use crate::steps;
 use crate::wasm::{self, Host};
-use crate::{order, pack, steps};
 use anyhow::{Context, Result, bail};
 use base64::Engine as _;
 use document::page::{self, Source};
 use flate2::{Compression, write::GzEncoder};
 use std::io::Write as _;
+use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 
 /// The document that the laboratory opens with.
@@ -17,63 +17,55 @@ const FIRST: &str = "utube.md";
 /// The directories, below `simulations`, whose documents the laboratory can open without a file.
 const LIBRARY: [&str; 2] = ["theories", ""];
 
-/// A WebAssembly module and the JavaScript around it.
-struct Part {
-    glue: String,
-    module: Vec<u8>,
-}
+/// How often zopfli looks for a better way; more make the page no smaller.
+const SEARCHES: NonZeroU64 = NonZeroU64::MIN.saturating_add(14);
 
 /// Builds the page and returns where it is.
 pub fn build() -> Result<PathBuf> {
-    let mut laboratory = part("lab", "wasm_bindgen")?;
-    laboratory.module = order::by_likeness(&laboratory.module)?;
-    let unpacker = part("unpack", "unpacker")?;
-    let packed = pack::pack(&laboratory.module)?;
-    let page = assemble(&laboratory.glue, &packed, &unpacker)?;
+    let directory = steps::target().join("page").join("parts");
+    wasm::bind(&wasm::build("lab")?, Host::Page("wasm_bindgen"), &directory)?;
+    let glue = read(&directory.join("lab.js"))?;
+    let module = directory.join("lab_bg.wasm");
+    let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
+    let packed = pack(&module)?;
+    let page = assemble(&glue, &packed)?;
     let path = steps::page();
     write_whole(&path, page.as_bytes()).with_context(|| format!("cannot write {}", path.display()))?;
-    let kilobytes = |bytes: usize| bytes as f64 / 1000.0;
-    for (name, bytes) in [
-        ("page", page.as_bytes()),
-        ("glue", laboratory.glue.as_bytes()),
-        ("unpacker", &unpacker.module),
-        ("its glue", unpacker.glue.as_bytes()),
+    for (name, bytes, sent) in [
+        ("page", page.len(), gzip(page.as_bytes())?.len()),
+        ("glue", glue.len(), gzip(glue.as_bytes())?.len()),
+        ("module", module.len(), packed.len()),
     ] {
-        println!("{name:10}{:8.1} kB, gzipped {:6.1} kB", kilobytes(bytes.len()), kilobytes(gzip(bytes)?.len()));
+        println!("{name:10}{:8.1} kB, gzipped {:6.1} kB", bytes as f64 / 1000.0, sent as f64 / 1000.0);
     }
-    println!("module    {:8.1} kB, packed  {:6.1} kB", kilobytes(laboratory.module.len()), kilobytes(packed.len()));
     Ok(path)
 }
 
-/// Builds a package of the workspace for the page, where its JavaScript defines a name.
-fn part(package: &str, name: &'static str) -> Result<Part> {
-    let directory = steps::target().join("page").join("parts");
-    wasm::bind(&wasm::build(package)?, Host::Page(name), &directory)?;
-    let module = directory.join(format!("{package}_bg.wasm"));
-    let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
-    Ok(Part { glue: read(&directory.join(format!("{package}.js")))?, module })
+/// The module as gzip, which the browser inflates.
+fn pack(module: &[u8]) -> Result<Vec<u8>> {
+    let mut packed = Vec::new();
+    let options = zopfli::Options { iteration_count: SEARCHES, ..zopfli::Options::default() };
+    zopfli::compress(options, zopfli::Format::Gzip, module, &mut packed)?;
+    Ok(packed)
 }
 
 /// Puts the parts into the template's places.
-fn assemble(glue: &str, packed: &[u8], unpacker: &Part) -> Result<String> {
+fn assemble(glue: &str, packed: &[u8]) -> Result<String> {
     let source = steps::root().join("crates").join("lab").join("page");
     let base64 = |bytes: &[u8]| base64::engine::general_purpose::STANDARD.encode(bytes);
     let font = source.join("math.woff2");
     let font = std::fs::read(&font).with_context(|| format!("cannot read {}", font.display()))?;
     let style = read(&source.join("style.css"))?.replace("/*math-font*/", &base64(&font));
     let style = style + &read(&source.join("narrow.css"))? + &read(&source.join("print.css"))?;
-    let boot = read(&source.join("boot.js"))?.replace("/*unpacker*/", unpacker.glue.trim_end());
-    let data = |id: &str, bytes: &[u8]| {
-        format!("<script type=\"application/octet-stream\" id=\"{id}\">{}</script>", base64(bytes))
-    };
+    let boot = read(&source.join("boot.js"))?;
+    let module = format!("<script type=\"application/octet-stream\" id=\"module\">{}</script>", base64(packed));
     let mut html = read(&source.join("index.html"))?;
     let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">", page::POLICY);
     for (marker, text) in [
         ("<!--policy-->", policy),
         ("<!--style-->", format!("<style>\n{style}</style>")),
         ("<!--glue-->", script(glue)),
-        ("<!--module-->", data("module", packed)),
-        ("<!--unpacker-->", data("unpacker", &gzip(&unpacker.module)?)),
+        ("<!--module-->", module),
         ("<!--library-->", format!("<script type=\"application/json\" id=\"library\">{}</script>", library()?)),
         ("<!--boot-->", script(&boot)),
     ] {
@@ -129,8 +121,7 @@ fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     std::fs::rename(&fresh, path)
 }
 
-/// gzip as servers send it, at its usual level, and without a time stamp: the same module gives the same page. Higher levels
-/// gain nothing on what is packed already; this library's even lose.
+/// gzip as servers send it, at its usual level, and without a time stamp: the same page gives the same size.
 pub fn gzip(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
     let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
     encoder.write_all(bytes)?;

@@ -8,27 +8,13 @@ use std::process::Command;
 
 /// The standard library for WebAssembly.
 pub fn wasm_target() -> Result<()> {
-    if libraries()?.join(TARGET).is_dir() {
+    let sysroot = steps::output(&mut steps::program("rustc", &["--print", "sysroot"]))?;
+    if Path::new(sysroot.trim()).join("lib").join("rustlib").join(TARGET).is_dir() {
         return Ok(());
     }
     steps::run(&mut steps::program("rustup", &["target", "add", TARGET])).context(
         "the WebAssembly target of Rust is missing; install it with `rustup target add wasm32-unknown-unknown`",
     )
-}
-
-/// The source of the standard library.
-pub fn library_source() -> Result<()> {
-    if libraries()?.join("src").join("rust").join("library").join("std").is_dir() {
-        return Ok(());
-    }
-    steps::run(&mut steps::program("rustup", &["component", "add", "rust-src"]))
-        .context("the source of Rust's standard library is missing; install it with `rustup component add rust-src`")
-}
-
-/// Where the toolchain keeps its libraries.
-fn libraries() -> Result<PathBuf> {
-    let sysroot = steps::output(&mut steps::program("rustc", &["--print", "sysroot"]))?;
-    Ok(Path::new(sysroot.trim()).join("lib").join("rustlib"))
 }
 
 /// Node, at least version 20.

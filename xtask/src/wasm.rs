@@ -19,27 +19,10 @@ pub enum Host {
     Page(&'static str),
 }
 
-/// How the standard library is built for the page: for size, and with panics that end in a trap at once, without a text
-/// that nobody would read. The modules become a tenth smaller, and compute the same.
-const SMALL_LIBRARY: [&str; 4] = [
-    "-Zbuild-std=std,panic_abort",
-    "-Zbuild-std-features=optimize_for_size",
-    "--config",
-    r#"target.wasm32-unknown-unknown.rustflags=["-Zunstable-options", "-Cpanic=immediate-abort"]"#,
-];
-
 /// Builds a package of the workspace and returns where its module is.
 pub fn build(package: &str) -> Result<PathBuf> {
     tools::wasm_target()?;
-    let mut cargo = steps::cargo(&["build", "--package", package, "--target", TARGET, "--profile", "page"]);
-    match tools::library_source() {
-        // Cargo takes these settings from a stable toolchain only when told so.
-        Ok(()) => {
-            cargo.args(SMALL_LIBRARY).env("RUSTC_BOOTSTRAP", "1");
-        }
-        Err(missing) => println!("{missing:#}\nThe module is built with the library as installed and becomes larger."),
-    }
-    steps::run(&mut cargo)?;
+    steps::run(&mut steps::cargo(&["build", "--package", package, "--target", TARGET, "--profile", "page"]))?;
     Ok(steps::target().join(TARGET).join("page").join(format!("{package}.wasm")))
 }
 

@@ -7,9 +7,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which crates of the workspace each may use. The walls between them are the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 12] = [
+const ARROWS: [(&str, &[&str]); 11] = [
     ("units", &[]),
-    ("unpack", &[]),
     ("model", &["units"]),
     ("figure", &["units"]),
     ("engine", &["model", "units"]),
@@ -23,7 +22,7 @@ const ARROWS: [(&str, &[&str]); 12] = [
 ];
 
 /// The crates that do no I/O, read no clock and touch no DOM.
-const CORE: [&str; 9] = ["units", "model", "document", "engine", "analysis", "figure", "report", "session", "unpack"];
+const CORE: [&str; 8] = ["units", "model", "document", "engine", "analysis", "figure", "report", "session"];
 const OUTSIDE: [&str; 8] =
     ["std::fs", "std::net", "std::env", "std::process", "std::time", "std::thread", "web_sys", "js_sys"];
 

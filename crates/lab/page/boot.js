@@ -18,33 +18,31 @@ const stopped = (error) => {
 };
 addEventListener("error", (event) => stopped(event.error));
 addEventListener("unhandledrejection", (event) => stopped(event.reason));
-// Unpacks the module that stands in this page and starts it. From a disk nothing can be fetched, hence the detour over
+// Inflates the module that stands in this page and starts it. From a disk nothing can be fetched, hence the detour over
 // text.
+const inflated = async (id) => {
+  const text = document.getElementById(id).textContent;
+  const bytes = Uint8Array.fromBase64?.(text) ?? Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+  // Written to directly: the stream of a blob makes the way through the browser's other processes.
+  const inflater = new DecompressionStream("gzip");
+  const writer = inflater.writable.getWriter();
+  // Of damage one hears where it is read.
+  writer.write(bytes).catch(() => {});
+  writer.close().catch(() => {});
+  return new Response(inflater.readable).arrayBuffer();
+};
 (async () => {
-  const unpacked = async (id) => {
-    const text = document.getElementById(id).textContent;
-    const bytes = Uint8Array.fromBase64?.(text) ?? Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-    // Written to directly: the stream of a blob makes the way through the browser's other processes.
-    const inflater = new DecompressionStream("gzip");
-    const writer = inflater.writable.getWriter();
-    // Of damage one hears where it is read.
-    writer.write(bytes).catch(() => {});
-    writer.close().catch(() => {});
-    return new Response(inflater.readable).arrayBuffer();
-  };
-  // Defines `unpacker`; here, so that its memory can be given back when it has done its work.
-  /*unpacker*/
-  const streams = unpacked("module").catch(() => undefined);
-  await unpacker({ module_or_path: await unpacked("unpacker") });
-  const whole = await streams;
-  const module = whole && unpacker.join(new Uint8Array(whole));
+  const module = await inflated("module").catch((error) => {
+    // The browser knows no DecompressionStream.
+    if (error instanceof ReferenceError) throw error;
+  });
   if (!module) {
     tell("This file is damaged. Download it again.", "Este archivo está dañado. Vuelve a descargarlo.");
     return;
   }
   await wasm_bindgen({ module_or_path: module });
 })().catch((error) => {
-  if (error instanceof WebAssembly.RuntimeError) throw error;
+  if (globalThis.WebAssembly && error instanceof WebAssembly.RuntimeError) throw error;
   console.error(error);
   tell("This browser is too old for Meniscus.", "Este navegador es demasiado antiguo para Meniscus.");
 });

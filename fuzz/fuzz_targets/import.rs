@@ -7,12 +7,13 @@ use analysis::inspection::inspect;
 use analysis::smoothing::savitzky_golay;
 use analysis::{cycles, import};
 use libfuzzer_sys::fuzz_target;
+use units::Language;
 
 fuzz_target!(|bytes: &[u8]| {
     let import = match import::text(bytes) {
         Ok(import) => import,
         Err(error) => {
-            assert!(!error.message(true).is_empty() && !error.hint(true).is_empty());
+            assert!(!error.message(Language::Spanish).is_empty() && !error.hint(Language::Spanish).is_empty());
             return;
         }
     };
@@ -24,7 +25,7 @@ fuzz_target!(|bytes: &[u8]| {
         assert!(table.column(&(index + 1).to_string()).is_some());
     }
     for finding in import.findings.iter().chain(&inspect(&table).findings) {
-        assert!(!finding.text(false).is_empty() && !finding.text(true).is_empty());
+        assert!(!finding.text(Language::English).is_empty() && !finding.text(Language::Spanish).is_empty());
     }
     if let Some(column) = table.observed_columns().next() {
         let (times, values) = (table.times_of(column), &table.columns[column].values);

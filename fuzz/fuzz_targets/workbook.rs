@@ -7,6 +7,7 @@ use analysis::reading::{self, Reading};
 use analysis::spreadsheet::Archive;
 use analysis::workbook::{Progress, Workbook};
 use libfuzzer_sys::fuzz_target;
+use units::Language;
 
 /// No sheet may become more text.
 const MOST: usize = 1 << 20;
@@ -25,7 +26,7 @@ fn read(bytes: Vec<u8>) {
                 Ok(Progress::Sheet(sheet)) => assert!(sheet.text.len() <= 2 * MOST),
                 Ok(Progress::End) => break,
                 Err(error) => {
-                    assert!(!error.message(false).is_empty() && !error.message(true).is_empty());
+                    assert!(!error.message(Language::English).is_empty() && !error.message(Language::Spanish).is_empty());
                     break;
                 }
             }

@@ -5,6 +5,7 @@ mod words;
 use crate::import::readings;
 use crate::sampling::Gap;
 use crate::stencil::Stencil;
+use units::Language::{self, Spanish};
 use words::{called, clock, decimal, missing, reading, rounded_step, runs, separator};
 
 /// Something a person should know about their data. Lines and rows count from 1; times are in SI.
@@ -144,8 +145,8 @@ pub enum Finding {
 
 impl Finding {
     /// It in a sentence or two, in English or Spanish.
-    pub fn text(&self, spanish: bool) -> String {
-        let say = |english: String, other: String| if spanish { other } else { english };
+    pub fn text(&self, language: Language) -> String {
+        let say = |english: String, other: String| if language == Spanish { other } else { english };
         match self {
             Self::Sheet(name) => say(
                 format!("the workbook has several sheets; the first with a table was read: `{name}`"),
@@ -186,9 +187,9 @@ impl Finding {
                 format!("`{unit}`, the unit of {column}, is not known; its numbers are taken as they are"),
                 format!("«{unit}», la unidad de {column}, no se conoce; sus números se toman tal cual"),
             ),
-            Self::Separator { line, text, beside, thousands } => separator(*line, text, beside, *thousands, spanish),
+            Self::Separator { line, text, beside, thousands } => separator(*line, text, beside, *thousands, language),
             Self::DecimalSign { line, text } => {
-                let [decimal, thousands] = readings(text, spanish);
+                let [decimal, thousands] = readings(text, language);
                 say(
                     format!(
                         "line {line}: the comma of `{text}` is taken for a decimal sign: {decimal}, not {thousands}"
@@ -196,7 +197,7 @@ impl Finding {
                     format!("línea {line}: la coma de «{text}» se toma como signo decimal: {decimal}, no {thousands}"),
                 )
             }
-            Self::Clock { column, days, wrapped, minutes } => clock(column, *days, *wrapped, *minutes, spanish),
+            Self::Clock { column, days, wrapped, minutes } => clock(column, *days, *wrapped, *minutes, language),
             Self::Stamps { unit } => say(
                 format!(
                     "each line has a time stamp; the column behind it shows the same times in {unit} and is used instead, as \
@@ -207,9 +208,9 @@ impl Finding {
                      lugar, pues no sufrió el retardo de la transmisión"
                 ),
             ),
-            Self::Runs(names) => runs(names, spanish),
+            Self::Runs(names) => runs(names, language),
             Self::AssumedSeconds(column) => {
-                let column = called(column, spanish);
+                let column = called(column, language);
                 say(
                     format!(
                         "no unit is stated for the times of {column}: they are taken for seconds, or in a fit for the unit of \
@@ -222,7 +223,7 @@ impl Finding {
                 )
             }
             Self::NoTimes(column) => {
-                let column = called(column, spanish);
+                let column = called(column, language);
                 say(
                     format!("the times in {column} are missing or all the same: nothing can be measured against them"),
                     format!(
@@ -230,50 +231,50 @@ impl Finding {
                     ),
                 )
             }
-            Self::Missing { gaps, unit } => missing(gaps, unit, spanish),
+            Self::Missing { gaps, unit } => missing(gaps, unit, language),
             Self::Doubled { time, unit, count: 1 } => say(
-                format!("the time {} stands twice", reading(*time, unit, spanish)),
-                format!("el tiempo {} está repetido", reading(*time, unit, spanish)),
+                format!("the time {} stands twice", reading(*time, unit, language)),
+                format!("el tiempo {} está repetido", reading(*time, unit, language)),
             ),
             Self::Doubled { time, unit, count } => say(
                 format!(
                     "{count} rows repeat the time of the row before, the first at {}",
-                    reading(*time, unit, spanish)
+                    reading(*time, unit, language)
                 ),
                 format!(
                     "{count} filas repiten el tiempo de la anterior, la primera en {}",
-                    reading(*time, unit, spanish)
+                    reading(*time, unit, language)
                 ),
             ),
             Self::Backwards { time, unit, count } => say(
-                format!("the time runs backwards {count}×, first to {}", reading(*time, unit, spanish)),
-                format!("el tiempo retrocede {count}×, primero a {}", reading(*time, unit, spanish)),
+                format!("the time runs backwards {count}×, first to {}", reading(*time, unit, language)),
+                format!("el tiempo retrocede {count}×, primero a {}", reading(*time, unit, language)),
             ),
             Self::Uneven(jitter) => say(
                 format!(
                     "the rows are unevenly spaced: their distances vary by {} %",
-                    decimal(100.0 * jitter, 2, spanish)
+                    decimal(100.0 * jitter, 2, language)
                 ),
                 format!(
                     "las filas no están equiespaciadas: sus distancias varían un {} %",
-                    decimal(100.0 * jitter, 2, spanish)
+                    decimal(100.0 * jitter, 2, language)
                 ),
             ),
             Self::RoundedTimes { to, unit } => say(
-                format!("the times are rounded to {}", reading(*to, unit, spanish)),
-                format!("los tiempos están redondeados a {}", reading(*to, unit, spanish)),
+                format!("the times are rounded to {}", reading(*to, unit, language)),
+                format!("los tiempos están redondeados a {}", reading(*to, unit, language)),
             ),
-            Self::RoundedStep { interval, rate } => rounded_step(*interval, *rate, spanish),
+            Self::RoundedStep { interval, rate } => rounded_step(*interval, *rate, language),
             Self::Derived { column, of, stencil, attenuation } => {
                 let numbered = of.bytes().all(|byte| byte.is_ascii_digit());
                 let formula = stencil.formula(if numbered { "x" } else { of });
-                let (column, of) = (called(column, spanish), called(of, spanish));
+                let (column, of) = (called(column, language), called(of, language));
                 let made = say(
                     format!("{column} was computed from {of}, {formula}, and is no second witness"),
                     format!("{column} se calculó a partir de {of}, {formula}, y no aporta un testimonio independiente"),
                 );
                 let Some(factor) = attenuation else { return made };
-                let percent = decimal(100.0 * (1.0 - factor), 2, spanish);
+                let percent = decimal(100.0 * (1.0 - factor), 2, language);
                 made + &say(
                     format!("; at the frequency of this record that makes it too small by {percent} %"),
                     format!("; a la frecuencia de este registro resulta un {percent} % demasiado pequeña"),

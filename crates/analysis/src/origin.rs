@@ -1,5 +1,7 @@
 //! Where what is known of a column comes from.
 
+use units::Language::{self, Spanish};
+
 /// How a column stood in its file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Origin {
@@ -43,10 +45,12 @@ pub enum UnitOrigin {
 
 impl UnitOrigin {
     /// It in a few words, in English or Spanish.
-    pub fn text(&self, spanish: bool) -> String {
+    pub fn text(&self, language: Language) -> String {
         let (english, other) = match self {
             Self::NotStated => ("no unit stated", "sin unidad indicada"),
-            Self::Unknown(text) | Self::Remark(text) if spanish => return format!("unidad desconocida: «{text}»"),
+            Self::Unknown(text) | Self::Remark(text) if language == Spanish => {
+                return format!("unidad desconocida: «{text}»");
+            }
             Self::Unknown(text) | Self::Remark(text) => return format!("unknown unit: `{text}`"),
             Self::Heading => ("from the header", "del encabezado"),
             Self::UnitLine => ("from the line of units", "de la línea de unidades"),
@@ -57,7 +61,7 @@ impl UnitOrigin {
             Self::Compared => ("from the time stamps beside it", "de las marcas de tiempo a su lado"),
             Self::Person => ("stated by you", "indicada por usted"),
         };
-        (if spanish { other } else { english }).to_owned()
+        (if language == Spanish { other } else { english }).to_owned()
     }
 
     /// Whether the file, or a person, says what the unit is.

@@ -5,6 +5,7 @@ use crate::finding::Finding;
 use crate::import::{self, Import, ImportError, Importer};
 use crate::workbook::{self, Progress, Workbook, WorkbookError};
 use std::borrow::Cow;
+use units::Language::{self, Spanish};
 
 /// A file that is being read.
 #[derive(Debug)]
@@ -62,20 +63,20 @@ pub enum ReadingError {
 
 impl ReadingError {
     /// What is wrong, where and why.
-    pub fn message(&self, spanish: bool) -> String {
+    pub fn message(&self, language: Language) -> String {
         match self {
-            Self::Text(error) => error.message(spanish),
-            Self::Sheet { name, error } if spanish => format!("hoja «{name}», {}", error.message(spanish)),
-            Self::Sheet { name, error } => format!("sheet `{name}`, {}", error.message(spanish)),
-            Self::Workbook(error) => error.message(spanish),
+            Self::Text(error) => error.message(language),
+            Self::Sheet { name, error } if language == Spanish => format!("hoja «{name}», {}", error.message(language)),
+            Self::Sheet { name, error } => format!("sheet `{name}`, {}", error.message(language)),
+            Self::Workbook(error) => error.message(language),
         }
     }
 
     /// What to do.
-    pub fn hint(&self, spanish: bool) -> &'static str {
+    pub fn hint(&self, language: Language) -> &'static str {
         match self {
-            Self::Text(error) | Self::Sheet { error, .. } => error.hint(spanish),
-            Self::Workbook(error) => error.hint(spanish),
+            Self::Text(error) | Self::Sheet { error, .. } => error.hint(language),
+            Self::Workbook(error) => error.hint(language),
         }
     }
 }

@@ -8,6 +8,7 @@ use analysis::origin::UnitOrigin;
 use analysis::table::{Column, Table};
 use serde_json::{Value, json};
 use std::fmt::Write;
+use units::Language;
 
 /// More columns than these are only counted.
 const SHOWN: usize = 24;
@@ -15,7 +16,7 @@ const SHOWN: usize = 24;
 /// A line for the file and one for each column: name, unit, where that was read, what is in the cells.
 pub fn as_text(data: &Measured) -> String {
     let table = &data.table;
-    let mut text = format!("{}: {}, {} rows\n", data.name, data.format.text(false), table.rows());
+    let mut text = format!("{}: {}, {} rows\n", data.name, data.format.text(Language::English), table.rows());
     let names: Vec<String> = (0..table.columns.len()).map(|index| name(data, index)).collect();
     let units: Vec<String> = table.columns.iter().map(unit).collect();
     let width = |texts: &[String]| texts.iter().take(SHOWN).map(|text| text.chars().count()).max().unwrap_or(0);
@@ -36,7 +37,7 @@ pub fn as_text(data: &Measured) -> String {
             "  {:wide$}  {:unit_wide$}  {}; {cells}{role}",
             names[index],
             units[index],
-            column.origin.unit.text(false)
+            column.origin.unit.text(Language::English)
         );
     }
     if table.columns.len() > SHOWN {

@@ -12,6 +12,7 @@ use crate::terminal::Terminal;
 use analysis::csv::{self, Dialect};
 use analysis::cycles;
 use serde_json::json;
+use units::Language;
 
 /// What was measured, and its cycles.
 #[derive(Debug)]
@@ -140,7 +141,7 @@ fn as_json(record: &Record) -> String {
             })
         })
         .collect();
-    let findings: Vec<String> = record.data.findings.iter().map(|finding| finding.text(false)).collect();
+    let findings: Vec<String> = record.data.findings.iter().map(|finding| finding.text(Language::English)).collect();
     let object = json!({
         "file": record.data.name,
         "observed": record.name,

@@ -14,6 +14,7 @@ use calamine::{Data, Range, Reader, Xls};
 use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::Path;
+use units::Language;
 use units::Unit;
 
 /// No measurement is larger.
@@ -68,10 +69,10 @@ pub fn read(path: &Path, units: &[Assignment]) -> Result<Measured, Failure> {
 }
 
 fn refused(name: &str, error: &ReadingError) -> Failure {
-    let why = units::Words { english: error.message(false).into(), spanish: error.message(true).into() };
+    let why = units::Words::each(|language| error.message(language));
     Failure::in_words(
         units::words!("cannot read {name}: {why}", "no se puede leer {name}: {why}", why = why),
-        units::words(error.hint(false), error.hint(true)),
+        units::words(error.hint(Language::English), error.hint(Language::Spanish)),
     )
 }
 

@@ -64,7 +64,7 @@ impl Terminal {
 
     /// Writes what was noticed about measured data to the standard error.
     pub fn note(self, finding: &analysis::finding::Finding) {
-        let text = finding.text(self.language == Language::Spanish);
+        let text = finding.text(self.language);
         self.print(&format!("{}: {text}\n", self.language.pick("note", "nota")));
     }
 

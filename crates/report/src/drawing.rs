@@ -3,7 +3,6 @@
 use crate::Report;
 use crate::markup::plain_symbol;
 use crate::results::size;
-use crate::words::Words;
 use analysis::fit::ObservationFit;
 use figure::{Axis, Figure, Interval, Palette, Plot, Series, Settings, Style, View, layout};
 use units::number::unit_text;
@@ -41,8 +40,8 @@ struct Columns {
 
 /// See [`crate::figure`].
 pub fn figure(report: &Report<'_>) -> String {
-    let words = Words::of(report.language);
-    let title = report.document.edition(words.tag()).title.as_str();
+    let language = report.language;
+    let title = report.document.edition(language.tag()).title.as_str();
     let (mut parts, mut height) = (String::new(), 0.0);
     for fit in &report.outcome.observations {
         let record = report.task.records.get(fit.record).map_or("", |record| record.name.as_str());
@@ -122,7 +121,7 @@ fn draw(
     narrower: f64,
     reach: Option<f64>,
 ) -> Figure {
-    let words = Words::of(report.language);
+    let language = report.language;
     let upper = height == UPPER;
     let independent = &report.document.model.independent;
     let (name, observed) = (plain_symbol(&independent.name), plain_symbol(&fit.name));
@@ -130,15 +129,15 @@ fn draw(
     let value_unit = if upper { unit_text(&fit.unit.text) } else { columns.unit.clone() };
     let shown = if upper { observed } else { ["Δ", &observed].concat() };
     let what = if upper {
-        words.pick(": measured values and fitted curve against ", ": valores medidos y curva ajustada frente a ")
+        language.pick(": measured values and fitted curve against ", ": valores medidos y curva ajustada frente a ")
     } else {
-        words.pick(": measured minus fitted, against ", ": medido menos ajustado, frente a ")
+        language.pick(": measured minus fitted, against ", ": medido menos ajustado, frente a ")
     };
     let description = [&shown, what, &name].concat();
     let zero = vec![0.0; columns.times.len()];
     let [used, unused, outlying] = &columns.points;
     let outside = !unused[0].is_empty();
-    let named = |english, spanish| if upper { words.pick(english, spanish) } else { "" };
+    let named = |english, spanish| if upper { language.pick(english, spanish) } else { "" };
     let of_points = |points, label, colour| {
         let [x, values, errors, residuals, residual_errors]: &[Vec<f64>; 5] = points;
         let (y, spread) = if upper { (values, errors) } else { (residuals, residual_errors) };
@@ -178,7 +177,7 @@ fn draw(
     };
     layout(
         &plot,
-        &Settings { width: WIDTH - narrower, height, font_size: 13.0, decimal_comma: words.style().decimal_comma },
+        &Settings { width: WIDTH - narrower, height, font_size: 13.0, decimal_comma: language.style().decimal_comma },
     )
 }
 

@@ -2,7 +2,6 @@
 
 use crate::Report;
 use crate::results::{label, quoted, size};
-use crate::words::Words;
 use analysis::csv::{self, Dialect};
 use analysis::fit::{Estimate, ObservationFit};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
@@ -18,13 +17,13 @@ pub fn csv(report: &Report<'_>, decimal_comma: bool) -> String {
 
 /// The report as an XLSX workbook: results, data, curves, correlations, and how to repeat it, on sheets of their own.
 pub fn workbook(report: &Report<'_>) -> Vec<u8> {
-    let words = Words::of(report.language);
+    let language = report.language;
     let (headers, columns) = data(report);
-    let data = sheet(words.pick("Data", "Datos"), &headers, &columns);
+    let data = sheet(language.pick("Data", "Datos"), &headers, &columns);
     let (headers, columns) = curves(report);
     let mut sheets = vec![results(report), data];
     if !columns.is_empty() {
-        sheets.push(sheet(words.pick("Curves", "Curvas"), &headers, &columns));
+        sheets.push(sheet(language.pick("Curves", "Curvas"), &headers, &columns));
     }
     sheets.push(correlations(report));
     sheets.push(about(report));
@@ -51,7 +50,7 @@ fn heading(report: &Report<'_>, record: usize, name: &str, unit: &str) -> String
 }
 
 fn data(report: &Report<'_>) -> (Vec<String>, Vec<Vec<f64>>) {
-    let words = Words::of(report.language);
+    let language = report.language;
     let clock = &report.document.model.independent;
     let mut headers = Vec::new();
     let mut columns = Vec::new();
@@ -66,13 +65,13 @@ fn data(report: &Report<'_>) -> (Vec<String>, Vec<Vec<f64>>) {
         let name = |what: &str| [&fit.name, " ", what].concat();
         let shown = |values: &[f64]| values.iter().map(|si| fit.unit.from_si(*si)).collect::<Vec<f64>>();
         let unit = fit.unit.text.as_str();
-        headers.push(heading(report, fit.record, &name(words.pick("measured", "medido")), unit));
+        headers.push(heading(report, fit.record, &name(language.pick("measured", "medido")), unit));
         columns.push(shown(&fit.measured));
-        headers.push(heading(report, fit.record, &name(words.pick("fitted", "ajustado")), unit));
+        headers.push(heading(report, fit.record, &name(language.pick("fitted", "ajustado")), unit));
         columns.push(shown(&fit.fitted));
-        headers.push(heading(report, fit.record, &name(words.pick("residual", "residuo")), unit));
+        headers.push(heading(report, fit.record, &name(language.pick("residual", "residuo")), unit));
         columns.push(residuals(fit));
-        headers.push(heading(report, fit.record, &name(words.pick("used", "usado")), ""));
+        headers.push(heading(report, fit.record, &name(language.pick("used", "usado")), ""));
         columns.push(fit.inside.iter().map(|inside| f64::from(u8::from(*inside))).collect());
     }
     (headers, columns)
@@ -83,7 +82,7 @@ fn residuals(fit: &ObservationFit) -> Vec<f64> {
 }
 
 fn curves(report: &Report<'_>) -> (Vec<String>, Vec<Vec<f64>>) {
-    let words = Words::of(report.language);
+    let language = report.language;
     let clock = &report.document.model.independent;
     let (mut headers, mut columns) = (Vec::new(), Vec::new());
     let mut last = None;
@@ -98,7 +97,7 @@ fn curves(report: &Report<'_>) -> (Vec<String>, Vec<Vec<f64>>) {
         }
         headers.push(heading(report, trace.record, &fit.name, &fit.unit.text));
         columns.push(trace.values.iter().map(|si| fit.unit.from_si(*si)).collect());
-        let name = [&fit.name, words.pick(" standard error", " error típico")].concat();
+        let name = [&fit.name, language.pick::<&str>(" standard error", " error típico")].concat();
         headers.push(heading(report, trace.record, &name, &fit.unit.text));
         columns.push(trace.stderr.iter().map(|si| size(&fit.unit, *si)).collect());
     }
@@ -106,21 +105,21 @@ fn curves(report: &Report<'_>) -> (Vec<String>, Vec<Vec<f64>>) {
 }
 
 pub fn results(report: &Report<'_>) -> Sheet {
-    let words = Words::of(report.language);
+    let language = report.language;
     let outcome = report.outcome;
     let mut rows: Vec<Vec<Cell>> = vec![
         [
-            words.pick("Symbol", "Símbolo"),
-            words.pick("Quantity", "Magnitud"),
-            words.pick("Record", "Registro"),
-            words.pick("Value", "Valor"),
-            words.pick("Standard error", "Error típico"),
-            words.pick(
+            language.pick("Symbol", "Símbolo"),
+            language.pick("Quantity", "Magnitud"),
+            language.pick("Record", "Registro"),
+            language.pick("Value", "Valor"),
+            language.pick("Standard error", "Error típico"),
+            language.pick(
                 "Standard error if residuals were independent",
                 "Error típico si los residuos fueran independientes",
             ),
-            words.pick("Unit", "Unidad"),
-            words.pick("Rounded", "Redondeado"),
+            language.pick("Unit", "Unidad"),
+            language.pick("Rounded", "Redondeado"),
         ]
         .map(Cell::from)
         .to_vec(),
@@ -132,39 +131,40 @@ pub fn results(report: &Report<'_>) -> Sheet {
         let value = value.map_or(Cell::Empty, Cell::Number);
         rows.push(vec![Cell::Empty, name.into(), Cell::Empty, value, Cell::Empty, Cell::Empty, unit.into()]);
     };
-    say(words.pick("Values", "Valores"), Some(outcome.n as f64), "");
-    say(words.pick("Degrees of freedom", "Grados de libertad"), Some(outcome.dof as f64), "");
+    say(language.pick("Values", "Valores"), Some(outcome.n as f64), "");
+    say(language.pick("Degrees of freedom", "Grados de libertad"), Some(outcome.dof as f64), "");
     say(
-        words.pick("Root mean square residual", "Residuo cuadrático medio"),
+        language.pick("Root mean square residual", "Residuo cuadrático medio"),
         Some(size(&outcome.rmse_unit, outcome.rmse)),
         &unit,
     );
-    say(words.pick("Reduced chi-square", "Chi cuadrado reducido"), outcome.chi2_reduced, "");
+    say(language.pick("Reduced chi-square", "Chi cuadrado reducido"), outcome.chi2_reduced, "");
     say("R²", Some(outcome.r2).filter(|_| outcome.reweighted.is_none()), "");
     say("AICc", outcome.aicc, "");
     say("BIC", Some(outcome.bic), "");
     say("Durbin-Watson", Some(outcome.durbin_watson), "");
     say(
-        words.pick("Correlation of neighbouring residuals", "Correlación de residuos vecinos"),
+        language.pick("Correlation of neighbouring residuals", "Correlación de residuos vecinos"),
         Some(outcome.autocorrelation),
         "",
     );
     for fit in &outcome.observations {
         if let Some(outside) = fit.outside {
-            let name = [words.pick("Root mean square predicted: ", "Media cuadrática predicha: "), &fit.name].concat();
+            let name =
+                [language.pick("Root mean square predicted: ", "Media cuadrática predicha: "), &fit.name].concat();
             let name = heading(report, fit.record, &name, "");
             say(&name, Some(size(&fit.unit, outside.rmse)), &fit.unit.text);
         }
     }
     rows.push(Vec::new());
-    rows.push(vec![Cell::Empty, outcome.verdict_text(words.spanish).into()]);
+    rows.push(vec![Cell::Empty, outcome.verdict_text(language).into()]);
     rows.extend(report.remarks().into_iter().map(|remark| vec![Cell::Empty, remark.into()]));
-    rows.extend(outcome.undetermined.iter().map(|one| vec![Cell::Empty, one.text(words.spanish).into()]));
-    Sheet { name: words.pick("Results", "Resultados").to_owned(), rows, header: true }
+    rows.extend(outcome.undetermined.iter().map(|one| vec![Cell::Empty, one.text(language).into()]));
+    Sheet { name: language.pick("Results", "Resultados").to_owned(), rows, header: true }
 }
 
 fn result(report: &Report<'_>, estimate: &Estimate) -> Vec<Cell> {
-    let words = Words::of(report.language);
+    let language = report.language;
     let record = estimate.record.and_then(|record| report.task.records.get(record));
     let error = |si: Option<f64>| si.map_or(Cell::Empty, |si| Cell::Number(size(&estimate.unit, si)));
     let value = if estimate.determined { Cell::Number(estimate.unit.from_si(estimate.value)) } else { Cell::Empty };
@@ -176,12 +176,12 @@ fn result(report: &Report<'_>, estimate: &Estimate) -> Vec<Cell> {
         error(estimate.stderr_hac),
         error(estimate.stderr),
         estimate.unit.text.as_str().into(),
-        quoted(estimate, words.style()).into(),
+        quoted(estimate, language.style()).into(),
     ]
 }
 
 fn correlations(report: &Report<'_>) -> Sheet {
-    let words = Words::of(report.language);
+    let language = report.language;
     let parameters = &report.outcome.parameters;
     let name = |estimate: &Estimate| heading(report, estimate.record.unwrap_or(usize::MAX), &estimate.name, "");
     let mut first = vec![Cell::Empty];
@@ -192,26 +192,26 @@ fn correlations(report: &Report<'_>) -> Sheet {
         cells.extend(values.iter().map(|value| Cell::Number(*value)));
         rows.push(cells);
     }
-    Sheet { name: words.pick("Correlations", "Correlaciones").to_owned(), rows, header: true }
+    Sheet { name: language.pick("Correlations", "Correlaciones").to_owned(), rows, header: true }
 }
 
 fn about(report: &Report<'_>) -> Sheet {
-    let words = Words::of(report.language);
+    let language = report.language;
     let line = |name: &str, value: &str| vec![Cell::from(name), Cell::from(value)];
     let mut rows = vec![
-        line(words.pick("Title", "Título"), &report.document.edition(words.tag()).title),
-        line(words.pick("Theory", "Teoría"), report.document_name),
-        line(words.pick("Command", "Orden"), report.command),
-        line(words.pick("Program", "Programa"), &["Meniscus ", report.version].concat()),
-        line(words.pick("Date", "Fecha"), report.date),
+        line(language.pick("Title", "Título"), &report.document.edition(language.tag()).title),
+        line(language.pick("Theory", "Teoría"), report.document_name),
+        line(language.pick("Command", "Orden"), report.command),
+        line(language.pick("Program", "Programa"), &["Meniscus ", report.version].concat()),
+        line(language.pick("Date", "Fecha"), report.date),
     ];
     for (number, record) in report.task.records.iter().enumerate() {
-        rows.push(line(words.pick("Data", "Datos"), &record.name));
+        rows.push(line(language.pick("Data", "Datos"), &record.name));
         let notes = report.notes.get(number).map_or(&[][..], Vec::as_slice);
         rows.extend(notes.iter().map(|note| line("", note)));
     }
     rows.push(Vec::new());
     let source = report.document.source.lines();
     rows.extend(source.map(|text| line("", text)));
-    Sheet { name: words.pick("About", "Origen").to_owned(), rows, header: false }
+    Sheet { name: language.pick("About", "Origen").to_owned(), rows, header: false }
 }

@@ -12,10 +12,10 @@ mod ranking;
 mod remarks;
 mod results;
 mod theory;
-mod words;
 
 use analysis::fit::{Interval, Outcome, Task, Trace};
 use document::Document;
+use units::Language;
 
 pub use export::{csv, workbook};
 pub use markup::with_math_font;
@@ -31,8 +31,8 @@ pub struct Report<'a> {
     pub document: &'a Document,
     /// Its file, such as `linear.md`.
     pub document_name: &'a str,
-    /// The language of the report, `en` or `es`; English for any other.
-    pub language: &'a str,
+    /// The language of the report.
+    pub language: Language,
     /// What was asked for.
     pub task: &'a Task,
     /// What came of it.
@@ -56,12 +56,7 @@ impl Report<'_> {
     /// See [`remarks`].
     fn remarks(&self) -> Vec<String> {
         let independent = &self.document.model.independent;
-        remarks(
-            self.outcome,
-            self.task,
-            (&independent.name, &independent.unit),
-            words::Words::of(self.language).spanish,
-        )
+        remarks(self.outcome, self.task, (&independent.name, &independent.unit), self.language)
     }
 }
 

@@ -1,25 +1,25 @@
 //! The report of one fit as a page.
 
 use crate::markup::{self, Page};
-use crate::words::Words;
 use crate::{Report, drawing, export, findings, results, theory};
+use units::Language;
 
 /// More figures than this are not drawn.
 const FIGURES: usize = 12;
 
 /// The report as one self-contained HTML page in its language.
 pub fn html(report: &Report<'_>) -> String {
-    let words = Words::of(report.language);
-    let title = report.document.edition(words.tag()).title.as_str();
+    let language = report.language;
+    let title = report.document.edition(language.tag()).title.as_str();
     let mut page = Page::default();
     header(&mut page, report, title);
     figures(&mut page, report);
-    page.heading(words.pick("Results", "Resultados"));
+    page.heading(language.pick("Results", "Resultados"));
     results::estimates(&mut page, report, &report.outcome.parameters, false);
     findings::errors(&mut page, report);
     findings::warnings(&mut page, report);
     if !report.outcome.derived.is_empty() {
-        page.element("h3", words.pick("What follows from them", "Lo que se deduce de ellos"));
+        page.element("h3", language.pick("What follows from them", "Lo que se deduce de ellos"));
         results::estimates(&mut page, report, &results::once(&report.outcome.derived), true);
     }
     findings::residuals(&mut page, report);
@@ -28,16 +28,16 @@ pub fn html(report: &Report<'_>) -> String {
     theory::theory(&mut page, report);
     theory::data(&mut page, report);
     theory::repeat(&mut page, report, &export::csv(report, false));
-    footer(&mut page, words, report.version, report.date);
-    markup::document(title, words.tag(), report.version, &page.out)
+    footer(&mut page, language, report.version, report.date);
+    markup::document(title, language.tag(), report.version, &page.out)
 }
 
 fn header(page: &mut Page, report: &Report<'_>, title: &str) {
-    let words = Words::of(report.language);
+    let language = report.language;
     page.raw("<header>\n");
     page.element(
         "p class=\"kicker\"",
-        words.pick("Fit of a theory to measured data", "Ajuste de una teoría a datos medidos"),
+        language.pick("Fit of a theory to measured data", "Ajuste de una teoría a datos medidos"),
     );
     page.element("h1", title);
     let mut names: Vec<String> = report.task.records.iter().map(|record| record.name.clone()).collect();
@@ -45,14 +45,14 @@ fn header(page: &mut Page, report: &Report<'_>, title: &str) {
         names.truncate(8);
         names.push("…".to_owned());
     }
-    let mut meta = words.join(&names);
+    let mut meta = language.join(&names);
     if !report.date.is_empty() {
         meta.extend([" · ", report.date]);
     }
     page.element("p class=\"meta\"", &meta);
     page.raw("</header>\n");
     let class = if findings::warns(report.outcome) { "p class=\"verdict warn\"" } else { "p class=\"verdict\"" };
-    page.element(class, &report.outcome.verdict_text(words.spanish));
+    page.element(class, &report.outcome.verdict_text(language));
     page.raw("<dl class=\"numbers\">\n");
     findings::numbers(page, report);
     page.raw("</dl>\n");
@@ -60,7 +60,7 @@ fn header(page: &mut Page, report: &Report<'_>, title: &str) {
 
 /// The figures of the observations, as many as are worth the paper.
 fn figures(page: &mut Page, report: &Report<'_>) {
-    let words = Words::of(report.language);
+    let language = report.language;
     let observations = &report.outcome.observations;
     for (number, fit) in observations.iter().take(FIGURES).enumerate() {
         page.raw("<figure>\n");
@@ -70,7 +70,7 @@ fn figures(page: &mut Page, report: &Report<'_>) {
             caption.push_str(". ");
         }
         if number == 0 {
-            caption.push_str(words.pick(
+            caption.push_str(language.pick(
                 "Above the measured values and the fitted curve, below what is left over. The band is where the curve itself \
                  may lie (95 %).",
                 "Arriba, los valores medidos y la curva ajustada; abajo, lo que queda. La banda es donde puede estar la propia \
@@ -81,23 +81,23 @@ fn figures(page: &mut Page, report: &Report<'_>) {
         if every > 1 {
             let count = every.to_string();
             caption.extend([
-                words.pick(" One value in ", " Se dibuja uno de cada "),
+                language.pick(" One value in ", " Se dibuja uno de cada "),
                 &count,
-                words.pick(" is drawn.", " valores."),
+                language.pick(" is drawn.", " valores."),
             ]);
         }
         page.element("figcaption", caption.trim());
         page.raw("</figure>\n");
     }
     if observations.len() > FIGURES {
-        let text = words.pick("Further observations are not drawn: ", "Otras observaciones no se dibujan: ");
+        let text = language.pick("Further observations are not drawn: ", "Otras observaciones no se dibujan: ");
         page.element("p class=\"note\"", &[text, &(observations.len() - FIGURES).to_string(), "."].concat());
     }
 }
 
 /// The end of a page.
-pub fn footer(page: &mut Page, words: Words, version: &str, date: &str) {
-    let mut text = [words.pick("Made with Meniscus ", "Hecho con Meniscus "), version].concat();
+pub fn footer(page: &mut Page, language: Language, version: &str, date: &str) {
+    let mut text = [language.pick("Made with Meniscus ", "Hecho con Meniscus "), version].concat();
     if !date.is_empty() {
         text.extend([", ", date]);
     }

@@ -2,11 +2,11 @@
 
 use crate::findings;
 use crate::markup::{self, Page, cell, escaped};
-use crate::words::Words;
 use crate::{Report, drawing, page, results};
 use analysis::csv::{self, Dialect};
 use analysis::fit::{ObservationFit, Outcome, Ranked, rank, worth};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
+use units::Language;
 use units::number::{Group, fixed, plain};
 
 /// Fits of several theories to the same data.
@@ -35,13 +35,13 @@ struct Row<'a> {
 }
 
 impl<'a> Ranking<'a> {
-    fn words(&self) -> Words {
-        Words::of(self.theories.first().map_or("", |report| report.language))
+    fn language(&self) -> Language {
+        self.theories.first().map_or(Language::English, |report| report.language)
     }
 
     /// Best first.
     fn rows(&self) -> Vec<Row<'a>> {
-        let tag = self.words().tag();
+        let tag = self.language().tag();
         let outcomes: Vec<&Outcome> = self.theories.iter().map(|report| report.outcome).collect();
         let row = |ranked: Ranked| {
             let report = self.theories.get(ranked.index)?;
@@ -64,69 +64,69 @@ impl<'a> Ranking<'a> {
 
 /// The comparison as one self-contained HTML page.
 pub fn ranking_html(ranking: &Ranking<'_>) -> String {
-    let words = ranking.words();
+    let language = ranking.language();
     let rows = ranking.rows();
-    let title = words.pick("Which theory do the data favour?", "¿Qué teoría prefieren los datos?");
+    let title = language.pick("Which theory do the data favour?", "¿Qué teoría prefieren los datos?");
     let mut page = Page::default();
     let first = ranking.theories.first();
     let (version, date) = first.map_or(("", ""), |report| (report.version, report.date));
     page.raw("<header>\n");
-    page.element("p class=\"kicker\"", words.pick("Comparison of theories", "Comparación de teorías"));
+    page.element("p class=\"kicker\"", language.pick("Comparison of theories", "Comparación de teorías"));
     page.element("h1", title);
     let names: Vec<String> =
         first.map_or_else(Vec::new, |report| report.task.records.iter().map(|record| record.name.clone()).collect());
-    let mut meta = words.join(&names);
+    let mut meta = language.join(&names);
     if !date.is_empty() {
         meta.extend([" · ", date]);
     }
     page.element("p class=\"meta\"", &meta);
     page.raw("</header>\n");
-    judgement(&mut page, words, &rows);
-    table(&mut page, words, &rows);
-    caution(&mut page, words, &rows);
-    residuals(&mut page, words, &rows);
-    page.heading(words.pick("What each theory finds", "Lo que encuentra cada teoría"));
+    judgement(&mut page, language, &rows);
+    table(&mut page, language, &rows);
+    caution(&mut page, language, &rows);
+    residuals(&mut page, language, &rows);
+    page.heading(language.pick("What each theory finds", "Lo que encuentra cada teoría"));
     for row in &rows {
         page.element("h3", row.title);
         results::estimates(&mut page, row.report, &row.report.outcome.parameters, false);
         findings::warnings(&mut page, row.report);
     }
     if !ranking.command.is_empty() {
-        page.heading(words.pick("To repeat this", "Para repetirlo"));
+        page.heading(language.pick("To repeat this", "Para repetirlo"));
         page.wrapped("pre tabindex=\"0\"", &escaped(ranking.command));
     }
-    page::footer(&mut page, words, version, date);
-    markup::document(title, words.tag(), version, &page.out)
+    page::footer(&mut page, language, version, date);
+    markup::document(title, language.tag(), version, &page.out)
 }
 
 /// What the data favour, what they cannot tell apart, and what they rule out.
-fn judgement(page: &mut Page, words: Words, rows: &[Row<'_>]) {
+fn judgement(page: &mut Page, language: Language, rows: &[Row<'_>]) {
     let Some(best) = rows.first().filter(|row| row.ranked.difference == 0.0) else {
         return;
     };
     let worth = Ranking::worth(rows);
     let quoted = |row: &Row<'_>| {
-        let [open, close] = if words.spanish { ["«", "»"] } else { ["“", "”"] };
+        let [open, close] = language.pick(["“", "”"], ["«", "»"]);
         [open, row.title, close].concat()
     };
     let those = |from: f64, to: f64| -> Vec<String> {
         let rest = rows.iter().skip(1).filter(|row| (from..to).contains(&(row.ranked.difference * worth)));
         rest.map(quoted).collect()
     };
-    let mut text = [words.pick("The data favour ", "Los datos prefieren "), &quoted(best), "."].concat();
+    let mut text = [language.pick("The data favour ", "Los datos prefieren "), &quoted(best), "."].concat();
     let alike = those(0.0, ALIKE);
     if !alike.is_empty() {
-        let start = words.pick(" They cannot tell it from ", " No la distinguen de ");
-        text.extend([start, &words.join(&alike), "."]);
+        let start = language.pick(" They cannot tell it from ", " No la distinguen de ");
+        text.extend([start, &language.join(&alike), "."]);
     }
     let out = those(RULED_OUT, f64::MAX);
     if !out.is_empty() {
-        text.extend([words.pick(" They rule out ", " Descartan "), &words.join(&out), "."]);
+        text.extend([language.pick(" They rule out ", " Descartan "), &language.join(&out), "."]);
     }
     let warns = findings::warns(best.report.outcome);
     page.element(if warns { "p class=\"verdict warn\"" } else { "p class=\"verdict\"" }, &text);
     if warns {
-        let but = words.pick(
+        let but = language.pick(
             "Even the best one leaves residuals that do not look random: none of these theories is the whole truth.",
             "Ni siquiera la mejor deja residuos que parezcan aleatorios: ninguna de estas teorías es toda la verdad.",
         );
@@ -134,19 +134,19 @@ fn judgement(page: &mut Page, words: Words, rows: &[Row<'_>]) {
     }
 }
 
-fn table(page: &mut Page, words: Words, rows: &[Row<'_>]) {
-    let style = words.style();
+fn table(page: &mut Page, language: Language, rows: &[Row<'_>]) {
+    let style = language.style();
     let predicts = rows.iter().any(|row| row.predicted.is_some());
     let mut headings = vec![
-        words.pick("Theory", "Teoría"),
-        words.pick("#Free numbers", "#Números libres"),
-        words.pick("#RMS residual", "#Residuo RMS"),
+        language.pick("Theory", "Teoría"),
+        language.pick("#Free numbers", "#Números libres"),
+        language.pick("#RMS residual", "#Residuo RMS"),
         "#ΔAICc",
-        words.pick("#Evidence", "#Evidencia"),
+        language.pick("#Evidence", "#Evidencia"),
         "#Durbin-Watson",
     ];
     if predicts {
-        headings.insert(3, words.pick("#Predicted", "#Predicho"));
+        headings.insert(3, language.pick("#Predicted", "#Predicho"));
     }
     page.table("wide theories", &headings);
     let Some(unit) = rows.first().map(|row| &row.report.outcome.rmse_unit) else {
@@ -181,8 +181,8 @@ fn table(page: &mut Page, words: Words, rows: &[Row<'_>]) {
 }
 
 /// What correlated residuals do to the comparison.
-fn caution(page: &mut Page, words: Words, rows: &[Row<'_>]) {
-    let mut text = words
+fn caution(page: &mut Page, language: Language, rows: &[Row<'_>]) {
+    let mut text = language
         .pick(
             "AICc weighs how well a theory fits against how many numbers it needs; a difference of 2 is nothing, one of 10 is much.",
             "El AICc sopesa lo bien que ajusta una teoría y cuántos números necesita; una diferencia de 2 no es nada; una de 10, mucho.",
@@ -191,16 +191,16 @@ fn caution(page: &mut Page, words: Words, rows: &[Row<'_>]) {
     let worth = Ranking::worth(rows);
     if let Some(best) = rows.first().filter(|_| worth < 0.8) {
         let n = best.report.outcome.n;
-        let count = plain(best.report.outcome.independent.round(), 6, words.style());
+        let count = plain(best.report.outcome.independent.round(), 6, language.style());
         text.extend([
-            words.pick(
+            language.pick(
                 " It supposes independent residuals. These are autocorrelated: the ",
                 " Supone residuos independientes. Estos están autocorrelacionados: los ",
             ),
             &n.to_string(),
-            words.pick(" values are worth about ", " valores equivalen a unos "),
+            language.pick(" values are worth about ", " valores equivalen a unos "),
             &count,
-            words.pick(
+            language.pick(
                 " independent ones. The evidence and the sentence at the top count the differences in that proportion.",
                 " independientes. La evidencia y la frase del principio cuentan las diferencias en esa proporción.",
             ),
@@ -210,8 +210,8 @@ fn caution(page: &mut Page, words: Words, rows: &[Row<'_>]) {
 }
 
 /// The residuals of every theory, those of one record on one scale.
-fn residuals(page: &mut Page, words: Words, rows: &[Row<'_>]) {
-    page.heading(words.pick("What they leave over", "Lo que dejan sin explicar"));
+fn residuals(page: &mut Page, language: Language, rows: &[Row<'_>]) {
+    page.heading(language.pick("What they leave over", "Lo que dejan sin explicar"));
     let records = rows.iter().map(|row| row.report.task.records.len()).max().unwrap_or(0);
     for record in 0..records {
         let of = |row: &Row<'_>| {
@@ -234,12 +234,12 @@ fn residuals(page: &mut Page, words: Words, rows: &[Row<'_>]) {
         }
         if last {
             let caption = if records > 1 {
-                words.pick(
+                language.pick(
                     "Measured minus fitted, those of one record on one scale. What lies beyond it is not drawn.",
                     "Medido menos ajustado, los de un registro en la misma escala. Lo que queda fuera no se dibuja.",
                 )
             } else {
-                words.pick(
+                language.pick(
                     "Measured minus fitted, all on one scale. What lies beyond it is not drawn.",
                     "Medido menos ajustado, todo en la misma escala. Lo que queda fuera no se dibuja.",
                 )
@@ -252,19 +252,19 @@ fn residuals(page: &mut Page, words: Words, rows: &[Row<'_>]) {
 
 /// The table of theories with its header.
 fn numbers(ranking: &Ranking<'_>) -> Vec<Vec<Cell>> {
-    let words = ranking.words();
+    let language = ranking.language();
     let rows = ranking.rows();
     let unit = rows.first().map_or("", |row| row.report.outcome.rmse_unit.text.as_str());
     let with = |name: &str| if unit.is_empty() { name.to_owned() } else { [name, " [", unit, "]"].concat() };
     let headings = vec![
-        words.pick("Theory", "Teoría").to_owned(),
-        words.pick("File", "Archivo").to_owned(),
-        words.pick("Free numbers", "Números libres").to_owned(),
-        with(words.pick("Root mean square residual", "Residuo cuadrático medio")),
-        with(words.pick("Root mean square predicted", "Media cuadrática predicha")),
+        language.pick("Theory", "Teoría").to_owned(),
+        language.pick("File", "Archivo").to_owned(),
+        language.pick("Free numbers", "Números libres").to_owned(),
+        with(language.pick("Root mean square residual", "Residuo cuadrático medio")),
+        with(language.pick("Root mean square predicted", "Media cuadrática predicha")),
         "AICc".to_owned(),
         "ΔAICc".to_owned(),
-        words.pick("Share of the evidence", "Parte de la evidencia").to_owned(),
+        language.pick("Share of the evidence", "Parte de la evidencia").to_owned(),
         "BIC".to_owned(),
         "R²".to_owned(),
         "Durbin-Watson".to_owned(),
@@ -293,9 +293,9 @@ fn numbers(ranking: &Ranking<'_>) -> Vec<Vec<Cell>> {
 
 /// The comparison as a workbook: the table of theories, and the results of each on a sheet of its own.
 pub fn ranking_workbook(ranking: &Ranking<'_>) -> Vec<u8> {
-    let words = ranking.words();
+    let language = ranking.language();
     let rows = numbers(ranking);
-    let mut sheets = vec![Sheet { name: words.pick("Theories", "Teorías").to_owned(), rows, header: true }];
+    let mut sheets = vec![Sheet { name: language.pick("Theories", "Teorías").to_owned(), rows, header: true }];
     for row in ranking.rows() {
         let mut results = crate::export::results(row.report);
         results.name = row.title.to_owned();

@@ -1,6 +1,5 @@
 //! What has to be known beside the numbers of a fit: values that are off, and a record too short for its correlation.
 
-use crate::words::Words;
 use analysis::fit::{Estimate, Loss, Outcome, Outlier, Task};
 use units::number::{fixed, plain, with_unit};
 use units::{Language, Unit};
@@ -9,33 +8,31 @@ use units::{Language, Unit};
 const NAMED: usize = 5;
 
 /// Sentences in English or Spanish; `clock` is the unit of the independent variable, whose name is `independent`.
-pub fn remarks(outcome: &Outcome, task: &Task, independent: (&str, &Unit), spanish: bool) -> Vec<String> {
-    let words = Words { spanish };
-    let sentences = [loss(outcome, words), outliers(outcome, task, independent, words), short(outcome, words)];
+pub fn remarks(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Vec<String> {
+    let sentences = [loss(outcome, language), outliers(outcome, task, independent, language), short(outcome, language)];
     sentences.into_iter().flatten().collect()
 }
 
 /// What a robust loss has changed: how many values count less, and the greatest change of a number.
-fn loss(outcome: &Outcome, words: Words) -> Option<String> {
+fn loss(outcome: &Outcome, language: Language) -> Option<String> {
     let robust = outcome.reweighted.as_ref()?;
-    let style = words.style();
-    let language = if words.spanish { Language::Spanish } else { Language::English };
+    let style = language.style();
     let of_normal = match robust.loss {
         Loss::Squares | Loss::Tukey => "",
-        Loss::Huber => words.pick(" (of normal residuals, 18 % would)", " (con residuos normales sería el 18 %)"),
+        Loss::Huber => language.pick(" (of normal residuals, 18 % would)", " (con residuos normales sería el 18 %)"),
     };
     let mut text = [
-        words.pick("Fitted with ", "Ajustado con "),
+        language.pick("Fitted with ", "Ajustado con "),
         robust.loss.name(language),
         ": ",
         &robust.less.to_string(),
-        words.pick(" of ", " de "),
+        language.pick(" of ", " de "),
         &robust.count.to_string(),
-        words.pick(" values count less", " valores cuentan menos"),
+        language.pick(" values count less", " valores cuentan menos"),
         of_normal,
         ", ",
         &robust.half.to_string(),
-        words.pick(" less than half.", " menos de la mitad."),
+        language.pick(" less than half.", " menos de la mitad."),
     ]
     .concat();
     let change = |(one, least): (&Estimate, &f64)| {
@@ -46,15 +43,15 @@ fn loss(outcome: &Outcome, words: Words) -> Option<String> {
     if let Some((name, most)) = changes.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs())) {
         let sign = if most < 0.0 { "−" } else { "+" };
         text.extend([
-            words.pick(" Against least squares ", " Frente a los mínimos cuadrados, "),
+            language.pick(" Against least squares ", " Frente a los mínimos cuadrados, "),
             &name,
-            words.pick(" changes most, by ", " es lo que más cambia, en "),
+            language.pick(" changes most, by ", " es lo que más cambia, en "),
             sign,
             &fixed(most.abs(), 1, style),
-            words.pick(" standard errors.", " errores típicos."),
+            language.pick(" standard errors.", " errores típicos."),
         ]);
     }
-    text.push_str(words.pick(
+    text.push_str(language.pick(
         " The RMS residual is that of all values; R² and χ² do not apply.",
         " El residuo RMS es el de todos los valores; R² y χ² no proceden.",
     ));
@@ -62,10 +59,10 @@ fn loss(outcome: &Outcome, words: Words) -> Option<String> {
 }
 
 /// `y = 3.2 cm at t = 1.4 s (+21 standard deviations from the others)`
-fn outliers(outcome: &Outcome, task: &Task, independent: (&str, &Unit), words: Words) -> Option<String> {
+fn outliers(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Option<String> {
     let mut farthest: Vec<&Outlier> = outcome.outliers.iter().collect();
     farthest.sort_by(|one, other| other.sigmas.abs().total_cmp(&one.sigmas.abs()));
-    let style = words.style();
+    let style = language.style();
     let quantity = |name: &str, si: f64, shown: &Unit| {
         let number = plain(shown.from_si(si), 5, style);
         [name, " = ", &with_unit(&number, shown)].concat()
@@ -78,7 +75,7 @@ fn outliers(outcome: &Outcome, task: &Task, independent: (&str, &Unit), words: W
         let record = record.map_or_else(String::new, |record| [&record.name, ": "].concat());
         let sign = if one.sigmas > 0.0 { "+" } else { "−" };
         let sigmas = fixed(one.sigmas.abs(), if one.sigmas.abs() < 10.0 { 1 } else { 0 }, style);
-        Some([&record, &value, words.pick(" at ", " en "), &time, " (", sign, &sigmas, " σ)"].concat())
+        Some([&record, &value, language.pick::<&str>(" at ", " en "), &time, " (", sign, &sigmas, " σ)"].concat())
     };
     let mut list: Vec<String> = farthest.iter().take(NAMED).filter_map(named).collect();
     if list.is_empty() {
@@ -86,21 +83,21 @@ fn outliers(outcome: &Outcome, task: &Task, independent: (&str, &Unit), words: W
     }
     let more = farthest.len().saturating_sub(NAMED);
     if more > 0 {
-        list.push([&more.to_string(), words.pick(" more", " más")].concat());
+        list.push([&more.to_string(), language.pick::<&str>(" more", " más")].concat());
     }
     let squares = outcome.reweighted.is_none();
     let (head, advice) = if farthest.len() == 1 {
         (
-            words.pick("One value is an outlier: ", "Un valor es atípico: "),
-            words.pick(
+            language.pick("One value is an outlier: ", "Un valor es atípico: "),
+            language.pick(
                 "; σ is the scatter of the others. Check it, or fit with a robust loss.",
                 "; σ es la dispersión de los demás. Revíselo o ajuste con una pérdida robusta.",
             ),
         )
     } else {
         (
-            words.pick(" values are outliers: ", " valores son atípicos: "),
-            words.pick(
+            language.pick(" values are outliers: ", " valores son atípicos: "),
+            language.pick(
                 "; σ is the scatter of the others. Check them, or fit with a robust loss.",
                 "; σ es la dispersión de los demás. Revíselos o ajuste con una pérdida robusta.",
             ),
@@ -110,20 +107,20 @@ fn outliers(outcome: &Outcome, task: &Task, independent: (&str, &Unit), words: W
     let advice = if squares {
         advice
     } else {
-        words.pick("; σ is the scatter of the others.", "; σ es la dispersión de los demás.")
+        language.pick("; σ is the scatter of the others.", "; σ es la dispersión de los demás.")
     };
-    Some([&count, head, &words.join(&list), advice].concat())
+    Some([&count, head, &language.join(&list), advice].concat())
 }
 
 /// That standard errors are uncertain themselves.
-fn short(outcome: &Outcome, words: Words) -> Option<String> {
+fn short(outcome: &Outcome, language: Language) -> Option<String> {
     if !outcome.is_short() {
         return None;
     }
-    let style = words.style();
+    let style = language.style();
     if outcome.wanders {
         return Some(
-            words
+            language
                 .pick(
                     "The errors cannot be told from a random walk in so short a record: take the standard errors for lower limits.",
                     "En un registro tan corto los errores no se distinguen de un paseo aleatorio: tome los errores típicos por \
@@ -135,19 +132,19 @@ fn short(outcome: &Outcome, words: Words) -> Option<String> {
     let certain = outcome.parameters.iter().filter(|one| one.stderr_hac.is_some());
     let factor = certain.map(|one| one.coverage_factor()).fold(2.0, f64::max);
     let text = [
-        words.pick(
+        language.pick(
             "The record is short for the correlation of its errors: its ",
             "El registro es corto para la correlación de sus errores: sus ",
         ),
         &outcome.judged.to_string(),
-        words.pick(" values are worth about ", " valores equivalen a unos "),
+        language.pick(" values are worth about ", " valores equivalen a unos "),
         &fixed(outcome.independent, 0, style),
-        words.pick(
+        language.pick(
             " independent ones. The standard errors are uncertain themselves: an interval of 95 % reaches up to ",
             " independientes. Los propios errores típicos son inciertos: un intervalo del 95 % llega hasta ",
         ),
         &fixed(factor, 1, style),
-        words.pick(" of them to either side (Student's t).", " de ellos a cada lado (t de Student)."),
+        language.pick(" of them to either side (Student's t).", " de ellos a cada lado (t de Student)."),
     ];
     Some(text.concat())
 }

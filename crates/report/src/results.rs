@@ -2,7 +2,6 @@
 
 use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
-use crate::words::Words;
 use analysis::fit::{Estimate, Interval};
 use units::Unit;
 use units::number::{DASH, Style, concise, fixed, plain, steady, unit_text};
@@ -37,17 +36,17 @@ pub fn readable_units(estimates: &[Estimate]) -> Vec<Estimate> {
 
 /// What an estimate is called.
 pub fn label(report: &Report<'_>, estimate: &Estimate) -> String {
-    let words = Words::of(report.language);
+    let language = report.language;
     if let Some(label) = &estimate.label {
-        return report.document.text(words.tag(), label).to_owned();
+        return report.document.text(language.tag(), label).to_owned();
     }
     let own = estimate.parameter.is_some();
     match estimate.name.rsplit_once('_') {
         Some((name, "origin")) if !own && name == report.document.model.independent.name => {
-            words.pick("Reading of the clock at the start", "Lectura del reloj al empezar").to_owned()
+            language.pick("Reading of the clock at the start", "Lectura del reloj al empezar").to_owned()
         }
         Some((name, "offset")) if !own => {
-            [words.pick("Zero of the scale of ", "Cero de la escala de "), &name.replace('\'', "′")].concat()
+            [language.pick("Zero of the scale of ", "Cero de la escala de "), &name.replace('\'', "′")].concat()
         }
         _ => String::new(),
     }
@@ -72,18 +71,18 @@ pub fn once(derived: &[Estimate]) -> Vec<Estimate> {
 
 /// The table of the parameters or of the derived quantities.
 pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], derived: bool) {
-    let words = Words::of(report.language);
+    let language = report.language;
     let profiles = if derived { &[][..] } else { report.intervals };
     let mut headings = vec![
-        words.pick("Symbol", "Símbolo"),
-        words.pick("Quantity", "Magnitud"),
-        words.pick("#Value", "#Valor"),
-        words.pick("Unit", "Unidad"),
-        words.pick("#Standard error", "#Error típico"),
-        words.pick("#if residuals were independent", "#si los residuos fueran independientes"),
+        language.pick("Symbol", "Símbolo"),
+        language.pick("Quantity", "Magnitud"),
+        language.pick("#Value", "#Valor"),
+        language.pick("Unit", "Unidad"),
+        language.pick("#Standard error", "#Error típico"),
+        language.pick("#if residuals were independent", "#si los residuos fueran independientes"),
     ];
     if !profiles.is_empty() {
-        headings.push(words.pick("#68 % by profile", "#68 % por perfil"));
+        headings.push(language.pick("#68 % by profile", "#68 % por perfil"));
     }
     page.table("wide", &headings);
     let estimates = &readable_units(estimates);
@@ -115,17 +114,18 @@ pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], d
 }
 
 fn row(page: &mut Page, report: &Report<'_>, estimate: &Estimate, interval: Option<Option<[Interval; 2]>>) {
-    let words = Words::of(report.language);
-    let style = words.style();
+    let language = report.language;
+    let style = language.style();
     let own = |si: Option<f64>| match si {
         Some(si) if estimate.determined => cell(&steady(size(&estimate.unit, si), 2, style)),
         _ => cell(DASH),
     };
     let value = if !estimate.determined {
-        ["#<small>", words.pick("not determined", "no determinado"), "</small>"].concat()
+        ["#<small>", language.pick("not determined", "no determinado"), "</small>"].concat()
     } else if estimate.at_bound {
         let value = plain(estimate.unit.from_si(estimate.value), 6, style);
-        ["#", &escaped(&value), " <small>", words.pick("end of its range", "fin de su intervalo"), "</small>"].concat()
+        ["#", &escaped(&value), " <small>", language.pick("end of its range", "fin de su intervalo"), "</small>"]
+            .concat()
     } else {
         ["#<b>", &escaped(&quoted(estimate, style)), "</b>"].concat()
     };
@@ -167,13 +167,13 @@ fn ends(estimate: &Estimate, interval: Interval, style: Style) -> String {
 
 /// The matrix of correlations, or for many parameters the strongest ones.
 pub fn correlations(page: &mut Page, report: &Report<'_>) {
-    let words = Words::of(report.language);
+    let language = report.language;
     let (parameters, matrix) = (&report.outcome.parameters, &report.outcome.correlation);
     let count = parameters.len();
     if count < 2 || matrix.len() != count * count {
         return;
     }
-    page.heading(words.pick("Correlations", "Correlaciones"));
+    page.heading(language.pick("Correlations", "Correlaciones"));
     let mut strongest: Vec<(usize, usize, f64)> = (0..count)
         .flat_map(|row| (0..row).map(move |column| (column, row)))
         .map(|(a, b)| (a, b, matrix[b * count + a]))
@@ -189,13 +189,13 @@ pub fn correlations(page: &mut Page, report: &Report<'_>) {
     };
     if count > MATRIX {
         let heads = [
-            words.pick("Parameter", "Parámetro"),
-            words.pick("Correlated with", "Correlacionado con"),
-            words.pick("#Correlation", "#Correlación"),
+            language.pick("Parameter", "Parámetro"),
+            language.pick("Correlated with", "Correlacionado con"),
+            language.pick("#Correlation", "#Correlación"),
         ];
         page.table("", &heads);
         for (a, b, value) in strongest.into_iter().take(12) {
-            page.row(&[&named(a), &named(b), &cell(&fixed(value, 3, words.style()))]);
+            page.row(&[&named(a), &named(b), &cell(&fixed(value, 3, language.style()))]);
         }
         page.end_table();
         return;
@@ -210,19 +210,19 @@ pub fn correlations(page: &mut Page, report: &Report<'_>) {
         page.header("scope=\"row\"", &named(row));
         for column in 0..count {
             let value = matrix[row * count + column];
-            page.wrapped(&tinted(value), &fixed(value, 2, words.style()));
+            page.wrapped(&tinted(value), &fixed(value, 2, language.style()));
         }
         page.raw("</tr>\n");
     }
     page.end_table();
     if let Some((a, b, value)) = strongest.first().filter(|(.., value)| value.abs() > 0.9) {
-        let start = words.pick("The strongest is that of ", "La más fuerte es la de ");
-        let end = words.pick(
+        let start = language.pick("The strongest is that of ", "La más fuerte es la de ");
+        let end = language.pick(
             ": the data determine a combination of the two much better than either by itself.",
             ": los datos determinan una combinación de ambos mucho mejor que cada uno por separado.",
         );
-        let value = fixed(*value, 3, words.style());
-        page.wrapped("p", &[start, &named(*a), words.pick(" and ", " y "), &named(*b), ", ", &value, end].concat());
+        let value = fixed(*value, 3, language.style());
+        page.wrapped("p", &[start, &named(*a), language.pick(" and ", " y "), &named(*b), ", ", &value, end].concat());
     }
 }
 

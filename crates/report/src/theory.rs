@@ -3,7 +3,6 @@
 use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
 use crate::results::size;
-use crate::words::Words;
 use analysis::fit::Target;
 use model::Parameter;
 use units::number::{fixed, plain, unit_text};
@@ -13,11 +12,11 @@ const MOST_ROWS: usize = 5000;
 
 /// The equations, and the parameters that were held.
 pub fn theory(page: &mut Page, report: &Report<'_>) {
-    let words = Words::of(report.language);
+    let language = report.language;
     let model = &report.document.model;
-    page.heading(words.pick("The theory", "La teoría"));
+    page.heading(language.pick("The theory", "La teoría"));
     page.raw("<div class=\"equations\">");
-    let translate = |text: &str| report.document.text(words.tag(), text).to_owned();
+    let translate = |text: &str| report.document.text(language.tag(), text).to_owned();
     for equation in model.typeset(&translate) {
         page.wrapped("div", &equation);
     }
@@ -28,23 +27,23 @@ pub fn theory(page: &mut Page, report: &Report<'_>) {
     if held.is_empty() {
         return;
     }
-    page.element("h3", words.pick("Held", "Mantenido"));
+    page.element("h3", language.pick("Held", "Mantenido"));
     page.table(
         "",
         &[
-            words.pick("Symbol", "Símbolo"),
-            words.pick("Quantity", "Magnitud"),
-            words.pick("#Value", "#Valor"),
-            words.pick("Unit", "Unidad"),
+            language.pick("Symbol", "Símbolo"),
+            language.pick("Quantity", "Magnitud"),
+            language.pick("#Value", "#Valor"),
+            language.pick("Unit", "Unidad"),
         ],
     );
     for (index, parameter) in held {
-        let label = parameter.label.as_deref().map_or("", |label| report.document.text(words.tag(), label));
+        let label = parameter.label.as_deref().map_or("", |label| report.document.text(language.tag(), label));
         let mut values: Vec<f64> =
             report.outcome.settings.iter().filter_map(|values| values.get(index).copied()).collect();
         values.dedup();
         let values: Vec<String> =
-            values.iter().map(|si| plain(parameter.unit.from_si(*si), 8, words.style())).collect();
+            values.iter().map(|si| plain(parameter.unit.from_si(*si), 8, language.style())).collect();
         let cells = [
             symbol(&parameter.name),
             escaped(label),
@@ -58,17 +57,17 @@ pub fn theory(page: &mut Page, report: &Report<'_>) {
 
 /// What was measured.
 pub fn data(page: &mut Page, report: &Report<'_>) {
-    let words = Words::of(report.language);
-    let style = words.style();
+    let language = report.language;
+    let style = language.style();
     let independent = &report.document.model.independent;
-    page.heading(words.pick("The data", "Los datos"));
-    let of = [&symbol(&independent.name), words.pick(" from … to", " de … a")].concat();
+    page.heading(language.pick("The data", "Los datos"));
+    let of = [&symbol(&independent.name), language.pick::<&str>(" from … to", " de … a")].concat();
     page.raw("<div class=\"scroll\"><table class=\"wide\"><thead><tr>");
     for (heading, number) in [
-        (escaped(words.pick("Record", "Registro")), false),
-        (escaped(words.pick("Observed", "Observado")), false),
-        (escaped(words.pick("Values", "Valores")), true),
-        (escaped(words.pick("of which fitted", "de ellos ajustados")), true),
+        (escaped(language.pick("Record", "Registro")), false),
+        (escaped(language.pick("Observed", "Observado")), false),
+        (escaped(language.pick("Values", "Valores")), true),
+        (escaped(language.pick("of which fitted", "de ellos ajustados")), true),
         (of, true),
     ] {
         page.header(if number { "scope=\"col\" class=\"n\"" } else { "scope=\"col\"" }, &heading);
@@ -100,19 +99,19 @@ pub fn data(page: &mut Page, report: &Report<'_>) {
 
 /// Everything that is needed to repeat it.
 pub fn repeat(page: &mut Page, report: &Report<'_>, csv: &str) {
-    let words = Words::of(report.language);
-    page.heading(words.pick("To repeat this", "Para repetirlo"));
+    let language = report.language;
+    page.heading(language.pick("To repeat this", "Para repetirlo"));
     if !report.command.is_empty() {
         page.wrapped("pre tabindex=\"0\"", &escaped(report.command));
     }
     page.raw("<dl class=\"steps\">");
-    page.pair(words.pick("Theory", "Teoría"), &report.document_name);
+    page.pair(language.pick("Theory", "Teoría"), &report.document_name);
     let records: Vec<String> = report.task.records.iter().map(|record| record.name.clone()).collect();
-    page.pair(words.pick("Data", "Datos"), &words.join(&records));
-    page.pair(words.pick("Varied", "Variado"), &varied(report).join(", "));
-    page.pair(words.pick("Fitted part", "Parte ajustada"), &part(report));
-    page.pair(words.pick("Method", "Método"), &method(report));
-    page.pair(words.pick("Program", "Programa"), &["Meniscus ", report.version].concat());
+    page.pair(language.pick("Data", "Datos"), &language.join(&records));
+    page.pair(language.pick("Varied", "Variado"), &varied(report).join(", "));
+    page.pair(language.pick("Fitted part", "Parte ajustada"), &part(report));
+    page.pair(language.pick("Method", "Método"), &method(report));
+    page.pair(language.pick("Program", "Programa"), &["Meniscus ", report.version].concat());
     page.raw("</dl>\n");
     let mut detail = |summary: &str, text: &str| {
         page.raw("<details>");
@@ -120,17 +119,17 @@ pub fn repeat(page: &mut Page, report: &Report<'_>, csv: &str) {
         page.wrapped("pre tabindex=\"0\"", &escaped(text));
         page.raw("</details>\n");
     };
-    let source = [words.pick("The document, ", "El documento, "), report.document_name].concat();
+    let source = [language.pick("The document, ", "El documento, "), report.document_name].concat();
     detail(&source, &report.document.source);
     let rows: usize = report.outcome.observations.iter().map(|fit| fit.times.len()).sum();
     if rows <= MOST_ROWS {
-        detail(words.pick("The measured and fitted values", "Los valores medidos y ajustados"), csv);
+        detail(language.pick("The measured and fitted values", "Los valores medidos y ajustados"), csv);
     }
 }
 
 /// What was varied, and where it was to begin and to stay if that was said.
 fn varied(report: &Report<'_>) -> Vec<String> {
-    let words = Words::of(report.language);
+    let language = report.language;
     let model = &report.document.model;
     let describe = |varied: &analysis::fit::Varied| {
         let (mut text, unit) = match varied.target {
@@ -144,16 +143,16 @@ fn varied(report: &Report<'_>) -> Vec<String> {
                 ([&of.name, "_offset"].concat(), of.observed.unit.clone())
             }
         };
-        let number = |si: f64| plain(size(&unit, si), 8, words.style());
+        let number = |si: f64| plain(size(&unit, si), 8, language.style());
         let mut options = Vec::new();
         if varied.shared && report.task.records.len() > 1 {
-            options.push(words.pick("one value for all", "un valor para todos").to_owned());
+            options.push(language.pick("one value for all", "un valor para todos").to_owned());
         }
         if let Some(start) = varied.start {
-            options.push([words.pick("from ", "desde "), &number(start)].concat());
+            options.push([language.pick("from ", "desde "), &number(start)].concat());
         }
         if let Some((low, high)) = varied.bounds {
-            options.push([words.pick("within ", "entre "), &number(low), " … ", &number(high)].concat());
+            options.push([language.pick("within ", "entre "), &number(low), " … ", &number(high)].concat());
         }
         if !options.is_empty() {
             text.extend([" (", &options.join(", "), ")"]);
@@ -165,49 +164,49 @@ fn varied(report: &Report<'_>) -> Vec<String> {
 
 /// Which part was fitted.
 fn part(report: &Report<'_>) -> String {
-    let words = Words::of(report.language);
+    let language = report.language;
     let independent = &report.document.model.independent;
     let time = |si: f64| {
-        let number = plain(independent.unit.from_si(si), 8, words.style());
+        let number = plain(independent.unit.from_si(si), 8, language.style());
         [&number, " ", &unit_text(&independent.unit.text)].concat().trim_end().to_owned()
     };
     match (report.task.from, report.task.until) {
-        (None, None) => words.pick("all values", "todos los valores").to_owned(),
-        (Some(from), None) => [words.pick("from ", "desde "), &time(from)].concat(),
-        (None, Some(until)) => [words.pick("until ", "hasta "), &time(until)].concat(),
+        (None, None) => language.pick("all values", "todos los valores").to_owned(),
+        (Some(from), None) => [language.pick("from ", "desde "), &time(from)].concat(),
+        (None, Some(until)) => [language.pick("until ", "hasta "), &time(until)].concat(),
         (Some(from), Some(until)) => [&time(from), " … ", &time(until)].concat(),
     }
 }
 
 /// How it was computed.
 fn method(report: &Report<'_>) -> String {
-    let words = Words::of(report.language);
-    let mut text = words
+    let language = report.language;
+    let mut text = language
         .pick(
             "least squares (Levenberg and Marquardt), derivatives by the parameters from the model itself",
             "mínimos cuadrados (Levenberg y Marquardt), con las derivadas respecto a los parámetros tomadas del propio modelo",
         )
         .to_owned();
     if !report.document.model.states.is_empty() {
-        text +=
-            words.pick("; equations of motion integrated to 10⁻⁹", "; ecuaciones del movimiento integradas con 10⁻⁹");
+        text += language
+            .pick("; equations of motion integrated to 10⁻⁹", "; ecuaciones del movimiento integradas con 10⁻⁹");
     }
     let records = &report.task.records;
     let given = records.iter().flat_map(|record| &record.observations).all(|one| one.errors.is_some());
     if given {
-        text += words.pick("; weights from the given errors", "; pesos según los errores dados");
+        text += language.pick("; weights from the given errors", "; pesos según los errores dados");
     } else if report.outcome.observations.len() > 1 {
-        text += words.pick(
+        text += language.pick(
             "; each observation weighed by its own scatter",
             "; cada observación, ponderada por su propia dispersión",
         );
     }
     if report.outcome.starts > 1 {
         let starts = report.outcome.starts.to_string();
-        text.extend([words.pick("; from ", "; desde "), &starts, words.pick(" starts", " comienzos")]);
+        text.extend([language.pick("; from ", "; desde "), &starts, language.pick(" starts", " comienzos")]);
     }
     if report.outcome.improved > 0 {
-        text += words.pick(
+        text += language.pick(
             "; made again from a lower chi-square that the profile of a parameter met",
             "; repetido desde un chi cuadrado menor que encontró el perfil de un parámetro",
         );
@@ -216,14 +215,14 @@ fn method(report: &Report<'_>) -> String {
     origins.dedup();
     if !origins.is_empty() {
         let independent = &report.document.model.independent;
-        let reading = |origin: &f64| fixed(independent.unit.from_si(*origin), 4, words.style());
+        let reading = |origin: &f64| fixed(independent.unit.from_si(*origin), 4, language.style());
         let values: Vec<String> = origins.iter().map(reading).collect();
-        text += words.pick("; initial values hold at ", "; los valores iniciales corresponden a ");
+        text += language.pick("; initial values hold at ", "; los valores iniciales corresponden a ");
         text.extend([&independent.name, " = ", &values.join("; "), " ", &unit_text(&independent.unit.text)]);
-        text += words.pick(" of the record's clock", " en el reloj del registro");
+        text += language.pick(" of the record's clock", " en el reloj del registro");
         let early: usize = report.outcome.observations.iter().map(|fit| fit.early).sum();
         if early > 0 {
-            let rest = words.pick(
+            let rest = language.pick(
                 ", and nothing is predicted of the # values before",
                 ", y de los # valores anteriores no se predice nada",
             );

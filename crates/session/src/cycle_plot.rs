@@ -127,13 +127,12 @@ impl Session {
 
     /// Writes the texts of the plot in the session's language.
     pub(crate) fn label_cycles(&mut self) {
-        let spanish = self.language == Language::Spanish;
         let (quantity, against) = (self.looking.quantity, self.looking.against_amplitude);
         let units = self.looking.found.as_ref().map(|found| self.cycle_units(found)).unwrap_or_default();
         let independent = crate::symbol(&self.model().independent.name);
-        let axis = |quantity: Quantity| (quantity.symbol(spanish).to_owned(), quantity.unit(&units.0, &units.1));
+        let axis = |quantity: Quantity| (quantity.symbol(self.language).to_owned(), quantity.unit(&units.0, &units.1));
         let x = if against { axis(Quantity::Amplitude) } else { (independent, units.1.clone()) };
-        let title = cycles_title(self.language, &capital(quantity.name(spanish)), against);
+        let title = cycles_title(self.language, &capital(quantity.name(self.language)), against);
         let description = format!("{title}. {}", cycles_description(self.language));
         let curves = cycles_legend(self.language).map(str::to_owned).to_vec();
         let index = self.cycle_plot();

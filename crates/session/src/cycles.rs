@@ -118,8 +118,7 @@ impl Session {
 
     /// What can be drawn of the cycles, in the order in which [`Session::show_cycles`] counts it, and which of it is.
     pub fn cycle_quantities(&self) -> (Vec<String>, usize) {
-        let spanish = self.speaks_spanish();
-        let names = Quantity::ALL.iter().map(|quantity| capital(quantity.name(spanish))).collect();
+        let names = Quantity::ALL.iter().map(|quantity| capital(quantity.name(self.language))).collect();
         (names, Quantity::ALL.iter().position(|quantity| *quantity == self.looking.quantity).unwrap_or_default())
     }
 
@@ -190,13 +189,12 @@ impl Session {
             return Some(CyclesView { sentences, ..CyclesView::default() });
         };
         let (own, time) = self.cycle_units(found);
-        let spanish = self.speaks_spanish();
         let head = |symbol: &str, unit: &str| match unit {
             "" => symbol.to_owned(),
             unit => format!("{symbol} [{unit}]"),
         };
         let mut heads = vec![head(&crate::symbol(&self.model().independent.name), &time)];
-        heads.extend(Quantity::ALL.map(|quantity| head(quantity.symbol(spanish), &quantity.unit(&own, &time))));
+        heads.extend(Quantity::ALL.map(|quantity| head(quantity.symbol(self.language), &quantity.unit(&own, &time))));
         let text = |measured: Measured| number::with_error(measured.value, Some(measured.error), self.style);
         let column = |of: &dyn Fn(&cycles::Cycle) -> Measured| {
             let measured: Vec<Measured> = cycles.cycles.iter().map(of).collect();
@@ -217,7 +215,7 @@ impl Session {
             let unit = quantity.unit(&own, &time);
             let written = |measured: Measured| number::error_with_unit(&text(measured), &unit);
             let fixed = |value: f64| number::fixed(value, 1, self.style);
-            Some(Constancy::of(&cycles.cycles, quantity)?.text(quantity, spanish, &written, &fixed))
+            Some(Constancy::of(&cycles.cycles, quantity)?.text(quantity, self.language, &written, &fixed))
         };
         let mut sentences: Vec<String> =
             [Quantity::AngularFrequency, Quantity::Damping].into_iter().filter_map(sentence).collect();
@@ -247,10 +245,6 @@ impl Session {
             kind,
             bytes,
         ))
-    }
-
-    fn speaks_spanish(&self) -> bool {
-        self.language == Language::Spanish
     }
 }
 

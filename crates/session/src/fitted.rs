@@ -5,8 +5,8 @@ use crate::undo::Removed;
 use crate::{Announcement, Session, number, words};
 use analysis::fit::{Estimate, Outcome, Task, Trace};
 use document::Document;
+use units::Unit;
 use units::number::{Group, Style};
-use units::{Language, Unit};
 
 /// How many fits are kept.
 pub const MOST_FITS: usize = 40;
@@ -154,16 +154,15 @@ impl Session {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
         let outcome = &fit.outcome;
         let plain = |value: f64, digits: usize| number::plain(value, digits, self.style);
-        let spanish = self.language == Language::Spanish;
-        let mut sentences = vec![outcome.verdict_text(spanish)];
+        let mut sentences = vec![outcome.verdict_text(self.language)];
         let independent = &fit.document.model.independent;
-        sentences.extend(report::remarks(outcome, &fit.task, (&independent.name, &independent.unit), spanish));
-        sentences.extend(outcome.undetermined.iter().map(|one| one.text(spanish)));
+        sentences.extend(report::remarks(outcome, &fit.task, (&independent.name, &independent.unit), self.language));
+        sentences.extend(outcome.undetermined.iter().map(|one| one.text(self.language)));
         if !outcome.converged {
             sentences.push(words::not_converged(self.language).to_owned());
         }
-        sentences.extend(outcome.search_texts(spanish));
-        sentences.extend(outcome.rival_text(spanish, |one, value| self.quantity_text(value, &one.unit)));
+        sentences.extend(outcome.search_texts(self.language));
+        sentences.extend(outcome.rival_text(self.language, |one, value| self.quantity_text(value, &one.unit)));
         sentences.extend(self.beginnings(fit));
         Some(FitDetail {
             theory: self.title_of(fit),

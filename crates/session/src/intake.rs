@@ -96,9 +96,8 @@ impl Session {
 }
 
 pub(crate) fn unreadable(name: &str, error: &ReadingError, language: Language) -> Refusal {
-    let spanish = language == Language::Spanish;
     Refusal::UnreadableRecord {
         name: name.to_owned(),
-        why: format!("{} {}", sentence(&error.message(spanish)), sentence(error.hint(spanish))),
+        why: format!("{} {}", sentence(&error.message(language)), sentence(error.hint(language))),
     }
 }

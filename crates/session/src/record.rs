@@ -13,7 +13,6 @@ use analysis::table::Table;
 use document::Document;
 use model::Model;
 use std::collections::BTreeMap;
-use units::Language;
 
 /// How many records there can be.
 pub const MOST_RECORDS: usize = 8;
@@ -158,7 +157,6 @@ impl Session {
                 made: record.how_made(index).map(|made| differentiation(self.language, made.how)).unwrap_or_default(),
             }
         };
-        let spanish = self.language == Language::Spanish;
         RecordView {
             id: record.id,
             name: record.name.clone(),
@@ -167,7 +165,7 @@ impl Session {
             synthetic: record.truth.is_some(),
             lasting: self.is_lasting(record.id),
             columns: record.table.columns.iter().zip(&record.uses).enumerate().map(column).collect(),
-            findings: record.findings.iter().map(|finding| sentence(&finding.text(spanish))).collect(),
+            findings: record.findings.iter().map(|finding| sentence(&finding.text(self.language))).collect(),
         }
     }
 

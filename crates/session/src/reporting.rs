@@ -96,7 +96,7 @@ impl Session {
         Report {
             document: &fit.document,
             document_name: file.filter(|name| !name.is_empty()).unwrap_or(&fit.document.title),
-            language: &self.tag,
+            language: self.language,
             task: &fit.task,
             outcome: &fit.outcome,
             traces: &fit.traces,

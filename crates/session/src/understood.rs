@@ -27,15 +27,14 @@ impl Session {
         if used.meaning.quantity.is_empty() || plain || record.how_made(index).is_some() {
             return Understood::default();
         }
-        let spanish = self.language == Language::Spanish;
         if used.stated {
-            return Understood { origin: UnitOrigin::Person.text(spanish), ..Understood::default() };
+            return Understood { origin: UnitOrigin::Person.text(self.language), ..Understood::default() };
         }
         let assumed = column.unit.is_none() && !asked;
         let origin = match (assumed, self.language) {
             (true, Language::English) => "assumed: the file states none".to_owned(),
             (true, Language::Spanish) => "supuesta: el archivo no la indica".to_owned(),
-            (false, _) => column.origin.unit.text(spanish),
+            (false, _) => column.origin.unit.text(self.language),
         };
         Understood { origin, assumed, asked }
     }

@@ -1,5 +1,6 @@
 //! The languages that Meniscus speaks, and texts that exist in all of them.
 
+use crate::number::Style;
 use std::borrow::Cow;
 
 /// A language of the interface, the messages and the reports.
@@ -30,6 +31,20 @@ impl Language {
     /// The language's own name.
     pub fn name(self) -> &'static str {
         self.pick("English", "Español")
+    }
+
+    /// How it writes its numbers.
+    pub fn style(self) -> Style {
+        self.pick(Style::POINT, Style::COMMA)
+    }
+
+    /// An enumeration: `a, b and c`.
+    pub fn join(self, parts: &[String]) -> String {
+        match parts.split_last() {
+            Some((end, [])) => end.clone(),
+            Some((end, rest)) => [rest.join(", ").as_str(), self.pick(" and ", " y "), end].concat(),
+            None => String::new(),
+        }
     }
 
     /// The one that is in this language.

@@ -2,6 +2,7 @@
 
 use super::cycle::{Cycle, Measured};
 use super::quantity::Quantity;
+use units::Language::{self, English, Spanish};
 
 /// What the cycles of a record say about one quantity, by chi-square over rows that share no data.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,29 +72,29 @@ impl Constancy {
     pub fn text(
         &self,
         quantity: Quantity,
-        spanish: bool,
+        language: Language,
         written: &dyn Fn(Measured) -> String,
         fixed: &dyn Fn(f64) -> String,
     ) -> String {
-        let name = quantity.name(spanish);
-        let the = match (quantity, spanish) {
-            (_, false) => "The",
-            (Quantity::Amplitude | Quantity::AngularFrequency, true) => "La",
-            (_, true) => "El",
+        let name = quantity.name(language);
+        let the = match (quantity, language) {
+            (_, English) => "The",
+            (Quantity::Amplitude | Quantity::AngularFrequency, Spanish) => "La",
+            (_, Spanish) => "El",
         };
         let test = |chi_square: f64, freedom: usize| {
-            if spanish {
+            if language == Spanish {
                 format!("(ji cuadrado {} con {freedom} grados de libertad)", fixed(chi_square))
             } else {
                 format!("(chi-square {} for {freedom} degrees of freedom)", fixed(chi_square))
             }
         };
         match *self {
-            Self::Alone(mean) if spanish => {
+            Self::Alone(mean) if language == Spanish => {
                 format!("{the} {name} es {}; un solo ciclo no muestra ningún cambio.", written(mean))
             }
             Self::Alone(mean) => format!("{the} {name} is {}; one cycle alone shows no change.", written(mean)),
-            Self::Same { mean, chi_square, freedom } if spanish => {
+            Self::Same { mean, chi_square, freedom } if language == Spanish => {
                 let same = if the == "La" { "la misma" } else { "el mismo" };
                 format!(
                     "{the} {name} es {same} en todos los ciclos dentro de sus errores, como en la teoría lineal: {} {}.",
@@ -107,13 +108,13 @@ impl Constancy {
                 test(chi_square, freedom)
             ),
             Self::Changes { early, late, chi_square, freedom } if written(early) == written(late) => {
-                let [is, but] = match spanish {
-                    false => ["is", "throughout; its change is too small to show in these digits"],
-                    true => ["es", "en todo el registro; su cambio es demasiado pequeño para verse en estas cifras"],
+                let [is, but] = match language {
+                    English => ["is", "throughout; its change is too small to show in these digits"],
+                    Spanish => ["es", "en todo el registro; su cambio es demasiado pequeño para verse en estas cifras"],
                 };
                 format!("{the} {name} {is} {} {but} {}.", written(early), test(chi_square, freedom))
             }
-            Self::Scatters { mean, chi_square, freedom } if spanish => format!(
+            Self::Scatters { mean, chi_square, freedom } if language == Spanish => format!(
                 "{the} {name} varía de un ciclo a otro más de lo que explican sus errores {}, sin tendencia: {} en promedio.",
                 test(chi_square, freedom),
                 written(mean)
@@ -123,7 +124,7 @@ impl Constancy {
                 test(chi_square, freedom),
                 written(mean)
             ),
-            Self::Changes { early, late, chi_square, freedom } if spanish => format!(
+            Self::Changes { early, late, chi_square, freedom } if language == Spanish => format!(
                 "{the} {name} cambia más de lo que explican sus errores {}, lo que la teoría lineal no permite: {} en el \
                  primer tercio de los ciclos, {} en el último.",
                 test(chi_square, freedom),

@@ -1,6 +1,7 @@
 //! What is known of each cycle, one quantity at a time: for tables and figures.
 
 use super::cycle::{Cycle, Measured};
+use units::Language::{self, English, Spanish};
 
 /// What is known of each cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,11 +34,11 @@ impl Quantity {
     }
 
     /// Its symbol; the decrement has none that everybody uses.
-    pub fn symbol(self, spanish: bool) -> &'static str {
+    pub fn symbol(self, language: Language) -> &'static str {
         match self {
             Self::Amplitude => "A",
             Self::Period => "T",
-            Self::Decrement if spanish => "decremento",
+            Self::Decrement if language == Spanish => "decremento",
             Self::Decrement => "decrement",
             Self::AngularFrequency => "ω",
             Self::Damping => "γ",
@@ -45,18 +46,18 @@ impl Quantity {
     }
 
     /// What it is called, with a small letter.
-    pub fn name(self, spanish: bool) -> &'static str {
-        match (self, spanish) {
-            (Self::Amplitude, false) => "amplitude",
-            (Self::Amplitude, true) => "amplitud",
-            (Self::Period, false) => "period",
-            (Self::Period, true) => "periodo",
-            (Self::Decrement, false) => "logarithmic decrement",
-            (Self::Decrement, true) => "decremento logarítmico",
-            (Self::AngularFrequency, false) => "angular frequency",
-            (Self::AngularFrequency, true) => "frecuencia angular",
-            (Self::Damping, false) => "damping",
-            (Self::Damping, true) => "amortiguamiento",
+    pub fn name(self, language: Language) -> &'static str {
+        match (self, language) {
+            (Self::Amplitude, English) => "amplitude",
+            (Self::Amplitude, Spanish) => "amplitud",
+            (Self::Period, English) => "period",
+            (Self::Period, Spanish) => "periodo",
+            (Self::Decrement, English) => "logarithmic decrement",
+            (Self::Decrement, Spanish) => "decremento logarítmico",
+            (Self::AngularFrequency, English) => "angular frequency",
+            (Self::AngularFrequency, Spanish) => "frecuencia angular",
+            (Self::Damping, English) => "damping",
+            (Self::Damping, Spanish) => "amortiguamiento",
         }
     }
 

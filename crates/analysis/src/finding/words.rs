@@ -2,12 +2,13 @@
 
 use crate::import::readings;
 use crate::sampling::Gap;
-use units::number::{self, Style};
+use units::Language::{self, English, Spanish};
+use units::number;
 
-pub(super) fn separator(line: usize, text: &str, beside: &str, thousands: bool, spanish: bool) -> String {
-    let [decimal, large] = readings(text, spanish);
+pub(super) fn separator(line: usize, text: &str, beside: &str, thousands: bool, language: Language) -> String {
+    let [decimal, large] = readings(text, language);
     let (taken, other) = if thousands { (large, decimal) } else { (decimal, large) };
-    if spanish {
+    if language == Spanish {
         format!(
             "línea {line}: «{text}» se lee como {taken} y no como {other}, pues en la misma columna está «{beside}»"
         )
@@ -16,23 +17,23 @@ pub(super) fn separator(line: usize, text: &str, beside: &str, thousands: bool, 
     }
 }
 
-pub(super) fn clock(column: &str, days: bool, wrapped: usize, minutes: bool, spanish: bool) -> String {
-    let column = called(column, spanish);
-    let mut text = match (days, spanish) {
-        (false, false) => format!("{column} holds clock times; they are read as seconds from the first row"),
-        (false, true) => format!("{column} contiene horas; se leen como segundos desde la primera fila"),
-        (true, false) => format!("{column} holds dates; they are read as seconds from the first row"),
-        (true, true) => format!("{column} contiene fechas; se leen como segundos desde la primera fila"),
+pub(super) fn clock(column: &str, days: bool, wrapped: usize, minutes: bool, language: Language) -> String {
+    let column = called(column, language);
+    let mut text = match (days, language) {
+        (false, English) => format!("{column} holds clock times; they are read as seconds from the first row"),
+        (false, Spanish) => format!("{column} contiene horas; se leen como segundos desde la primera fila"),
+        (true, English) => format!("{column} holds dates; they are read as seconds from the first row"),
+        (true, Spanish) => format!("{column} contiene fechas; se leen como segundos desde la primera fila"),
     };
     if wrapped > 0 {
-        text.push_str(&if spanish {
+        text.push_str(&if language == Spanish {
             format!(", y el reloj volvió a cero {wrapped}×")
         } else {
             format!(", and the clock began again at zero {wrapped}×")
         });
     }
     if minutes {
-        text.push_str(if spanish {
+        text.push_str(if language == Spanish {
             "; «12:30» se toma como 12 minutos y 30 segundos: si son horas y minutos, indíquelo en el encabezado, «t [hh:mm]»"
         } else {
             "; `12:30` is taken for 12 minutes and 30 seconds: if these are hours and minutes, say so in the header, `t [hh:mm]`"
@@ -41,7 +42,7 @@ pub(super) fn clock(column: &str, days: bool, wrapped: usize, minutes: bool, spa
     text
 }
 
-pub(super) fn runs(names: &[String], spanish: bool) -> String {
+pub(super) fn runs(names: &[String], language: Language) -> String {
     const SHOWN: usize = 8;
     let mut list = names.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
     if names.len() > SHOWN {
@@ -49,75 +50,75 @@ pub(super) fn runs(names: &[String], spanish: bool) -> String {
     }
     let count = names.len();
     let name = names.last().map_or("", String::as_str);
-    if spanish {
+    if language == Spanish {
         format!("hay {count} series con su propio reloj: {list}; una columna se nombra con la suya, «{name}.y»")
     } else {
         format!("there are {count} runs, each with its own clock: {list}; a column is named with its run, `{name}.y`")
     }
 }
 
-pub(super) fn missing(gaps: &[Gap], unit: &str, spanish: bool) -> String {
+pub(super) fn missing(gaps: &[Gap], unit: &str, language: Language) -> String {
     // Times that run back can leave the same frames out again and again.
     let count: u128 = gaps.iter().map(|gap| u128::from(gap.last - gap.first) + 1).sum();
-    let mut text = match (count, spanish) {
-        (1, false) => "1 frame is missing: ".to_owned(),
-        (1, true) => "falta 1 fotograma: ".to_owned(),
-        (_, false) => format!("{count} frames are missing: "),
-        (_, true) => format!("faltan {count} fotogramas: "),
+    let mut text = match (count, language) {
+        (1, English) => "1 frame is missing: ".to_owned(),
+        (1, Spanish) => "falta 1 fotograma: ".to_owned(),
+        (_, English) => format!("{count} frames are missing: "),
+        (_, Spanish) => format!("faltan {count} fotogramas: "),
     };
     const SHOWN: usize = 5;
     for (index, gap) in gaps.iter().take(SHOWN).enumerate() {
-        let (after, before) = (reading(gap.after, unit, spanish), reading(gap.before, unit, spanish));
+        let (after, before) = (reading(gap.after, unit, language), reading(gap.before, unit, language));
         text.push_str(if index > 0 { "; " } else { "" });
-        text.push_str(&match (gap.first == gap.last, spanish) {
-            (true, false) => format!("number {} (between {after} and {before})", gap.first),
-            (true, true) => format!("el {} (entre {after} y {before})", gap.first),
-            (false, false) => format!("{} to {} (between {after} and {before})", gap.first, gap.last),
-            (false, true) => format!("del {} al {} (entre {after} y {before})", gap.first, gap.last),
+        text.push_str(&match (gap.first == gap.last, language) {
+            (true, English) => format!("number {} (between {after} and {before})", gap.first),
+            (true, Spanish) => format!("el {} (entre {after} y {before})", gap.first),
+            (false, English) => format!("{} to {} (between {after} and {before})", gap.first, gap.last),
+            (false, Spanish) => format!("del {} al {} (entre {after} y {before})", gap.first, gap.last),
         });
     }
     if gaps.len() > SHOWN {
-        text.push_str(if spanish { "; y otros" } else { "; and others" });
+        text.push_str(if language == Spanish { "; y otros" } else { "; and others" });
     }
     text
 }
 
-pub(super) fn rounded_step(interval: f64, rate: f64, spanish: bool) -> String {
+pub(super) fn rounded_step(interval: f64, rate: f64, language: Language) -> String {
     let error = interval * rate - 1.0;
-    let percent = decimal(100.0 * error.abs(), 2, spanish);
-    let (step, rate) = (decimal(interval, 9, spanish), decimal(rate, 5, spanish));
-    match (error < 0.0, spanish) {
-        (true, false) => format!(
+    let percent = decimal(100.0 * error.abs(), 2, language);
+    let (step, rate) = (decimal(interval, 9, language), decimal(rate, 5, language));
+    match (error < 0.0, language) {
+        (true, English) => format!(
             "the time step {step} s looks like 1/{rate} s rounded: times are too short by {percent} %, frequencies too high"
         ),
-        (false, false) => format!(
+        (false, English) => format!(
             "the time step {step} s looks like 1/{rate} s rounded: times are too long by {percent} %, frequencies too low"
         ),
-        (true, true) => format!(
+        (true, Spanish) => format!(
             "el paso de tiempo {step} s parece 1/{rate} s redondeado: los tiempos son un {percent} % demasiado cortos y las frecuencias demasiado altas"
         ),
-        (false, true) => format!(
+        (false, Spanish) => format!(
             "el paso de tiempo {step} s parece 1/{rate} s redondeado: los tiempos son un {percent} % demasiado largos y las frecuencias demasiado bajas"
         ),
     }
 }
 
 /// A column by its label, which is a number where the file gives no name.
-pub(super) fn called(label: &str, spanish: bool) -> String {
-    match (label.bytes().all(|byte| byte.is_ascii_digit()), spanish) {
-        (true, false) => format!("column {label}"),
-        (true, true) => format!("la columna {label}"),
+pub(super) fn called(label: &str, language: Language) -> String {
+    match (label.bytes().all(|byte| byte.is_ascii_digit()), language) {
+        (true, English) => format!("column {label}"),
+        (true, Spanish) => format!("la columna {label}"),
         (false, _) => label.to_owned(),
     }
 }
 
 /// A number with its unit.
-pub(super) fn reading(value: f64, unit: &str, spanish: bool) -> String {
-    let number = decimal(value, 6, spanish);
+pub(super) fn reading(value: f64, unit: &str, language: Language) -> String {
+    let number = decimal(value, 6, language);
     if unit.is_empty() { number } else { format!("{number} {unit}") }
 }
 
 /// A number with so many significant digits, without superfluous zeros.
-pub(super) fn decimal(value: f64, digits: usize, comma: bool) -> String {
-    number::plain(value, digits, Style::comma(comma))
+pub(super) fn decimal(value: f64, digits: usize, language: Language) -> String {
+    number::plain(value, digits, language.style())
 }

@@ -4,45 +4,46 @@ use super::estimate::Estimate;
 use super::identify::Undetermined;
 use super::judgement::Verdict;
 use super::outcome::Outcome;
+use units::Language::{self, English, Spanish};
 
 impl Outcome {
     /// What the residuals say of the model, in one or two sentences.
-    pub fn verdict_text(&self, spanish: bool) -> String {
-        let text = match (self.verdict(), spanish) {
-            (Verdict::Exact, false) => {
+    pub fn verdict_text(&self, language: Language) -> String {
+        let text = match (self.verdict(), language) {
+            (Verdict::Exact, English) => {
                 "The fit is exact: the residuals are less than a billionth of the scatter of the values. AICc and BIC are those \
                  of residuals of that size."
             }
-            (Verdict::Exact, true) => {
+            (Verdict::Exact, Spanish) => {
                 "El ajuste es exacto: los residuos son menores que una milmillonésima parte de la dispersión de los valores. El \
                  AICc y el BIC son los de residuos de ese tamaño."
             }
-            (Verdict::Compatible, false) => "The residuals look random: the model is compatible with the data.",
-            (Verdict::Compatible, true) => "Los residuos parecen aleatorios: el modelo es compatible con los datos.",
-            (Verdict::TooLarge, false) => {
+            (Verdict::Compatible, English) => "The residuals look random: the model is compatible with the data.",
+            (Verdict::Compatible, Spanish) => "Los residuos parecen aleatorios: el modelo es compatible con los datos.",
+            (Verdict::TooLarge, English) => {
                 "The residuals look random, but they are larger than the given errors: these are too small, or the model misses \
                  something."
             }
-            (Verdict::TooLarge, true) => {
+            (Verdict::TooLarge, Spanish) => {
                 "Los residuos parecen aleatorios, pero son mayores que los errores dados: estos son demasiado pequeños o al \
                  modelo le falta algo."
             }
-            (Verdict::TooSmall, false) => {
+            (Verdict::TooSmall, English) => {
                 "The residuals look random, but they are smaller than the given errors: these are too large."
             }
-            (Verdict::TooSmall, true) => {
+            (Verdict::TooSmall, Spanish) => {
                 "Los residuos parecen aleatorios, pero son menores que los errores dados: estos son demasiado grandes."
             }
-            (Verdict::Structured, false) => {
+            (Verdict::Structured, English) => {
                 "The residuals are autocorrelated: the model, or the measurement, misses something. Use the standard errors that \
                  allow for it."
             }
-            (Verdict::Structured, true) => {
+            (Verdict::Structured, Spanish) => {
                 "Los residuos están autocorrelacionados: al modelo, o a la medición, le falta algo. Use los errores típicos que \
                  lo tienen en cuenta."
             }
-            (Verdict::Unknown, false) => "There are too few values to judge the residuals.",
-            (Verdict::Unknown, true) => "Hay muy pocos valores para juzgar los residuos.",
+            (Verdict::Unknown, English) => "There are too few values to judge the residuals.",
+            (Verdict::Unknown, Spanish) => "Hay muy pocos valores para juzgar los residuos.",
         };
         text.to_owned()
     }
@@ -51,24 +52,24 @@ impl Outcome {
 impl Outcome {
     /// From how many starts was searched, where it was more than one, and whether a profile has led to a lower minimum, in
     /// sentences.
-    pub fn search_texts(&self, spanish: bool) -> Vec<String> {
+    pub fn search_texts(&self, language: Language) -> Vec<String> {
         let mut texts = Vec::new();
         if self.starts > 1 {
-            texts.push(match spanish {
-                false => format!(
+            texts.push(match language {
+                English => format!(
                     "The search was made from {} starts; these values are the best that were found.",
                     self.starts
                 ),
-                true => format!(
+                Spanish => format!(
                     "Se buscó desde {} comienzos; estos valores son los mejores que se encontraron.",
                     self.starts
                 ),
             });
         }
         if self.improved > 0 {
-            let text = match spanish {
-                false => "The profile of a parameter met a lower chi-square: the fit was made again from there.",
-                true => "El perfil de un parámetro encontró un chi cuadrado menor: el ajuste se repitió desde ahí.",
+            let text = match language {
+                English => "The profile of a parameter met a lower chi-square: the fit was made again from there.",
+                Spanish => "El perfil de un parámetro encontró un chi cuadrado menor: el ajuste se repitió desde ahí.",
             };
             texts.push(text.to_owned());
         }
@@ -77,47 +78,38 @@ impl Outcome {
 
     /// That other values fit as well within the noise, if a search has found such. `quantity` writes an SI value of an
     /// estimate with its unit.
-    pub fn rival_text(&self, spanish: bool, quantity: impl Fn(&Estimate, f64) -> String) -> Option<String> {
+    pub fn rival_text(&self, language: Language, quantity: impl Fn(&Estimate, f64) -> String) -> Option<String> {
         let rival = self.rival.as_ref()?;
         let values = self.parameters.iter().zip(&rival.values);
         let values: Vec<String> =
             values.map(|(one, value)| format!("{} = {}", one.name, quantity(one, *value))).collect();
         let values = values.join(", ");
-        Some(match spanish {
-            false => format!("Another minimum fits as well within the noise: {values}."),
-            true => format!("Otro mínimo ajusta igual de bien dentro del ruido: {values}."),
+        Some(match language {
+            English => format!("Another minimum fits as well within the noise: {values}."),
+            Spanish => format!("Otro mínimo ajusta igual de bien dentro del ruido: {values}."),
         })
     }
 }
 
 impl Undetermined {
     /// What cannot be determined, in a sentence.
-    pub fn text(&self, spanish: bool) -> String {
-        let names = join(&self.names, if spanish { " y " } else { " and " });
-        match (&self.combination, self.names.len(), spanish) {
-            (_, 1, false) => format!("The data do not determine {names}: the curve does not change with it."),
-            (_, 1, true) => format!("Los datos no determinan {names}: la curva no cambia con ese parámetro."),
-            (Some(combination), _, false) => {
+    pub fn text(&self, language: Language) -> String {
+        let names = language.join(&self.names);
+        match (&self.combination, self.names.len(), language) {
+            (_, 1, English) => format!("The data do not determine {names}: the curve does not change with it."),
+            (_, 1, Spanish) => format!("Los datos no determinan {names}: la curva no cambia con ese parámetro."),
+            (Some(combination), _, English) => {
                 format!("The data determine only {combination}, not {names} each by itself; fix one of them.")
             }
-            (Some(combination), _, true) => {
+            (Some(combination), _, Spanish) => {
                 format!("Los datos solo determinan {combination}, no {names} por separado; fije uno de ellos.")
             }
-            (None, _, false) => {
+            (None, _, English) => {
                 format!("The data determine only combinations of {names}, not each by itself; fix some of them.")
             }
-            (None, _, true) => {
+            (None, _, Spanish) => {
                 format!("Los datos solo determinan combinaciones de {names}, no cada uno por separado; fije alguno.")
             }
         }
-    }
-}
-
-/// `a, b and c`
-fn join(names: &[String], last: &str) -> String {
-    match names.split_last() {
-        Some((end, [])) => end.clone(),
-        Some((end, rest)) => format!("{}{last}{end}", rest.join(", ")),
-        None => String::new(),
     }
 }

@@ -4,6 +4,7 @@ use super::cells::{Cells, Delimiter};
 use super::number::{self, Cell, Signs};
 use super::{clock, unit_words};
 use std::collections::BTreeMap;
+use units::Language::{self, English, Spanish};
 
 /// How many lines are looked at from the beginning, and how many from all over the rest.
 const FIRST: usize = 200;
@@ -29,7 +30,7 @@ impl Format {
     }
 
     /// In words: `tabs, decimal comma, 2 header lines`.
-    pub fn text(&self, spanish: bool) -> String {
+    pub fn text(&self, language: Language) -> String {
         let (english, other) = match self.delimiter {
             Delimiter::Tab => ("tabs", "tabuladores"),
             Delimiter::Semicolon => ("semicolons", "puntos y comas"),
@@ -40,30 +41,30 @@ impl Format {
         };
         let mut text = match self.delimiter {
             Delimiter::Other(byte) => char::from(byte).to_string(),
-            _ if spanish => other.to_owned(),
+            _ if language == Spanish => other.to_owned(),
             _ => english.to_owned(),
         };
-        text.push_str(match (self.decimal, spanish) {
-            (b',', false) => ", decimal comma",
-            (b',', true) => ", coma decimal",
-            (_, false) => ", decimal point",
-            (_, true) => ", punto decimal",
+        text.push_str(match (self.decimal, language) {
+            (b',', English) => ", decimal comma",
+            (b',', Spanish) => ", coma decimal",
+            (_, English) => ", decimal point",
+            (_, Spanish) => ", punto decimal",
         });
-        text.push_str(match (self.thousands, spanish) {
+        text.push_str(match (self.thousands, language) {
             (None, _) => "",
-            (Some(b','), false) => ", thousands separated by commas",
-            (Some(b','), true) => ", millares separados por comas",
-            (_, false) => ", thousands separated by points",
-            (_, true) => ", millares separados por puntos",
+            (Some(b','), English) => ", thousands separated by commas",
+            (Some(b','), Spanish) => ", millares separados por comas",
+            (_, English) => ", thousands separated by points",
+            (_, Spanish) => ", millares separados por puntos",
         });
         let lines = self.header_lines;
-        text.push_str(&match (lines, spanish) {
-            (0, false) => ", no header".to_owned(),
-            (0, true) => ", sin encabezado".to_owned(),
-            (1, false) => ", 1 header line".to_owned(),
-            (1, true) => ", 1 línea de encabezado".to_owned(),
-            (_, false) => format!(", {lines} header lines"),
-            (_, true) => format!(", {lines} líneas de encabezado"),
+        text.push_str(&match (lines, language) {
+            (0, English) => ", no header".to_owned(),
+            (0, Spanish) => ", sin encabezado".to_owned(),
+            (1, English) => ", 1 header line".to_owned(),
+            (1, Spanish) => ", 1 línea de encabezado".to_owned(),
+            (_, English) => format!(", {lines} header lines"),
+            (_, Spanish) => format!(", {lines} líneas de encabezado"),
         });
         text
     }

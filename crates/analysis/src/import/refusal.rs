@@ -1,6 +1,7 @@
 //! Why a file cannot be read as a table.
 
 use std::fmt;
+use units::Language::{self, English, Spanish};
 
 /// Why a file was not read. Nothing of it is lost: it was not touched.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -74,23 +75,23 @@ impl ImportError {
     }
 
     /// What is wrong, where and why.
-    pub fn message(&self, spanish: bool) -> String {
-        let at = |text: String| match (self.line, spanish) {
-            (Some(line), false) => format!("line {line}: {text}"),
-            (Some(line), true) => format!("línea {line}: {text}"),
+    pub fn message(&self, language: Language) -> String {
+        let at = |text: String| match (self.line, language) {
+            (Some(line), English) => format!("line {line}: {text}"),
+            (Some(line), Spanish) => format!("línea {line}: {text}"),
             (None, _) => text,
         };
-        let say = |english: &str, other: &str| at((if spanish { other } else { english }).to_owned());
+        let say = |english: &str, other: &str| at((if language == Spanish { other } else { english }).to_owned());
         match &self.reason {
             Refusal::Empty => say("the file is empty", "el archivo está vacío"),
-            Refusal::Kind { english, spanish: other } if spanish => format!("no es texto, sino {other}"),
+            Refusal::Kind { english, spanish: other } if language == Spanish => format!("no es texto, sino {other}"),
             Refusal::Kind { english, .. } => format!("this is not text but {english}"),
             Refusal::Binary => say(
                 "this is not text: it has bytes that no text has",
                 "no es texto: tiene bytes que ningún texto tiene",
             ),
             Refusal::Markup => say("this is XML or HTML, not a table", "esto es XML o HTML, no una tabla"),
-            Refusal::NoNumbers { text } if spanish => {
+            Refusal::NoNumbers { text } if language == Spanish => {
                 at(format!("no hay tabla: ninguna línea tiene números; la primera es «{text}»"))
             }
             Refusal::NoNumbers { text } => at(format!("there is no table: no line has numbers; the first is `{text}`")),
@@ -100,8 +101,8 @@ impl ImportError {
             ),
             Refusal::FewRows => say("there are fewer than two rows of numbers", "hay menos de dos filas de números"),
             Refusal::Separator { column, text, beside } => {
-                let [decimal, thousands] = readings(text, spanish);
-                at(if spanish {
+                let [decimal, thousands] = readings(text, language);
+                at(if language == Spanish {
                     format!(
                         "columna {column}: «{text}» puede ser {decimal} o {thousands}, pues en la misma columna está «{beside}»"
                     )
@@ -111,19 +112,19 @@ impl ImportError {
                     )
                 })
             }
-            Refusal::Times { column, text } if spanish => {
+            Refusal::Times { column, text } if language == Spanish => {
                 at(format!("los tiempos de la columna {column} no se entienden; el primero es «{text}»"))
             }
             Refusal::Times { column, text } => {
                 at(format!("the times in column {column} cannot be read; the first is `{text}`"))
             }
-            Refusal::Commas { names, cells } if spanish => at(format!(
+            Refusal::Commas { names, cells } if language == Spanish => at(format!(
                 "{cells} números para {names} nombres: la coma parece ser a la vez separador y signo decimal"
             )),
             Refusal::Commas { names, cells } => {
                 at(format!("{cells} numbers for {names} names: the comma seems to be both delimiter and decimal sign"))
             }
-            Refusal::Words { column, text } if spanish => {
+            Refusal::Words { column, text } if language == Spanish => {
                 at(format!("«{text}» en la columna {column} no es un número, y hay más palabras que números"))
             }
             Refusal::Words { column, text } => {
@@ -133,28 +134,30 @@ impl ImportError {
     }
 
     /// What to do.
-    pub fn hint(&self, spanish: bool) -> &'static str {
-        match (&self.reason, spanish) {
-            (Refusal::Commas { .. }, false) => "export it again with tabs or semicolons between the columns",
-            (Refusal::Commas { .. }, true) => "expórtelo de nuevo con tabuladores o puntos y comas entre las columnas",
-            (Refusal::Separator { .. }, false) => "export it again without signs between the thousands",
-            (Refusal::Separator { .. }, true) => "expórtelo de nuevo sin signos entre los millares",
-            (Refusal::Times { .. }, false) => {
+    pub fn hint(&self, language: Language) -> &'static str {
+        match (&self.reason, language) {
+            (Refusal::Commas { .. }, English) => "export it again with tabs or semicolons between the columns",
+            (Refusal::Commas { .. }, Spanish) => {
+                "expórtelo de nuevo con tabuladores o puntos y comas entre las columnas"
+            }
+            (Refusal::Separator { .. }, English) => "export it again without signs between the thousands",
+            (Refusal::Separator { .. }, Spanish) => "expórtelo de nuevo sin signos entre los millares",
+            (Refusal::Times { .. }, English) => {
                 "write the times as numbers, or as 10:00:00.050 or 2026-01-02T10:00:00.050"
             }
-            (Refusal::Times { .. }, true) => {
+            (Refusal::Times { .. }, Spanish) => {
                 "escriba los tiempos como números, o como 10:00:00.050 o 2026-01-02T10:00:00.050"
             }
-            (Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup, false) => {
+            (Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup, English) => {
                 "export the table as text: in Tracker, File > Export > Data File; in a spreadsheet, save as CSV"
             }
-            (Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup, true) => {
+            (Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup, Spanish) => {
                 "exporte la tabla como texto: en Tracker, Archivo > Exportar > Archivo de datos; en una hoja de cálculo, guarde como CSV"
             }
-            (_, false) => {
+            (_, English) => {
                 "a table has one row a line: the time, then one or more quantities, with tabs, commas, semicolons or blanks between"
             }
-            (_, true) => {
+            (_, Spanish) => {
                 "una tabla tiene una fila por línea: el tiempo y luego una o más magnitudes, con tabuladores, comas, puntos y comas o espacios entre ellas"
             }
         }
@@ -162,14 +165,14 @@ impl ImportError {
 }
 
 /// `1,295` with a decimal sign and with groups of digits: `1.295` and `1295`.
-pub(crate) fn readings(text: &str, spanish: bool) -> [String; 2] {
+pub(crate) fn readings(text: &str, language: Language) -> [String; 2] {
     let digits = |replacement: &str| text.replace([',', '.'], replacement);
-    [digits(if spanish { "," } else { "." }), digits("")]
+    [digits(if language == Spanish { "," } else { "." }), digits("")]
 }
 
 impl fmt::Display for ImportError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&self.message(false))
+        formatter.write_str(&self.message(English))
     }
 }
 

@@ -1,5 +1,7 @@
 //! Why a workbook cannot be read.
 
+use units::Language::{self, English, Spanish};
+
 /// Why a workbook was not read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum WorkbookError {
@@ -30,8 +32,8 @@ pub enum WorkbookError {
 
 impl WorkbookError {
     /// What is wrong.
-    pub fn message(&self, spanish: bool) -> String {
-        let say = |english: &str, other: &str| (if spanish { other } else { english }).to_owned();
+    pub fn message(&self, language: Language) -> String {
+        let say = |english: &str, other: &str| (if language == Spanish { other } else { english }).to_owned();
         match self {
             Self::Damaged => say("the workbook is damaged or incomplete", "el libro está dañado o incompleto"),
             Self::Protected => say("the workbook is protected by a password", "el libro está protegido por contraseña"),
@@ -59,26 +61,26 @@ impl WorkbookError {
     }
 
     /// What to do.
-    pub fn hint(&self, spanish: bool) -> &'static str {
-        match (self, spanish) {
-            (Self::Damaged | Self::Place { .. }, false) => {
+    pub fn hint(&self, language: Language) -> &'static str {
+        match (self, language) {
+            (Self::Damaged | Self::Place { .. }, English) => {
                 "open it in the spreadsheet program and save it again, or save the sheet as CSV"
             }
-            (Self::Damaged | Self::Place { .. }, true) => {
+            (Self::Damaged | Self::Place { .. }, Spanish) => {
                 "ábralo en la hoja de cálculo y guárdelo de nuevo, o guarde la hoja como CSV"
             }
-            (Self::Protected, false) => "save it without a password, or save the sheet as CSV",
-            (Self::Protected, true) => "guárdelo sin contraseña, o guarde la hoja como CSV",
-            (Self::NoSheets, false) => {
+            (Self::Protected, English) => "save it without a password, or save the sheet as CSV",
+            (Self::Protected, Spanish) => "guárdelo sin contraseña, o guarde la hoja como CSV",
+            (Self::NoSheets, English) => {
                 "measured data can be text, XLSX or ODS; a project of Tracker (TRZ) is exported with File > Export > Data File"
             }
-            (Self::NoSheets, true) => {
+            (Self::NoSheets, Spanish) => {
                 "los datos pueden ser texto, XLSX u ODS; un proyecto de Tracker (TRZ) se exporta con Archivo > Exportar > Archivo de datos"
             }
-            (Self::Expands { .. } | Self::TooLarge { .. }, false) => {
+            (Self::Expands { .. } | Self::TooLarge { .. }, English) => {
                 "save the sheet with the measurement alone, or save it as CSV"
             }
-            (Self::Expands { .. } | Self::TooLarge { .. }, true) => {
+            (Self::Expands { .. } | Self::TooLarge { .. }, Spanish) => {
                 "guarde solo la hoja de la medición, o guárdela como CSV"
             }
         }

@@ -2,6 +2,7 @@
 
 use crate::support::{Noise, utube};
 use analysis::cycles::{Cycle, Measured, cycles};
+use units::Language;
 
 const W: f64 = 9.6;
 const G: f64 = 0.39;
@@ -220,7 +221,8 @@ fn words_say_a_change_only_where_there_is_one() {
     let said = |periods: &[f64], error: f64, digits: usize| {
         let written = |one: Measured| format!("{:.digits$} s", one.value);
         let constancy = Constancy::of(&with(periods, error), Quantity::Period).expect("errors are known");
-        [false, true].map(|spanish| constancy.text(Quantity::Period, spanish, &written, &|value| format!("{value:.1}")))
+        Language::ALL
+            .map(|language| constancy.text(Quantity::Period, language, &written, &|value| format!("{value:.1}")))
     };
     let [english, spanish] = said(&[1.0, 1.1, 0.9, 1.0, 0.9, 1.1, 1.0, 1.1, 0.9], 0.01, 2);
     assert!(english.contains("without a trend: 1.00 s on average"), "{english}");

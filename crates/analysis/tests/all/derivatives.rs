@@ -7,6 +7,7 @@ use analysis::inspection::inspect;
 use analysis::sampling::{Gap, examine};
 use analysis::smoothing::{WIDEST, savitzky_golay};
 use analysis::stencil::{Stencil, differentiate, recognise};
+use units::Language;
 
 #[test]
 fn measured_records_say_what_they_hide() {
@@ -22,11 +23,11 @@ fn measured_records_say_what_they_hide() {
     ] {
         let Some(bytes) = utube_bytes(name) else { continue };
         let found = inspect(&import::text(&bytes).expect("a table").table);
-        let texts: Vec<String> = found.findings.iter().map(|finding| finding.text(false)).collect();
+        let texts: Vec<String> = found.findings.iter().map(|finding| finding.text(Language::English)).collect();
         let mut expected: Vec<String> = gap.iter().map(|gap| (*gap).to_owned()).collect();
         expected.extend([step.to_owned(), format!("{velocity}{first}"), format!("{acceleration}{second}")]);
         assert_eq!(texts, expected, "{name}");
-        let spanish = found.findings.last().expect("a finding").text(true);
+        let spanish = found.findings.last().expect("a finding").text(Language::Spanish);
         assert!(spanish.starts_with("la columna 4 se calculó a partir de la columna 2, (2 x[i+2]"), "{spanish}");
         assert!(spanish.ends_with(&format!("un {} demasiado pequeña", second.replace('.', ","))), "{spanish}");
         let pairs: Vec<(usize, usize, Stencil)> =
@@ -50,8 +51,8 @@ fn steps_are_examined() {
 
     let rounded: Vec<f64> = even(100, 1.0 / 30.0).iter().map(|time| (time * 1e3).round() / 1e3).collect();
     let found = examine(&rounded);
-    assert_eq!(found.findings(&rounded, "s")[0].text(false), "the times are rounded to 0.001 s");
-    assert_eq!(found.findings(&rounded, "s")[0].text(true), "los tiempos están redondeados a 0,001 s");
+    assert_eq!(found.findings(&rounded, "s")[0].text(Language::English), "the times are rounded to 0.001 s");
+    assert_eq!(found.findings(&rounded, "s")[0].text(Language::Spanish), "los tiempos están redondeados a 0,001 s");
     assert_eq!(found.findings(&rounded, "s").len(), 1);
 
     for (step, rate) in [
@@ -80,7 +81,10 @@ fn steps_are_examined() {
     let shaken: Vec<f64> = even(200, 0.1).iter().map(|time| time + 0.002 * random.normal()).collect();
     let found = examine(&shaken);
     assert!((found.jitter - 0.028).abs() < 0.005, "{}", found.jitter);
-    assert!(found.findings(&shaken, "s")[0].text(false).starts_with("the rows are unevenly spaced"), "{found:?}");
+    assert!(
+        found.findings(&shaken, "s")[0].text(Language::English).starts_with("the rows are unevenly spaced"),
+        "{found:?}"
+    );
 
     let logarithmic: Vec<f64> = (0..50).map(|row| libm::exp(0.1 * f64::from(row))).collect();
     let found = examine(&logarithmic);
@@ -111,7 +115,7 @@ fn frames_without_end_are_not_counted() {
     // There and back again so often that all gaps together are more than 64 bits hold.
     let times: Vec<f64> = [0.0, 1.0, 2.0, 8e15].repeat(3000);
     let findings = examine(&times).findings(&times, "s");
-    assert!(findings[0].text(false).contains("frames are missing"), "{findings:?}");
+    assert!(findings[0].text(Language::English).contains("frames are missing"), "{findings:?}");
 }
 
 fn rounded(values: Vec<f64>, decimals: usize) -> Vec<f64> {

@@ -2,6 +2,7 @@
 
 use crate::support::utube_bytes;
 use analysis::import::{self, Import};
+use units::Language;
 
 fn read(bytes: &[u8]) -> Import {
     import::text(bytes).unwrap_or_else(|error| panic!("{error}\n{}", String::from_utf8_lossy(bytes)))
@@ -9,7 +10,7 @@ fn read(bytes: &[u8]) -> Import {
 
 /// A table in one line for each column: `*` before an independent variable, the body, name and unit, then the values.
 fn shown(import: &Import) -> String {
-    let mut text = format!("{}\n", import.format.text(false));
+    let mut text = format!("{}\n", import.format.text(Language::English));
     for (index, column) in import.table.columns.iter().enumerate() {
         let own = column.independent == index;
         let body = column.body.as_ref().map(|body| format!("{body}.")).unwrap_or_default();
@@ -20,7 +21,7 @@ fn shown(import: &Import) -> String {
         text.push_str(&format!("{times}{body}{}{unit}={}\n", column.name, values.join(" ")));
     }
     for finding in &import.findings {
-        text.push_str(&format!("! {}\n", finding.text(false)));
+        text.push_str(&format!("! {}\n", finding.text(Language::English)));
     }
     text
 }
@@ -350,9 +351,11 @@ fn what_is_no_table_is_refused_with_place_and_reason() {
         match import::text(bytes) {
             Ok(import) => panic!("{expected}: read as\n{}", shown(&import)),
             Err(error) => {
-                assert_eq!(error.message(false), *expected);
+                assert_eq!(error.message(Language::English), *expected);
                 assert!(
-                    !error.message(true).is_empty() && !error.hint(true).is_empty() && !error.hint(false).is_empty()
+                    !error.message(Language::Spanish).is_empty()
+                        && !error.hint(Language::Spanish).is_empty()
+                        && !error.hint(Language::English).is_empty()
                 );
             }
         }
@@ -404,7 +407,7 @@ fn a_small_file_cannot_ask_for_much_memory() {
     text.push_str(&"1;".repeat(100_000));
     let import = read(text.as_bytes());
     assert!(import.table.columns.len() * import.table.rows() <= 4_000_000);
-    assert!(import.findings.iter().any(|finding| finding.text(false).contains("the first in line 100001")));
+    assert!(import.findings.iter().any(|finding| finding.text(Language::English).contains("the first in line 100001")));
     // Nor with a header that is wider than the table.
     let text = format!("{}\n{}", "t\ty [?]\t".repeat(100_000), "1\t2\n".repeat(10_000));
     let import = read(text.as_bytes());
@@ -418,7 +421,7 @@ fn measured_records_have_four_columns_and_all_rows() {
     for (name, rows) in [("U1", 226), ("U2", 238), ("U3", 267), ("U4", 271)] {
         let Some(bytes) = utube_bytes(name) else { continue };
         let import = read(&bytes);
-        assert_eq!(import.format.text(true), "espacios, punto decimal, sin encabezado");
+        assert_eq!(import.format.text(Language::Spanish), "espacios, punto decimal, sin encabezado");
         assert_eq!((import.table.columns.len(), import.table.rows(), import.findings.len()), (4, rows, 0), "{name}");
         assert_eq!(import.table.observed_columns().collect::<Vec<_>>(), [1, 2, 3]);
     }

@@ -3,6 +3,7 @@
 use analysis::import;
 use analysis::inspection::inspect;
 use proptest::prelude::*;
+use units::Language;
 
 /// Numbers as instruments give them: of moderate size, with few or with all digits.
 fn value() -> impl Strategy<Value = f64> {
@@ -129,7 +130,7 @@ proptest! {
         if let Ok(import) = import::text(text.as_bytes()) {
             let found = inspect(&import.table);
             for finding in found.findings.iter().chain(&import.findings) {
-                prop_assert!(!finding.text(false).is_empty() && !finding.text(true).is_empty());
+                prop_assert!(!finding.text(Language::English).is_empty() && !finding.text(Language::Spanish).is_empty());
             }
             for column in 0..import.table.columns.len() {
                 prop_assert!(import.table.columns[column].independent < import.table.columns.len());

@@ -2,6 +2,7 @@
 
 use analysis::import::{self, Import};
 use analysis::inspection::doubtful_times;
+use units::Language;
 
 /// Each column in a line, `*` before an independent variable: body, name, unit, where that comes from, the values, and how many
 /// cells are words; then the findings about the file.
@@ -22,8 +23,8 @@ fn shown(import: &Import) -> String {
         text.push('\n');
     }
     for finding in &import.findings {
-        assert!(!finding.text(true).is_empty());
-        text.push_str(&format!("! {}\n", finding.text(false)));
+        assert!(!finding.text(Language::Spanish).is_empty());
+        text.push_str(&format!("! {}\n", finding.text(Language::English)));
     }
     text
 }
@@ -400,7 +401,7 @@ fn check(cases: &[Case]) {
     for (name, text, expected) in cases {
         let found = match import::text(text.as_bytes()) {
             Ok(import) => shown(&import),
-            Err(error) => format!("refused: {}", error.message(false)),
+            Err(error) => format!("refused: {}", error.message(Language::English)),
         };
         if found.trim_end() != *expected {
             wrong.push_str(&format!("{name}:\n{found}\ninstead of\n{expected}\n\n"));
@@ -460,7 +461,7 @@ fn columns_of_runs_are_found_by_run_name_and_heading() {
 fn times_of_no_use_are_said() {
     let findings = |text: &str| -> Vec<String> {
         let table = import::text(text.as_bytes()).expect("a table").table;
-        doubtful_times(&table).iter().map(|finding| finding.text(false)).collect()
+        doubtful_times(&table).iter().map(|finding| finding.text(Language::English)).collect()
     };
     let same = findings("t [s],y\n5,1\n5,2\n5,3\n");
     assert_eq!(same, ["the times in t are missing or all the same: nothing can be measured against them"]);

@@ -5,6 +5,7 @@ use analysis::finding::Finding;
 use analysis::reading::{self, Contents, Reading, ReadingError};
 use analysis::workbook::{Progress, SheetText, Workbook, WorkbookError};
 use proptest::prelude::*;
+use units::Language;
 
 /// More than any sheet of these tests needs.
 const MOST: usize = 1 << 20;
@@ -232,7 +233,7 @@ proptest! {
             let at = at.index(bytes.len());
             bytes[at] = byte;
             if let Err(error) = sheets(bytes, 100) {
-                prop_assert!(!error.message(true).is_empty() && !error.hint(true).is_empty());
+                prop_assert!(!error.message(Language::Spanish).is_empty() && !error.hint(Language::Spanish).is_empty());
             }
         }
     }

@@ -4,6 +4,7 @@ use super::Record;
 use analysis::cycles::{Cycle, Measured, Quantity, well_known};
 use figure::{Axis, Interval, Palette, Plot, Series, Settings, Style, View, layout};
 use std::fmt::Write;
+use units::Language;
 
 /// The size of a panel in pixels.
 const WIDTH: f64 = 460.0;
@@ -45,13 +46,13 @@ pub fn svg(record: &Record) -> String {
     let time = Column::of(record, "t", "s".to_owned(), |cycle| cycle.time);
     let of = |quantity: Quantity| {
         let unit = quantity.unit(&record.unit, "s");
-        Column::of(record, quantity.symbol(false), unit, |cycle| quantity.of(cycle))
+        Column::of(record, quantity.symbol(Language::English), unit, |cycle| quantity.of(cycle))
     };
     let amplitude = of(Quantity::Amplitude);
     let mut panels =
         vec![measured(record, &time, &amplitude), panel(&time, &amplitude, "Amplitude against time", false)];
     for quantity in Quantity::ALL.into_iter().filter(|quantity| *quantity != Quantity::Amplitude) {
-        let (column, name) = (of(quantity), capital(quantity.name(false)));
+        let (column, name) = (of(quantity), capital(quantity.name(Language::English)));
         panels.push(panel(&time, &column, &format!("{name} against time"), true));
         panels.push(panel(&amplitude, &column, &format!("{name} against amplitude"), true));
     }

@@ -3,6 +3,7 @@
 use super::Record;
 use crate::columns;
 use analysis::cycles::{Constancy, Cycle, Measured, Quantity};
+use units::Language;
 use units::number::{self, Layout, Style};
 
 /// The widest line of words.
@@ -22,7 +23,7 @@ pub fn table(record: &Record) -> String {
     if !record.data.findings.is_empty() {
         out.push_str("\nWhat this measurement hides\n");
         for finding in &record.data.findings {
-            wrapped(&mut out, "  - ", &finding.text(false));
+            wrapped(&mut out, "  - ", &finding.text(Language::English));
         }
     }
     out.push_str("\nCycle by cycle\n\n");
@@ -105,7 +106,7 @@ fn rows(out: &mut String, record: &Record) {
     let kinds: Vec<&str> = record.found.cycles.iter().map(|cycle| if cycle.maximum { "max" } else { "min" }).collect();
     let of = |quantity: Quantity| {
         let unit = quantity.unit(&record.unit, "s");
-        Block::of(record, quantity.symbol(false), &unit, true, |cycle| quantity.of(cycle)).lines()
+        Block::of(record, quantity.symbol(Language::English), &unit, true, |cycle| quantity.of(cycle)).lines()
     };
     let time = Block::of(record, "t", "s", false, |cycle| cycle.time).lines();
     let blocks: Vec<Vec<String>> = std::iter::once(time).chain(Quantity::ALL.map(of)).collect();
@@ -128,7 +129,7 @@ fn change(record: &Record, quantity: Quantity) -> String {
     };
     let constancy = Constancy::of(&record.found.cycles, quantity);
     constancy
-        .map(|constancy| constancy.text(quantity, false, &written, &|value| format!("{value:.1}")))
+        .map(|constancy| constancy.text(quantity, Language::English, &written, &|value| format!("{value:.1}")))
         .unwrap_or_default()
 }
 

@@ -127,7 +127,7 @@ impl Fitted {
     /// What has to be known beside the numbers, in sentences.
     pub fn remarks(&self) -> Vec<String> {
         let independent = &self.theory.document.model.independent;
-        report::remarks(&self.outcome, &self.task, (&independent.name, &independent.unit), false)
+        report::remarks(&self.outcome, &self.task, (&independent.name, &independent.unit), Language::English)
     }
 
     /// As the report shows it.
@@ -136,7 +136,7 @@ impl Fitted {
         Report {
             document: &self.theory.document,
             document_name: name.unwrap_or("the document"),
-            language: &self.theory.document.language,
+            language: Language::of(&self.theory.document.language),
             task: &self.task,
             outcome: &self.outcome,
             traces: &self.traces,
@@ -151,8 +151,8 @@ impl Fitted {
 
 /// What was noticed about each file, in sentences of the report's language, which is that of the document.
 pub fn notes(data: &[Measured], theory: &Theory) -> Vec<Vec<String>> {
-    let spanish = Language::of(&theory.document.language) == Language::Spanish;
-    data.iter().map(|one| one.findings.iter().map(|finding| finding.text(spanish)).collect()).collect()
+    let language = Language::of(&theory.document.language);
+    data.iter().map(|one| one.findings.iter().map(|finding| finding.text(language)).collect()).collect()
 }
 
 /// The command as it was typed, as far as a shell needs quotes.

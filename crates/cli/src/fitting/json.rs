@@ -5,6 +5,7 @@ use crate::columns;
 use crate::data::Measured;
 use analysis::fit::{Estimate, Interval, ObservationFit, Outcome, Outlier};
 use serde_json::{Map, Value, json};
+use units::Language;
 use units::Unit;
 
 /// A fit as one object.
@@ -43,7 +44,7 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
         "independent_values": outcome.independent,
         "short_for_its_correlation": outcome.is_short(),
         "outliers": outliers(fitted),
-        "verdict": outcome.verdict_text(false),
+        "verdict": outcome.verdict_text(Language::English),
         "remarks": fitted.remarks(),
         "parameters": estimates(&outcome.parameters, &fitted.intervals, least_squares, None),
         "derived": estimates(&outcome.derived, &[], None, None),
@@ -76,7 +77,7 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
 
 /// What was understood of a file.
 pub fn file(data: &Measured) -> Value {
-    let findings: Vec<String> = data.findings.iter().map(|finding| finding.text(false)).collect();
+    let findings: Vec<String> = data.findings.iter().map(|finding| finding.text(Language::English)).collect();
     json!({"name": data.name, "findings": findings, "columns": columns::as_json(data)})
 }
 

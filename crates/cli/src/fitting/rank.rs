@@ -13,6 +13,7 @@ use analysis::fit::{Outcome, Outside, Ranked, rank as order, worth};
 use report::{Ranking, Report};
 use serde_json::json;
 use std::fmt::Write;
+use units::Language;
 use units::Unit;
 use units::number::{Group, Style, plain};
 
@@ -147,7 +148,7 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
     let mut text = columns.text(&[false, false, true, true, true, true, true, true, true]);
     if let Some(first) = ranked.first().map(|ranked| &contenders[ranked.index].fitted) {
         let best = &first.outcome;
-        let _ = writeln!(text, "\nOf the best: {}", best.verdict_text(false));
+        let _ = writeln!(text, "\nOf the best: {}", best.verdict_text(Language::English));
         let worth = worth(best);
         if worth < 0.8 {
             let _ = writeln!(
@@ -181,7 +182,7 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
     }
     for one in contenders {
         for undetermined in &one.fitted.outcome.undetermined {
-            let _ = writeln!(text, "{}: {}", one.fitted.theory.document.title, undetermined.text(false));
+            let _ = writeln!(text, "{}: {}", one.fitted.theory.document.title, undetermined.text(Language::English));
         }
     }
     text

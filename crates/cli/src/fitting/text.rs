@@ -4,6 +4,7 @@ use super::fit::Fitted;
 use analysis::fit::{Estimate, Interval, ObservationFit, Outcome};
 use report::readable_units;
 use std::fmt::Write;
+use units::Language;
 use units::number::{self, Group, Style, concise, unit_text};
 
 /// Rows of cells, set in columns.
@@ -58,11 +59,11 @@ pub fn fit(fitted: &Fitted, notes: &[Vec<String>]) -> String {
         text.push_str(&estimates(&outcome.derived, &[], fitted));
     }
     for one in &outcome.undetermined {
-        let _ = writeln!(text, "\n{}", one.text(false));
+        let _ = writeln!(text, "\n{}", one.text(Language::English));
     }
     text.push('\n');
     text.push_str(&quality(outcome, fitted));
-    let _ = writeln!(text, "\n{}", outcome.verdict_text(false));
+    let _ = writeln!(text, "\n{}", outcome.verdict_text(Language::English));
     for sentence in searches(outcome).into_iter().chain(fitted.remarks()) {
         let _ = writeln!(text, "{sentence}");
     }
@@ -178,7 +179,7 @@ pub fn searches(outcome: &Outcome) -> Vec<String> {
         let number = number::plain(one.unit.from_si(si), 5, Style::POINT);
         format!("{number} {}", unit_text(&one.unit.text)).trim_end().to_owned()
     };
-    outcome.search_texts(false).into_iter().chain(outcome.rival_text(false, quantity)).collect()
+    outcome.search_texts(Language::English).into_iter().chain(outcome.rival_text(Language::English, quantity)).collect()
 }
 
 /// Where the initial values of equations of motion hold: `t = 1.0333 s`, with what that means for earlier values. Of several

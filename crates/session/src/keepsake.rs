@@ -2,7 +2,7 @@
 
 use crate::Session;
 use crate::recognise::Meaning;
-use crate::record::{Record, Use};
+use crate::record::{Origin, Record, Use};
 use crate::shelf::name_of;
 use units::Unit;
 
@@ -67,7 +67,8 @@ impl Session {
             (lines.next()?, lines.next()?, lines.next()?, lines.next()?, lines.next()?);
         let mut kind = kind.split(' ');
         let (what, shown, length) = (kind.next()?, kind.next()?, kind.next()?.parse::<usize>().ok()?);
-        let (made, known) = (kind.next().unwrap_or_default(), kind.next().unwrap_or_default());
+        let mut further = || kind.next().unwrap_or_default();
+        let (made, known, origin, offsets) = (further(), further(), further(), further());
         let (text, rest) = (rest.get(..length)?, rest.get(length + 1..)?);
         let truth: Vec<(String, f64)> = read_values(truth).map(|(name, value)| (name.to_owned(), value)).collect();
         let id = self.insert_record(name, text.as_bytes(), (what == "virtual").then_some(truth)).ok();
@@ -78,6 +79,12 @@ impl Session {
             for (column, used) in read_uses(chosen) {
                 if let Some(place) = record.uses.get_mut(column) {
                     *place = used;
+                }
+            }
+            record.origin = read_origin(origin);
+            for (column, offset) in read_values(offsets) {
+                if let Some(used) = column.parse().ok().and_then(|column: usize| record.uses.get_mut(column)) {
+                    used.offset = offset;
                 }
             }
         }
@@ -93,16 +100,33 @@ fn saved(record: &Record) -> String {
     let chosen = record.uses.iter().enumerate().filter(|(_, used)| used.chosen);
     let kind = if record.truth.is_some() { "virtual" } else { "measured" };
     let shown = if record.shown { "shown" } else { "hidden" };
+    let moved: Vec<(String, f64)> = (record.uses.iter().enumerate())
+        .filter(|(_, used)| used.offset != 0.0)
+        .map(|(column, used)| (column.to_string(), used.offset))
+        .collect();
     format!(
-        "{VERSION}{}\n{kind} {shown} {} {} {}\n{}\n{}\n{}\n",
+        "{VERSION}{}\n{kind} {shown} {} {} {} {} {}\n{}\n{}\n{}\n",
         line(&record.name),
         record.text.len(),
         record.saved_made(),
         write_values(known),
+        record.origin.map(write_origin).unwrap_or_default(),
+        write_values(moved.iter().map(|(column, offset)| (column.as_str(), *offset))),
         write_values(truth),
         write_uses(chosen),
         record.text
     )
+}
+
+/// `found=1.3e0`, or `part=1.3e0` where the fitted part began.
+fn write_origin(origin: Origin) -> String {
+    write_values([(if origin.found { "found" } else { "part" }, origin.reading)].into_iter())
+}
+
+/// What [`write_origin`] has written.
+fn read_origin(text: &str) -> Option<Origin> {
+    let (kind, reading) = read_values(text).next()?;
+    reading.is_finite().then_some(Origin { reading, found: kind == "found" })
 }
 
 /// A name without what would end its line.

@@ -364,6 +364,12 @@ fn a_part_begins_with_its_initial_values() {
         assert!((one - other).abs() <= 1e-3 * other.abs(), "{one} {other}");
     }
 
+    // Where the model begins in the record is there again, without a fit.
+    let mut again = Session::open(theory("quadratic"));
+    records.iter().for_each(|(_, text)| again.restore_records(text));
+    assert!(records[0].1.contains("=1.5e0"), "{}", &records[0].1[..120]);
+    assert_eq!(again.saved_records(), records);
+
     let restored = |fits: &str| {
         let mut later = Session::open(theory("quadratic"));
         records.iter().for_each(|(_, text)| later.restore_records(text));

@@ -6,6 +6,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import vm from "node:vm";
+import { measurePhone } from "./phone.mjs";
 
 const STEPS = 1_000_000;
 const ROUNDS = 5;
@@ -86,6 +87,7 @@ try {
   await measureOpening();
   await measureFrames();
   await measureLongRecord();
+  await measurePhone(browser, address, say);
 } finally {
   await browser.close();
 }

@@ -44,6 +44,17 @@ pub fn all() -> Result<()> {
         ("long-record-seconds", "reading a record of 1,000,000 rows", "s", "at most 10"),
         ("long-record-gap", "longest pause of the page meanwhile", "ms", "at most 100"),
         ("long-record-frames", "frames in a second over it", "", "at least 50"),
+        ("phone-opening-full", "opening on a small screen", "ms", ""),
+        ("phone-opening-quarter", "the same with a processor slowed four times", "ms", "the predecessor: 775"),
+        ("phone-opening-sixth", "the same slowed six times", "ms", ""),
+        ("phone-opening-slow-4g", "slowed four times, over slow 4G", "ms", ""),
+        ("phone-frames-per-second", "frames in a second, slowed four times", "", "the predecessor: 30; at least 60"),
+        ("phone-script", "a frame at full speed: script", "ms", ""),
+        ("phone-style", "style", "ms", ""),
+        ("phone-layout", "layout", "ms", ""),
+        ("phone-paint", "paint", "ms", ""),
+        ("phone-commit", "commit", "ms", ""),
+        ("phone-thread", "main thread altogether", "ms", ""),
     ];
     for (name, title, unit, aim) in aims {
         if let Some(value) = web.get(name) {

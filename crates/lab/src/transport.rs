@@ -8,6 +8,9 @@ use web_sys::{HtmlElement, HtmlInputElement};
 
 /// The time line has so many positions.
 const POSITIONS: f64 = 10_000.0;
+/// So many of them are shown while the run goes on, each half a pixel on a phone: the browser styles and lays out the slider
+/// anew for each.
+const MOVING: f64 = 500.0;
 
 /// What changes in each frame.
 pub struct TransportNodes {
@@ -30,7 +33,8 @@ impl TransportNodes {
             }
             self.shown = text;
         }
-        let part = |time: f64| (time / session.horizon()).clamp(0.0, 1.0);
+        let places = if session.is_playing() { MOVING } else { POSITIONS };
+        let part = |time: f64| ((time / session.horizon()).clamp(0.0, 1.0) * places).round() / places;
         let (fraction, recorded) = (part(session.time()), part(session.end()));
         let position = (fraction * POSITIONS).round();
         // A hand may have put the slider beyond what is recorded.

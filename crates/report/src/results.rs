@@ -40,7 +40,7 @@ pub fn label(report: &Report<'_>, estimate: &Estimate) -> String {
     if let Some(label) = &estimate.label {
         return report.document.text(language.tag(), label).to_owned();
     }
-    let own = estimate.parameter.is_some();
+    let own = estimate.parameter().is_some();
     match estimate.name.rsplit_once('_') {
         Some((name, "origin")) if !own && name == report.document.model.independent.name => {
             language.pick("Reading of the clock at the start", "Lectura del reloj al empezar").to_owned()

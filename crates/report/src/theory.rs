@@ -21,7 +21,7 @@ pub fn theory(page: &mut Page, report: &Report<'_>) {
         page.wrapped("div", &equation);
     }
     page.raw("</div>\n");
-    let varied = |index: usize| report.outcome.parameters.iter().any(|one| one.parameter == Some(index));
+    let varied = |index: usize| report.outcome.parameters.iter().any(|one| one.parameter() == Some(index));
     let held: Vec<(usize, &Parameter)> =
         model.parameters.iter().enumerate().filter(|(index, _)| !varied(*index)).collect();
     if held.is_empty() {

@@ -2,6 +2,7 @@
 
 use crate::record::Origin;
 use crate::{Announcement, Session};
+use analysis::fit::Target;
 use engine::Setup;
 
 impl Session {
@@ -31,28 +32,32 @@ impl Session {
             return;
         };
         let (several, looked_at, name) = (parts.len() > 1, part.record, part.name.clone());
-        let found = |place: usize, ending: &str| {
-            let own = |record: Option<usize>| record.is_none_or(|record| record == place);
-            let zeros = fit.outcome.parameters.iter().filter(|one| one.parameter.is_none() && own(one.record));
-            zeros.filter(|one| one.name.ends_with(ending)).map(|one| one.value).next()
+        let found = |place: usize| {
+            let own = move |record: Option<usize>| record.is_none_or(|record| record == place);
+            fit.outcome.parameters.iter().filter(move |one| own(one.record))
         };
         let first = |place: usize| fit.outcome.observations.iter().find(|one| one.record == place);
         let ends = |place: usize| first(place).and_then(|one| one.times.last().copied()).unwrap_or_default();
         let zeros = parts.iter().enumerate().map(|(place, part)| {
-            let followed = first(place).map(|one| one.name.clone());
-            let reading = found(place, "_origin").map(|reading| Origin { reading, found: true });
+            let reading = found(place).find(|one| one.target == Some(Target::Origin));
+            let reading = reading.map(|one| Origin { reading: one.value, found: true });
+            let observations = fit.task.records.get(place).map_or(&[][..], |record| &record.observations);
+            let offsets = found(place).filter_map(|one| match one.target {
+                Some(Target::Offset(number)) => Some((observations.get(number)?.name.clone(), one.value)),
+                _ => None,
+            });
             let begun =
                 || fit.outcome.origins.get(place).map(|&reading| Origin { reading, found: part.origin.is_some() });
-            (part.record, followed, reading.or_else(begun), found(place, "_offset"))
+            (part.record, reading.or_else(begun), offsets.collect::<Vec<_>>())
         });
         let zeros: Vec<_> = zeros.collect();
         let last = ends(place);
-        for (id, followed, origin, offset) in zeros {
+        for (id, origin, offsets) in zeros {
             let Some(record) = self.record_mut(id) else { continue };
             record.origin = origin;
             for used in &mut record.uses {
-                let is = used.fitted && Some(&used.meaning.quantity) == followed.as_ref();
-                used.offset = offset.filter(|_| is).unwrap_or(0.0);
+                let offset = offsets.iter().find(|(name, _)| used.fitted && *name == used.meaning.quantity);
+                used.offset = offset.map_or(0.0, |(_, offset)| *offset);
             }
             record.shown = if several { id == looked_at } else { record.shown };
         }

@@ -18,8 +18,8 @@ pub struct Estimate {
     pub label: Option<String>,
     /// The unit to show it in.
     pub unit: Unit,
-    /// The model's parameter, if it is one.
-    pub parameter: Option<usize>,
+    /// What was varied; none for a quantity that follows from it.
+    pub target: Option<Target>,
     /// The record it belongs to; `None` if it holds for all.
     pub record: Option<usize>,
     /// The value; where it is not determined, the one at which the search ended.
@@ -40,6 +40,14 @@ pub struct Estimate {
 const MISSED: f64 = 0.05;
 
 impl Estimate {
+    /// The model's parameter, if it is one that was varied.
+    pub fn parameter(&self) -> Option<usize> {
+        match self.target {
+            Some(Target::Parameter(index)) => Some(index),
+            _ => None,
+        }
+    }
+
     /// So many standard errors to either side hold the true value with a probability of 95 %: Student's t.
     pub fn coverage_factor(&self) -> f64 {
         student(MISSED, self.freedom)
@@ -94,12 +102,12 @@ pub(super) fn estimates(
         let determined = covariance.determines(&gradient);
         let certain = determined && !at_bound && covariance.dof > 0.0;
         let Uncertainty { stderr, stderr_hac, freedom } = Uncertainty::along(&gradient, covariance, certain);
-        let (name, label, unit, parameter) = describe(problem, model, column.target);
+        let (name, label, unit) = describe(problem, model, column.target);
         parameters.push(Estimate {
             name,
             label,
             unit,
-            parameter,
+            target: Some(column.target),
             record: column.record,
             value: best.x[number],
             determined,
@@ -109,7 +117,7 @@ pub(super) fn estimates(
             freedom,
         });
     }
-    let varied: Vec<usize> = parameters.iter().filter_map(|estimate| estimate.parameter).collect();
+    let varied: Vec<usize> = parameters.iter().filter_map(Estimate::parameter).collect();
     let mut distinct = varied;
     distinct.dedup();
     let mut derived_values = Derived::new(model, &distinct);
@@ -138,7 +146,7 @@ pub(super) fn estimates(
                 name: quantity.name.clone(),
                 label: quantity.label.clone(),
                 unit: quantity.value.unit.clone(),
-                parameter: None,
+                target: None,
                 record: own_values.then_some(record),
                 value: values[place],
                 determined,
@@ -152,19 +160,19 @@ pub(super) fn estimates(
     (parameters, derived)
 }
 
-/// Name, label, unit and, for a parameter, its number.
-fn describe(problem: &Problem, model: &Model, target: Target) -> (String, Option<String>, Unit, Option<usize>) {
+/// Name, label and unit.
+fn describe(problem: &Problem, model: &Model, target: Target) -> (String, Option<String>, Unit) {
     match target {
         Target::Parameter(index) => match model.parameters.get(index) {
-            Some(parameter) => (parameter.name.clone(), parameter.label.clone(), parameter.unit.clone(), Some(index)),
-            None => (String::new(), None, Unit::dimensionless(), Some(index)),
+            Some(parameter) => (parameter.name.clone(), parameter.label.clone(), parameter.unit.clone()),
+            None => (String::new(), None, Unit::dimensionless()),
         },
-        Target::Origin => (format!("{}_origin", model.independent.name), None, model.independent.unit.clone(), None),
+        Target::Origin => (format!("{}_origin", model.independent.name), None, model.independent.unit.clone()),
         Target::Offset(number) => {
             let observation = problem.task.records.iter().find_map(|record| record.observations.get(number));
             match observation {
-                Some(one) => (format!("{}_offset", one.name), None, one.observed.unit.clone(), None),
-                None => ("offset".to_owned(), None, Unit::dimensionless(), None),
+                Some(one) => (format!("{}_offset", one.name), None, one.observed.unit.clone()),
+                None => ("offset".to_owned(), None, Unit::dimensionless()),
             }
         }
     }

@@ -136,11 +136,19 @@ impl Raster {
             if !inside || !drawable(value_x) || !drawable(value_y) {
                 continue;
             }
-            let column = (across.max(0.0) as usize).min(self.ends.len() - 1);
-            let row = (down.max(0.0) as usize).min(self.rows - 1);
+            // What lies half a pixel outside becomes 0.
+            let column = (across as usize).min(self.ends.len() - 1);
+            let row = (down as usize).min(self.rows - 1);
             self.cells[column * words + row / 64] |= 1 << (row % 64);
             let ends = &mut self.ends[column];
-            *ends = (ends.0.min(down as f32), ends.1.max(down as f32));
+            // In WebAssembly `min` and `max` of floats are calls, too dear for a million points.
+            let down = down as f32;
+            if down < ends.0 {
+                ends.0 = down;
+            }
+            if down > ends.1 {
+                ends.1 = down;
+            }
         }
         self.next = self.next.max(end);
     }

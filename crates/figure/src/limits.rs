@@ -104,8 +104,12 @@ impl Progressive {
     pub(crate) fn of(&mut self, column: &[f64]) -> Extent {
         for &value in column.get(self.seen..).unwrap_or_default() {
             if drawable(value) {
-                self.low = self.low.min(value);
-                self.high = self.high.max(value);
+                if value < self.low {
+                    self.low = value;
+                }
+                if value > self.high {
+                    self.high = value;
+                }
                 self.rises |= value > self.previous;
                 self.falls |= value < self.previous;
                 self.previous = value;

@@ -96,7 +96,8 @@ async fn read_file(app: App, file: &File) -> Option<String> {
             app.record_progress.set(progress);
         }
     }
-    // Tells the views of the new record.
+    // The views of the new record are made in a slice of their own.
+    browser::breathe().await;
     app.act(|_| ());
     refusal
 }

@@ -3,7 +3,7 @@
 use crate::record::LONGEST_TEXT;
 use crate::words::sentence;
 use crate::{Announcement, LONGEST_RECORD, MOST_RECORDS, Refusal, Session};
-use analysis::inspection::Inspector;
+use analysis::inspection::{Inspection, Inspector};
 use analysis::reading::{Contents, Reading, ReadingError};
 use units::Language;
 
@@ -18,6 +18,8 @@ pub(crate) struct Intake {
 enum Stage {
     Reading(Box<Reading>),
     Inspecting(Box<Contents>, Box<Inspector>),
+    /// All is known. That the record comes among the others takes as long as a slice.
+    Known(Box<Contents>, Box<Inspection>),
 }
 
 /// How far a file has been read.
@@ -68,9 +70,13 @@ impl Session {
             }
             Stage::Inspecting(contents, mut inspector) => {
                 if inspector.advance(&contents.import.table) {
-                    return self.take_contents(&name, *contents, inspector.finish()).map(Some);
+                    Stage::Known(contents, Box::new(inspector.finish()))
+                } else {
+                    Stage::Inspecting(contents, inspector)
                 }
-                Stage::Inspecting(contents, inspector)
+            }
+            Stage::Known(contents, inspection) => {
+                return self.take_contents(&name, *contents, *inspection).map(Some);
             }
         };
         self.intake = Some(Intake { name, stage });
@@ -83,6 +89,7 @@ impl Session {
         let part = match stage {
             Stage::Reading(reading) => 0.9 * reading.progress(),
             Stage::Inspecting(..) => 0.95,
+            Stage::Known(..) => 0.99,
         };
         Some(RecordProgress { name: name.clone(), part })
     }

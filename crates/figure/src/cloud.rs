@@ -13,6 +13,10 @@ use crate::series::{DATA_RADIUS, visible_rows};
 /// So many points for each column of pixels are drawn one by one; more are drawn as bars.
 const FEW_PER_COLUMN: f32 = 4.0;
 
+/// So many points are marked in one layout when a series is new, a part of a frame; the next layout goes on. When its scales
+/// change later, under somebody's finger, all are marked at once: better late than in part.
+const SLICE: usize = 250_000;
+
 /// No screen has more pixels; a figure may be asked for that has.
 const MOST_PIXELS: f32 = 4e7;
 
@@ -35,6 +39,8 @@ struct Raster {
     first: usize,
     next: usize,
     rows: usize,
+    /// Whether the series has not been drawn before.
+    is_new: bool,
     /// A bit for each pixel, column by column; each column begins with a word of its own.
     cells: Vec<u64>,
     /// The highest and the lowest point of each column, in pixels from above.
@@ -90,10 +96,14 @@ impl Figure {
             (raster.x, raster.y, raster.panel, raster.first) == (*x, *y, panel, rows.start) && raster.next <= rows.end
         });
         if !same {
-            *kept = Some(Raster::new(*x, *y, panel, rows.start));
+            let is_new = kept.as_ref().is_none_or(|raster| raster.is_new && raster.next < rows.end);
+            *kept = Some(Raster { is_new, ..Raster::new(*x, *y, panel, rows.start) });
         }
         if let Some(raster) = kept {
-            raster.take(series, rows.end);
+            let in_slices = series.version != 0 && raster.is_new;
+            let end = if in_slices { rows.end.min(raster.next + SLICE) } else { rows.end };
+            self.unfinished |= end < rows.end;
+            raster.take(series, end);
             let start = self.points.len();
             raster.bars(&mut self.points);
             let (bars, ink) = (start..self.points.len(), Ink::Series(series.colour));
@@ -115,6 +125,7 @@ impl Raster {
             first,
             next: first,
             rows,
+            is_new: false,
             cells: vec![0; columns * words],
             ends: vec![(f32::INFINITY, f32::NEG_INFINITY); columns],
         }

@@ -225,9 +225,16 @@ pub struct Figure {
     pub(crate) text: String,
     /// What is kept of series with very many points.
     pub(crate) clouds: Vec<Cloud>,
+    /// Whether some of their points are not there yet.
+    pub(crate) unfinished: bool,
 }
 
 impl Figure {
+    /// Whether points of very long series are missing, which further layouts add.
+    pub fn is_unfinished(&self) -> bool {
+        self.unfinished
+    }
+
     /// What to paint, in order.
     pub fn items(&self) -> impl Iterator<Item = Item<'_>> {
         self.entries.iter().map(|entry| match entry {

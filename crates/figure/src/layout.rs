@@ -28,10 +28,14 @@ const LEAST_PANEL: f64 = 16.0;
 pub fn layout(plot: &Plot<'_>, settings: &Settings) -> Figure {
     let mut figure = Figure::default();
     layout_into(&mut figure, plot, settings);
+    while figure.is_unfinished() {
+        layout_into(&mut figure, plot, settings);
+    }
     figure
 }
 
-/// Lays a plot out in the buffers of an earlier figure.
+/// Lays a plot out in the buffers of an earlier figure. Series with very many points are drawn in several layouts, so that none
+/// takes long ([`Figure::is_unfinished`]).
 pub fn layout_into(figure: &mut Figure, plot: &Plot<'_>, settings: &Settings) {
     let size = |pixels: f64| {
         if pixels.is_finite() { pixels.clamp(0.0, 1e5) } else { 0.0 }
@@ -55,6 +59,7 @@ pub fn layout_into(figure: &mut Figure, plot: &Plot<'_>, settings: &Settings) {
     figure.home_x = None;
     figure.home_y.clear();
     figure.panel = Rect::default();
+    figure.unfinished = false;
     figure.forget_clouds(plot);
     let whole = Rect { x: 0.0, y: 0.0, width: figure.width as f32, height: figure.height as f32 };
     figure.entries.push(Entry::Fill(whole, Ink::Ground));

@@ -62,14 +62,14 @@ pub fn wake(app: App) {
 }
 
 fn draw(app: App, now: f64) {
-    let Some((playing, values)) = app.with(|lab| advance(lab, now)) else { return };
+    let Some((goes_on, values)) = app.with(|lab| advance(lab, now)) else { return };
     app.publish(values, false);
-    if playing || app.read(session::Session::catch_up) {
+    if goes_on || app.read(session::Session::catch_up) {
         wake(app);
     }
 }
 
-/// One frame. Whether the run goes on, and whether it is time to show changing values.
+/// One frame. Whether the run or a long figure goes on, and whether it is time to show changing values.
 fn advance(lab: &mut Lab, now: f64) -> (bool, bool) {
     let Lab { session: Some(session), stage, sound, .. } = lab else { return (false, false) };
     stage.asked = false;
@@ -89,11 +89,12 @@ fn advance(lab: &mut Lab, now: f64) -> (bool, bool) {
     if let Some(scene) = &mut stage.scene {
         scene.draw(session);
     }
+    let mut unfinished = false;
     for (index, plot) in stage.plots.iter_mut().enumerate() {
         if let Some(plot) = plot {
-            plot.draw(index, session, &stage.colours);
+            unfinished |= plot.draw(index, session, &stage.colours);
         }
     }
     sound.follow(session);
-    (playing, values)
+    (playing || unfinished, values)
 }

@@ -66,17 +66,18 @@ impl PlotNodes {
         }
     }
 
-    /// Draws the figure if anything in it has changed.
-    pub fn draw(&mut self, index: usize, session: &mut Session, colours: &Colours) {
+    /// Draws the figure if anything in it has changed. Whether a further frame is to go on with it.
+    pub fn draw(&mut self, index: usize, session: &mut Session, colours: &Colours) -> bool {
         let revision = session.revision();
         let seen = self.visible || self.drawn.is_none();
         if !seen || self.size.0 < 40.0 || !(self.stale || self.drawn != Some(revision)) {
-            return;
+            return false;
         }
         (self.stale, self.drawn) = (false, Some(revision));
         let settings = self.settings();
-        let Some(figure) = session.layout_plot(index, &settings) else { return };
+        let Some(figure) = session.layout_plot(index, &settings) else { return false };
         canvas::paint(&self.context, figure, colours, self.scale);
+        self.stale = figure.is_unfinished();
         let readout = match self.pointer {
             Some(at) => session.hover_plot(index, at),
             None => self.cursor.clone(),
@@ -88,6 +89,7 @@ impl PlotNodes {
             canvas::paint_readout(&self.context, readout, figure, colours);
         }
         self.show_tip(readout.as_ref());
+        self.stale
     }
 
     fn show_tip(&self, readout: Option<&Readout>) {

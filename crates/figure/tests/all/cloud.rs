@@ -84,3 +84,27 @@ fn what_is_kept_of_a_series_changes_nothing_in_its_figure() {
         );
     }
 }
+
+#[test]
+fn a_very_long_series_is_drawn_in_several_layouts_when_it_is_new() {
+    let rows = 600_000;
+    let x: Vec<f64> = (0..rows).map(f64::from).collect();
+    let y: Vec<f64> = x.iter().map(|x| libm::sin(x * 1e-4)).collect();
+    let mut figure = Figure::default();
+    let mut shown = Vec::new();
+    loop {
+        layout_into(&mut figure, &plot(&x, &y, 1, true), &SETTINGS);
+        shown.push(bars(&figure).len());
+        if !figure.is_unfinished() {
+            break;
+        }
+    }
+    assert!(shown.len() == 3 && shown.is_sorted() && shown[0] < shown[2], "{shown:?}");
+    let whole = layout(&plot(&x, &y, 0, true), &SETTINGS);
+    assert_eq!(figure.items().collect::<Vec<_>>(), whole.items().collect::<Vec<_>>());
+    // What stands alone is whole, and other scales are drawn at once.
+    assert_eq!(bars(&layout(&plot(&x, &y, 2, true), &SETTINGS)), bars(&whole));
+    let view = View { x: Some(Interval::new(0.0, 5e5)), y: Vec::new() };
+    layout_into(&mut figure, &Plot { view, ..plot(&x, &y, 1, true) }, &SETTINGS);
+    assert!(!figure.is_unfinished());
+}

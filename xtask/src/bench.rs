@@ -42,7 +42,7 @@ pub fn all() -> Result<()> {
         ("frames-per-second", "frames in a second", "", ""),
         ("opening", "opening until the play button", "ms", "the predecessor: 350 to 460"),
         ("long-record-seconds", "reading a record of 1,000,000 rows", "s", "at most 10"),
-        ("long-record-gap", "longest pause of the page meanwhile", "ms", "at most 100"),
+        ("long-record-task", "longest task of the page meanwhile", "ms", "at most 100"),
         ("long-record-frames", "frames in a second over it", "", "at least 50"),
         ("phone-opening-full", "opening on a small screen", "ms", ""),
         ("phone-opening-quarter", "the same with a processor slowed four times", "ms", "the predecessor: 775"),

@@ -44,7 +44,14 @@ pub fn concise(value: f64, error: Option<f64>, style: Style) -> String {
 }
 
 fn known(value: f64, error: Option<f64>) -> Option<f64> {
-    error.filter(|error| *error > 0.0 && error.is_finite() && value.is_finite())
+    error.filter(|error| is_error(value, *error))
+}
+
+/// Whether an error says how many digits of a value are known: one that is positive, finite, and greater than what computing in
+/// doubles leaves of its own.
+pub(super) fn is_error(value: f64, error: f64) -> bool {
+    const ROUNDING: f64 = 1e-14;
+    value.is_finite() && error.is_finite() && error > 0.0 && error >= ROUNDING * value.abs()
 }
 
 /// The exponent of the last digit that is written of an error after `±`.
@@ -79,6 +86,10 @@ mod tests {
             (0.6, 12.0, "1 ± 12"),
             (1.5e7, 2e5, "(15.00 ± 0.20)×10⁶"),
             (0.25, 0.0, "0.25"),
+            // What rounding leaves is no error.
+            (0.3, 4.4e-17, "0.3"),
+            (10.471_975_511_965_976, 1.1e-15, "10.472"),
+            (-0.5e-15, 0.5e-15, "(−0.5 ± 0.5)×10⁻¹⁵"),
         ] {
             assert_eq!(with_error(value, Some(error), POINT), expected, "{value} {error}");
         }

@@ -1,6 +1,6 @@
 //! Numbers that stand together: written with the same unit, power of ten and number of decimals.
 
-use super::error::last_digit;
+use super::error::{is_error, last_digit};
 use super::plain::{exponent, mantissa, plain, power_shown, rounded};
 use super::sign::{error_with_unit, push_power, with_unit};
 use super::{Style, unit_text};
@@ -34,10 +34,10 @@ impl Layout {
     }
 
     /// For values with errors, written as [`super::with_error`] writes them. The smallest error decides where the digits
-    /// end, so that none is rounded to zero. Errors that are not positive and finite count for nothing; `None` without any
+    /// end, so that none is rounded to zero. Errors that are not positive and finite, or no more than rounding, count for nothing; `None` without any
     /// other.
     pub fn of_errors(measured: impl IntoIterator<Item = (f64, f64)>) -> Option<Self> {
-        let known = |(value, error): &(f64, f64)| value.is_finite() && error.is_finite() && *error > 0.0;
+        let known = |(value, error): &(f64, f64)| is_error(*value, *error);
         let (mut size, mut least) = (0.0_f64, f64::INFINITY);
         for (value, error) in measured.into_iter().filter(known) {
             size = size.max(value.abs()).max(error);
@@ -61,7 +61,7 @@ impl Layout {
 
     /// One of the values with its error. Without an error that is positive and finite, the value alone.
     pub fn with_error(self, value: f64, error: f64, style: Style) -> String {
-        if !(value.is_finite() && error.is_finite() && error > 0.0) {
+        if !is_error(value, error) {
             return self.number(value, style);
         }
         let [value, error] = [value, error].map(|number| mantissa(number, self.last, self.power, style));
@@ -109,7 +109,7 @@ impl Group {
 
     /// For values with errors, both SI.
     pub fn of_errors(unit: &Unit, measured: &[(f64, f64)], style: Style) -> Self {
-        let known = |(value, error): &&(f64, f64)| value.is_finite() && error.is_finite() && *error > 0.0;
+        let known = |(value, error): &&(f64, f64)| is_error(*value, *error);
         let size =
             measured.iter().filter(known).fold(0.0_f64, |size, (value, error)| size.max(value.abs()).max(*error));
         let unit = unit.for_size(unit.from_si(size).abs());

@@ -4,7 +4,7 @@
 //!
 //! - A value and its error end at the same digit and share one unit and one power of ten: `0.387 ± 0.004`,
 //!   `(1.20 ± 0.05)×10⁶`. The error has two significant digits if its first is 1 or 2, else one ([`with_error`]); in the short
-//!   form `9.6093(21)` it always has two ([`concise`]).
+//!   form `9.6093(21)` it always has two ([`concise`]). An error below 10⁻¹⁴ of its value is rounding, and not written.
 //! - Between 0.001 and 10⁶ a number is written out, and below that as long as five decimals are enough. Elsewhere a
 //!   unit that takes prefixes gets one (`0.5 mm/s`), and only where that is not possible a power of ten is taken out. Its
 //!   exponent is a multiple of three, as those of the prefixes are.

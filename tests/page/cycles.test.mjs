@@ -82,7 +82,7 @@ visit("a column that does not oscillate says so, and another record takes its pl
   await cycles(lab).locator("tbody tr").first().waitFor();
 });
 
-visit("velocity and acceleration are made anew and are no second witness", async (lab) => {
+visit("velocity and acceleration are computed and add no independent information", async (lab) => {
   await drop(lab, { name: "film.txt", text: film() });
   const record = lab.page.locator("article.record");
   await record.getByText("Velocity and acceleration").click();

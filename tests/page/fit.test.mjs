@@ -148,7 +148,7 @@ visit("a real film is fitted", async (lab) => {
   await lab.page.setInputFiles("#record-file", file);
   await records(lab).waitFor();
   assert.match(await records(lab).innerText(), /6 frames are missing/);
-  assert.match(await records(lab).innerText(), /no second witness/);
+  assert.match(await records(lab).innerText(), /no independent information/);
   const found = await fit(lab);
   // The published fit.
   for (const [name, expected] of [["Damping rate", 0.386718345], ["Angular frequency with damping", 9.60927046]]) {

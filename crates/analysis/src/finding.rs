@@ -184,8 +184,10 @@ impl Finding {
                 ),
             ),
             Self::UnknownUnit { column, unit } => say(
-                format!("`{unit}`, the unit of {column}, is not known; its numbers are taken as they are"),
-                format!("«{unit}», la unidad de {column}, no se conoce; sus números se toman tal cual"),
+                format!("`{unit}`, the unit of {column}, is not known; until one is stated, its numbers have none"),
+                format!(
+                    "«{unit}», la unidad de {column}, no se conoce; mientras no se indique, sus números no tienen unidad"
+                ),
             ),
             Self::Separator { line, text, beside, thousands } => separator(*line, text, beside, *thousands, language),
             Self::DecimalSign { line, text } => {
@@ -270,8 +272,8 @@ impl Finding {
                 let formula = stencil.formula(if numbered { "x" } else { of });
                 let (column, of) = (called(column, language), called(of, language));
                 let made = say(
-                    format!("{column} was computed from {of}, {formula}, and is no second witness"),
-                    format!("{column} se calculó a partir de {of}, {formula}, y no aporta un testimonio independiente"),
+                    format!("{column} was computed from {of}, {formula}: it adds no independent information"),
+                    format!("{column} se calculó a partir de {of}, {formula}: no aporta información independiente"),
                 );
                 let Some(factor) = attenuation else { return made };
                 let percent = decimal(100.0 * (1.0 - factor), 2, language);

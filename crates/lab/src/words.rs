@@ -168,7 +168,7 @@ words! {
     paste_name: "pasted table", "tabla pegada";
     read_record: "Read", "Leer";
     sample_records: "Sample records", "Registros de muestra";
-    sample_title: "Nobody measured these: they are computed, with the errors of a camera", "Nadie los midió: están calculados, con los errores de una cámara";
+    sample_title: "Simulated data with camera errors", "Datos simulados con los errores de una cámara";
     synthetic: "synthetic", "sintético";
     reading_record: "Reading", "Leyendo";
     cancel_reading: "Cancel reading", "Cancelar la lectura";
@@ -182,7 +182,7 @@ words! {
     column_unit_asked: "which unit?", "¿qué unidad?";
     column_fitted: "Fit it", "Ajustarla";
     column_off: "not used", "no se usa";
-    findings: "What this record hides", "Lo que este registro oculta";
+    findings: "Data quality", "Calidad de los datos";
     virtual_measurement: "Virtual measurement", "Medición virtual";
     virtual_intro: "A camera films the simulation as it is set now. What it reads has errors: random ones, and one that no repetition shows.", "Una cámara filma la simulación tal como está ajustada ahora. Lo que lee tiene errores: unos al azar, y uno que ninguna repetición delata.";
     virtual_quantity: "Filmed", "Se filma";
@@ -199,7 +199,7 @@ words! {
 
     // Derivatives.
     derivatives_title: "Velocity and acceleration", "Velocidad y aceleración";
-    derivatives_intro: "Made anew from a position, as two columns more. They are no second witness: a fit that follows the position learns nothing new from them. Gaps stay gaps.", "Calculadas de nuevo a partir de una posición, como dos columnas más. No son un segundo testigo: un ajuste que sigue la posición no aprende nada nuevo de ellas. Los huecos siguen siendo huecos.";
+    derivatives_intro: "Computes two more columns from a position. They add no independent information to a fit that already uses the position. Gaps stay gaps.", "Calcula dos columnas más a partir de una posición. No aportan información independiente a un ajuste que ya usa la posición. Los huecos siguen siendo huecos.";
     derivatives_of: "Of", "De";
     derivatives_method: "By", "Con";
     derivatives_central: "central differences", "diferencias centrales";
@@ -232,10 +232,10 @@ words! {
     fit_title: "Fit", "Ajuste";
     fit_record: "Record to be fitted", "Registro que se ajusta";
     fit_theory: "Choose a theory", "Elegir una teoría";
-    fit_intro: "The document that is open is the theory. What is ticked is varied until the curve passes the points as closely as it can.", "El documento abierto es la teoría. Lo que está marcado varía hasta que la curva pasa lo más cerca posible de los puntos.";
+    fit_intro: "The document that is open is the theory. Ticked parameters are adjusted until the curve matches the points as well as possible.", "El documento abierto es la teoría. Los parámetros marcados se ajustan hasta que la curva concuerda lo mejor posible con los puntos.";
     fit_together: "Fitted together", "Se ajustan juntos";
     fit_same: "one value for all", "un valor para todos";
-    fit_same_intro: "A number that all records have in common is found from all of them at once. What is not varied can be known of each record: take away its tick, and type the values.", "Un número que todos los registros tienen en común se halla de todos a la vez. Lo que no varía puede saberse de cada registro: quítale la marca y escribe los valores.";
+    fit_same_intro: "A parameter that all records have in common is fitted to all of them at once. To use a known value for each record, untick the parameter and enter the values.", "Un parámetro común a todos los registros se ajusta con todos a la vez. Para usar un valor conocido en cada registro, desmarca el parámetro y escribe los valores.";
     fit_vary: "Vary", "Varían";
     fit_part: "Part of the record", "Parte del registro";
     fit_from: "From", "Desde";

@@ -13,8 +13,8 @@ use units::Language;
 fn measured_records_say_what_they_hide() {
     let step =
         "the time step 0.033333 s looks like 1/30 s rounded: times are too short by 0.001 %, frequencies too high";
-    let velocity = "column 3 was computed from column 2, (x[i+1] − x[i−1])/(2 Δt), and is no second witness; at the frequency of this record that makes it too small by ";
-    let acceleration = "column 4 was computed from column 2, (2 x[i+2] − x[i+1] − 2 x[i] − x[i−1] + 2 x[i−2])/(7 Δt²), and is no second witness; at the frequency of this record that makes it too small by ";
+    let velocity = "column 3 was computed from column 2, (x[i+1] − x[i−1])/(2 Δt): it adds no independent information; at the frequency of this record that makes it too small by ";
+    let acceleration = "column 4 was computed from column 2, (2 x[i+2] − x[i+1] − 2 x[i] − x[i−1] + 2 x[i−2])/(7 Δt²): it adds no independent information; at the frequency of this record that makes it too small by ";
     for (name, gap, first, second) in [
         ("U1", None, "2.1 %", "4.5 %"),
         ("U2", None, "2 %", "4.4 %"),

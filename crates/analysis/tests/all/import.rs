@@ -133,7 +133,7 @@ const CASES: &[Case] = &[
 1:ω(t)=3 3
 1:p [Pa]=4 4
 1:y (left)=5 5
-! `left`, the unit of y (left), is not known; its numbers are taken as they are",
+! `left`, the unit of y (left), is not known; until one is stated, its numbers have none",
     ),
     (
         "units between blanks",
@@ -165,7 +165,7 @@ const CASES: &[Case] = &[
         "commas, decimal point, 1 header line
 *t [s]=0 1
 1:y=1 2
-! `px`, the unit of y, is not known; its numbers are taken as they are",
+! `px`, the unit of y, is not known; until one is stated, its numbers have none",
     ),
     (
         "three bodies side by side, each with its own time",

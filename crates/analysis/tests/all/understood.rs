@@ -104,8 +104,8 @@ const HEADERS: &[Case] = &[
         "*t [ms] line of units: 0 1
 1:x [] unknown: 1 2
 1:y [] unknown: 2 3
-! `px`, the unit of x, is not known; its numbers are taken as they are
-! `px`, the unit of y, is not known; its numbers are taken as they are",
+! `px`, the unit of x, is not known; until one is stated, its numbers have none
+! `px`, the unit of y, is not known; until one is stated, its numbers have none",
     ),
     (
         "lines that end in several ways, quotation marks with a line end inside",
@@ -242,7 +242,7 @@ const UNITS: &[Case] = &[
         "t (ticks),y\n0,1\n50,2\n",
         "*t (ticks) [] unknown: 0 50
 1:y [] not stated: 1 2
-! `ticks`, the unit of t (ticks), is not known; its numbers are taken as they are",
+! `ticks`, the unit of t (ticks), is not known; until one is stated, its numbers have none",
     ),
     (
         "two cameras",

@@ -12,7 +12,7 @@ const WIDTH: usize = 96;
 /// Significant digits of a value whose error is not known.
 const DIGITS: usize = 4;
 
-/// What was measured, what it hides, its cycles, and what changes from one to the next.
+/// What was measured, the quality of the data, its cycles, and what changes from one to the next.
 pub fn table(record: &Record) -> String {
     let mut out = heading(record);
     out.push_str("\nThe columns of the file\n");
@@ -21,7 +21,7 @@ pub fn table(record: &Record) -> String {
         out.push('\n');
     }
     if !record.data.findings.is_empty() {
-        out.push_str("\nWhat this measurement hides\n");
+        out.push_str("\nData quality\n");
         for finding in &record.data.findings {
             wrapped(&mut out, "  - ", &finding.text(Language::English));
         }

@@ -39,7 +39,7 @@ fn derivatives_are_columns_that_are_no_witnesses() {
     // (y[i+1] - y[i-1])/(2 dt), at 1 s.
     let exact = (5.0 * libm::sin(2.1) - 5.0 * libm::sin(1.9)) / 100.0;
     assert!((number(&cells[20]) - exact).abs() < 1e-6, "{} is not {exact}", cells[20]);
-    // A fit does not take it for a second witness, nor follow it unasked.
+    // A fit does not take it for independent information, nor follow it unasked.
     let fitted: Vec<bool> = session.records()[0].columns.iter().map(|column| column.fitted).collect();
     assert_eq!(fitted, [false, true, false, false]);
 

@@ -133,7 +133,11 @@ fn a_measurement_without_errors_leaves_nothing_over() {
     assert!(record.synthetic);
     assert_eq!(record.rows, 121);
     // The velocities are the tracking program's, and that is seen.
-    assert!(record.findings.iter().any(|finding| finding.contains("no second witness")), "{:?}", record.findings);
+    assert!(
+        record.findings.iter().any(|finding| finding.contains("no independent information")),
+        "{:?}",
+        record.findings
+    );
     let residuals = session.document().plots.len();
     assert!(session.plots()[residuals].offered);
     session.play();

@@ -5,7 +5,10 @@ use crate::views::{document, window};
 use js_sys::{Array, Function, Promise, Reflect, Uint8Array};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
-use web_sys::{Blob, BlobPropertyBag, Event, FocusOptions, HtmlAnchorElement, HtmlElement, HtmlTextAreaElement, Url};
+use web_sys::{
+    Blob, BlobPropertyBag, Event, FocusOptions, HtmlAnchorElement, HtmlElement, HtmlTextAreaElement, ScrollBehavior,
+    ScrollToOptions, Url,
+};
 
 /// The element with this id, if it is of type `T`.
 pub fn by_id<T: JsCast>(id: &str) -> Option<T> {
@@ -48,6 +51,14 @@ pub fn reveal_later(id: String) {
         }
     });
     let _ = window().request_animation_frame(reveal.unchecked_ref());
+}
+
+/// Shows the page from its top, at once: where something else has taken its place.
+pub fn scroll_to_top() {
+    let options = ScrollToOptions::new();
+    options.set_top(0.0);
+    options.set_behavior(ScrollBehavior::Instant);
+    window().scroll_to_with_scroll_to_options(&options);
 }
 
 /// Calls `react` whenever this happens in the window, as long as the page lives.

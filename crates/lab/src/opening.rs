@@ -93,6 +93,7 @@ pub fn open_sources(app: App, sources: Vec<Source>) {
     leave(app);
     open(app, sources, "");
     visited::step(app);
+    browser::scroll_to_top();
 }
 
 /// Opens the corrected text of a document that did not run.
@@ -164,6 +165,8 @@ pub fn open_files(app: App, files: &FileList) {
         open(app, sources, &state);
         visited::step(app);
         intake::read(app, records);
-        browser::focus_later("play".to_owned());
+        // What is wrong with it stands at the top, too.
+        browser::scroll_to_top();
+        browser::focus_later(if app.read(|_| true) { "play" } else { "apparatus" }.to_owned());
     });
 }

@@ -16,7 +16,7 @@ pub(crate) enum Pair {
 
 /// Why no step was possible.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Stuck {
+pub(crate) enum Stalled {
     /// The state after even the smallest step is not finite.
     NotFinite,
     /// The error is too large even for the smallest step.
@@ -170,7 +170,7 @@ impl Adaptive {
     ///
     /// The stiff method does not step over `row`: where a stiff part forces the solution, as in the problem of Prothero
     /// and Robinson, its dense output is less exact by orders than its steps.
-    pub fn extend(&mut self, equations: &mut Equations, row: f64) -> Result<(), Stuck> {
+    pub fn extend(&mut self, equations: &mut Equations, row: f64) -> Result<(), Stalled> {
         let time = self.last.end;
         let order = match self.pair {
             Pair::DormandPrince(_) => 5.0,
@@ -198,7 +198,7 @@ impl Adaptive {
             }
             if size <= smallest {
                 let finite = self.attempt.iter().all(|value| value.is_finite());
-                return Err(if finite { Stuck::TooSmall } else { Stuck::NotFinite });
+                return Err(if finite { Stalled::TooSmall } else { Stalled::NotFinite });
             }
             let shrinkage = 0.9 / libm::pow(error, proportional);
             // Also where the error is not a number.

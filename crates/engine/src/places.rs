@@ -1,6 +1,6 @@
 //! The errors of a run in words, with names and places in the document.
 
-use crate::adaptive::Stuck;
+use crate::adaptive::Stalled;
 use crate::{Method, RunError};
 use model::{Model, Span};
 use units::{Words, words};
@@ -87,8 +87,8 @@ impl Places {
     }
 
     /// An adaptive method that cannot go on from `time`.
-    pub fn stuck(&self, stuck: Stuck, time: f64, attempt: &[f64], singular: bool) -> RunError {
-        if stuck == Stuck::NotFinite {
+    pub fn stalled(&self, stalled: Stalled, time: f64, attempt: &[f64], singular: bool) -> RunError {
+        if stalled == Stalled::NotFinite {
             return self.not_finite(time, attempt, singular);
         }
         let message = words!(

@@ -58,8 +58,8 @@ impl Session {
 
     /// Takes what is to be drawn from what was found.
     pub(crate) fn draw_cycles(&mut self) {
-        let (quantity, against) = (self.looking.quantity, self.looking.against_amplitude);
-        let found = self.looking.found.as_ref().and_then(|found| found.cycles.as_ref());
+        let (quantity, against) = (self.cycle_view.quantity, self.cycle_view.against_amplitude);
+        let found = self.cycle_view.found.as_ref().and_then(|found| found.cycles.as_ref());
         let cycles = found.map_or(&[][..], |found| &found.cycles);
         let plot = &mut self.cycle_plot;
         plot.measured = Points::of(cycles, quantity, against);
@@ -81,7 +81,7 @@ impl Session {
 
     /// Finds the cycles of the run, once it stands still.
     pub(crate) fn follow_cycles(&mut self) {
-        if self.looking.found.as_ref().is_none_or(|found| found.cycles.is_none()) {
+        if self.cycle_view.found.as_ref().is_none_or(|found| found.cycles.is_none()) {
             return;
         }
         let now = (self.revision.parameters, self.course.rows() as u64);
@@ -96,9 +96,9 @@ impl Session {
         if plot.seen == Some(now) {
             return;
         }
-        let found = self.looking.found.as_ref().and_then(|found| self.cycles_of_run(found)).unwrap_or_default();
+        let found = self.cycle_view.found.as_ref().and_then(|found| self.cycles_of_run(found)).unwrap_or_default();
         let plot = &mut self.cycle_plot;
-        plot.run = Points::of(&found, self.looking.quantity, self.looking.against_amplitude);
+        plot.run = Points::of(&found, self.cycle_view.quantity, self.cycle_view.against_amplitude);
         (plot.of_run, plot.seen) = (found, Some(now));
     }
 
@@ -127,8 +127,8 @@ impl Session {
 
     /// Writes the texts of the plot in the session's language.
     pub(crate) fn label_cycles(&mut self) {
-        let (quantity, against) = (self.looking.quantity, self.looking.against_amplitude);
-        let units = self.looking.found.as_ref().map(|found| self.cycle_units(found)).unwrap_or_default();
+        let (quantity, against) = (self.cycle_view.quantity, self.cycle_view.against_amplitude);
+        let units = self.cycle_view.found.as_ref().map(|found| self.cycle_units(found)).unwrap_or_default();
         let independent = crate::symbol(&self.model().independent.name);
         let axis = |quantity: Quantity| (quantity.symbol(self.language).to_owned(), quantity.unit(&units.0, &units.1));
         let x = if against { axis(Quantity::Amplitude) } else { (independent, units.1.clone()) };
@@ -175,7 +175,7 @@ impl Session {
         let view = View { x: state.view.x, y: limits.map_or_else(|| state.view.y.clone(), |limits| vec![limits]) };
         // Sizes begin at nothing.
         let nothing = Interval { low: 0.0, high: 0.0 };
-        let (against, falls) = (self.looking.against_amplitude, self.looking.quantity == Quantity::Amplitude);
+        let (against, falls) = (self.cycle_view.against_amplitude, self.cycle_view.quantity == Quantity::Amplitude);
         Some(Plot {
             title: &labels.title,
             description: &labels.description,

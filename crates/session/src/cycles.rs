@@ -7,10 +7,10 @@ use analysis::cycles::{self, Constancy, Cycles, Measured, Quantity};
 use units::number::Layout;
 use units::{Language, Unit};
 
-/// What is looked at cycle by cycle.
+/// What the view of cycles shows.
 #[derive(Debug)]
-pub(crate) struct Looking {
-    /// Whether anybody looks.
+pub(crate) struct CycleView {
+    /// Whether it is open.
     open: bool,
     /// The record's id, and the column.
     chosen: Option<(u32, usize)>,
@@ -22,7 +22,7 @@ pub(crate) struct Looking {
     pub found: Option<Found>,
 }
 
-impl Default for Looking {
+impl Default for CycleView {
     fn default() -> Self {
         Self { open: false, chosen: None, quantity: Quantity::Period, against_amplitude: false, found: None }
     }
@@ -70,13 +70,13 @@ pub struct CyclesView {
 impl Session {
     /// Looks at cycles, or no longer.
     pub fn open_cycles(&mut self, open: bool) {
-        self.looking.open = open;
+        self.cycle_view.open = open;
         self.find_cycles();
     }
 
     /// Whether anybody looks at cycles.
     pub fn looks_at_cycles(&self) -> bool {
-        self.looking.open
+        self.cycle_view.open
     }
 
     /// The columns in which cycles can be looked for.
@@ -95,7 +95,7 @@ impl Session {
                     record: record.id,
                     column,
                     label: format!("{}: {called}", record.name),
-                    selected: self.looking.chosen == Some((record.id, column)),
+                    selected: self.cycle_view.chosen == Some((record.id, column)),
                 });
             }
         }
@@ -112,39 +112,39 @@ impl Session {
 
     /// Looks at another column.
     pub fn choose_cycles(&mut self, record: u32, column: usize) {
-        self.looking.chosen = Some((record, column));
+        self.cycle_view.chosen = Some((record, column));
         self.find_cycles();
     }
 
     /// What can be drawn of the cycles, in the order in which [`Session::show_cycles`] counts it, and which of it is.
     pub fn cycle_quantities(&self) -> (Vec<String>, usize) {
         let names = Quantity::ALL.iter().map(|quantity| capital(quantity.name(self.language))).collect();
-        (names, Quantity::ALL.iter().position(|quantity| *quantity == self.looking.quantity).unwrap_or_default())
+        (names, Quantity::ALL.iter().position(|quantity| *quantity == self.cycle_view.quantity).unwrap_or_default())
     }
 
     /// Whether the cycles are drawn against the amplitude and not against the time.
     pub fn cycles_against_amplitude(&self) -> bool {
-        self.looking.against_amplitude
+        self.cycle_view.against_amplitude
     }
 
     /// Draws another quantity of the cycles, against the time or against the amplitude.
     pub fn show_cycles(&mut self, quantity: usize, against_amplitude: bool) {
         if let Some(quantity) = Quantity::ALL.get(quantity) {
-            self.looking.quantity = *quantity;
+            self.cycle_view.quantity = *quantity;
         }
-        self.looking.against_amplitude = against_amplitude && self.looking.quantity != Quantity::Amplitude;
+        self.cycle_view.against_amplitude = against_amplitude && self.cycle_view.quantity != Quantity::Amplitude;
         self.draw_cycles();
     }
 
     /// To be called whenever records, or what they are taken for, have changed.
     pub(crate) fn find_cycles(&mut self) {
-        self.looking.found = None;
-        if self.looking.open {
+        self.cycle_view.found = None;
+        if self.cycle_view.open {
             let known = |(id, column): &(u32, usize)| {
                 self.record(*id).is_some_and(|record| self.oscillating_columns(record).contains(column))
             };
-            self.looking.chosen = self.looking.chosen.filter(known).or_else(|| self.usual_column());
-            self.looking.found = self.looking.chosen.and_then(|(id, column)| self.measure_cycles(id, column));
+            self.cycle_view.chosen = self.cycle_view.chosen.filter(known).or_else(|| self.usual_column());
+            self.cycle_view.found = self.cycle_view.chosen.and_then(|(id, column)| self.measure_cycles(id, column));
         }
         self.draw_cycles();
     }
@@ -183,7 +183,7 @@ impl Session {
 
     /// The cycles that are looked at; none while nobody looks.
     pub fn cycles(&self) -> Option<CyclesView> {
-        let found = self.looking.found.as_ref()?;
+        let found = self.cycle_view.found.as_ref()?;
         let Some(cycles) = &found.cycles else {
             let sentences = vec![no_cycles(self.language).to_owned()];
             return Some(CyclesView { sentences, ..CyclesView::default() });
@@ -227,8 +227,8 @@ impl Session {
 
     /// The cycles that are looked at as a file.
     pub fn export_cycles(&self, kind: ExportKind) -> Option<Export> {
-        let found = self.looking.found.as_ref()?;
-        let record = self.record(self.looking.chosen?.0)?;
+        let found = self.cycle_view.found.as_ref()?;
+        let record = self.record(self.cycle_view.chosen?.0)?;
         let cycles = &found.cycles.as_ref()?.cycles;
         let table = cycles::columns(cycles, &found.unit.text, &self.model().independent.unit.text);
         let heads: Vec<&str> = table.iter().map(|(head, _)| head.as_str()).collect();

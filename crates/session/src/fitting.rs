@@ -5,7 +5,7 @@ use crate::fitted::Fitted;
 use crate::recognise::observed;
 use crate::record::{Record, Use};
 use crate::refusal::{fit_error, unknown_method};
-use crate::remaking::{Found, Waiting};
+use crate::saved_fits::{Found, Waiting};
 use crate::{Announcement, Refusal, Session, words};
 use analysis::fit::{Fit, FitError, Loss, Observation, Task, Varied};
 use document::Document;

@@ -68,7 +68,7 @@ impl Session {
             offered: match index.checked_sub(self.document.plots.len()) {
                 None => true,
                 Some(0) => self.has_points(),
-                Some(_) => self.looking.found.as_ref().is_some_and(|found| found.cycles.is_some()),
+                Some(_) => self.cycle_view.found.as_ref().is_some_and(|found| found.cycles.is_some()),
             },
             of_cycles: index == self.cycle_plot(),
         };

@@ -243,7 +243,7 @@ impl Session {
             id,
             name: name.chars().take(80).collect(),
             // What is too long to be kept for the next visit is not needed any more.
-            text: if text.len() <= crate::keepsake::LONGEST { text } else { String::new() },
+            text: if text.len() <= crate::saved_records::LONGEST { text } else { String::new() },
             uses: Vec::new(),
             table: import.table,
             findings,
@@ -296,7 +296,7 @@ impl Session {
         }
         self.fits.adopt(&mut other.fits);
         self.adopt_undo(other);
-        self.looking = std::mem::take(&mut other.looking);
+        self.cycle_view = std::mem::take(&mut other.cycle_view);
         self.intake = other.intake.take();
         self.recognise_records();
     }

@@ -4,7 +4,7 @@ use crate::announcement::{Announcement, Announcements};
 use crate::answered::Answer;
 use crate::course::Course;
 use crate::cycle_plot::CyclePlot;
-use crate::cycles::Looking;
+use crate::cycles::CycleView;
 use crate::drag::Hold;
 use crate::fitting::Fits;
 use crate::intake::Intake;
@@ -81,7 +81,7 @@ pub struct Session {
     pub(crate) fits: Fits,
     /// The file that is being read.
     pub(crate) intake: Option<Intake>,
-    pub(crate) looking: Looking,
+    pub(crate) cycle_view: CycleView,
     /// For each question whether it has been answered, or its answer shown.
     pub(crate) solved: Vec<bool>,
     /// Whether the values that questions hide are shown all the same.
@@ -154,7 +154,7 @@ impl Session {
             data: Data::default(),
             fits: Fits::default(),
             intake: None,
-            looking: Looking::default(),
+            cycle_view: CycleView::default(),
             solved,
             shows_hidden: false,
             cycle_plot: CyclePlot::default(),

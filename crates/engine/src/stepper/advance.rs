@@ -148,9 +148,9 @@ impl Stepper {
         };
         let equations = &mut self.equations;
         if method.end() <= self.time
-            && let Err(stuck) = method.extend(equations, target)
+            && let Err(stalled) = method.extend(equations, target)
         {
-            return Err(self.places.stuck(stuck, self.time, method.attempt(), equations.singular()));
+            return Err(self.places.stalled(stalled, self.time, method.attempt(), equations.singular()));
         }
         let until = target.min(method.end());
         if until == method.end() {

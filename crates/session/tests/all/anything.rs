@@ -6,7 +6,7 @@ use session::{Session, number};
 
 /// Something a person can do.
 #[derive(Clone, Debug)]
-enum Deed {
+enum Action {
     Tick(f64),
     Toggle,
     StepForward,
@@ -33,66 +33,66 @@ fn number() -> impl Strategy<Value = f64> {
     prop_oneof![4 => -10.0..10.0_f64, 1 => -1e6..1e6_f64, 1 => any::<f64>()]
 }
 
-fn deed() -> impl Strategy<Value = Deed> {
+fn action() -> impl Strategy<Value = Action> {
     prop_oneof![
-        6 => (0.0..0.5_f64).prop_map(Deed::Tick),
-        1 => number().prop_map(Deed::Tick),
-        4 => Just(Deed::Toggle),
-        2 => Just(Deed::StepForward),
-        2 => Just(Deed::StepBack),
-        1 => Just(Deed::Reset),
-        2 => number().prop_map(Deed::Scrub),
-        1 => number().prop_map(Deed::Speed),
-        2 => (0..9_usize, any::<u32>()).prop_map(|(index, position)| Deed::Slide(index, position % 400)),
-        2 => (0..9_usize, number()).prop_map(|(index, value)| Deed::Set(index, value)),
-        1 => (0..9_usize, ".{0,12}").prop_map(|(index, text)| Deed::Type(index, text)),
-        1 => (0..4_usize, number()).prop_map(|(index, value)| Deed::State(index, value)),
-        1 => (number(), number()).prop_map(|(right, up)| Deed::Drag(right, up)),
-        1 => (0..8_usize).prop_map(Deed::Preset),
-        1 => Just(Deed::Keep),
-        1 => (0..8_u32).prop_map(Deed::Remove),
-        1 => (0..6_usize).prop_map(Deed::Method),
-        1 => (1e-3..1.0_f64).prop_map(Deed::Step),
-        1 => (number(), number()).prop_map(|(at, factor)| Deed::Zoom(at, factor)),
-        1 => ".{0,12}".prop_map(Deed::Answer),
-        1 => Just(Deed::Reopen),
+        6 => (0.0..0.5_f64).prop_map(Action::Tick),
+        1 => number().prop_map(Action::Tick),
+        4 => Just(Action::Toggle),
+        2 => Just(Action::StepForward),
+        2 => Just(Action::StepBack),
+        1 => Just(Action::Reset),
+        2 => number().prop_map(Action::Scrub),
+        1 => number().prop_map(Action::Speed),
+        2 => (0..9_usize, any::<u32>()).prop_map(|(index, position)| Action::Slide(index, position % 400)),
+        2 => (0..9_usize, number()).prop_map(|(index, value)| Action::Set(index, value)),
+        1 => (0..9_usize, ".{0,12}").prop_map(|(index, text)| Action::Type(index, text)),
+        1 => (0..4_usize, number()).prop_map(|(index, value)| Action::State(index, value)),
+        1 => (number(), number()).prop_map(|(right, up)| Action::Drag(right, up)),
+        1 => (0..8_usize).prop_map(Action::Preset),
+        1 => Just(Action::Keep),
+        1 => (0..8_u32).prop_map(Action::Remove),
+        1 => (0..6_usize).prop_map(Action::Method),
+        1 => (1e-3..1.0_f64).prop_map(Action::Step),
+        1 => (number(), number()).prop_map(|(at, factor)| Action::Zoom(at, factor)),
+        1 => ".{0,12}".prop_map(Action::Answer),
+        1 => Just(Action::Reopen),
     ]
 }
 
-fn perform(session: &mut Session, deed: Deed) {
-    match deed {
-        Deed::Tick(seconds) => {
+fn perform(session: &mut Session, action: Action) {
+    match action {
+        Action::Tick(seconds) => {
             session.tick(seconds);
         }
-        Deed::Toggle => session.toggle(),
-        Deed::StepForward => session.step_forward(),
-        Deed::StepBack => session.step_back(),
-        Deed::Reset => session.back_to_start(),
-        Deed::Scrub(time) => session.scrub(time),
-        Deed::Speed(speed) => session.set_speed(speed),
-        Deed::Slide(index, position) => session.slide(index, position),
-        Deed::Set(index, value) => drop(session.set_parameter(index, value)),
-        Deed::Type(index, text) => drop(session.set_parameter_text(index, &text)),
-        Deed::State(index, value) => drop(session.set_state(index, value)),
-        Deed::Drag(right, up) => {
+        Action::Toggle => session.toggle(),
+        Action::StepForward => session.step_forward(),
+        Action::StepBack => session.step_back(),
+        Action::Reset => session.back_to_start(),
+        Action::Scrub(time) => session.scrub(time),
+        Action::Speed(speed) => session.set_speed(speed),
+        Action::Slide(index, position) => session.slide(index, position),
+        Action::Set(index, value) => drop(session.set_parameter(index, value)),
+        Action::Type(index, text) => drop(session.set_parameter_text(index, &text)),
+        Action::State(index, value) => drop(session.set_state(index, value)),
+        Action::Drag(right, up) => {
             session.drag_begin(&session::document::Drag { state: 0, up: Some(0), right: Some(1) });
             session.drag_move(right, up);
             session.drag_end();
         }
-        Deed::Preset(index) => drop(session.apply_preset(index)),
-        Deed::Keep => drop(session.keep()),
-        Deed::Remove(id) => session.remove_kept(id),
-        Deed::Method(index) => {
+        Action::Preset(index) => drop(session.apply_preset(index)),
+        Action::Keep => drop(session.keep()),
+        Action::Remove(id) => session.remove_kept(id),
+        Action::Method(index) => {
             let name = session.methods()[index].name;
             drop(session.set_method(name));
         }
-        Deed::Step(step) => drop(session.set_step(step)),
-        Deed::Zoom(at, factor) => {
+        Action::Step(step) => drop(session.set_step(step)),
+        Action::Zoom(at, factor) => {
             session.zoom_plot(0, Some(Point { x: at as f32, y: at as f32 }), factor, Direction::Both);
             session.pan_plot(1, at, factor);
         }
-        Deed::Answer(text) => drop(session.check_answer(0, &text)),
-        Deed::Reopen => {
+        Action::Answer(text) => drop(session.check_answer(0, &text)),
+        Action::Reopen => {
             let fragment = session.share();
             let before = (session.csv(), session.time(), session.parameter_values().to_vec());
             let changes = fragment.matches("&c=").count();
@@ -125,10 +125,10 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
 
     #[test]
-    fn any_deeds_in_any_order(deeds in prop::collection::vec(deed(), 1..40)) {
+    fn any_deeds_in_any_order(actions in prop::collection::vec(action(), 1..40)) {
         let mut session = crate::support::utube();
-        for deed in deeds {
-            perform(&mut session, deed);
+        for action in actions {
+            perform(&mut session, action);
             look(&mut session);
         }
     }

@@ -3,8 +3,8 @@
 
 use crate::Session;
 use crate::fitting::{Definition, Job, Part};
-use crate::keepsake::{line, read_uses, write_uses};
 use crate::record::Record;
+use crate::saved_records::{line, read_uses, write_uses};
 use crate::shelf::name_of;
 use analysis::fit::{Loss, Outcome, Rival, Target, Varied};
 use document::Document;
@@ -103,19 +103,19 @@ impl Session {
     /// [`Session::restore_fits`] reads. Those whose records will not be there are left out, and those for which there is no
     /// room.
     pub fn saved_fits(&self) -> Vec<(String, String)> {
-        let mut book = Book { records: self.record_names(), fits: Vec::new(), length: 0 };
+        let mut saved = SavedFits { records: self.record_names(), fits: Vec::new(), length: 0 };
         for fit in &self.fits.finished {
-            book.write(&fit.definition, &texts(&fit.document), &Found::of(&fit.outcome));
+            saved.write(&fit.definition, &texts(&fit.document), &Found::of(&fit.outcome));
         }
         if let Some(job) = self.being_remade()
             && let Some(found) = &job.found
         {
-            book.write(&job.definition, &texts(&job.document), found);
+            saved.write(&job.definition, &texts(&job.document), found);
         }
         for Waiting { definition, texts, found } in &self.fits.waiting {
-            book.write(definition, texts, found);
+            saved.write(definition, texts, found);
         }
-        book.fits
+        saved.fits
     }
 
     /// Brings back fits of the records that are there, to be made again by [`Session::advance_fit`]. What cannot be read is
@@ -146,7 +146,7 @@ fn texts(document: &Document) -> Vec<String> {
 }
 
 /// What is being written.
-struct Book {
+struct SavedFits {
     /// The records that will be there: their ids and names.
     records: Vec<(u32, String)>,
     /// Names and texts.
@@ -154,7 +154,7 @@ struct Book {
     length: usize,
 }
 
-impl Book {
+impl SavedFits {
     /// Writes a fit, unless there is no room for it.
     fn write(&mut self, definition: &Definition, texts: &[String], found: &Found) {
         let Some(fit) = self.fit(definition) else { return };

@@ -2,7 +2,7 @@
 
 use crate::figure::{Anchor, Entry, Figure, Ink, Point, Rect, Scale};
 use crate::limits::{Extent, growing, sane, shared_limits};
-use crate::plot::{Interval, Plot, Series, Settings, Style};
+use crate::plot::{Axis, Interval, Plot, Series, Settings, Style};
 use crate::series::{DATA_RADIUS, stroke};
 use crate::spread;
 use crate::text::{fitted, width};
@@ -93,13 +93,16 @@ impl Figure {
         let entry_width = |series: &Series<'_>| (SAMPLE + BEFORE + AFTER) * font + width(series.label, font);
         let total: f64 = listed().map(entry_width).sum();
         let room = self.width - 2.0 * edge;
-        // Beside the title if there is room, else in rows below it.
+        // Beside the title if there is room, or between the titles of the axes where the figure has none, else in rows below.
+        let free = self.between_axis_titles(plot).filter(|(from, to)| plot.title.is_empty() && total <= to - from);
         let (mut x, mut y) = if title_width > 0.0 && title_width + total <= room {
             (self.width - edge - total + AFTER * font, top - 1.15 * ROW * font)
+        } else if let Some((from, to)) = free {
+            ((from + to - total + AFTER * font) / 2.0, top + 0.05 * font)
         } else {
             (edge, top)
         };
-        let beside = y < top;
+        let beside = y < top || free.is_some();
         for series in listed() {
             let wide = entry_width(series);
             if !beside && x > edge && x + wide - AFTER * font > self.width - edge {
@@ -194,11 +197,22 @@ impl Figure {
 
     /// One row of axis titles above the panel, or two if the left and the right ones would meet.
     fn axis_title_rows(&self, plot: &Plot<'_>) -> f64 {
-        // The power of ten that a title may have is not known yet: room for one.
-        let total: f64 =
-            plot.y.iter().map(|axis| width(axis.label, self.font_size) + width(axis.unit, self.font_size)).sum();
-        let room = 4.5 * self.font_size * plot.y.len() as f64;
-        if plot.y.len() > 1 && total + room > self.width { 2.0 } else { 1.0 }
+        let total: f64 = plot.y.iter().map(|axis| self.axis_title_width(axis)).sum();
+        if plot.y.len() > 1 && total > self.width { 2.0 } else { 1.0 }
+    }
+
+    /// Where the row of axis titles is free, from left to right; none if it has no room.
+    fn between_axis_titles(&self, plot: &Plot<'_>) -> Option<(f64, f64)> {
+        let edge = GAP * self.font_size;
+        let (left, right) = plot.y.split_first()?;
+        let right: f64 = right.iter().map(|axis| self.axis_title_width(axis)).sum();
+        let (from, to) = (edge + self.axis_title_width(left), self.width - edge - right);
+        (from < to).then_some((from, to))
+    }
+
+    /// The room that the title of a vertical axis may take. Its power of ten is not known yet: there is room for one.
+    fn axis_title_width(&self, axis: &Axis<'_>) -> f64 {
+        width(axis.label, self.font_size) + width(axis.unit, self.font_size) + 4.5 * self.font_size
     }
 
     /// Limits, scales and ticks of the vertical axes.

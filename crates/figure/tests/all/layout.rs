@@ -69,6 +69,38 @@ fn two_dimensions_have_an_axis_each() {
     );
 }
 
+/// On the page the title stands above the figure: the legend then takes no row of its own where the axes leave it room.
+#[test]
+fn the_legend_stands_between_the_titles_of_the_axes() {
+    let (time, displacement, velocity) = columns(201);
+    let plot = |label: &'static str| Plot {
+        x: time_axis(),
+        y: vec![axis("y", "m"), axis("y′", "m/s")],
+        series: vec![
+            Series { label, x: &time, y: &displacement, ..Series::default() },
+            Series { label: "y′", axis: 1, colour: 1, x: &time, y: &velocity, ..Series::default() },
+        ],
+        ordered: true,
+        ..Plot::default()
+    };
+    let without = layout(&plot(""), &settings(560.0, 200.0));
+    let with = layout(&plot("y"), &settings(560.0, 200.0));
+    assert_eq!(with.panel.y, without.panel.y, "no row is lost");
+    let place = |wanted: &str, last: bool| {
+        let mut found = with.items().filter_map(|item| match item {
+            Item::Text { text, at, .. } if text == wanted => Some(at),
+            _ => None,
+        });
+        if last { found.last() } else { found.next() }.unwrap()
+    };
+    let (left, legend, right) = (place("y [m]", false), place("y", false), place("y′ [m/s]", true));
+    assert!((left.y - legend.y).abs() < 2.0, "{left:?} {legend:?}");
+    assert!(left.x + 60.0 < legend.x && legend.x + 120.0 < right.x, "{left:?} {legend:?} {right:?}");
+    // Names that are too long have rows of their own.
+    let long = layout(&plot("a displacement whose name is far longer than its axis"), &settings(400.0, 200.0));
+    assert!(long.panel.y > without.panel.y + 10.0);
+}
+
 #[test]
 fn zeros_of_all_axes_are_level_and_the_present_is_marked() {
     let (time, displacement, velocity) = columns(201);

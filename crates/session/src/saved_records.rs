@@ -16,8 +16,14 @@ impl Session {
     /// The records for the next visit: for each a name, which is the same at every visit and in every page, and a text that
     /// [`Session::restore_records`] reads. Those that are too long are left out.
     pub fn saved_records(&self) -> Vec<(String, String)> {
+        let document = self.document_name();
         let named = self.record_names().into_iter();
-        named.filter_map(|(id, name)| Some((name, saved(self.record(id)?)))).collect()
+        named.filter_map(|(id, name)| Some((name, saved(self.record(id)?, &document)))).collect()
+    }
+
+    /// What a fit has found of a record holds beside this document alone.
+    fn document_name(&self) -> String {
+        name_of(&[&self.document.source])
     }
 
     /// The names of the records that will be there at the next visit, by their ids: by their content, and by their order where
@@ -68,7 +74,8 @@ impl Session {
         let mut kind = kind.split(' ');
         let (what, shown, length) = (kind.next()?, kind.next()?, kind.next()?.parse::<usize>().ok()?);
         let mut further = || kind.next().unwrap_or_default();
-        let (made, known, origin, offsets) = (further(), further(), further(), further());
+        let (made, known, document, origin, offsets) = (further(), further(), further(), further(), further());
+        let (origin, offsets) = if document == self.document_name() { (origin, offsets) } else { ("", "") };
         let (text, rest) = (rest.get(..length)?, rest.get(length + 1..)?);
         let truth: Vec<(String, f64)> = read_values(truth).map(|(name, value)| (name.to_owned(), value)).collect();
         let id = self.insert_record(name, text.as_bytes(), (what == "virtual").then_some(truth)).ok();
@@ -93,8 +100,8 @@ impl Session {
     }
 }
 
-/// A record as [`Session::restore_records`] reads it.
-fn saved(record: &Record) -> String {
+/// A record as [`Session::restore_records`] reads it, beside the document of this name.
+fn saved(record: &Record, document: &str) -> String {
     let truth = record.truth.iter().flatten().map(|(name, value)| (name.as_str(), *value));
     let known = record.known.iter().map(|(name, value)| (name.as_str(), *value));
     let chosen = record.uses.iter().enumerate().filter(|(_, used)| used.chosen);
@@ -105,7 +112,7 @@ fn saved(record: &Record) -> String {
         .map(|(column, used)| (column.to_string(), used.offset))
         .collect();
     format!(
-        "{VERSION}{}\n{kind} {shown} {} {} {} {} {}\n{}\n{}\n{}\n",
+        "{VERSION}{}\n{kind} {shown} {} {} {} {document} {} {}\n{}\n{}\n{}\n",
         line(&record.name),
         record.text.len(),
         record.saved_made(),

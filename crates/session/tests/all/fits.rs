@@ -369,6 +369,10 @@ fn a_part_begins_with_its_initial_values() {
     records.iter().for_each(|(_, text)| again.restore_records(text));
     assert!(records[0].1.contains("=1.5e0"), "{}", &records[0].1[..120]);
     assert_eq!(again.saved_records(), records);
+    // Beside another document it means nothing.
+    let mut other = Session::open(theory("linear"));
+    records.iter().for_each(|(_, text)| other.restore_records(text));
+    assert!(!other.saved_records()[0].1.contains("=1.5e0"));
 
     let restored = |fits: &str| {
         let mut later = Session::open(theory("quadratic"));

@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import vm from "node:vm";
 import { measurePhone } from "./phone.mjs";
+import { framesIn, median, usableAfter } from "./timing.mjs";
 
 const STEPS = 1_000_000;
 const ROUNDS = 5;
@@ -23,7 +24,6 @@ const glue = `globalThis.probe = (() => { ${readFileSync(join(process.env.PROBE,
 const module = readFileSync(join(process.env.PROBE, "probe_bg.wasm"));
 
 const say = (name, value) => console.log(name, value.toFixed(3));
-const median = (values) => values.toSorted((one, other) => one - other)[Math.floor(values.length / 2)];
 
 /** Million steps in a second in the virtual machine and by hand, in turns, the best of each. */
 async function pace({ bytes, steps, rounds, record }) {
@@ -109,19 +109,7 @@ async function measureOpening() {
   for (let opening = 0; opening < OPENINGS; opening += 1) {
     const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, offline: true });
     const page = await context.newPage();
-    await page.addInitScript(() => {
-      const observer = new MutationObserver(() => {
-        const button = document.getElementById("play");
-        if (button && !button.disabled) {
-          observer.disconnect();
-          window.usableAfter = performance.now();
-        }
-      });
-      observer.observe(document, { childList: true, subtree: true });
-    });
-    await page.goto(address);
-    await page.locator("#play").waitFor();
-    times.push(await page.evaluate(() => window.usableAfter));
+    times.push(await usableAfter(page, address));
     await context.close();
   }
   say("opening", median(times));
@@ -211,20 +199,6 @@ async function measureLongRecord() {
   await page.evaluate(() => window.scrollTo(0, 0));
   await page.locator("#play").click();
   await page.waitForTimeout(2000);
-  const frames = await page.evaluate(
-    (seconds) =>
-      new Promise((done) => {
-        let count = 0;
-        const start = performance.now();
-        const next = () => {
-          count += 1;
-          if (performance.now() - start < seconds * 1000) requestAnimationFrame(next);
-          else done(count / seconds);
-        };
-        requestAnimationFrame(next);
-      }),
-    SECONDS,
-  );
-  say("long-record-frames", frames);
+  say("long-record-frames", (await framesIn(page, SECONDS)) / SECONDS);
   await context.close();
 }

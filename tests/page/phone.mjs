@@ -5,6 +5,7 @@ import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
+import { framesIn, median, usableAfter } from "./timing.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 const OPENINGS = 3;
@@ -20,8 +21,6 @@ const PHASES = {
   commit: ["Commit"],
   thread: ["RunTask"],
 };
-
-const median = (values) => values.toSorted((one, other) => one - other)[Math.floor(values.length / 2)];
 
 /** Says how long opening takes and what a frame costs. */
 export async function measurePhone(browser, address, say) {
@@ -59,17 +58,7 @@ async function opening(browser, address, { slowed, network }) {
       await devtools.send("Network.enable");
       await devtools.send("Network.emulateNetworkConditions", network);
     }
-    await page.addInitScript(() => {
-      new MutationObserver((_, observer) => {
-        const button = document.getElementById("play");
-        if (!button || button.disabled) return;
-        observer.disconnect();
-        window.usableAfter = performance.now();
-      }).observe(document, { childList: true, subtree: true });
-    });
-    await page.goto(address, { timeout: 120_000 });
-    await page.locator("#play").waitFor({ timeout: 120_000 });
-    times.push(await page.evaluate(() => window.usableAfter));
+    times.push(await usableAfter(page, address));
     await context.close();
   }
   return median(times);
@@ -87,15 +76,7 @@ async function frames(browser, address, say) {
     transferMode: "ReportEvents",
     traceConfig: { includedCategories: ["devtools.timeline", "disabled-by-default-devtools.timeline", "toplevel"] },
   });
-  const drawn = await page.evaluate(async (seconds) => {
-    const end = performance.now() + seconds * 1000;
-    let count = 0;
-    while (performance.now() < end) {
-      await new Promise(requestAnimationFrame);
-      count += 1;
-    }
-    return count;
-  }, SECONDS);
+  const drawn = await framesIn(page, SECONDS);
   const complete = new Promise((done) => devtools.once("Tracing.tracingComplete", done));
   await devtools.send("Tracing.end");
   await complete;

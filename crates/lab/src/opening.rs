@@ -90,9 +90,15 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
 
 /// Opens a document of the library, or that of a fit.
 pub fn open_sources(app: App, sources: Vec<Source>) {
+    go_to(app, sources, "");
+}
+
+/// Opens a document as the next step of the visit.
+fn go_to(app: App, sources: Vec<Source>, state: &str) {
     leave(app);
-    open(app, sources, "");
+    open(app, sources, state);
     visited::step(app);
+    // What is wrong with it stands at the top, too.
     browser::scroll_to_top();
 }
 
@@ -157,16 +163,12 @@ pub fn open_files(app: App, files: &FileList) {
         if sources.is_empty() {
             return app.complain(app.words().unreadable.to_owned());
         }
-        leave(app);
         // A link may have been waiting for this file.
         let name = sources.first().map(|source| source.name.clone());
         let awaited = app.with(|lab| lab.awaited.take_if(|(awaited, _)| Some(&*awaited) == name.as_ref()));
         let state = awaited.flatten().map(|(_, state)| state).unwrap_or_default();
-        open(app, sources, &state);
-        visited::step(app);
+        go_to(app, sources, &state);
         intake::read(app, records);
-        // What is wrong with it stands at the top, too.
-        browser::scroll_to_top();
         browser::focus_later(if app.read(|_| true) { "play" } else { "apparatus" }.to_owned());
     });
 }

@@ -20,8 +20,8 @@ addEventListener("error", (event) => stopped(event.error));
 addEventListener("unhandledrejection", (event) => stopped(event.reason));
 // Inflates the module that stands in this page and starts it. From a disk nothing can be fetched, hence the detour over
 // text.
-const inflated = async (id) => {
-  const text = document.getElementById(id).textContent;
+const inflated = async () => {
+  const text = document.getElementById("module").textContent;
   const bytes = Uint8Array.fromBase64?.(text) ?? Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
   // Written to directly: the stream of a blob makes the way through the browser's other processes.
   const inflater = new DecompressionStream("gzip");
@@ -32,7 +32,7 @@ const inflated = async (id) => {
   return new Response(inflater.readable).arrayBuffer();
 };
 (async () => {
-  const module = await inflated("module").catch((error) => {
+  const module = await inflated().catch((error) => {
     // The browser knows no DecompressionStream.
     if (error instanceof ReferenceError) throw error;
   });

@@ -144,7 +144,7 @@ fn register(app: App, index: usize, canvas: &HtmlCanvasElement, tip: &HtmlElemen
         tip: tip.clone(),
         size: (0.0, 0.0),
         scale: 1.0,
-        decimal_comma: session::number::Style::of(app.language.get_untracked().tag()).decimal_comma,
+        decimal_comma: app.language.get_untracked().style().decimal_comma,
         visible: true,
         stale: true,
         drawn: None,
@@ -273,7 +273,7 @@ pub fn figure(app: App, index: usize, shown: Box<dyn Fn() -> bool>) -> HtmlFigur
 }
 
 fn saved(app: App) -> Settings {
-    Settings { decimal_comma: session::number::Style::of(app.language.get_untracked().tag()).decimal_comma, ..SAVED }
+    Settings { decimal_comma: app.language.get_untracked().style().decimal_comma, ..SAVED }
 }
 
 /// `Phase portrait` as `phase-portrait`.

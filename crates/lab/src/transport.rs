@@ -8,8 +8,7 @@ use web_sys::{HtmlElement, HtmlInputElement};
 
 /// The time line has so many positions.
 const POSITIONS: f64 = 10_000.0;
-/// So many of them are shown while the run goes on, each half a pixel on a phone: the browser styles and lays out the slider
-/// anew for each.
+/// The slider takes only so many while the run goes on, each half a pixel on a phone: every change costs the browser a layout.
 const MOVING: f64 = 500.0;
 
 /// What changes in each frame.

@@ -92,7 +92,7 @@ fn scene() -> Option<HtmlDiv> {
 
 /// The plots that are shown, in the colours of paper whatever the theme of the screen is.
 fn plots(app: App) -> View {
-    let decimal_comma = session::number::Style::of(app.language.get_untracked().tag()).decimal_comma;
+    let decimal_comma = app.language.get_untracked().style().decimal_comma;
     let settings = Settings { decimal_comma, ..PLOT };
     let shown = app.read(|session| session.plots());
     let shown = shown.into_iter().filter(|plot| plot.shown && plot.offered && !plot.of_cycles);

@@ -35,7 +35,7 @@ impl Language {
 
     /// How it writes its numbers.
     pub fn style(self) -> Style {
-        self.pick(Style::POINT, Style::COMMA)
+        Style::of(self.tag())
     }
 
     /// An enumeration: `a, b and c`.

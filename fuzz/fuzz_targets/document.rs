@@ -3,7 +3,8 @@
 #![no_main]
 
 use document::page::{MARKER, Options, Source, embed, read};
-use document::{Block, Document};
+use document::Document;
+use program::Block;
 use libfuzzer_sys::fuzz_target;
 use session::Session;
 
@@ -36,7 +37,7 @@ fn travels_in_a_page(text: &str) {
 
 /// Raw HTML of the author is shown as text, so that no such element is ever made.
 fn carries_no_script(document: &Document) {
-    for section in document.editions.iter().flat_map(|edition| &edition.sections) {
+    for section in document.program.editions.iter().flat_map(|edition| &edition.sections) {
         for block in &section.blocks {
             if let Block::Html(html) = block {
                 let html = html.to_lowercase();

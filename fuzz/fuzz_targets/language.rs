@@ -5,17 +5,19 @@
 use engine::table::{Format, Table};
 use engine::{Method, Run, Setup};
 use libfuzzer_sys::fuzz_target;
-use model::{Diagnostic, Model};
+use model::Diagnostic;
+use program::Model;
 
 fuzz_target!(|source: &str| {
     let whole = 0..source.len();
     places_lie_in(source, &model::parse_expression(source, whole.clone()).2);
     places_lie_in(source, &model::parse_assignments(source, whole.clone()).1);
     let (compiled, diagnostics) = model::compile(source, &[whole]);
+    let compiled = compiled.map(|checked| checked.model);
     places_lie_in(source, &diagnostics);
     assert_eq!(compiled.is_none(), model::has_errors(&diagnostics), "a model exactly where there are no errors");
     if let Some(model) = compiled {
-        model.typeset(&|text| text.to_owned());
+        model::typeset(&statements, &|text| text.to_owned());
         for method in Method::ALL {
             run(&model, method);
         }

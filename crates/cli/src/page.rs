@@ -23,8 +23,8 @@ pub fn own() -> Result<&'static str, Failure> {
 /// The page with these sources instead. `document` is what they say, where they could be read.
 pub fn with(sources: &Sources, document: Option<&Document>) -> Result<String, Failure> {
     let options = Options {
-        title: document.map(|document| document.title.clone()),
-        language: document.map(|document| document.language.clone()),
+        title: document.map(|document| document.program.title.clone()),
+        language: document.map(|document| document.program.language.clone()),
     };
     embed(own()?, &sources.embedded(), &options)
         .ok_or_else(|| Failure::request("the page inside this program has no place for documents"))

@@ -6,8 +6,9 @@ use crate::load::{self, Loaded, Sources};
 use crate::output::Output;
 use crate::settings;
 use crate::terminal::Terminal;
-use engine::RunError;
+use document::Document;
 use engine::table::Table;
+use engine::{RunError, Subject};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use model::Diagnostic;
 use std::io::{IsTerminal, Write};
@@ -28,7 +29,7 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
         return Err(Failure::Document);
     };
     let (setup, until) = settings::setup(&mut document, arguments, terminal)?;
-    let model = &document.model;
+    let model = &document.program.model;
     let table = match &arguments.columns {
         Some(names) => {
             Table::select(model, &names.iter().map(|name| name.trim()).collect::<Vec<_>>()).map_err(|unknown| {
@@ -45,7 +46,7 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
         None => Table::new(model),
     };
     let steps = steps(until, setup.step)?;
-    let failed = |error: RunError| failed(&sources, error, terminal);
+    let failed = |error: RunError| failed(&sources, &document, &error, terminal);
     let run = engine::Run::start(model, setup).map_err(failed)?;
     let output = match &arguments.output {
         Some(path) => Output::to(path, &sources)?,
@@ -102,13 +103,20 @@ fn rows(
     Ok(None)
 }
 
-fn failed(sources: &Sources, error: RunError, terminal: Terminal) -> Failure {
-    match error.span {
-        Some(_) => terminal.report_one(sources, &Diagnostic::from(error)),
-        None => {
-            let hint = error.hint.as_ref().map(|hint| hint.text(terminal.language));
-            terminal.error(error.message.text(terminal.language), hint);
+/// Shows why a run cannot start or go on, with the place in the document where there is one.
+fn failed(sources: &Sources, document: &Document, error: &RunError, terminal: Terminal) -> Failure {
+    let places = &document.places;
+    let span = error.subject().and_then(|subject| match subject {
+        Subject::Parameter(index) => places.parameters.get(index),
+        Subject::State(index) => places.states.get(index),
+        Subject::Event(index) => places.events.get(index),
+    });
+    let (message, hint) = (error.message(&document.program.model), error.hint());
+    match span {
+        Some(span) => {
+            terminal.report_one(sources, &Diagnostic::error(error.code(), message, *span).with_hint(hint));
         }
+        None => terminal.error(message.text(terminal.language), Some(hint.text(terminal.language))),
     }
     Failure::Document
 }

@@ -6,20 +6,22 @@ use crate::load::Sources;
 use crate::terminal::Terminal;
 use document::Document;
 use engine::{Method, Readings, Setup};
-use model::{Compiled, Kind, Model, Parameter, nearest};
+use model::Compiler;
+use program::{Compiled, Kind, Model, Parameter, Program};
 use std::str::FromStr;
 use units::Unit;
+use units::nearest;
 
 /// Where a run ends if neither the document nor the command says: 100 s, or 100 of whatever the independent variable is.
 const UNTIL: f64 = 100.0;
 
 /// The setup of a run and the value of the independent variable at its end, all SI.
 pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Result<(Setup, f64), Failure> {
-    let mut setup = Setup::defaults(&document.model);
+    let mut setup = Setup::defaults(&document.program.model);
     for name in &arguments.preset {
         apply_preset(document, name, &mut setup.parameters)?;
     }
-    let Document { model, method, step, tolerance, until, .. } = document;
+    let Program { model, method, step, tolerance, until, .. } = &mut document.program;
     let time = model.independent.unit.clone();
     let mut reader = Reader { model, terminal };
     for assignment in &arguments.set {
@@ -29,10 +31,11 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
     if !arguments.start.is_empty() {
         setup.start = Some(reader.start(&arguments.start, &setup.parameters)?);
     }
-    if let Some(name) = arguments.method.as_ref().or(method.as_ref()) {
-        setup.method = Method::from_str(name)
-            .map_err(|_| unknown("method", name, Method::ALL.iter().map(|method| method.name())))?;
-    }
+    setup.method = match &arguments.method {
+        Some(name) => Method::from_str(name)
+            .map_err(|_| unknown("method", name, Method::ALL.iter().map(|method| method.name())))?,
+        None => method.unwrap_or_default(),
+    };
     setup.step = match &arguments.step {
         Some(text) => positive("--step", reader.value("--step", text, &time, &setup.parameters)?)?,
         None => step.unwrap_or(setup.step),
@@ -136,7 +139,7 @@ impl Reader<'_> {
     pub fn expression(&mut self, what: &str, text: &str) -> Result<Compiled, Failure> {
         let (expression, unit, mut diagnostics) = model::parse_expression(text, 0..text.len());
         if diagnostics.is_empty() {
-            match self.model.compile_expression(&expression, unit.as_ref()) {
+            match Compiler::new(self.model).compile(&expression, unit.as_ref()) {
                 Ok(compiled) => return Ok(compiled),
                 Err(errors) => diagnostics = errors,
             }
@@ -155,14 +158,14 @@ fn expected(unit: &Unit) -> String {
 }
 
 fn apply_preset(document: &Document, name: &str, parameters: &mut [f64]) -> Result<(), Failure> {
-    let Some(preset) = document.presets.iter().find(|preset| preset.name.eq_ignore_ascii_case(name)) else {
-        return Err(unknown("preset", name, document.presets.iter().map(|preset| preset.name.as_str())));
+    let Some(preset) = document.program.presets.iter().find(|preset| preset.name.eq_ignore_ascii_case(name)) else {
+        return Err(unknown("preset", name, document.program.presets.iter().map(|preset| preset.name.as_str())));
     };
     let nodes: Vec<_> = preset.values.iter().map(|assignment| assignment.value.node).collect();
-    let zeros = vec![0.0; document.model.states.len()];
-    let values = Readings::new(&document.model, &nodes).at(parameters, &zeros, 0.0, &zeros).to_vec();
+    let zeros = vec![0.0; document.program.model.states.len()];
+    let values = Readings::new(&document.program.model, &nodes).at(parameters, &zeros, 0.0, &zeros).to_vec();
     for (assignment, value) in preset.values.iter().zip(values) {
-        within_range(&document.model.parameters[assignment.parameter], value)?;
+        within_range(&document.program.model.parameters[assignment.parameter], value)?;
         parameters[assignment.parameter] = value;
     }
     Ok(())

@@ -1,9 +1,7 @@
 //! Expressions outside the model: read, completed with the scene's own names, and compiled against the model.
 
-use crate::Assignment;
-use model::{
-    Compiled, Compiler, Diagnostic, Expression, ExpressionKind, Kind, Model, Node, Span, StatedUnit, StatementKind,
-};
+use model::{Compiler, Diagnostic, Expression, ExpressionKind, Places, Span, StatedUnit, StatementKind};
+use program::{Assignment, Compiled, Kind, Model, Node};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use units::{QuantityName, Words, words};
@@ -13,12 +11,22 @@ use units::{QuantityName, Words, words};
 const NODES: usize = 5_000;
 const DEPTH: usize = 64;
 
+/// An expression that was compiled, and where it stands.
+pub struct Placed {
+    /// What runs.
+    pub value: Compiled,
+    /// Where it stands in the document.
+    pub span: Span,
+}
+
 /// Reads and compiles expressions of one document.
 pub struct Expressions<'a> {
     /// The document.
     pub source: &'a str,
     /// Adds them to the model's graph.
     compiler: Compiler<'a>,
+    /// Where the parts of the model stand.
+    pub places: &'a Places,
     /// What was found.
     pub diagnostics: Vec<Diagnostic>,
     /// Names that mean an expression.
@@ -27,8 +35,8 @@ pub struct Expressions<'a> {
 
 impl<'a> Expressions<'a> {
     /// For the expressions of `source`.
-    pub fn new(source: &'a str, model: &'a mut Model) -> Self {
-        Self { source, compiler: Compiler::new(model), diagnostics: Vec::new(), local: BTreeMap::new() }
+    pub fn new(source: &'a str, model: &'a mut Model, places: &'a Places) -> Self {
+        Self { source, places, compiler: Compiler::new(model), diagnostics: Vec::new(), local: BTreeMap::new() }
     }
 
     /// The model.
@@ -37,7 +45,7 @@ impl<'a> Expressions<'a> {
     }
 
     /// The expression that fills `range`. None if it has an error.
-    pub fn compile(&mut self, range: Range<usize>) -> Option<Compiled> {
+    pub fn compile(&mut self, range: Range<usize>) -> Option<Placed> {
         let (expression, unit, diagnostics) = model::parse_expression(self.source, range);
         let failed = model::has_errors(&diagnostics);
         self.diagnostics.extend(diagnostics);
@@ -45,13 +53,13 @@ impl<'a> Expressions<'a> {
     }
 
     /// The number that fills `range`.
-    pub fn number(&mut self, range: Range<usize>) -> Option<Compiled> {
+    pub fn number(&mut self, range: Range<usize>) -> Option<Placed> {
         let compiled = self.compile(range)?;
         self.expect_number(compiled)
     }
 
     /// The number that fills `range` and stays the same during a run.
-    pub fn constant(&mut self, range: Range<usize>, what: &Words) -> Option<Compiled> {
+    pub fn constant(&mut self, range: Range<usize>, what: &Words) -> Option<Placed> {
         let compiled = self.number(range)?;
         self.expect_constant(compiled, what)
     }
@@ -86,19 +94,20 @@ impl<'a> Expressions<'a> {
                 continue;
             };
             if self.fits(parameter, &value) {
-                result.push(Assignment { parameter, value });
+                result.push(Assignment { parameter, value: value.value });
             }
         }
         result
     }
 
     /// Whether a parameter can have a value: of its dimension and, as far as that is known before the run, in its range.
-    fn fits(&mut self, parameter: usize, value: &Compiled) -> bool {
+    fn fits(&mut self, parameter: usize, Placed { value, span }: &Placed) -> bool {
+        let declared = self.places.parameters.get(parameter).copied().unwrap_or_default();
         let parameter = &self.model().parameters[parameter];
         if value.dimension() != parameter.unit.dimension {
             let message = words!("`{}` cannot have this value", "`{}` no puede tener este valor", parameter.name);
-            let found = (value.span, value.dimension());
-            let expected = (parameter.span, parameter.unit.dimension);
+            let found = (*span, value.dimension());
+            let expected = (declared, parameter.unit.dimension);
             self.diagnostics.push(dimension_error(message, found, expected));
             return false;
         }
@@ -112,9 +121,9 @@ impl<'a> Expressions<'a> {
         let range = format!("{}..{} {unit}", unit.from_si(low), unit.from_si(high));
         let message = words!("`{}` cannot have this value", "`{}` no puede tener este valor", parameter.name);
         self.diagnostics.push(
-            Diagnostic::error("out-of-range", message, value.span)
+            Diagnostic::error("out-of-range", message, *span)
                 .saying(words!("outside {}", "fuera de {}", range.trim_end()))
-                .with_label(parameter.span, words("the range is declared here", "el intervalo se declara aquí")),
+                .with_label(declared, words("the range is declared here", "el intervalo se declara aquí")),
         );
         false
     }
@@ -126,7 +135,7 @@ impl<'a> Expressions<'a> {
             let message =
                 words!("`{}` is not a parameter of the model", "`{}` no es un parámetro del modelo", name.text);
             let names = self.model().parameters.iter().map(|parameter| parameter.name.as_str());
-            let hint = match model::nearest(&name.text, names) {
+            let hint = match units::nearest(&name.text, names) {
                 Some(near) => Some(words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
                 None if self.model().lookup(&name.text, 0).is_some() => Some(words(
                     "only parameters can be set; what is computed follows from them",
@@ -187,7 +196,7 @@ impl<'a> Expressions<'a> {
         self.local.clear();
     }
 
-    fn finish(&mut self, mut expression: Expression, unit: Option<&StatedUnit>) -> Option<Compiled> {
+    fn finish(&mut self, mut expression: Expression, unit: Option<&StatedUnit>) -> Option<Placed> {
         let mut nodes = 0;
         self.replace(&mut expression, &mut nodes);
         if nodes > NODES || depth(&expression) > DEPTH {
@@ -205,7 +214,7 @@ impl<'a> Expressions<'a> {
             return None;
         }
         match self.compiler.compile(&expression, unit) {
-            Ok(compiled) => Some(compiled),
+            Ok(value) => Some(Placed { value, span: expression.span }),
             Err(diagnostics) => {
                 self.diagnostics.extend(diagnostics);
                 None
@@ -232,8 +241,8 @@ impl<'a> Expressions<'a> {
         }
     }
 
-    fn expect_number(&mut self, compiled: Compiled) -> Option<Compiled> {
-        let what = match compiled.kind {
+    fn expect_number(&mut self, compiled: Placed) -> Option<Placed> {
+        let what = match compiled.value.kind {
             Kind::Number => return Some(compiled),
             Kind::Truth => words(
                 "this is true or false, and a number is needed",
@@ -245,8 +254,8 @@ impl<'a> Expressions<'a> {
         None
     }
 
-    fn expect_constant(&mut self, compiled: Compiled, what: &Words) -> Option<Compiled> {
-        let dependence = self.model().depends(compiled.node);
+    fn expect_constant(&mut self, compiled: Placed, what: &Words) -> Option<Placed> {
+        let dependence = self.model().depends(compiled.value.node);
         let culprit = match dependence.states.first() {
             Some(state) => format!("`{}`", self.model().states[*state as usize].name()),
             None if dependence.independent => format!("`{}`", self.model().independent.name),

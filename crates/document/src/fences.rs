@@ -1,9 +1,9 @@
 //! The fenced blocks of a document that are more than prose, and the prose between them.
 
 use crate::source::{Line, lines};
-use model::{Diagnostic, Span, nearest};
+use model::{Diagnostic, Span};
 use std::ops::Range;
-use units::words;
+use units::{nearest, words};
 
 /// What a fenced block holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! The lines between `---` at the beginning of a document: `key: value`.
 
 use crate::source::{Line, lines};
-use model::{Diagnostic, Span, nearest};
+use model::{Diagnostic, Span};
 use std::ops::Range;
-use units::words;
+use units::{nearest, words};
 
 /// The keys there are.
 const KEYS: [&str; 8] = ["title", "language", "translates", "method", "step", "until", "tolerance", "vary"];

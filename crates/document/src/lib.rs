@@ -18,8 +18,6 @@ mod source;
 mod translation;
 mod vary;
 
-pub use document::{Assignment, Curve, Document, Edition, Opened, Plot, Preset, Question, QuestionText, Tolerance};
+pub use document::{Document, Opened};
 pub use front_matter::translates;
 pub use open::open;
-pub use prose::{Block, Section};
-pub use scene::{Attribute, Child, Drag, Element, Piece, Scene, Template};

@@ -1,15 +1,17 @@
 //! From text to document.
 
-use crate::document::{Document, Edition, Opened, Question, QuestionText};
+use crate::document::{Document, Opened};
 use crate::expressions::Expressions;
 use crate::fences::{self, Fence, FenceKind, Part};
 use crate::front_matter::{self, FrontMatter};
 use crate::prose::Prose;
 use crate::questions::{self, QUESTIONS, RawQuestion};
+use crate::scene::SceneText;
 use crate::settings;
 use crate::translation::Texts;
-use crate::{Section, plots, presets, scene, vary};
-use model::{Diagnostic, Span};
+use crate::{plots, presets, scene, vary};
+use model::{Checked, Diagnostic, Span, Statement};
+use program::{Edition, Program, Question, QuestionText, Section};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use units::words;
@@ -37,25 +39,19 @@ pub fn open(source: &str, translations: &[&str]) -> Opened {
             .with_hint(hint),
         );
     }
-    let model = file.model();
-    let (mut document, raw_questions) = match model {
-        Some(model) => {
-            let (document, raw_questions) = file.document(model);
-            (Some(document), raw_questions)
-        }
-        None => (None, Vec::new()),
-    };
+    let checked = file.model();
+    let mut read = checked.map(|checked| file.document(checked));
     let mut diagnostics = vec![file.diagnostics];
     for text in translations {
         let mut translation = File::read(text);
-        if let Some(document) = &mut document {
-            translation.translate(document, &raw_questions);
+        if let Some(read) = &mut read {
+            translation.translate(read);
         }
         diagnostics.push(translation.diagnostics);
     }
     let diagnostics = diagnostics.into_iter().enumerate();
     Opened {
-        document,
+        document: read.map(|read| read.document),
         diagnostics: diagnostics.flat_map(|(file, found)| bounded(found).into_iter().map(move |d| (file, d))).collect(),
     }
 }
@@ -73,6 +69,17 @@ fn bounded(mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
         found.push(Diagnostic::warning("more-findings", message, last.span()));
     }
     found
+}
+
+/// A document, and what its translations need of it.
+struct Read {
+    document: Document,
+    /// The statements of the model.
+    statements: Vec<Statement>,
+    /// Which question of the document each question as written is, if it is any.
+    questions: Vec<Option<usize>>,
+    /// What the texts of the scene say.
+    scene_words: Vec<SceneText>,
 }
 
 /// A file taken apart.
@@ -109,7 +116,7 @@ impl<'a> File<'a> {
         fences.filter(|fence| fence.kind == kind).collect()
     }
 
-    fn model(&mut self) -> Option<model::Model> {
+    fn model(&mut self) -> Option<Checked> {
         let parts: Vec<Range<usize>> =
             self.fences(FenceKind::Model).into_iter().map(|fence| fence.content.clone()).collect();
         if parts.is_empty() {
@@ -129,15 +136,16 @@ impl<'a> File<'a> {
             }
             return None;
         }
-        let (model, found) = model::compile(self.source, &parts);
+        let (checked, found) = model::compile(self.source, &parts);
         self.diagnostics.extend(found);
-        model
+        checked
     }
 
-    /// Everything else, and the questions as written.
-    fn document(&mut self, mut model: model::Model) -> (Document, Vec<Option<usize>>) {
+    /// Everything else.
+    fn document(&mut self, checked: Checked) -> Read {
+        let Checked { mut model, statements, places } = checked;
         let settings = settings::read(&self.matter, &model, &mut self.diagnostics);
-        let mut expressions = Expressions::new(self.source, &mut model);
+        let mut expressions = Expressions::new(self.source, &mut model, &places);
         let vary = self.matter.get("vary").map_or_else(Vec::new, |value| vary::read(&mut expressions, value));
         let mut plots = Vec::new();
         for fence in self.fences(FenceKind::Plots) {
@@ -148,7 +156,8 @@ impl<'a> File<'a> {
             presets::read(&mut expressions, fence.content.clone(), &mut presets);
         }
         let scenes = self.fences(FenceKind::Scene);
-        let scene = scenes.first().and_then(|fence| scene::build(&mut expressions, fence.content.clone()));
+        let (scene, scene_words) =
+            scenes.first().and_then(|fence| scene::build(&mut expressions, fence.content.clone())).unzip();
         let mut further: Vec<Diagnostic> = (scenes.iter().skip(1))
             .map(|fence| {
                 Diagnostic::error(
@@ -170,7 +179,7 @@ impl<'a> File<'a> {
             ))
         }));
         let mut compiled: Vec<Question> = Vec::new();
-        let (sections, texts, numbers) = self.prose(&mut further, |raw| {
+        let (sections, texts, questions) = self.prose(&mut further, |raw| {
             let question = questions::compile(&mut expressions, raw)?;
             compiled.push(question);
             Some(compiled.len() - 1)
@@ -181,19 +190,17 @@ impl<'a> File<'a> {
             language: settings.language.clone(),
             title: settings.title.clone(),
             sections,
+            equations: model::typeset(&statements, &str::to_owned),
             questions: texts,
             scene,
             texts: BTreeMap::new(),
         };
-        let document = Document {
-            source: self.source.to_owned(),
-            translations: Vec::new(),
+        let program = Program {
             title: settings.title,
             language: settings.language,
             editions: vec![edition],
             model,
-            method: settings.method.as_ref().map(|method| method.text.clone()),
-            method_span: settings.method.map(|method| method.span).unwrap_or_default(),
+            method: settings.method,
             step: settings.step,
             until: settings.until,
             tolerance: settings.tolerance,
@@ -202,7 +209,9 @@ impl<'a> File<'a> {
             presets,
             questions: compiled,
         };
-        (document, numbers)
+        let source = self.source.to_owned();
+        let document = Document { source, translations: Vec::new(), places, program };
+        Read { document, statements, questions, scene_words: scene_words.unwrap_or_default() }
     }
 
     /// The prose with its questions. `place` says which question one as written is, if it is any. Also the words of the
@@ -245,8 +254,10 @@ impl<'a> File<'a> {
         (sections, texts, numbers)
     }
 
-    /// Adds this file to `document` as its edition in another language. `numbers` are those of the original's questions.
-    fn translate(&mut self, document: &mut Document, numbers: &[Option<usize>]) {
+    /// Adds this file to a document as its edition in another language.
+    fn translate(&mut self, read: &mut Read) {
+        let Read { document, statements, questions: numbers, scene_words } = read;
+        let program = &mut document.program;
         document.translations.push(self.source.to_owned());
         let Some(language) = self.matter.get("language").cloned() else {
             self.diagnostics.push(
@@ -266,7 +277,7 @@ impl<'a> File<'a> {
             self.diagnostics.push(settings::no_language(&language));
             return;
         }
-        if document.languages().any(|known| known == language.text) {
+        if program.languages().any(|known| known == language.text) {
             let message =
                 words!("the document exists in `{}` already", "el documento ya existe en `{}`", language.text);
             self.diagnostics.push(Diagnostic::error("translation", message, language.span));
@@ -306,17 +317,21 @@ impl<'a> File<'a> {
             };
             found.push(Diagnostic::warning("untranslated", message, language.span));
         }
-        let original = document.editions.first().and_then(|original| original.scene.as_ref());
-        let scene = original.map(|scene| scene.translated(&mut texts));
+        let original = program.editions.first().and_then(|original| original.scene.as_ref());
+        let scene = original.map(|scene| scene::translated(scene, scene_words, &mut texts));
         let mut table = BTreeMap::new();
-        for original in document.translatable() {
+        for original in program.translatable() {
             if let Some((text, _)) = texts.translate(original, scene::has_word(original)) {
                 table.insert(original.to_owned(), text);
             }
         }
         found.extend(texts.finish(language.span));
-        let title = self.matter.get("title").map_or_else(|| document.title.clone(), |title| title.text.clone());
-        document.editions.push(Edition { language: language.text, title, sections, questions, scene, texts: table });
+        let title = self.matter.get("title").map_or_else(|| program.title.clone(), |title| title.text.clone());
+        let translated = |text: &str| table.get(text).map_or(text, String::as_str).to_owned();
+        let equations = model::typeset(statements, &translated);
+        let language = language.text;
+        let edition = Edition { language, title, sections, equations, questions, scene, texts: table };
+        program.editions.push(edition);
         self.diagnostics.extend(found);
     }
 

@@ -3,8 +3,9 @@
 use crate::expressions::Expressions;
 use crate::scan::{find_word, leading_text, split, statements};
 use crate::source::trim;
-use crate::{Curve, Plot};
-use model::{Diagnostic, ExpressionKind, Model, Span};
+use model::{Diagnostic, ExpressionKind, Span};
+use program::Model;
+use program::{Curve, Plot};
 use std::ops::Range;
 use units::{Words, words};
 
@@ -81,7 +82,7 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>) -> Option<Plot> 
     if curves.is_empty() {
         return None;
     }
-    Some(Plot { title: title.to_owned(), x: x?, curves, span: span(&statement) })
+    Some(Plot { title: title.to_owned(), x: x?, curves })
 }
 
 /// `y'` or `(h_l + h_r)/2 + y "Left level"`
@@ -96,7 +97,7 @@ fn curve(expressions: &mut Expressions, range: Range<usize>) -> Option<Curve> {
             range = trim(source, range.start..quote);
         }
     }
-    let value = expressions.number(range.clone())?;
+    let value = expressions.number(range.clone())?.value;
     let expression = source[range.clone()].split_whitespace().collect::<Vec<_>>().join(" ");
     let label = label.or_else(|| label_of_name(expressions.model(), source, range));
     Some(Curve { expression, label, value })

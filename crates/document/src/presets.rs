@@ -1,10 +1,10 @@
 //! Presets: `"Mercury": rho = 13534 [kg/m^3]`, in groups.
 
-use crate::Preset;
 use crate::expressions::Expressions;
 use crate::scan::{leading_text, statements};
 use crate::source::trim;
 use model::{Diagnostic, Span};
+use program::Preset;
 use std::ops::Range;
 use units::words;
 
@@ -73,5 +73,5 @@ fn preset(expressions: &mut Expressions, statement: Range<usize>, group: &Option
         return None;
     };
     let values = expressions.assignments(range);
-    (!values.is_empty()).then(|| Preset { group: group.clone(), name: name.to_owned(), values, span })
+    (!values.is_empty()).then(|| Preset { group: group.clone(), name: name.to_owned(), values })
 }

@@ -1,11 +1,11 @@
 //! Questions: words, and an answer that the document computes.
 
-use crate::expressions::{Expressions, dimension_error};
+use crate::expressions::{Expressions, Placed, dimension_error};
 use crate::prose::Prose;
 use crate::scan::find_word;
 use crate::source::{lines, trim};
-use crate::{Question, QuestionText, Tolerance};
 use model::{Diagnostic, ExpressionKind, Span};
+use program::{Question, QuestionText, Tolerance};
 use std::ops::Range;
 use units::words;
 
@@ -122,9 +122,10 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion) -> Option<Quest
         );
         return None;
     };
-    let compiled = expressions.constant(answer.start..within.start, &words("an answer", "una respuesta"))?;
-    let tolerance = tolerance(expressions, trim(source, within.end..answer.end), &compiled)?;
-    Some(Question { setup, hides, unit: compiled.unit.clone(), answer: compiled, tolerance, span })
+    let answer_value = expressions.constant(answer.start..within.start, &words("an answer", "una respuesta"))?;
+    let tolerance = tolerance(expressions, trim(source, within.end..answer.end), &answer_value)?;
+    let answer = answer_value.value;
+    Some(Question { setup, hides, unit: answer.unit.clone(), answer, tolerance })
 }
 
 /// `T_d, omega_d`: the quantities whose values are hidden until the question is answered.
@@ -148,7 +149,7 @@ fn hidden(expressions: &mut Expressions, range: Range<usize>) -> Vec<usize> {
         };
         let named = &expressions.model().quantities;
         let Some(quantity) = named.iter().position(|quantity| quantity.name == name) else {
-            let near = model::nearest(&name, named.iter().map(|quantity| quantity.name.as_str())).map(str::to_owned);
+            let near = units::nearest(&name, named.iter().map(|quantity| quantity.name.as_str())).map(str::to_owned);
             let message = words!("`{name}` is not a quantity of the model", "`{name}` no es una magnitud del modelo");
             let hint = match near {
                 Some(near) => words!("did you mean `{near}`?", "¿querías decir `{near}`?"),
@@ -171,7 +172,7 @@ fn hidden(expressions: &mut Expressions, range: Range<usize>) -> Vec<usize> {
 }
 
 /// `2 %` or `0.1 [s]`
-fn tolerance(expressions: &mut Expressions, range: Range<usize>, answer: &model::Compiled) -> Option<Tolerance> {
+fn tolerance(expressions: &mut Expressions, range: Range<usize>, answer: &Placed) -> Option<Tolerance> {
     let span = Span::new(range.start, range.end);
     let text = &expressions.source[range.clone()];
     let tolerance = if let Some(percent) = text.strip_suffix('%') {
@@ -181,12 +182,12 @@ fn tolerance(expressions: &mut Expressions, range: Range<usize>, answer: &model:
         match expression.kind {
             ExpressionKind::Number { value, unit } => {
                 let unit = unit.unwrap_or_else(units::Unit::dimensionless);
-                if unit.dimension != answer.dimension() {
+                if unit.dimension != answer.value.dimension() {
                     let message = words(
                         "the tolerance and the answer have different dimensions",
                         "la tolerancia y la respuesta tienen dimensiones distintas",
                     );
-                    let expected = (answer.span, answer.dimension());
+                    let expected = (answer.span, answer.value.dimension());
                     expressions.diagnostics.push(dimension_error(message, (span, unit.dimension), expected));
                     return None;
                 }

@@ -2,7 +2,8 @@
 
 use crate::expressions::dimension_error;
 use crate::front_matter::{FrontMatter, Value};
-use model::{Diagnostic, Model, Span};
+use model::{Diagnostic, Span};
+use program::{Method, Model};
 use units::{Dimension, Unit, words};
 
 /// The front matter, checked. Values are SI.
@@ -11,8 +12,8 @@ pub struct Settings {
     pub title: String,
     /// The language; `en` unless stated.
     pub language: String,
-    /// The method's name as written.
-    pub method: Option<Value>,
+    /// The method.
+    pub method: Option<Method>,
     /// The step of the independent variable.
     pub step: Option<f64>,
     /// Where the run stops.
@@ -34,7 +35,7 @@ pub fn read(matter: &FrontMatter, model: &Model, diagnostics: &mut Vec<Diagnosti
     Settings {
         title: matter.get("title").map_or_else(|| "Untitled".to_owned(), |title| title.text.clone()),
         language: language.map_or_else(|| "en".to_owned(), |language| language.text.clone()),
-        method: matter.get("method").cloned(),
+        method: matter.get("method").and_then(|value| method(value, diagnostics)),
         step: matter.get("step").and_then(|value| quantity("step", value, independent, diagnostics)),
         until: matter.get("until").and_then(|value| quantity("until", value, independent, diagnostics)),
         tolerance: matter.get("tolerance").and_then(|value| tolerance(value, diagnostics)),
@@ -59,6 +60,11 @@ pub fn is_language(text: &str) -> bool {
     text.len() <= 20
         && text.split('-').all(|part| (1..=8).contains(&part.len()) && part.chars().all(|c| c.is_ascii_alphanumeric()))
         && text.starts_with(|c: char| c.is_ascii_alphabetic())
+}
+
+fn method(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<Method> {
+    let method = value.text.parse::<Method>();
+    method.map_err(|unknown| diagnostics.push(Diagnostic::error("unknown-method", unknown.words(), value.span))).ok()
 }
 
 fn tolerance(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {

@@ -3,10 +3,10 @@
 use crate::scan::{leading_text, statements};
 use crate::scene::normalised;
 use crate::source::trim;
-use model::{Diagnostic, Span, nearest};
+use model::{Diagnostic, Span};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
-use units::words;
+use units::{nearest, words};
 
 /// Texts and their translations.
 #[derive(Debug, Default)]

@@ -77,7 +77,7 @@ mod tests {
             .diagnostics
             .iter()
             .map(|(_, found)| format!("{}: {}", &source[found.span().range()], found.message.english));
-        (opened.document.map_or_else(Vec::new, |document| document.vary), said.collect())
+        (opened.document.map_or_else(Vec::new, |document| document.program.vary), said.collect())
     }
 
     #[test]

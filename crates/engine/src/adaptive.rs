@@ -5,7 +5,7 @@ use crate::dormand_prince::{DormandPrince, dense_value};
 use crate::equations::Equations;
 use crate::events::{Crossing, Events};
 use crate::rosenbrock::Rosenbrock;
-use model::Model;
+use program::Model;
 
 /// Two methods in one, whose difference is the error.
 #[derive(Clone, Debug)]

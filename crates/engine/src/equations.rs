@@ -1,7 +1,7 @@
 //! The right side of the first-order system y' = f(t, y) of a model, with what the methods need to know of it.
 
 use crate::Routine;
-use model::{Model, NodeId};
+use program::{Model, NodeId};
 
 /// f and, for stiff methods, its derivatives; counts its evaluations.
 #[derive(Clone, Debug)]

@@ -13,7 +13,7 @@
 use crate::Routine;
 use crate::equations::Equations;
 use crate::jumps::Jumps;
-use model::{Model, NodeId};
+use program::{Model, NodeId};
 
 /// The conditions and actions of a model.
 #[derive(Clone, Debug)]

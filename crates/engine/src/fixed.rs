@@ -2,7 +2,7 @@
 
 use crate::Method;
 use crate::equations::Equations;
-use model::{Model, Node};
+use program::{Model, Node};
 
 /// A method of fixed step and its working storage.
 #[derive(Clone, Debug)]

@@ -1,9 +1,9 @@
 //! The register machine: what one instruction does, to the bit. Nothing here depends on the platform: the four operations
-//! and the square root are exact by IEEE 754, the other functions are those of [`model::Unary::evaluate`] and
-//! [`model::Binary::evaluate`], and nothing is ever fused.
+//! and the square root are exact by IEEE 754, the other functions are those of [`program::Unary::evaluate`] and
+//! [`program::Binary::evaluate`], and nothing is ever fused.
 
 use crate::linear::Elimination;
-use model::{Binary, Unary};
+use program::{Binary, Unary};
 
 /// The number of a register.
 pub(crate) type Register = u32;

@@ -1,8 +1,8 @@
 //! How the sensitivities of a model change at its events, in models that have them among their states. The formulas are the
-//! model's ([`model::Jump`]); here they are evaluated for the events of one moment, one after the other.
+//! model's ([`program::Jump`]); here they are evaluated for the events of one moment, one after the other.
 
 use crate::Routine;
-use model::Model;
+use program::Model;
 
 /// The jumps of sensitivities.
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ impl Jumps {
         let all = model.states.len();
         let inputs = 2 * all + parameters;
         let delays: Vec<_> = jumps.iter().flat_map(|jump| &jump.delays).copied().collect();
-        let routine = |jump: &&model::Jump| Routine::from_graph(&model.graph, inputs, &jump.sensitivities);
+        let routine = |jump: &&program::Jump| Routine::from_graph(&model.graph, inputs, &jump.sensitivities);
         Some(Self {
             delays: Routine::compile(model, &delays),
             delay_values: vec![0.0; delays.len()],

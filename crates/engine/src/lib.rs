@@ -12,10 +12,8 @@ mod history;
 mod instruction;
 mod jumps;
 mod linear;
-mod method;
 #[cfg(test)]
 mod order_conditions;
-mod places;
 mod readings;
 mod record;
 mod rosenbrock;
@@ -25,9 +23,9 @@ mod setup;
 mod stepper;
 pub mod table;
 
-pub use error::RunError;
+pub use error::{Cause, RunError, Subject};
 pub use history::History;
-pub use method::{Method, UnknownMethod};
+pub use program::Method;
 pub use readings::Readings;
 pub use record::{AfterJump, Record};
 pub use routine::Routine;

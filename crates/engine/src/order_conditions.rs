@@ -82,6 +82,7 @@ impl Method {
 pub(crate) fn measured(mut step: impl FnMut(&mut Equations, f64, f64, &[f64], &mut [f64])) -> f64 {
     let text = "independent t\nq'' = -sin(q) - 0.2*q' + cos(2*t)\nq(0) = 1\nq'(0) = 0.5\n";
     let (model, diagnostics) = model::compile(text, std::slice::from_ref(&(0..text.len())));
+    let model = model.map(|checked| checked.model);
     let model = model.unwrap_or_else(|| panic!("{diagnostics:?}"));
     let mut equations = Equations::with_slopes(&model).unwrap();
     equations.prepare(&[], &[1.0, 0.5]);

@@ -1,7 +1,7 @@
 //! Expressions evaluated along a run.
 
 use crate::{History, Routine};
-use model::{Model, NodeId};
+use program::{Model, NodeId};
 
 /// A set of expressions that can be read at any row or state; it notices when parameters change.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use crate::instruction::{self, Instruction, Register};
 use crate::linear::{Elimination, Factors};
-use model::{Binary, Graph, Model, Node, NodeId, Unary};
+use program::{Binary, Graph, Model, Node, NodeId, Unary};
 
 /// How many rows are computed at a time.
 const ROWS: usize = 16;

@@ -2,7 +2,7 @@
 
 use crate::checkpoints::Checkpoints;
 use crate::{History, Progress, Readings, RunError, Setup, Stepper};
-use model::{Model, NodeId};
+use program::{Model, NodeId};
 
 /// The greatest size of a history in bytes; a run that reaches it pauses.
 pub const CAPACITY: usize = 64 << 20;

@@ -11,13 +11,11 @@ use crate::dormand_prince::DormandPrince;
 use crate::equations::Equations;
 use crate::events::Events;
 use crate::fixed::Fixed;
-use crate::places::Places;
 use crate::rosenbrock::Rosenbrock;
 use crate::setup;
-use crate::{Method, Routine, RunError, Setup};
+use crate::{Cause, Method, Routine, RunError, Setup};
 use advance::RowWork;
-use model::{Model, NodeId};
-use units::words;
+use program::{Model, NodeId};
 
 /// A model in motion: goes from one point of the grid t_n = n h to the next.
 #[derive(Clone, Debug)]
@@ -25,7 +23,7 @@ pub struct Stepper {
     equations: Equations,
     solver: Solver,
     events: Events,
-    places: Places,
+    method: Method,
     step: f64,
     /// The number of the last grid point at or before `time`.
     index: u64,
@@ -59,7 +57,7 @@ impl Stepper {
             Some(start) => start.clone(),
             None => initial_state(model, &setup.parameters),
         };
-        setup::check_initial(model, &initial)?;
+        setup::check_initial(&initial)?;
         let states = model.states.len();
         let adaptive = |pair| Solver::Adaptive(Box::new(Adaptive::new(pair, model, setup)));
         let (solver, equations) = match setup.method {
@@ -69,14 +67,14 @@ impl Stepper {
             Method::DormandPrince => (adaptive(Pair::DormandPrince(DormandPrince::new(states))), Equations::new(model)),
             Method::Rosenbrock => (
                 adaptive(Pair::Rosenbrock(Rosenbrock::new(states))),
-                Equations::with_slopes(model).ok_or_else(|| slopes_too_many(model))?,
+                Equations::with_slopes(model).ok_or(RunError::at_start(Cause::ModelTooLarge))?,
             ),
         };
         let mut stepper = Self {
             equations,
             solver,
             events: Events::new(model),
-            places: Places::new(model, setup.method),
+            method: setup.method,
             step: setup.step,
             index: 0,
             on_grid: true,
@@ -162,15 +160,6 @@ impl Stepper {
             adaptive.restart(self.time, &self.state);
         }
     }
-}
-
-/// The stiff method's derivatives would fill the memory.
-fn slopes_too_many(model: &Model) -> RunError {
-    let message =
-        words("the model is too large for the stiff method", "el modelo es demasiado grande para el método rígido");
-    RunError::at_start("model-too-large", message)
-        .with_hint(words("choose another method", "elige otro método"))
-        .with_span(model.states.first().map(|state| state.span))
 }
 
 /// The model's initial state for `parameters`.

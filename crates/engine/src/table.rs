@@ -3,7 +3,7 @@
 mod write;
 
 use crate::{History, Readings};
-use model::{Kind, Model, NodeId, State};
+use program::{Kind, Model, NodeId, State};
 use std::rc::Rc;
 use units::Unit;
 
@@ -187,6 +187,6 @@ fn find(model: &Model, name: &str) -> Result<(Column, Origin), UnknownColumn> {
         .chain(states.iter().map(String::as_str))
         .chain(model.quantities.iter().map(|quantity| quantity.name.as_str()))
         .chain(model.parameters.iter().map(|parameter| parameter.name.as_str()));
-    let near = model::nearest(name, known).map(str::to_owned);
+    let near = units::nearest(name, known).map(str::to_owned);
     Err(UnknownColumn { name: name.to_owned(), near })
 }

@@ -1,7 +1,7 @@
 //! Parts of the scene that follow the hand: focused and moved with the arrow keys, or by pointer ([`crate::grip`]).
 
 use crate::app::App;
-use document::Drag;
+use program::Drag;
 use session::Session;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;

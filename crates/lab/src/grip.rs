@@ -5,7 +5,7 @@
 //! handle is under the finger, and nowhere else: a finger beside the handles scrolls the page.
 
 use crate::app::App;
-use document::Drag;
+use program::Drag;
 use session::Session;
 use std::cell::Cell;
 use std::rc::Rc;

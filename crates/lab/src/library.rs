@@ -35,7 +35,7 @@ impl Entry {
     pub fn open(&self) -> Option<Document> {
         let texts: Vec<&str> = self.files.iter().map(|file| file.text.as_str()).collect();
         let (source, translations) = texts.split_first()?;
-        document::open(source, translations).document
+        document::open(source, translations).sound()
     }
 }
 

@@ -4,7 +4,7 @@ use crate::app::App;
 use crate::views::*;
 use crate::{browser, data, diagnostics, measurements, question};
 use document::page::Source;
-use document::{Block, Section};
+use program::{Block, Section};
 use sycamore_reactive::untrack;
 use web_sys::KeyboardEvent;
 
@@ -88,7 +88,7 @@ fn turn(app: App, count: usize, event: &KeyboardEvent) {
 /// The prose. What is read stands together in one tab, each section that asks questions in one of its own.
 fn prose(app: App) -> Vec<Tab> {
     let language = app.language.get_untracked().tag();
-    let sections: Vec<Section> = app.read(|session| session.document().sections(language).to_vec());
+    let sections: Vec<Section> = app.read(|session| session.document().program.sections(language).to_vec());
     let top = sections.iter().map(|section| section.level).filter(|&level| level > 0).min().unwrap_or(1);
     let mut chapters: Vec<Vec<Section>> = Vec::new();
     for section in sections {
@@ -155,7 +155,8 @@ fn passage(app: App, section: &Section, top: u8) -> View {
 /// The model, typeset from its own syntax.
 fn equations(app: App) -> HtmlDiv {
     let words = app.words();
-    let lines = app.read(|session| session.model().typeset(&|text| session.text(text).to_owned()));
+    let language = app.language.get_untracked().tag();
+    let lines = app.read(|session| session.document().program.edition(language).equations.clone());
     let list = ol().each(lines, |math| li().inner_html(math));
     let equations =
         div().class("equations").role("region").tabindex("0").attr("aria-label", words.equations).child(list);

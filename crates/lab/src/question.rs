@@ -9,7 +9,8 @@ use web_sys::{HtmlInputElement, SubmitEvent};
 pub fn view(app: App, index: usize) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
-    let asked = app.read(|session| Some(session.document().question_text(language, index).clone())).unwrap_or_default();
+    let asked =
+        app.read(|session| Some(session.document().program.question_text(language, index).clone())).unwrap_or_default();
     let unit = app.read(|session| session.question_unit(index));
     let given = app.read(|session| session.answer(index));
     let verdict = create_signal(given.verdict);

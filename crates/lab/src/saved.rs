@@ -34,7 +34,7 @@ pub struct Saved {
 fn document_key(sources: &[Source], session: &Session) -> String {
     let own = if matches!(library::subject(sources), Subject::File(_)) { "own:" } else { "" };
     let name = sources.first().map_or("", |file| &file.name);
-    format!("{own}{name}:{}", session.document().title)
+    format!("{own}{name}:{}", session.document().program.title)
 }
 
 /// The state in which a document was left.

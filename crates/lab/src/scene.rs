@@ -5,7 +5,7 @@ use crate::app::App;
 use crate::drag::{self, Handle};
 use crate::grip::Grips;
 use crate::views::document as page;
-use document::{Child, Element, Piece, Scene, Template};
+use program::{Child, Element, Piece, Scene, Template};
 use session::{Follows, Session};
 use wasm_bindgen::JsCast;
 use web_sys::{ShadowRootInit, ShadowRootMode, SvgElement, SvgGraphicsElement, Text};

@@ -6,8 +6,8 @@ use crate::app::App;
 use crate::controls::symbol;
 use crate::views::*;
 use crate::{browser, header};
-use document::{Block, Section};
 use figure::{Palette, Settings};
+use program::{Block, Section};
 use web_sys::{Element, Event, ShadowRootInit, ShadowRootMode};
 
 /// The size of a plot on paper, in CSS pixels: as wide as the text of a page, so that its letters have their size.
@@ -32,7 +32,7 @@ pub fn view(app: App) -> View {
 fn sheet(app: App) -> HtmlArticle {
     let words = app.words();
     let language = app.language.get_untracked().tag();
-    let sections: Vec<Section> = app.read(|session| session.document().sections(language).to_vec());
+    let sections: Vec<Section> = app.read(|session| session.document().program.sections(language).to_vec());
     let asks = |section: &&Section| section.blocks.iter().any(|block| matches!(block, Block::Question(_)));
     let first = sections.iter().position(|section| asks(&section)).unwrap_or(sections.len());
     // What stands before the first heading leads to the apparatus; the rest of the text follows it.
@@ -106,7 +106,8 @@ fn plots(app: App) -> View {
 fn question(app: App, index: usize) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
-    let asked = app.read(|session| Some(session.document().question_text(language, index).clone())).unwrap_or_default();
+    let asked =
+        app.read(|session| Some(session.document().program.question_text(language, index).clone())).unwrap_or_default();
     let unit = app.read(|session| session.question_unit(index));
     let supposed = app.read(|session| session.question_setup(index)).map(|(values, _)| {
         p().class("supposed").child(words.supposes).child(" ").child(crate::question::supposed(values))

@@ -116,7 +116,7 @@ fn scene(app: App) -> HtmlSection {
     let words = app.words();
     let mut place = div().class("drawing");
     let language = app.language.get_untracked().tag();
-    let scene = app.read(|session| session.document().scene(language).cloned());
+    let scene = app.read(|session| session.document().program.scene(language).cloned());
     let (exists, draggable) = (scene.is_some(), scene.as_ref().is_some_and(|scene| has_handle(&scene.root)));
     if let Some(scene) = &scene {
         let nodes = SceneNodes::build(app, scene, &place.node(), words.scene);
@@ -151,7 +151,7 @@ fn drag_hint(app: App) -> HtmlP {
     note(keys).child(span().class("for-touch").child(words.drag_hint_touch))
 }
 
-fn has_handle(element: &document::Element) -> bool {
+fn has_handle(element: &program::Element) -> bool {
     element.drag.is_some()
-        || element.children.iter().any(|child| matches!(child, document::Child::Element(child) if has_handle(child)))
+        || element.children.iter().any(|child| matches!(child, program::Child::Element(child) if has_handle(child)))
 }

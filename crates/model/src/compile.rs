@@ -2,14 +2,26 @@
 
 use crate::dimensions::check_dimensions;
 use crate::lowering::assemble;
-use crate::names::{NameCheck, Program, Unknown, check_event, definition_order, find_unknowns};
-use crate::{Diagnostic, Model, Span, Statement, has_errors, limits, parse};
+use crate::names::{Declarations, NameCheck, Unknown, check_event, definition_order, find_unknowns};
+use crate::{Diagnostic, Places, Span, Statement, has_errors, limits, parse};
+use program::Model;
 use std::ops::Range;
 use units::words;
 
+/// A model without errors, and what its author wrote.
+#[derive(Clone, Debug)]
+pub struct Checked {
+    /// The model.
+    pub model: Model,
+    /// What the author wrote, for typesetting.
+    pub statements: Vec<Statement>,
+    /// Where the parts of the model stand.
+    pub places: Places,
+}
+
 /// Compiles the model that stands in `parts` of a document's `source`, which may be several fences. Places in the
 /// diagnostics count bytes of `source`. There is no model if there are errors; there may be warnings beside one.
-pub fn compile(source: &str, parts: &[Range<usize>]) -> (Option<Model>, Vec<Diagnostic>) {
+pub fn compile(source: &str, parts: &[Range<usize>]) -> (Option<Checked>, Vec<Diagnostic>) {
     let length: usize = parts.iter().map(Range::len).sum();
     if length > limits::SOURCE {
         let start = parts.first().map_or(0, |part| part.start);
@@ -27,16 +39,16 @@ pub fn compile(source: &str, parts: &[Range<usize>]) -> (Option<Model>, Vec<Diag
     (model, diagnostics)
 }
 
-fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Option<Model> {
+fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Option<Checked> {
     if let Some(beyond) = statements.get(limits::STATEMENTS) {
         let message =
             words!("the model has more than {} statements", "el modelo tiene más de {} sentencias", limits::STATEMENTS);
         diagnostics.push(Diagnostic::error("model-too-large", message, beyond.span));
         return None;
     }
-    let mut program = Program::collect(&statements, diagnostics);
-    let order = definition_order(&program, diagnostics);
-    let unknowns = find_unknowns(&mut program, &order, diagnostics);
+    let mut declarations = Declarations::collect(&statements, diagnostics);
+    let order = definition_order(&declarations, diagnostics);
+    let unknowns = find_unknowns(&mut declarations, &order, diagnostics);
     let states: u32 = unknowns.iter().map(|unknown| unknown.highest).sum();
     if states as usize > limits::STATES {
         let span = unknowns.last().map(|unknown| unknown.span).unwrap_or_default();
@@ -47,40 +59,40 @@ fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Opt
         );
         diagnostics.push(Diagnostic::error("model-too-large", message, span));
     }
-    check_names(&program, &unknowns, diagnostics);
-    let types = check_dimensions(&program, &order, &unknowns, diagnostics);
+    check_names(&declarations, &unknowns, diagnostics);
+    let types = check_dimensions(&declarations, &order, &unknowns, diagnostics);
     if has_errors(diagnostics) {
         return None;
     }
-    match assemble(&program, &order, &unknowns, &types) {
-        Ok(model) => Some(Model { statements, ..model }),
-        Err(mut told) => {
-            diagnostics.append(&mut told);
+    match assemble(&declarations, &order, &unknowns, &types) {
+        Ok((model, places)) => Some(Checked { model, places, statements }),
+        Err(mut found) => {
+            diagnostics.append(&mut found);
             None
         }
     }
 }
 
-fn check_names(program: &Program, unknowns: &[Unknown], diagnostics: &mut Vec<Diagnostic>) {
-    let initial = program.initial_values.iter().map(|entry| entry.name.text.as_str());
-    let told = initial.filter(|name| program.scope.meaning(name).is_none()).collect();
-    let mut check = NameCheck::new(&program.scope, told);
-    for definition in &program.definitions {
+fn check_names(declarations: &Declarations, unknowns: &[Unknown], diagnostics: &mut Vec<Diagnostic>) {
+    let initial = declarations.initial_values.iter().map(|entry| entry.name.text.as_str());
+    let told = initial.filter(|name| declarations.scope.meaning(name).is_none()).collect();
+    let mut check = NameCheck::new(&declarations.scope, told);
+    for definition in &declarations.definitions {
         check.expression(definition.value);
     }
-    for entry in &program.initial_values {
+    for entry in &declarations.initial_values {
         check.expression(entry.value);
     }
-    for equation in &program.equations {
+    for equation in &declarations.equations {
         check.expression(equation.left);
         check.expression(equation.right);
     }
-    for event in &program.events {
+    for event in &declarations.events {
         check.expression(event.condition);
         for action in event.actions {
             check.expression(&action.value);
         }
-        check_event(program, unknowns, event, diagnostics);
+        check_event(declarations, unknowns, event, diagnostics);
     }
     diagnostics.append(&mut check.finish());
 }

@@ -1,6 +1,6 @@
 //! The functions an author can call: their arguments, their dimensions, and what they become in the graph.
 
-use crate::{Binary, Graph, NodeId, Unary};
+use program::{Binary, Graph, NodeId, Unary};
 use units::{Words, words};
 
 /// A function of the language.

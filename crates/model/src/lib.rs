@@ -1,15 +1,11 @@
 //! The equation language: from text to a checked system of first-order equations.
 
 mod alphabet;
-mod build;
 mod compile;
 mod diagnostic;
-mod differentiate;
 mod dimensions;
-mod evaluate;
 mod expression;
 mod functions;
-mod graph;
 mod lexer;
 mod limits;
 mod lowering;
@@ -17,20 +13,14 @@ mod matching;
 mod names;
 mod notation;
 mod parser;
-mod sensitivity;
+mod places;
 mod syntax;
-mod system;
 mod typeset;
-mod walk;
-mod whole;
 
-pub use compile::compile;
+pub use compile::{Checked, compile};
 pub use diagnostic::{Diagnostic, Label, Severity, Span, has_errors};
-pub use differentiate::{Variable, differentiate, differentiate_all};
-pub use expression::{Compiler, Dependence};
-pub use graph::{Binary, Graph, LinearSystem, Node, NodeId, Unary};
-pub use names::nearest;
+pub use expression::Compiler;
 pub use parser::{Assignment, parse, parse_assignments, parse_expression};
+pub use places::Places;
 pub use syntax::*;
-pub use system::*;
-pub use typeset::{typeset_expression, typeset_name};
+pub use typeset::{typeset, typeset_expression, typeset_name};

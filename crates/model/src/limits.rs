@@ -13,8 +13,7 @@ pub(crate) const STATES: usize = 256;
 pub(crate) const COUPLED: usize = 32;
 /// Nodes of the expression graph.
 pub(crate) const NODES: usize = 50_000;
-/// Nodes of the expression graph with all its derivatives.
-pub(crate) const SLOPES: usize = 500_000;
+
 /// Coefficients of highest derivatives in all expressions that contain such.
 pub(crate) const COEFFICIENTS: usize = 1_000_000;
 /// Errors of one kind that are told; an author reads no more of them.

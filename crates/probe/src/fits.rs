@@ -25,7 +25,7 @@ impl Fits {
     pub fn new(times: &[f64], level: &[f64]) -> Result<Fits, String> {
         let open = |source: &str| {
             let document = document::open(source, &[]).document.ok_or("the document has errors")?;
-            let observed = document.model.lookup("y", 0).ok_or("the document has no y")?;
+            let observed = document.program.model.lookup("y", 0).ok_or("the document has no y")?;
             let observation = Observation {
                 name: "y".to_owned(),
                 observed,
@@ -36,9 +36,9 @@ impl Fits {
             };
             let record = Record { name: "record".to_owned(), observations: vec![observation], ..Record::default() };
             let task = Task {
-                parameters: document.model.parameters.iter().map(|parameter| parameter.value).collect(),
+                parameters: document.program.model.parameters.iter().map(|parameter| parameter.value).collect(),
                 records: vec![record],
-                varied: document.vary.iter().map(|&index| Varied::parameter(index)).collect(),
+                varied: document.program.vary.iter().map(|&index| Varied::parameter(index)).collect(),
                 ..Task::default()
             };
             Ok::<_, String>((document, task))
@@ -69,7 +69,7 @@ impl Fits {
         let mut rmse = 0.0;
         for _ in 0..count {
             let task = self.tasks[which].clone();
-            let mut fit = Fit::new(&self.documents[which].model, task).map_err(|error| error.to_string())?;
+            let mut fit = Fit::new(&self.documents[which].program.model, task).map_err(|error| error.to_string())?;
             fit.complete();
             let outcome: Outcome = fit.outcome().filter(|outcome| outcome.converged).ok_or("no end")?;
             rmse = outcome.rmse;

@@ -55,7 +55,7 @@ fn run(text: &str, method: &str, until: f64) -> Result<Run, String> {
     let mut setup = setup(text)?;
     setup.1.method = method.parse().map_err(|_| format!("no method {method}"))?;
     let (document, setup) = setup;
-    let mut run = Run::start(&document.model, setup).map_err(|error| error.to_string())?;
+    let mut run = Run::start(&document.program.model, setup).map_err(|error| error.to_string())?;
     while run.time() < until {
         if run.advance().map_err(|error| error.to_string())? == Advance::Full {
             break;
@@ -71,8 +71,8 @@ pub(crate) fn setup(text: &str) -> Result<(document::Document, Setup), String> {
         let messages = opened.diagnostics.iter().map(|(_, diagnostic)| &*diagnostic.message.english);
         messages.collect::<Vec<_>>().join("; ")
     })?;
-    let mut setup = Setup::defaults(&document.model);
-    setup.step = document.step.unwrap_or(setup.step);
-    setup.tolerance = document.tolerance.unwrap_or(setup.tolerance);
+    let mut setup = Setup::defaults(&document.program.model);
+    setup.step = document.program.step.unwrap_or(setup.step);
+    setup.tolerance = document.program.tolerance.unwrap_or(setup.tolerance);
     Ok((document, setup))
 }

@@ -39,7 +39,7 @@ impl Pace {
     pub fn new() -> Result<Pace, String> {
         let (document, mut setup) = setup(UTUBE)?;
         setup.method = Method::RungeKutta4;
-        let model = &document.model;
+        let model = &document.program.model;
         let value = |name: &str| {
             let place = model.parameters.iter().position(|parameter| parameter.name == name);
             place.map(|place| setup.parameters[place]).ok_or_else(|| format!("no parameter {name}"))

@@ -41,7 +41,7 @@ struct Columns {
 /// See [`crate::figure`].
 pub fn figure(report: &Report<'_>) -> String {
     let language = report.language;
-    let title = report.document.edition(language.tag()).title.as_str();
+    let title = report.document.program.edition(language.tag()).title.as_str();
     let (mut parts, mut height) = (String::new(), 0.0);
     for fit in &report.outcome.observations {
         let record = report.task.records.get(fit.record).map_or("", |record| record.name.as_str());
@@ -123,7 +123,7 @@ fn draw(
 ) -> Figure {
     let language = report.language;
     let upper = height == UPPER;
-    let independent = &report.document.model.independent;
+    let independent = &report.document.program.model.independent;
     let (name, observed) = (plain_symbol(&independent.name), plain_symbol(&fit.name));
     let time_unit = unit_text(&independent.unit.text);
     let value_unit = if upper { unit_text(&fit.unit.text) } else { columns.unit.clone() };
@@ -210,7 +210,7 @@ fn greatest_where(fit: &ObservationFit, wanted: impl Fn(bool) -> bool) -> f64 {
 fn columns(report: &Report<'_>, fit: &ObservationFit, reach: f64) -> Columns {
     let residual_unit = fit.unit.for_residuals(size(&fit.unit, reach).abs());
     let (part, unit) = (residual_unit.factor / fit.unit.factor, unit_text(&residual_unit.text));
-    let clock = &report.document.model.independent.unit;
+    let clock = &report.document.program.model.independent.unit;
     let value = |si: f64| fit.unit.from_si(si);
     // A difference on a scale has its factor, not its zero.
     let difference = |si: f64| size(&fit.unit, si);

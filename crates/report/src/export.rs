@@ -51,7 +51,7 @@ fn heading(report: &Report<'_>, record: usize, name: &str, unit: &str) -> String
 
 fn data(report: &Report<'_>) -> (Vec<String>, Vec<Vec<f64>>) {
     let language = report.language;
-    let clock = &report.document.model.independent;
+    let clock = &report.document.program.model.independent;
     let mut headers = Vec::new();
     let mut columns = Vec::new();
     let mut times: Option<(usize, &[f64])> = None;
@@ -83,7 +83,7 @@ fn residuals(fit: &ObservationFit) -> Vec<f64> {
 
 fn curves(report: &Report<'_>) -> (Vec<String>, Vec<Vec<f64>>) {
     let language = report.language;
-    let clock = &report.document.model.independent;
+    let clock = &report.document.program.model.independent;
     let (mut headers, mut columns) = (Vec::new(), Vec::new());
     let mut last = None;
     for trace in report.traces {
@@ -199,7 +199,7 @@ fn about(report: &Report<'_>) -> Sheet {
     let language = report.language;
     let line = |name: &str, value: &str| vec![Cell::from(name), Cell::from(value)];
     let mut rows = vec![
-        line(language.pick("Title", "Título"), &report.document.edition(language.tag()).title),
+        line(language.pick("Title", "Título"), &report.document.program.edition(language.tag()).title),
         line(language.pick("Theory", "Teoría"), report.document_name),
         line(language.pick("Command", "Orden"), report.command),
         line(language.pick("Program", "Programa"), &["Meniscus ", report.version].concat()),

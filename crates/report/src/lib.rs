@@ -55,7 +55,7 @@ pub struct Report<'a> {
 impl Report<'_> {
     /// See [`remarks`].
     fn remarks(&self) -> Vec<String> {
-        let independent = &self.document.model.independent;
+        let independent = &self.document.program.model.independent;
         remarks(self.outcome, self.task, (&independent.name, &independent.unit), self.language)
     }
 }

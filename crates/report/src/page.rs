@@ -10,7 +10,7 @@ const FIGURES: usize = 12;
 /// The report as one self-contained HTML page in its language.
 pub fn html(report: &Report<'_>) -> String {
     let language = report.language;
-    let title = report.document.edition(language.tag()).title.as_str();
+    let title = report.document.program.edition(language.tag()).title.as_str();
     let mut page = Page::default();
     header(&mut page, report, title);
     figures(&mut page, report);

@@ -48,7 +48,7 @@ impl<'a> Ranking<'a> {
             Some(Row {
                 report,
                 ranked,
-                title: &report.document.edition(tag).title,
+                title: &report.document.program.edition(tag).title,
                 numbers: report.outcome.n.saturating_sub(report.outcome.dof),
                 predicted: report.outcome.predicted(),
             })

@@ -38,11 +38,11 @@ pub fn readable_units(estimates: &[Estimate]) -> Vec<Estimate> {
 pub fn label(report: &Report<'_>, estimate: &Estimate) -> String {
     let language = report.language;
     if let Some(label) = &estimate.label {
-        return report.document.text(language.tag(), label).to_owned();
+        return report.document.program.text(language.tag(), label).to_owned();
     }
     let own = estimate.parameter().is_some();
     match estimate.name.rsplit_once('_') {
-        Some((name, "origin")) if !own && name == report.document.model.independent.name => {
+        Some((name, "origin")) if !own && name == report.document.program.model.independent.name => {
             language.pick("Reading of the clock at the start", "Lectura del reloj al empezar").to_owned()
         }
         Some((name, "offset")) if !own => {

@@ -4,7 +4,7 @@ use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
 use crate::results::size;
 use analysis::fit::Target;
-use model::Parameter;
+use program::Parameter;
 use units::number::{fixed, plain, unit_text};
 
 /// Data beyond this are not written into the page.
@@ -13,12 +13,11 @@ const MOST_ROWS: usize = 5000;
 /// The equations, and the parameters that were held.
 pub fn theory(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
-    let model = &report.document.model;
+    let model = &report.document.program.model;
     page.heading(language.pick("The theory", "La teoría"));
     page.raw("<div class=\"equations\">");
-    let translate = |text: &str| report.document.text(language.tag(), text).to_owned();
-    for equation in model.typeset(&translate) {
-        page.wrapped("div", &equation);
+    for equation in &report.document.program.edition(language.tag()).equations {
+        page.wrapped("div", equation);
     }
     page.raw("</div>\n");
     let varied = |index: usize| report.outcome.parameters.iter().any(|one| one.parameter() == Some(index));
@@ -38,7 +37,7 @@ pub fn theory(page: &mut Page, report: &Report<'_>) {
         ],
     );
     for (index, parameter) in held {
-        let label = parameter.label.as_deref().map_or("", |label| report.document.text(language.tag(), label));
+        let label = parameter.label.as_deref().map_or("", |label| report.document.program.text(language.tag(), label));
         let mut values: Vec<f64> =
             report.outcome.settings.iter().filter_map(|values| values.get(index).copied()).collect();
         values.dedup();
@@ -59,7 +58,7 @@ pub fn theory(page: &mut Page, report: &Report<'_>) {
 pub fn data(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let style = language.style();
-    let independent = &report.document.model.independent;
+    let independent = &report.document.program.model.independent;
     page.heading(language.pick("The data", "Los datos"));
     let of = [&symbol(&independent.name), language.pick::<&str>(" from … to", " de … a")].concat();
     page.raw("<div class=\"scroll\"><table class=\"wide\"><thead><tr>");
@@ -130,7 +129,7 @@ pub fn repeat(page: &mut Page, report: &Report<'_>, csv: &str) {
 /// What was varied, and where it was to begin and to stay if that was said.
 fn varied(report: &Report<'_>) -> Vec<String> {
     let language = report.language;
-    let model = &report.document.model;
+    let model = &report.document.program.model;
     let describe = |varied: &analysis::fit::Varied| {
         let (mut text, unit) = match varied.target {
             Target::Parameter(index) => {
@@ -165,7 +164,7 @@ fn varied(report: &Report<'_>) -> Vec<String> {
 /// Which part was fitted.
 fn part(report: &Report<'_>) -> String {
     let language = report.language;
-    let independent = &report.document.model.independent;
+    let independent = &report.document.program.model.independent;
     let time = |si: f64| {
         let number = plain(independent.unit.from_si(si), 8, language.style());
         [&number, " ", &unit_text(&independent.unit.text)].concat().trim_end().to_owned()
@@ -187,7 +186,7 @@ fn method(report: &Report<'_>) -> String {
             "mínimos cuadrados (Levenberg y Marquardt), con las derivadas respecto a los parámetros tomadas del propio modelo",
         )
         .to_owned();
-    if !report.document.model.states.is_empty() {
+    if !report.document.program.model.states.is_empty() {
         text += language
             .pick("; equations of motion integrated to 10⁻⁹", "; ecuaciones del movimiento integradas con 10⁻⁹");
     }
@@ -214,7 +213,7 @@ fn method(report: &Report<'_>) -> String {
     let mut origins = report.outcome.origins.clone();
     origins.dedup();
     if !origins.is_empty() {
-        let independent = &report.document.model.independent;
+        let independent = &report.document.program.model.independent;
         let reading = |origin: &f64| fixed(independent.unit.from_si(*origin), 4, language.style());
         let values: Vec<String> = origins.iter().map(reading).collect();
         text += language.pick("; initial values hold at ", "; los valores iniciales corresponden a ");

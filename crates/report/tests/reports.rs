@@ -125,8 +125,8 @@ fn what_is_not_determined_has_no_number() {
     let (times, values) = level();
     let mut record = record(&mut document, "swing.txt", &times, &values);
     record.observations[0].errors = Some(vec![0.001; times.len()]);
-    document.vary = vec![0, 1];
-    document.method = Some("dormand-prince".to_owned());
+    document.program.vary = vec![0, 1];
+    document.program.method = Some(program::Method::DormandPrince);
     let fit = fitted("tube", document, vec![record], |_| ());
     assert_eq!(fit.outcome.undetermined[0].combination.as_deref(), Some("b/rho"));
     let page = html(&fit.report("en"));

@@ -28,7 +28,7 @@ pub enum Announcement {
     StateSet(usize, f64),
     /// The start of a state was dragged to this SI value by changing parameters.
     StartSet {
-        /// Which of [`model::Model::states`].
+        /// Which of [`program::Model::states`].
         state: usize,
         /// Its value at the start, SI.
         value: f64,

@@ -95,8 +95,8 @@ impl Session {
     }
 
     fn note_answer(&mut self, question: usize, note: impl FnOnce(&mut Answer)) {
-        if question < self.document.questions.len() {
-            self.answers.resize(self.document.questions.len(), Answer::default());
+        if question < self.document.program.questions.len() {
+            self.answers.resize(self.document.program.questions.len(), Answer::default());
             if let Some(answer) = self.answers.get_mut(question) {
                 note(answer);
             }
@@ -108,8 +108,8 @@ impl Session {
     /// others are put before it; the same words asked again are told apart by their order.
     fn question_names(&self) -> Vec<String> {
         let mut names: Vec<String> = Vec::new();
-        for index in 0..self.document.questions.len() {
-            let prompt = &self.document.question_text(&self.document.language, index).prompt;
+        for index in 0..self.document.program.questions.len() {
+            let prompt = &self.document.program.question_text(&self.document.program.language, index).prompt;
             let mut again = 0;
             let mut name = name_of(&[prompt]);
             while names.contains(&name) {

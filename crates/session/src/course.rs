@@ -4,7 +4,7 @@
 //! *front*, the greatest time reached, can be shown again; what lies before it is nobody's business yet.
 
 use engine::{Advance, CAPACITY, History, Run, RunError, Setup};
-use model::Model;
+use program::Model;
 
 /// The same run again: from these values, with these changes of parameters on the way.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,20 +67,6 @@ impl Course {
         }
         course.show(0.0);
         course
-    }
-
-    /// A run that could not even be tried.
-    pub fn failed(model: &Model, setup: Setup, error: RunError) -> Self {
-        Self {
-            run: None,
-            error: Some(error),
-            begun: setup,
-            changes: Vec::new(),
-            time: 0.0,
-            front: 0.0,
-            state: vec![f64::NAN; model.states.len()],
-            overhead: 0,
-        }
     }
 
     /// Runs a recipe with no more than about the work in `left` ([`Run::work`]), from which what was done is taken.

@@ -53,7 +53,7 @@ impl Points {
 impl Session {
     /// Which of [`Session::plots`] is that of the cycles.
     pub fn cycle_plot(&self) -> usize {
-        self.document.plots.len() + 1
+        self.document.program.plots.len() + 1
     }
 
     /// Takes what is to be drawn from what was found.

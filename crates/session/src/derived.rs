@@ -134,7 +134,7 @@ impl Record {
             let unit = Unit::parse(&unit).ok();
             let name = format!("{}{}", source.meaning.quantity, "'".repeat(order));
             let same = |unit: &Unit| {
-                observed(&document.model, &name).is_some_and(|observed| observed.dimension() == unit.dimension)
+                observed(&document.program.model, &name).is_some_and(|observed| observed.dimension() == unit.dimension)
             };
             let known = !source.meaning.quantity.is_empty() && unit.as_ref().is_some_and(same);
             // Without a name in the file it is called by what it is.

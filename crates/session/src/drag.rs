@@ -7,8 +7,9 @@
 
 use crate::start::Start;
 use crate::{Announcement, Session};
-use document::{Child, Document, Drag, Element, Piece};
+use document::Document;
 use engine::Setup;
+use program::{Child, Drag, Element, Piece};
 
 /// A part of the scene that is held.
 #[derive(Clone, Debug)]
@@ -81,11 +82,11 @@ impl Session {
         if !at_start {
             self.rest(drag.state, &mut from);
         }
-        let start = if at_start { Start::of(&self.document.model, drag.state) } else { None };
+        let start = if at_start { Start::of(&self.document.program.model, drag.state) } else { None };
         let parameters = self.course.parameters().to_vec();
         let reach = extent(&self.document, &self.tag);
         let mut shaping = Vec::new();
-        if let Some(scene) = self.document.scene(&self.tag) {
+        if let Some(scene) = self.document.program.scene(&self.tag) {
             collect_shaping(&scene.root, &mut shaping);
         }
         let playing = self.playing;
@@ -134,7 +135,7 @@ impl Session {
 
     /// What is held does not move: the derivatives of its variable are 0.
     fn rest(&self, held: usize, state: &mut [f64]) {
-        let states = &self.document.model.states;
+        let states = &self.document.program.model.states;
         let Some(held) = states.get(held) else { return };
         for (other, value) in states.iter().zip(state) {
             if other.variable == held.variable && other.order > held.order {
@@ -213,7 +214,7 @@ fn collect_shaping(element: &Element, indices: &mut Vec<usize>) {
 /// The width and height of the scene, in its units; without a view box there is no telling.
 fn extent(document: &Document, language: &str) -> (f64, f64) {
     let unlimited = (f64::MAX, f64::MAX);
-    let Some(scene) = document.scene(language) else {
+    let Some(scene) = document.program.scene(language) else {
         return unlimited;
     };
     let view_box = scene.root.attributes.iter().find(|attribute| attribute.name == "viewBox");

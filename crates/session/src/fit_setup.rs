@@ -3,7 +3,7 @@
 use crate::record::Record;
 use crate::{Refusal, Session, number, words};
 use analysis::fit::{Loss, Target, Varied};
-use model::Model;
+use program::Model;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A record in the list of those that can be fitted together.
@@ -77,7 +77,7 @@ impl Setup {
 
     /// The values that are held at a record's own, by the parameters of a model; those that are varied are not.
     pub fn fixed(&self, model: &Model, varied: &[Varied], record: &Record) -> Vec<(usize, f64)> {
-        let own = |(index, parameter): (usize, &model::Parameter)| {
+        let own = |(index, parameter): (usize, &program::Parameter)| {
             let held = varied.iter().all(|varied| varied.target != Target::Parameter(index));
             let value = record.known.get(&parameter.name).filter(|_| held && !self.is_same(&parameter.name, false))?;
             Some((index, *value))

@@ -141,11 +141,11 @@ impl Session {
     }
 
     fn title_of(&self, fit: &Fitted) -> String {
-        fit.document.edition(&self.tag).title.clone()
+        fit.document.program.edition(&self.tag).title.clone()
     }
 
     pub(crate) fn is_applicable(&self, fit: &Fitted) -> bool {
-        fit.document.title == self.document.title
+        fit.document.program.title == self.document.program.title
             && fit.outcome.settings.first().is_some_and(|all| all.len() == self.model().parameters.len())
     }
 
@@ -155,7 +155,7 @@ impl Session {
         let outcome = &fit.outcome;
         let plain = |value: f64, digits: usize| number::plain(value, digits, self.style);
         let mut sentences = vec![outcome.verdict_text(self.language)];
-        let independent = &fit.document.model.independent;
+        let independent = &fit.document.program.model.independent;
         sentences.extend(report::remarks(outcome, &fit.task, (&independent.name, &independent.unit), self.language));
         sentences.extend(outcome.undetermined.iter().map(|one| one.text(self.language)));
         if !outcome.converged {
@@ -180,7 +180,7 @@ impl Session {
     /// Where the initial values hold in each record, in sentences.
     fn beginnings(&self, fit: &Fitted) -> Vec<String> {
         let sentence = |(place, origin): (usize, &f64)| {
-            let at = self.quantity_text(*origin, &fit.document.model.independent.unit);
+            let at = self.quantity_text(*origin, &fit.document.program.model.independent.unit);
             let of_record = fit.outcome.observations.iter().filter(|one| one.record == place);
             let text = words::initial_values_hold(self.language, &at, of_record.map(|one| one.early).sum());
             match fit.definition.parts.get(place).filter(|_| fit.definition.parts.len() > 1) {
@@ -229,7 +229,7 @@ impl Session {
             String::new()
         };
         let record = one.record.filter(|_| fit.task.records.len() > 1).and_then(|record| fit.task.records.get(record));
-        let label = one.label.as_ref().map(|label| fit.document.text(&self.tag, label).to_owned());
+        let label = one.label.as_ref().map(|label| fit.document.program.text(&self.tag, label).to_owned());
         EstimateView {
             name: one.name.clone(),
             label: label.unwrap_or_else(|| crate::symbol(&one.name)),
@@ -262,7 +262,7 @@ impl Session {
         let Some(fit) = self.fits.finished.iter().find(|fit| fit.id == id) else { return Vec::new() };
         let (document, file) = (&fit.document, &fit.definition.file);
         let stem = file.trim_end_matches(".md");
-        let translations = document.translations.iter().zip(document.languages().skip(1));
+        let translations = document.translations.iter().zip(document.program.languages().skip(1));
         let translations = translations.map(|(text, language)| (format!("{stem}.{language}.md"), text.clone()));
         std::iter::once((file.clone(), document.source.clone())).chain(translations).collect()
     }
@@ -304,7 +304,9 @@ impl Fitted {
             names.sort();
             names
         };
-        self.same_values(other) && self.document.title == other.document.title && varied(self) == varied(other)
+        self.same_values(other)
+            && self.document.program.title == other.document.program.title
+            && varied(self) == varied(other)
     }
 
     /// Whether two fits are of the same values with the same loss, so that they can be ranked.

@@ -4,12 +4,11 @@ use crate::fit_setup::Setup;
 use crate::fitted::Fitted;
 use crate::recognise::observed;
 use crate::record::{Record, Use};
-use crate::refusal::{fit_error, unknown_method};
+use crate::refusal::fit_error;
 use crate::saved_fits::{Found, Waiting};
 use crate::{Announcement, Refusal, Session, words};
 use analysis::fit::{Fit, FitError, Loss, Observation, Task, Varied};
 use document::Document;
-use engine::Method;
 use std::collections::VecDeque;
 
 /// How far the fits have come.
@@ -140,12 +139,12 @@ impl Session {
     /// Nothing to follow.
     pub fn begin_ranking(&mut self, theories: Vec<(String, Document)>) -> Result<(), Refusal> {
         let job = |(file, document): (String, Document)| {
-            let parameters = &document.model.parameters;
+            let parameters = &document.program.model.parameters;
             let shared = |index: usize| {
                 parameters.get(index).is_some_and(|parameter| self.fits.setup.is_same(&parameter.name, true))
             };
             let varied =
-                document.vary.iter().map(|&index| Varied { shared: shared(index), ..Varied::parameter(index) });
+                document.program.vary.iter().map(|&index| Varied { shared: shared(index), ..Varied::parameter(index) });
             let varied: Vec<Varied> = varied.collect();
             let definition = Definition {
                 file,
@@ -164,8 +163,8 @@ impl Session {
     /// What a fit of a document follows of the records that take part.
     fn parts(&self, document: &Document, varied: &[Varied], own: bool) -> Vec<Part> {
         let labels = |label: &str| {
-            let languages = document.languages();
-            languages.map(|language| document.text(language, label).to_lowercase()).collect()
+            let languages = document.program.languages();
+            languages.map(|language| document.program.text(language, label).to_lowercase()).collect()
         };
         let taking_part = self.taking_part();
         let part = |record: &Record| {
@@ -179,7 +178,7 @@ impl Session {
             };
             let fixed = match taking_part.len() {
                 1 => Vec::new(),
-                _ => self.fits.setup.fixed(&document.model, varied, record),
+                _ => self.fits.setup.fixed(&document.program.model, varied, record),
             };
             Part { record: record.id, name: record.name.clone(), uses, origin, fixed }
         };
@@ -210,7 +209,7 @@ impl Session {
     fn next_fit(&mut self) -> Result<(), Refusal> {
         let alone = self.fits.total == 1;
         while let Some(job) = self.fits.queue.pop() {
-            let theory = job.document.edition(&self.tag).title.clone();
+            let theory = job.document.program.edition(&self.tag).title.clone();
             match self.ready(job) {
                 Ok(running) => {
                     self.fits.running = Some(running);
@@ -237,7 +236,7 @@ impl Session {
 
     fn ready(&self, job: Job) -> Result<Running, Refusal> {
         let task = self.task(&job)?;
-        let model = &job.document.model;
+        let model = &job.document.program.model;
         let fit = match &job.found {
             Some(found) => Fit::again(model, task.clone(), found.values()),
             None => Fit::new(model, task.clone()),
@@ -293,7 +292,7 @@ impl Session {
     pub fn fit_progress(&self) -> Option<FitProgress> {
         let Running { job, fit, .. } = self.fits.running.as_ref().filter(|running| running.job.found.is_none())?;
         Some(FitProgress {
-            theory: job.document.edition(&self.tag).title.clone(),
+            theory: job.document.program.edition(&self.tag).title.clone(),
             trials: fit.trials(),
             explained: fit.explained(),
             finished: (self.fits.total - self.fits.queue.len() - 1, self.fits.total),
@@ -319,7 +318,7 @@ impl Session {
     fn task(&self, job: &Job) -> Result<Task, Refusal> {
         let unknown = || Refusal::Unknown { name: words::record(self.language).to_owned() };
         let (document, definition) = (&job.document, &job.definition);
-        let model = &document.model;
+        let model = &document.program.model;
         let mut records = Vec::with_capacity(definition.parts.len());
         for part in &definition.parts {
             let record = self.record(part.record).ok_or_else(unknown)?;
@@ -331,14 +330,9 @@ impl Session {
             let (fixed, origin) = (part.fixed.clone(), part.origin);
             records.push(analysis::fit::Record { name: part.name.clone(), observations, fixed, origin });
         }
-        let method = match document.method.as_deref().map(str::parse::<Method>) {
-            Some(Ok(method)) => method,
-            Some(Err(unknown)) => return Err(Refusal::Fit { why: unknown_method(self.language, &unknown.0) }),
-            None => Method::default(),
-        };
         Ok(Task {
             parameters: definition.parameters.clone(),
-            method,
+            method: document.program.method.unwrap_or_default(),
             records,
             varied: definition.varied.clone(),
             from: definition.window[0],
@@ -349,7 +343,7 @@ impl Session {
 }
 
 /// The columns that a fit follows.
-fn observations(record: &Record, uses: &[Use], model: &model::Model) -> Vec<Observation> {
+fn observations(record: &Record, uses: &[Use], model: &program::Model) -> Vec<Observation> {
     let independent = &model.independent.name;
     let mut followed: Vec<usize> = Vec::new();
     let mut observations = Vec::new();

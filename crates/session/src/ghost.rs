@@ -2,7 +2,7 @@
 
 use crate::Session;
 use engine::Routine;
-use model::{Graph, Node};
+use program::{Graph, Node};
 
 /// What a value of the scene follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,7 +61,7 @@ impl Session {
     /// The ghost of what is measured now.
     pub(crate) fn make_ghost(&self) -> Option<Ghost> {
         let model = self.model();
-        let scene = self.document.scene(&self.tag)?;
+        let scene = self.document.program.scene(&self.tag)?;
         let roots: Vec<_> = scene.values.iter().map(|value| value.node).collect();
         let (mut columns, mut inputs) = (Vec::new(), Vec::new());
         for (index, measured) in self.data.measured.iter().enumerate() {

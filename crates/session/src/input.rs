@@ -3,7 +3,7 @@
 use crate::arithmetic::{Candidate, candidates, names, stated_units};
 use crate::{Refusal, Session, number};
 use engine::Readings;
-use model::Kind;
+use program::Kind;
 use units::Unit;
 
 /// Significant digits of a value that stands still.
@@ -117,7 +117,7 @@ impl Session {
         }
         // What is typed once leaves nothing behind in the graph.
         let mut model = self.model().clone();
-        let compiled = model.compile_expression(&expression, stated.as_ref()).map_err(|_| None)?;
+        let compiled = model::Compiler::new(&mut model).compile(&expression, stated.as_ref()).map_err(|_| None)?;
         if compiled.kind != Kind::Number || model.depends(compiled.node).varies() {
             return Err(None);
         }

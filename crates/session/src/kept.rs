@@ -60,7 +60,7 @@ impl Session {
     /// that was enough for all of it.
     pub(crate) fn keep_recipe(&mut self, recipe: &Recipe, work: &mut u64) -> Result<bool, Refusal> {
         let overhead = self.columns.bytes_per_row();
-        let (mut course, complete) = Course::replay(&self.document.model, recipe, overhead, work);
+        let (mut course, complete) = Course::replay(&self.document.program.model, recipe, overhead, work);
         course.show(course.front());
         let mut present = Vec::new();
         let mut traces = Traces::default();
@@ -152,7 +152,7 @@ impl Session {
 
     /// What distinguishes a run from the document's own: `b = 200 kg/s, rk4`.
     fn recipe_name(&self, recipe: &Recipe) -> String {
-        let model = &self.document.model;
+        let model = &self.document.program.model;
         let last = recipe.changes.last().map_or(&recipe.setup.parameters, |(_, last)| last);
         let mut parts: Vec<String> = Vec::new();
         for (index, parameter) in model.parameters.iter().enumerate() {

@@ -80,7 +80,7 @@ pub use analysis::derivative::Differentiation;
 pub use document;
 pub use engine;
 pub use figure;
-pub use model;
+pub use program;
 pub use units::number;
 
 pub use announcement::{Announcement, Prominence};

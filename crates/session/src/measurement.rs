@@ -69,7 +69,7 @@ impl Session {
     pub fn measure(&mut self, name: &str, form: &MeasurementForm) -> Result<u32, (usize, Refusal)> {
         let camera = self.camera(form)?;
         let text = self.measured_text(&form.quantity, &camera).map_err(|refusal| (0, refusal))?;
-        let model = &self.document.model;
+        let model = &self.document.program.model;
         let truth = model.parameters.iter().zip(self.course.parameters());
         let truth = truth.map(|(parameter, value)| (parameter.name.clone(), *value)).collect();
         self.insert_record(name, text.as_bytes(), Some(truth)).map_err(|refusal| (0, refusal))
@@ -106,7 +106,7 @@ impl Session {
     /// What a camera would have made of a run with the present parameters and start: a table as tracking programs write
     /// it, with the velocities that they compute.
     pub(crate) fn measured_text(&self, quantity: &str, camera: &Camera) -> Result<String, Refusal> {
-        let model = &self.document.model;
+        let model = &self.document.program.model;
         let observed = observed(model, quantity).ok_or_else(|| Refusal::Unknown { name: quantity.to_owned() })?;
         let setup = Setup { parameters: self.course.parameters().to_vec(), ..self.course.begun().clone() };
         let nothing = |_| Refusal::NoValue { name: quantity.to_owned() };
@@ -156,7 +156,7 @@ fn fine(unit: &units::Unit) -> units::Unit {
 }
 
 /// Name and unit of the derivative of what is filmed; of a level that is no unknown, the velocity.
-fn quantity_rate(model: &model::Model, quantity: &str) -> Option<(String, units::Unit)> {
+fn quantity_rate(model: &program::Model, quantity: &str) -> Option<(String, units::Unit)> {
     let name = format!("{quantity}'");
     if let Some(rate) = observed(model, &name) {
         return Some((name, rate.unit));
@@ -167,7 +167,7 @@ fn quantity_rate(model: &model::Model, quantity: &str) -> Option<(String, units:
 }
 
 /// A run up to `end`.
-fn recorded(model: &model::Model, setup: Setup, end: f64) -> Result<Run, ()> {
+fn recorded(model: &program::Model, setup: Setup, end: f64) -> Result<Run, ()> {
     let mut run = Run::start(model, setup).map_err(|_| ())?;
     while run.time() < end {
         let left = MOST_WORK.checked_sub(run.work()).ok_or(())?;

@@ -1,7 +1,7 @@
 //! Method and step, chosen in the laboratory.
 
 use crate::{Announcement, Refusal, Session, number, words};
-use engine::{Method, Run, Setup};
+use engine::{Cause, Method, Run, RunError, Setup};
 
 /// A method in the list.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,12 +78,9 @@ impl Session {
     /// Why a method cannot integrate the model, if it can be integrated at all.
     fn method_refusal(&self, method: Method) -> Option<Refusal> {
         let setup = Setup { method, ..self.defaults.clone() };
-        match Run::start(&self.document.model, setup) {
-            Err(error) if METHOD_CODES.contains(&error.code) => Some(Refusal::Method { method }),
+        match Run::start(&self.document.program.model, setup) {
+            Err(RunError { cause: Cause::NotSecondOrder(_), .. }) => Some(Refusal::Method { method }),
             _ => None,
         }
     }
 }
-
-/// What the engine says when the fault is the method's.
-const METHOD_CODES: [&str; 1] = ["not-second-order"];

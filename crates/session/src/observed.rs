@@ -5,9 +5,9 @@ use crate::ghost::Ghost;
 use crate::recognise::observed;
 use crate::record::{Record, Use};
 use crate::symbol::symbol;
-use document::Curve;
 use engine::Readings;
-use model::{Compiled, Node};
+use program::Curve;
+use program::{Compiled, Node};
 
 /// Longer names of records are shortened in legends, in characters.
 const LONGEST_NAME: usize = 24;
@@ -90,7 +90,7 @@ impl Session {
 
     /// To be called whenever records, or what they are taken for, have changed.
     pub(crate) fn records_changed(&mut self) {
-        let model = &self.document.model;
+        let model = &self.document.program.model;
         let independent = &model.independent.name;
         let autonomous = model.is_autonomous();
         self.data.records.iter_mut().for_each(|record| record.settle_made(&self.document));
@@ -115,7 +115,8 @@ impl Session {
             }
         }
         let name = |id: u32| self.record(id).map_or("", |record| record.name.as_str());
-        self.data.points = self.document.plots.iter().map(|plot| points(model, plot, &measured, &name)).collect();
+        self.data.points =
+            self.document.program.plots.iter().map(|plot| points(model, plot, &measured, &name)).collect();
         self.data.residuals = measured
             .iter()
             .map(|measured| Residuals {
@@ -156,8 +157,8 @@ impl Session {
             self.revision.plots += 1;
         }
         let front = self.course.front();
-        let unit = &self.document.model.independent.unit;
-        let mut state = vec![0.0; self.document.model.states.len()];
+        let unit = &self.document.program.model.independent.unit;
+        let mut state = vec![0.0; self.document.program.model.states.len()];
         for (residuals, measured) in self.data.residuals.iter_mut().zip(&self.data.measured) {
             let rest = measured.times.iter().zip(&measured.values).skip(residuals.passed);
             for (&time, &value) in rest.take(SLICE).take_while(|(time, _)| **time <= front) {
@@ -174,7 +175,7 @@ impl Session {
     /// Forgets the residuals of what the run has given up: those after `time` (SI).
     pub(crate) fn truncate_residuals(&mut self, time: f64) {
         self.data.version += 1;
-        let last = self.document.model.independent.unit.from_si(time);
+        let last = self.document.program.model.independent.unit.from_si(time);
         for (residuals, measured) in self.data.residuals.iter_mut().zip(&self.data.measured) {
             residuals.passed = residuals.passed.min(measured.times.partition_point(|&at| at <= time));
             let kept = residuals.x.partition_point(|&at| at <= last);
@@ -266,8 +267,8 @@ impl Record {
 
 /// The points of a plot.
 fn points<'a>(
-    model: &model::Model,
-    plot: &document::Plot,
+    model: &program::Model,
+    plot: &program::Plot,
     measured: &[Measured],
     record_name: &dyn Fn(u32) -> &'a str,
 ) -> Vec<Points> {

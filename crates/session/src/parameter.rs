@@ -5,12 +5,12 @@ use crate::slider::Mapping;
 use crate::undo::Removed;
 use crate::{Announcement, Refusal, Session, Slider, number};
 use engine::Setup;
-use model::Parameter;
+use program::Parameter;
 
 /// A parameter as its control shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParameterView {
-    /// Which of [`model::Model::parameters`].
+    /// Which of [`program::Model::parameters`].
     pub index: usize,
     /// The ASCII name, `h_l`.
     pub name: String,
@@ -168,7 +168,7 @@ impl Session {
             }
         } else {
             self.branch();
-            self.course.set_parameters(&self.document.model, parameters);
+            self.course.set_parameters(&self.document.program.model, parameters);
             self.traces.truncate(self.course.rows().saturating_sub(1));
             self.revision.transport += 1;
             self.frame_changed();

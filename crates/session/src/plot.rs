@@ -4,7 +4,7 @@ use crate::cycle_plot::CYCLES_MEASURED;
 use crate::symbol::symbol;
 use crate::{Session, number, words};
 use figure::{Axis, Direction, Figure, Interval, Palette, Plot, Point, Readout, Series, Settings, Style, View};
-use model::Node;
+use program::Node;
 
 /// A plot in the list.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,7 +65,7 @@ impl Session {
             title: plot.labels.title.clone(),
             shown: plot.shown,
             automatic: plot.view.is_automatic(),
-            offered: match index.checked_sub(self.document.plots.len()) {
+            offered: match index.checked_sub(self.document.program.plots.len()) {
                 None => true,
                 Some(0) => self.has_points(),
                 Some(_) => self.cycle_view.found.as_ref().is_some_and(|found| found.cycles.is_some()),
@@ -205,7 +205,7 @@ impl Session {
     /// The plot as it is read: the ghost is only looked at.
     fn readable_plot(&self, index: usize) -> Option<Plot<'_>> {
         let mut plot = self.figure_of(index)?;
-        let residuals = index >= self.document.plots.len();
+        let residuals = index >= self.document.program.plots.len();
         for series in &mut plot.series {
             if series.style == Style::Ghost || (series.style == Style::Points && !residuals) {
                 (series.x, series.y) = (&[], &[]);
@@ -238,7 +238,7 @@ impl Session {
 
     /// What is drawn in a plot of the document or in that of the residuals.
     pub(crate) fn figure_of(&self, index: usize) -> Option<Plot<'_>> {
-        match index.checked_sub(self.document.plots.len()) {
+        match index.checked_sub(self.document.program.plots.len()) {
             None => self.figure_plot(index),
             Some(0) => self.residual_plot(),
             Some(_) => self.cycle_figure(self.plots.get(index)?),
@@ -294,7 +294,7 @@ impl Session {
     }
 
     fn is_against_independent(&self, index: usize) -> bool {
-        let node = self.document.plots.get(index).map(|plot| plot.x.value.node);
+        let node = self.document.program.plots.get(index).map(|plot| plot.x.value.node);
         node.is_some_and(|node| self.model().graph.node(node) == Node::Independent)
     }
 
@@ -314,10 +314,10 @@ impl Session {
     }
 
     fn labels_of(&self, index: usize) -> Option<Labels> {
-        let plot = self.document.plots.get(index)?;
+        let plot = self.document.program.plots.get(index)?;
         let columns = self.columns.plot(index)?;
         let title = self.text(&plot.title).to_owned();
-        let named = |curve: &document::Curve| match &curve.label {
+        let named = |curve: &program::Curve| match &curve.label {
             Some(label) => format!("{} ({})", self.text(label), symbol(&curve.expression)),
             None => symbol(&curve.expression),
         };

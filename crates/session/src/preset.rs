@@ -2,8 +2,8 @@
 
 use crate::symbol::symbol;
 use crate::{Announcement, Refusal, Session};
-use document::Assignment;
 use engine::Readings;
+use program::Assignment;
 
 /// Presets that belong together.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,10 +34,10 @@ impl Session {
     /// The presets by group, in the order of the text.
     pub fn presets(&mut self) -> Vec<PresetGroup> {
         let mut groups: Vec<(Option<String>, PresetGroup)> = Vec::new();
-        for index in 0..self.document.presets.len() {
+        for index in 0..self.document.program.presets.len() {
             let now = self.course.parameters().to_vec();
             let then = self.preset_parameters(index);
-            let Some(preset) = self.document.presets.get(index) else {
+            let Some(preset) = self.document.program.presets.get(index) else {
                 continue;
             };
             let near = |(now, then): (&f64, &f64)| (now - then).abs() <= SAME * now.abs().max(then.abs());
@@ -64,7 +64,8 @@ impl Session {
     /// Sets the parameters of a preset, each computed with those before it; all of them or, when one is refused, none.
     pub fn apply_preset(&mut self, index: usize) -> Result<(), Refusal> {
         let parameters = self.preset_parameters(index);
-        let preset = self.document.presets.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
+        let preset =
+            self.document.program.presets.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
         let parameters = self.admit_assignments(&preset.values, parameters)?;
         self.overwrite_parameters(parameters);
         self.announce(Announcement::Preset(index));
@@ -72,7 +73,7 @@ impl Session {
     }
 
     fn preset_parameters(&mut self, index: usize) -> Vec<f64> {
-        let presets = &self.document.presets;
+        let presets = &self.document.program.presets;
         let first = presets.iter().take(index).map(|preset| preset.values.len()).sum();
         let values = presets.get(index).map_or(&[][..], |preset| &preset.values);
         assign(&mut self.evaluators.presets, first, values, self.course.parameters(), self.course.initial())

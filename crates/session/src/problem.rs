@@ -1,7 +1,6 @@
 //! Why a run cannot start or go on, in the session's language.
 
 use crate::Session;
-use model::Span;
 
 /// Why the run cannot go on, in the session's language.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -12,20 +11,16 @@ pub struct Problem {
     pub message: String,
     /// What to do; may be empty.
     pub hint: String,
-    /// Where in the document's source, if there is a place.
-    pub span: Option<Span>,
 }
 
 impl Session {
     /// Why the run cannot go on; only while the moment where it stopped is shown.
     pub fn problem(&self) -> Option<Problem> {
         let error = self.course.error().filter(|_| !self.course.is_scrubbed())?;
-        let hint = error.hint.as_ref().map_or("", |hint| hint.text(self.language));
         Some(Problem {
-            code: error.code,
-            message: sentence(error.message.text(self.language), error.code == "not-finite"),
-            hint: sentence(hint, false),
-            span: error.span,
+            code: error.code(),
+            message: sentence(error.message(self.model()).text(self.language), error.code() == "not-finite"),
+            hint: sentence(error.hint().text(self.language), false),
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::preset::assign;
 use crate::{Announcement, Refusal, Session, number, words};
-use document::Tolerance;
+use program::Tolerance;
 
 /// What an answer is worth, and in words.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +46,7 @@ impl Session {
 
     fn judge(&mut self, question: usize, text: &str) -> Verdict {
         let right = self.right_answer(question);
-        let Some(asked) = self.document.questions.get(question) else {
+        let Some(asked) = self.document.program.questions.get(question) else {
             return self.verdict(Grade::Unanswerable);
         };
         let answer = match self.read_answer(text, &asked.unit) {
@@ -71,7 +71,7 @@ impl Session {
         self.note_revealed(question);
         let right = self.right_answer(question);
         self.solve(question);
-        let Some(asked) = self.document.questions.get(question) else {
+        let Some(asked) = self.document.program.questions.get(question) else {
             return String::new();
         };
         self.with_unit(number::plain(asked.unit.from_si(right), 4, self.style), &asked.unit)
@@ -79,14 +79,18 @@ impl Session {
 
     /// The unit in which an answer is asked for, for people.
     pub fn question_unit(&self, question: usize) -> String {
-        self.document.questions.get(question).map_or_else(String::new, |asked| number::unit_text(&asked.unit.text))
+        self.document
+            .program
+            .questions
+            .get(question)
+            .map_or_else(String::new, |asked| number::unit_text(&asked.unit.text))
     }
 
     /// The names and values of the parameters that a question supposes, `b` and `0 kg/s`, and whether they are set now;
     /// `None` if it supposes none.
     pub fn question_setup(&mut self, question: usize) -> Option<(Vec<(String, String)>, bool)> {
         let parameters = self.supposed_parameters(question);
-        let asked = self.document.questions.get(question).filter(|asked| !asked.setup.is_empty())?;
+        let asked = self.document.program.questions.get(question).filter(|asked| !asked.setup.is_empty())?;
         let set = self.course.parameters() == parameters;
         Some((self.assigned(&asked.setup, &parameters), set))
     }
@@ -95,7 +99,7 @@ impl Session {
     pub fn apply_question_setup(&mut self, question: usize) -> Result<(), Refusal> {
         let parameters = self.supposed_parameters(question);
         let unknown = || Refusal::Unknown { name: question.to_string() };
-        let asked = self.document.questions.get(question).ok_or_else(unknown)?;
+        let asked = self.document.program.questions.get(question).ok_or_else(unknown)?;
         let parameters = self.admit_assignments(&asked.setup, parameters)?;
         self.overwrite_parameters(parameters);
         self.announce(Announcement::QuestionSetup(question));
@@ -104,7 +108,7 @@ impl Session {
 
     /// Whether questions of the document hide values.
     pub fn hides_values(&self) -> bool {
-        self.document.questions.iter().any(|question| !question.hides.is_empty())
+        self.document.program.questions.iter().any(|question| !question.hides.is_empty())
     }
 
     /// Whether the values that questions hide are shown all the same.
@@ -120,7 +124,7 @@ impl Session {
 
     /// Whether the value of a quantity is hidden: an open question asks for it.
     pub(crate) fn is_hidden(&self, quantity: usize) -> bool {
-        let open = self.document.questions.iter().zip(&self.solved).filter(|(_, solved)| !**solved);
+        let open = self.document.program.questions.iter().zip(&self.solved).filter(|(_, solved)| !**solved);
         !self.shows_hidden && open.map(|(question, _)| question).any(|question| question.hides.contains(&quantity))
     }
 
@@ -146,7 +150,7 @@ impl Session {
 
     /// The present parameters with those that a question supposes in their place.
     fn supposed_parameters(&mut self, question: usize) -> Vec<f64> {
-        let questions = &self.document.questions;
+        let questions = &self.document.program.questions;
         let first = questions.iter().take(question).map(|question| question.setup.len()).sum();
         let setup = questions.get(question).map_or(&[][..], |asked| &asked.setup);
         assign(&mut self.evaluators.setups, first, setup, self.course.parameters(), self.course.initial())

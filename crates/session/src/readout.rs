@@ -1,7 +1,7 @@
 //! What is read off: time, states and quantities with their units; the values of the scene; the pitch.
 
 use crate::{Session, number, words};
-use model::{Compiled, Kind, Node, NodeId};
+use program::{Compiled, Kind, Node, NodeId};
 use units::Unit;
 use units::number::Group;
 
@@ -46,7 +46,7 @@ const COUNT_DIGITS: usize = 15;
 impl Session {
     /// Everything that can be read off at the time shown: the independent variable, the states, the quantities.
     pub fn readouts(&mut self) -> Vec<Readout> {
-        let model = &self.document.model;
+        let model = &self.document.program.model;
         let mut readouts = vec![Readout {
             kind: ReadoutKind::Independent,
             name: model.independent.name.clone(),
@@ -74,8 +74,8 @@ impl Session {
             });
         }
         let values = self.quantity_values();
-        for (index, (quantity, &value)) in self.document.model.quantities.iter().zip(&values).enumerate() {
-            let scale = self.scales.get(self.document.model.states.len() + index).copied().unwrap_or_default();
+        for (index, (quantity, &value)) in self.document.program.model.quantities.iter().zip(&values).enumerate() {
+            let scale = self.scales.get(self.document.program.model.states.len() + index).copied().unwrap_or_default();
             let unit = &quantity.value.unit;
             let hidden = self.is_hidden(index);
             let (value, unit) = match quantity.value.kind {
@@ -117,7 +117,7 @@ impl Session {
         (number::plain(unit.from_si(value), MOVING_DIGITS, self.style), number::unit_text(&unit.text))
     }
 
-    /// The values of [`document::Scene::values`] at the time shown, SI, for attributes. Computed once for each time.
+    /// The values of [`program::Scene::values`] at the time shown, SI, for attributes. Computed once for each time.
     pub fn scene_values(&mut self) -> &[f64] {
         let frame = (self.revision.frame, self.revision.parameters);
         if self.evaluators.scene_frame != Some(frame) {
@@ -141,7 +141,7 @@ impl Session {
         let Some(&value) = self.scene_values().get(index) else {
             return String::new();
         };
-        let scene = self.document.scene(&self.tag);
+        let scene = self.document.program.scene(&self.tag);
         let Some(shown) = scene.and_then(|scene| scene.values.get(index)) else {
             return String::new();
         };
@@ -173,7 +173,7 @@ impl Session {
         let course = &self.course;
         let values =
             self.evaluators.quantities.at(course.parameters(), course.initial(), course.time(), course.state());
-        let states = self.document.model.states.len();
+        let states = self.document.program.model.states.len();
         for (scale, value) in self.scales.iter_mut().skip(states).zip(values) {
             if value.is_finite() {
                 *scale = scale.max(value.abs());

@@ -2,7 +2,7 @@
 
 use analysis::table::{Column, Table};
 use document::Document;
-use model::{Kind, Model};
+use program::{Kind, Model};
 use std::collections::BTreeSet;
 use units::Unit;
 
@@ -25,7 +25,7 @@ impl Meaning {
 /// What can be measured: the independent variable, what the document is about and its derivatives, the unknowns and
 /// theirs, and whatever else is a number that changes; each with its unit.
 pub(crate) fn measurable(document: &Document) -> Vec<(String, Unit)> {
-    let model = &document.model;
+    let model = &document.program.model;
     let mut found = vec![(model.independent.name.clone(), model.independent.unit.clone())];
     for subject in subjects(document) {
         for order in 0..=2 {
@@ -50,9 +50,10 @@ pub(crate) fn measurable(document: &Document) -> Vec<(String, Unit)> {
 
 /// What the document is about: what it draws first against the independent variable.
 fn subjects(document: &Document) -> Vec<&str> {
-    let model = &document.model;
+    let model = &document.program.model;
     let mut found: Vec<&str> = Vec::new();
     for curve in document
+        .program
         .plots
         .iter()
         .find(|plot| plot.x.expression == model.independent.name)
@@ -68,14 +69,14 @@ fn subjects(document: &Document) -> Vec<&str> {
 }
 
 /// The document's expression of a name such as `y'`.
-pub(crate) fn observed(model: &Model, name: &str) -> Option<model::Compiled> {
+pub(crate) fn observed(model: &Model, name: &str) -> Option<program::Compiled> {
     let stem = name.trim_end_matches('\'');
     model.lookup(stem, (name.len() - stem.len()) as u32)
 }
 
 /// What each column is taken for. `labels` gives a label in all languages of the document, in small letters.
 pub(crate) fn recognise(table: &Table, document: &Document, labels: &dyn Fn(&str) -> Vec<String>) -> Vec<Meaning> {
-    let model = &document.model;
+    let model = &document.program.model;
     let known = measurable(document);
     let subjects = subjects(document);
     let mut taken: Vec<bool> = vec![false; known.len()];

@@ -11,7 +11,7 @@ use analysis::inspection::{Inspection, doubtful_times, inspect};
 use analysis::reading::{self, Contents};
 use analysis::table::Table;
 use document::Document;
-use model::Model;
+use program::Model;
 use std::collections::BTreeMap;
 
 /// How many records there can be.
@@ -264,7 +264,11 @@ impl Session {
 
     /// A label in every language of the document.
     fn labels(&self, label: &str) -> Vec<String> {
-        self.document.languages().map(|language| self.document.text(language, label).to_lowercase()).collect()
+        self.document
+            .program
+            .languages()
+            .map(|language| self.document.program.text(language, label).to_lowercase())
+            .collect()
     }
 
     /// Draws a record or not.
@@ -335,7 +339,7 @@ impl Record {
 
     /// Takes the columns for what they seem to measure, except where a person has said what they do.
     pub fn take_for(&mut self, document: &Document, labels: &dyn Fn(&str) -> Vec<String>) {
-        let model = &document.model;
+        let model = &document.program.model;
         // What was made follows its source and takes no quantity from another column.
         let made = self.table.columns.split_off(self.read_columns());
         let mut meanings = recognise(&self.table, document, labels);

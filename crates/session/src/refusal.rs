@@ -1,7 +1,6 @@
 //! Why input was not taken.
 
 use analysis::fit::FitError;
-use engine::Method;
 use units::Language;
 
 /// Why input was not taken; nothing has changed then, except as [`Refusal::PartlyRestored`] says.
@@ -156,13 +155,4 @@ pub(crate) fn fit_error(language: Language, error: &FitError) -> String {
         FitError::Model(message) => return message.text(language).to_owned(),
     };
     text.to_owned()
-}
-
-/// A document asks for a method that does not exist.
-pub(crate) fn unknown_method(language: Language, name: &str) -> String {
-    let methods = Method::ALL.map(Method::name).join(", ");
-    language.pick(
-        format!("There is no method `{name}`; the methods are {methods}."),
-        format!("No existe el método `{name}`; los métodos son {methods}."),
-    )
 }

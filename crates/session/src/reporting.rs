@@ -95,7 +95,7 @@ impl Session {
         let file = fit.definition.file.rsplit('/').next();
         Report {
             document: &fit.document,
-            document_name: file.filter(|name| !name.is_empty()).unwrap_or(&fit.document.title),
+            document_name: file.filter(|name| !name.is_empty()).unwrap_or(&fit.document.program.title),
             language: self.language,
             task: &fit.task,
             outcome: &fit.outcome,

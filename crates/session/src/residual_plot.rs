@@ -9,7 +9,7 @@ use figure::{Axis, Interval, Plot, Series, Style};
 impl Session {
     /// What measurements leave over beside the present run.
     pub(crate) fn residual_plot(&self) -> Option<Plot<'_>> {
-        let state = self.plots.get(self.document.plots.len())?;
+        let state = self.plots.get(self.document.program.plots.len())?;
         let labels = &state.labels;
         let unit = &self.model().independent.unit;
         let mut axes: Vec<units::Dimension> = Vec::new();
@@ -69,7 +69,7 @@ impl Session {
             axes: axes.into_iter().map(|(label, unit)| (label, number::unit_text(&unit.text))).collect(),
             curves,
         };
-        let index = self.document.plots.len();
+        let index = self.document.program.plots.len();
         if let Some(state) = self.plots.get_mut(index) {
             state.labels = labels;
         }

@@ -90,8 +90,8 @@ impl Waiting {
     pub fn job(self) -> Option<Job> {
         let (source, translations) = self.texts.split_first()?;
         let translations: Vec<&str> = translations.iter().map(String::as_str).collect();
-        let document = document::open(source, &translations).document?;
-        let parameters = document.model.parameters.len();
+        let document = document::open(source, &translations).sound()?;
+        let parameters = document.program.model.parameters.len();
         let exists = |varied: &Varied| !matches!(varied.target, Target::Parameter(index) if index >= parameters);
         let fits = self.definition.parameters.len() == parameters && self.definition.varied.iter().all(exists);
         fits.then_some(Job { definition: self.definition, document, own: false, found: Some(self.found) })

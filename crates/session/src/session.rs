@@ -15,8 +15,8 @@ use crate::plot::PlotState;
 use crate::traces::{Columns, Traces};
 use crate::undo::Undo;
 use document::Document;
-use engine::{Method, Readings, RunError, Setup};
-use model::{Model, NodeId};
+use engine::{Readings, Setup};
+use program::{Model, NodeId, Program};
 use units::Language;
 
 /// Counts changes, so that the shell draws only what has changed.
@@ -115,15 +115,12 @@ pub(crate) struct Evaluators {
 impl Session {
     /// Opens a document: the first row is drawn and the run stands still at 0.
     pub fn open(document: Document) -> Self {
-        let model = &document.model;
-        let columns = Columns::new(model, &document.plots);
-        let (defaults, unknown_method) = defaults(&document);
-        let course = match unknown_method {
-            None => Course::start(model, defaults.clone(), columns.bytes_per_row()),
-            Some(error) => Course::failed(model, defaults.clone(), error),
-        };
-        let tag = document.language.clone();
-        let solved = vec![false; document.questions.len()];
+        let model = &document.program.model;
+        let columns = Columns::new(model, &document.program.plots);
+        let defaults = defaults(&document.program);
+        let course = Course::start(model, defaults.clone(), columns.bytes_per_row());
+        let tag = document.program.language.clone();
+        let solved = vec![false; document.program.questions.len()];
         let mut session = Self {
             language: Language::of(&tag),
             style: Style::of(&tag),
@@ -133,7 +130,7 @@ impl Session {
             scales: vec![0.0; model.states.len() + model.quantities.len()],
             evaluators: Evaluators::new(&document, &tag),
             // Two more: for what measurements leave over, and for their cycles.
-            plots: (0..document.plots.len() + 2).map(|_| PlotState::default()).collect(),
+            plots: (0..document.program.plots.len() + 2).map(|_| PlotState::default()).collect(),
             document,
             tag,
             defaults,
@@ -160,8 +157,8 @@ impl Session {
             cycle_plot: CyclePlot::default(),
             undo: Undo::default(),
         };
-        let vary = |index| session.document.vary.contains(&index);
-        session.fits.setup.varied = (0..session.document.model.parameters.len()).map(vary).collect();
+        let vary = |index| session.document.program.vary.contains(&index);
+        session.fits.setup.varied = (0..session.document.program.model.parameters.len()).map(vary).collect();
         session.label_plots();
         session.frame_changed();
         session
@@ -174,7 +171,7 @@ impl Session {
 
     /// Its model.
     pub fn model(&self) -> &Model {
-        &self.document.model
+        &self.document.program.model
     }
 
     /// The language in which everything is said, `en` or `es`.
@@ -203,7 +200,7 @@ impl Session {
 
     /// A text of the document in the session's language.
     pub fn text<'a>(&'a self, original: &'a str) -> &'a str {
-        self.document.text(&self.tag, original)
+        self.document.program.text(&self.tag, original)
     }
 
     /// What has changed how often.
@@ -247,7 +244,7 @@ impl Session {
     pub(crate) fn restart(&mut self, setup: Setup) {
         self.keep_ghost(0);
         let overhead = self.columns.bytes_per_row();
-        let course = Course::start(&self.document.model, setup, overhead);
+        let course = Course::start(&self.document.program.model, setup, overhead);
         self.replace_course(course);
     }
 
@@ -272,35 +269,28 @@ impl Session {
 
     /// The initial state that the model gives for some parameters.
     pub(crate) fn initial_for(&mut self, parameters: &[f64]) -> Vec<f64> {
-        let nothing = vec![0.0; self.document.model.states.len()];
+        let nothing = vec![0.0; self.document.program.model.states.len()];
         self.evaluators.initial.at(parameters, &nothing, 0.0, &nothing).to_vec()
     }
 }
 
-/// What the document asks for, and what is wrong with the method it names.
-fn defaults(document: &Document) -> (Setup, Option<RunError>) {
-    let mut setup = Setup::defaults(&document.model);
-    setup.step = document.step.unwrap_or(setup.step);
-    setup.tolerance = document.tolerance.unwrap_or(setup.tolerance);
-    let error = match document.method.as_deref().map(str::parse::<Method>) {
-        None => None,
-        Some(Ok(method)) => {
-            setup.method = method;
-            None
-        }
-        Some(Err(unknown)) => {
-            Some(RunError::at_start("unknown-method", unknown.words()).with_span(Some(document.method_span)))
-        }
-    };
-    (setup, error)
+/// What the document asks for.
+fn defaults(program: &Program) -> Setup {
+    let defaults = Setup::defaults(&program.model);
+    Setup {
+        method: program.method.unwrap_or(defaults.method),
+        step: program.step.unwrap_or(defaults.step),
+        tolerance: program.tolerance.unwrap_or(defaults.tolerance),
+        ..defaults
+    }
 }
 
 impl Evaluators {
     fn new(document: &Document, language: &str) -> Self {
-        let model = &document.model;
+        let model = &document.program.model;
         let reading = |nodes: Vec<NodeId>| Readings::new(model, &nodes);
-        let presets = document.presets.iter().flat_map(|preset| &preset.values);
-        let setups = document.questions.iter().flat_map(|question| &question.setup);
+        let presets = document.program.presets.iter().flat_map(|preset| &preset.values);
+        let setups = document.program.questions.iter().flat_map(|question| &question.setup);
         Self {
             quantities: reading(model.quantities.iter().map(|quantity| quantity.value.node).collect()),
             scene: Self::scene(document, language),
@@ -310,15 +300,16 @@ impl Evaluators {
             initial: reading(model.states.iter().map(|state| state.initial).collect()),
             presets: reading(presets.map(|assignment| assignment.value.node).collect()),
             setups: reading(setups.map(|assignment| assignment.value.node).collect()),
-            answers: reading(document.questions.iter().map(|question| question.answer.node).collect()),
+            answers: reading(document.program.questions.iter().map(|question| question.answer.node).collect()),
         }
     }
 
     fn scene(document: &Document, language: &str) -> Readings {
         let nodes: Vec<NodeId> = document
+            .program
             .scene(language)
             .map(|scene| scene.values.iter().map(|value| value.node).collect())
             .unwrap_or_default();
-        Readings::new(&document.model, &nodes)
+        Readings::new(&document.program.model, &nodes)
     }
 }

@@ -67,7 +67,7 @@ impl Session {
             fields.push(format!("v={}", hidden.join(",")));
         }
         // Plots of what is measured come and go with the records, which are not in a link.
-        for (index, plot) in self.plots.iter().enumerate().take(self.document.plots.len()) {
+        for (index, plot) in self.plots.iter().enumerate().take(self.document.program.plots.len()) {
             if !plot.view.is_automatic() {
                 fields.push(format!("z={index},{}", limits(&plot.view)));
             }
@@ -129,7 +129,7 @@ impl Session {
         let mut left_out = reader.left_out;
         left_out.extend(sections.map(|_| "k".to_owned()).take(MOST_NAMED + 1));
         let overhead = self.columns.bytes_per_row();
-        let (course, complete) = Course::replay(&self.document.model, &present, overhead, work);
+        let (course, complete) = Course::replay(&self.document.program.model, &present, overhead, work);
         if !complete {
             left_out.push(format!("t={}", exact(present.front)));
         }

@@ -1,7 +1,7 @@
 //! Where the values of a parameter lie on its slider. A slider has whole positions; each stands for a round number.
 
 use crate::number;
-use model::Parameter;
+use program::Parameter;
 
 /// A slider with whole positions, 0 to `positions`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,7 +132,6 @@ fn round_step(step: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use model::Span;
     use units::Unit;
 
     fn parameter(unit: Unit, default: f64, low: f64, high: f64, step: Option<f64>) -> Parameter {
@@ -143,7 +142,6 @@ mod tests {
             range: Some((unit.to_si(low), unit.to_si(high))),
             step: step.map(|step| unit.to_si(step)),
             unit,
-            span: Span::default(),
             restarts: false,
         }
     }

@@ -1,7 +1,7 @@
 //! The start of the run as the hand sets it: which parameters give the initial value that a handle is pulled to.
 
 use engine::Readings;
-use model::{Model, Variable};
+use program::{Model, Variable};
 
 /// The initial value of one state as a function of the parameters that decide it.
 #[derive(Clone, Debug)]
@@ -50,7 +50,7 @@ impl Start {
         let mut nodes = vec![initial];
         for parameter in &parameters {
             let variable = Variable::Parameter(parameter.index as u32);
-            nodes.push(model::differentiate(&mut extended.graph, initial, variable));
+            nodes.push(program::differentiate(&mut extended.graph, initial, variable));
         }
         Some(Self { readings: Readings::new(&extended, &nodes), parameters, states: model.states.len() })
     }

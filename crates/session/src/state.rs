@@ -4,13 +4,13 @@
 use crate::readout::MOVING_DIGITS;
 use crate::{Announcement, Refusal, Session, number};
 use engine::Setup;
-use model::{Node, State};
+use program::{Node, State};
 use units::number::Layout;
 
 /// A state as its field shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateView {
-    /// Which of [`model::Model::states`].
+    /// Which of [`program::Model::states`].
     pub index: usize,
     /// `y'`.
     pub name: String,

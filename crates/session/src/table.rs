@@ -4,7 +4,7 @@ use crate::symbol::symbol;
 use crate::{Session, number, words};
 use analysis::spreadsheet;
 use engine::table::{Cell, Format, Table};
-use model::Node;
+use program::Node;
 use std::ops::Range;
 use units::number::Layout;
 

@@ -2,9 +2,9 @@
 //! the run grows, never computed twice.
 
 use crate::course::Course;
-use document::Plot;
 use engine::{History, Readings};
-use model::{Model, NodeId};
+use program::Plot;
+use program::{Model, NodeId};
 use units::Unit;
 
 /// Which columns there are and where each plot finds its own.

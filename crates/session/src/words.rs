@@ -301,7 +301,7 @@ impl Session {
                 "Valores restaurados: los parámetros y el inicio son los del documento",
             ),
             Announcement::Preset(index) => {
-                self.document.presets.get(*index).map_or("", |preset| self.text(&preset.name)).to_owned()
+                self.document.program.presets.get(*index).map_or("", |preset| self.text(&preset.name)).to_owned()
             }
             Announcement::StateSet(index, value) => {
                 let unit = self.model().states.get(*index).map(|state| &state.unit);

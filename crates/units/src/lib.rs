@@ -4,6 +4,7 @@
 mod dimension;
 mod exponent;
 mod language;
+mod nearest;
 pub mod number;
 mod parse;
 mod prefix;
@@ -16,6 +17,7 @@ mod unit_error;
 pub use dimension::Dimension;
 pub use exponent::Exponent;
 pub use language::{Language, Words, words};
+pub use nearest::nearest;
 pub use parse::raised;
 pub use quantity::QuantityName;
 pub use unit::Unit;

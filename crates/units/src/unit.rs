@@ -1,11 +1,13 @@
 //! Units: a dimension, a factor to SI and the text that names it.
 
 use crate::{Dimension, Exponent, UnitError, parse, table};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::LazyLock;
 
 /// A unit of measurement.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
 pub struct Unit {
     /// What it measures.
     pub dimension: Dimension,
@@ -69,6 +71,20 @@ impl Unit {
 }
 
 /// As in [`Unit::text`].
+impl TryFrom<String> for Unit {
+    type Error = UnitError;
+
+    fn try_from(text: String) -> Result<Self, UnitError> {
+        Self::parse(&text)
+    }
+}
+
+impl From<Unit> for String {
+    fn from(unit: Unit) -> Self {
+        unit.text
+    }
+}
+
 impl fmt::Display for Unit {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(&self.text)

@@ -2,7 +2,7 @@
 
 use super::task::Observation;
 use crate::table::Table;
-use model::{Compiled, Model};
+use program::{Compiled, Model};
 use units::{Dimension, Unit};
 
 /// Why a column cannot be what is observed: a unit of another dimension.

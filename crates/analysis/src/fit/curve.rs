@@ -2,7 +2,7 @@
 
 use super::task::Target;
 use engine::{Method, Routine, Setup, Stepper};
-use model::{Kind, Model, Node, NodeId};
+use program::{Kind, Model, Node, NodeId};
 use units::{Words, words};
 
 /// The errors of a step of equations of motion, relative to the greatest value of each state: while the answer is still far
@@ -14,7 +14,6 @@ const MOST_EVALUATIONS: u64 = 2_000_000;
 /// A copy of a model without what only its author reads.
 pub(crate) fn bare(model: &Model) -> Model {
     Model {
-        statements: Vec::new(),
         independent: model.independent.clone(),
         parameters: model.parameters.clone(),
         states: model.states.clone(),
@@ -107,7 +106,7 @@ impl Curve {
         };
         let stepper = match states {
             0 => None,
-            _ => Some(Stepper::new(&extended, &setup).map_err(|error| error.message)?),
+            _ => Some(Stepper::new(&extended, &setup).map_err(|error| error.message(&extended))?),
         };
         let all = extended.states.len();
         let mut curve = Self {
@@ -232,8 +231,8 @@ impl Derived {
         });
         let mut roots = nodes.clone();
         for &parameter in varied {
-            let variable = model::Variable::Parameter(parameter as u32);
-            roots.extend(model::differentiate_all(&mut graph, &nodes, variable));
+            let variable = program::Variable::Parameter(parameter as u32);
+            roots.extend(program::differentiate_all(&mut graph, &nodes, variable));
         }
         let routine = Routine::from_graph(&graph, states, &roots);
         Self { quantities, routine, varied: varied.len(), states }

@@ -13,7 +13,7 @@ use super::stages::{Current, Stage};
 use super::task::{FitError, Target, Task};
 use super::{start, symmetry};
 use crate::cycles::Estimate;
-use model::Model;
+use program::Model;
 
 /// A fit that goes on one trial at a time.
 ///

@@ -9,7 +9,7 @@ use super::problem::Problem;
 use super::search::Search;
 use super::start;
 use super::task::Target;
-use model::{Binary, Model, Node, NodeId, Unary};
+use program::{Binary, Model, Node, NodeId, Unary};
 
 /// How the sum of squares depends on the numbers of the search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

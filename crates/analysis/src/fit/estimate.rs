@@ -6,7 +6,7 @@ use super::problem::Problem;
 use super::search::Search;
 use super::student::student;
 use super::task::Target;
-use model::Model;
+use program::Model;
 use units::Unit;
 
 /// A number found by a fit.

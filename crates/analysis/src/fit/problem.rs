@@ -6,7 +6,7 @@ use super::plan::{Plan, Point};
 use super::search::Residuals;
 use super::task::{FitError, Record, Target, Task};
 use super::{MOST_VALUES, MOST_VARIED};
-use model::{Model, NodeId};
+use program::{Model, NodeId};
 use std::sync::Arc;
 
 /// One number of the search: a target, in one record or in all.

@@ -9,7 +9,7 @@ use super::plan::{Plan, Point};
 use super::problem::Problem;
 use super::task::Target;
 use crate::cycles::{Estimate, estimate};
-use model::Model;
+use program::Model;
 use units::Dimension;
 
 /// What a varied parameter does in a formula.

@@ -2,7 +2,7 @@
 
 use super::robust::Loss;
 use engine::Method;
-use model::Compiled;
+use program::Compiled;
 
 /// One measured column, bound to what it is a measurement of.
 #[derive(Clone, Debug, PartialEq)]

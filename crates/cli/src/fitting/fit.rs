@@ -72,8 +72,9 @@ pub fn read(paths: &[PathBuf], arguments: &Common, terminal: Terminal) -> Result
 
 /// Works on a fit to its end, with progress on a terminal if it takes long.
 pub fn complete(theory: Theory, task: Task, with_profiles: bool) -> Result<Fitted, Failure> {
-    let mut fit = Fit::new(&theory.document.model, task.clone()).map_err(|error| refused(&theory, &task, &error))?;
-    let progress = progress(&theory.document.title);
+    let mut fit =
+        Fit::new(&theory.document.program.model, task.clone()).map_err(|error| refused(&theory, &task, &error))?;
+    let progress = progress(&theory.document.program.title);
     while !fit.advance() {
         progress.set_position(fit.trials() as u64);
     }
@@ -91,7 +92,7 @@ pub fn complete(theory: Theory, task: Task, with_profiles: bool) -> Result<Fitte
 }
 
 fn refused(theory: &Theory, task: &Task, error: &FitError) -> Failure {
-    let model = &theory.document.model;
+    let model = &theory.document.program.model;
     let named = |place: usize| match task.varied.get(place).map(|varied| varied.target) {
         Some(analysis::fit::Target::Parameter(index)) => model.parameters[index].name.clone(),
         _ => "it".to_owned(),
@@ -126,7 +127,7 @@ fn refused(theory: &Theory, task: &Task, error: &FitError) -> Failure {
 impl Fitted {
     /// What has to be known beside the numbers, in sentences.
     pub fn remarks(&self) -> Vec<String> {
-        let independent = &self.theory.document.model.independent;
+        let independent = &self.theory.document.program.model.independent;
         report::remarks(&self.outcome, &self.task, (&independent.name, &independent.unit), Language::English)
     }
 
@@ -136,7 +137,7 @@ impl Fitted {
         Report {
             document: &self.theory.document,
             document_name: name.unwrap_or("the document"),
-            language: Language::of(&self.theory.document.language),
+            language: Language::of(&self.theory.document.program.language),
             task: &self.task,
             outcome: &self.outcome,
             traces: &self.traces,
@@ -151,7 +152,7 @@ impl Fitted {
 
 /// What was noticed about each file, in sentences of the report's language, which is that of the document.
 pub fn notes(data: &[Measured], theory: &Theory) -> Vec<Vec<String>> {
-    let language = Language::of(&theory.document.language);
+    let language = Language::of(&theory.document.program.language);
     data.iter().map(|one| one.findings.iter().map(|finding| finding.text(language)).collect()).collect()
 }
 

@@ -15,7 +15,7 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
     let least_squares = outcome.reweighted.as_ref().map(|robust| robust.least_squares.as_slice());
     let mut object = json!({
         "document": fitted.theory.sources.path().display().to_string(),
-        "title": fitted.theory.document.title,
+        "title": fitted.theory.document.program.title,
         "converged": outcome.converged,
         "starts": outcome.starts,
         "improved_by_profile": outcome.improved > 0,
@@ -94,7 +94,7 @@ fn other_minimum(outcome: &Outcome) -> Value {
 
 /// The reading of a record's clock at which the initial values of equations of motion hold; null for formulas.
 fn initial_values_at(fitted: &Fitted, record: usize) -> Value {
-    let unit = &fitted.theory.document.model.independent.unit;
+    let unit = &fitted.theory.document.program.model.independent.unit;
     let origin = fitted.outcome.origins.get(record);
     origin.map_or(Value::Null, |origin| json!({"value": in_unit(unit, *origin), "unit": unit.text}))
 }
@@ -158,7 +158,7 @@ fn correlation(fitted: &Fitted) -> Value {
 
 /// The values far beyond the scatter of the others; times in the unit of the document's clock.
 fn outliers(fitted: &Fitted) -> Value {
-    let clock = &fitted.theory.document.model.independent.unit;
+    let clock = &fitted.theory.document.program.model.independent.unit;
     let outcome = &fitted.outcome;
     let entry = |one: &Outlier| {
         let fit = outcome.outlying(one)?;

@@ -9,10 +9,8 @@ use crate::settings::{Reader, positive, unknown};
 use crate::terminal::Terminal;
 use analysis::fit::{Observation, Record, Target, Task, Varied, observation};
 use document::Document;
-use engine::Method;
-use model::{Compiled, Kind};
+use program::{Compiled, Kind};
 use std::path::Path;
-use std::str::FromStr;
 use units::Unit;
 
 /// A theory.
@@ -42,13 +40,10 @@ pub fn task(
     arguments: &Common,
     terminal: Terminal,
 ) -> Result<Task, Failure> {
-    let time = document.model.independent.unit.clone();
-    let parameters: Vec<f64> = document.model.parameters.iter().map(|parameter| parameter.value).collect();
+    let time = document.program.model.independent.unit.clone();
+    let parameters: Vec<f64> = document.program.model.parameters.iter().map(|parameter| parameter.value).collect();
     let mut task = Task { parameters, loss: arguments.loss.into(), ..Task::default() };
-    if let Some(name) = &document.method {
-        task.method = Method::from_str(name)
-            .map_err(|_| unknown("method", name, Method::ALL.iter().map(|method| method.name())))?;
-    }
+    task.method = document.program.method.unwrap_or(task.method);
     let observed = observed(document, arguments, terminal)?;
     let mut columns: Vec<Vec<usize>> = Vec::new();
     for measured in data {
@@ -56,8 +51,8 @@ pub fn task(
         task.records.push(record);
         columns.push(own);
     }
-    let vary = document.vary.clone();
-    let mut reader = Reader { model: &mut document.model, terminal };
+    let vary = document.program.vary.clone();
+    let mut reader = Reader { model: &mut document.program.model, terminal };
     let names: Vec<String> = observed.iter().map(|(name, _)| name.clone()).collect();
     for fixed in &arguments.fix {
         if arguments.vary.iter().any(|name| name.trim() == fixed.name) {
@@ -144,7 +139,7 @@ fn observed(
     arguments: &Common,
     terminal: Terminal,
 ) -> Result<Vec<(String, Compiled)>, Failure> {
-    let mut reader = Reader { model: &mut document.model, terminal };
+    let mut reader = Reader { model: &mut document.program.model, terminal };
     let mut observed: Vec<(String, Compiled)> = Vec::new();
     for observe in &arguments.observe {
         let name = &observe.quantity;
@@ -172,7 +167,7 @@ fn record(
     for (observe, (name, compiled)) in arguments.observe.iter().zip(observed) {
         let column = measured.column(observe, &columns)?;
         measured.check_unit(column)?;
-        let observation = observation(&document.model, &measured.table, column, name, compiled.clone())
+        let observation = observation(&document.program.model, &measured.table, column, name, compiled.clone())
             .map_err(|error| Failure::request(format!("{}: {error}", measured.name)))?;
         record.observations.push(observation);
         columns.push(column);

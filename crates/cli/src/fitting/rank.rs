@@ -75,8 +75,8 @@ fn contend(
     let Some(text) = &arguments.predict_from else {
         return Ok(Contender { fitted: complete(theory, task, false)?, parts: None });
     };
-    let time = theory.document.model.independent.unit.clone();
-    let moment = Reader { model: &mut theory.document.model, terminal }.value(
+    let time = theory.document.program.model.independent.unit.clone();
+    let moment = Reader { model: &mut theory.document.program.model, terminal }.value(
         "--predict-from",
         text,
         &time,
@@ -134,7 +134,7 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
         let one = &contenders[ranked.index];
         let mut row = vec![
             format!("{}.", place + 1),
-            one.fitted.theory.document.title.clone(),
+            one.fitted.theory.document.program.title.clone(),
             numbers(&one.fitted).to_string(),
             if ranked.difference.is_finite() { format!("{:.1}", ranked.difference) } else { "–".to_owned() },
             if ranked.weight < 1e-3 { "< 0.001".to_owned() } else { format!("{:.3}", ranked.weight) },
@@ -174,15 +174,20 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
     }
     for one in contenders.iter().filter(|one| one.fitted.outcome.rival.is_some()) {
         for sentence in searches(&one.fitted.outcome) {
-            let _ = writeln!(text, "{}: {sentence}", one.fitted.theory.document.title);
+            let _ = writeln!(text, "{}: {sentence}", one.fitted.theory.document.program.title);
         }
     }
     for one in contenders.iter().filter(|one| !one.fitted.outcome.converged) {
-        let _ = writeln!(text, "The search for {} did not come to its end.", one.fitted.theory.document.title);
+        let _ = writeln!(text, "The search for {} did not come to its end.", one.fitted.theory.document.program.title);
     }
     for one in contenders {
         for undetermined in &one.fitted.outcome.undetermined {
-            let _ = writeln!(text, "{}: {}", one.fitted.theory.document.title, undetermined.text(Language::English));
+            let _ = writeln!(
+                text,
+                "{}: {}",
+                one.fitted.theory.document.program.title,
+                undetermined.text(Language::English)
+            );
         }
     }
     text

@@ -49,7 +49,7 @@ pub fn fit(fitted: &Fitted, notes: &[Vec<String>]) -> String {
     let mut text = String::new();
     let names: Vec<&str> = fitted.task.records.iter().map(|record| record.name.as_str()).collect();
     // Writing to a string cannot fail.
-    let _ = writeln!(text, "{}, fitted to {}\n", fitted.theory.document.title, crate::failure::listed(names));
+    let _ = writeln!(text, "{}, fitted to {}\n", fitted.theory.document.program.title, crate::failure::listed(names));
     if !outcome.converged {
         text.push_str("The search did not come to its end: these values are only the best that were found.\n\n");
     }
@@ -185,7 +185,7 @@ pub fn searches(outcome: &Outcome) -> Vec<String> {
 /// Where the initial values of equations of motion hold: `t = 1.0333 s`, with what that means for earlier values. Of several
 /// records each has its own, and stands beside its name.
 pub fn beginnings(fitted: &Fitted) -> Vec<(String, String)> {
-    let clock = &fitted.theory.document.model.independent;
+    let clock = &fitted.theory.document.program.model.independent;
     let beginning = |(record, origin): (usize, &f64)| {
         let reading = number::plain(clock.unit.from_si(*origin), 5, Style::POINT);
         let mut when = format!("{} = {reading} {}", clock.name, unit_text(&clock.unit.text));

@@ -4,7 +4,7 @@ use super::allowed::{ATTRIBUTES, REFERRING, danger, is_id, is_idle, reference};
 use super::build::Builder;
 use super::style::PREFIX;
 use super::template::{self, RawPiece};
-use super::{Attribute, Piece, Template};
+use program::{Attribute, Piece, Template};
 use std::ops::Range;
 use units::words;
 
@@ -25,7 +25,7 @@ impl Builder<'_, '_> {
                     "a scene refers to nothing outside itself",
                     "una escena no remite a nada fuera de sí misma",
                 )),
-                _ => model::nearest(&text, ATTRIBUTES)
+                _ => units::nearest(&text, ATTRIBUTES)
                     .map(|near| words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
             };
             self.refuse(

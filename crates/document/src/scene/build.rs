@@ -5,15 +5,15 @@ use super::drag::Dragging;
 use super::style::{SCENE_CLASS, confine};
 use super::values::SceneText;
 use super::xml::{RawChild, RawElement, parse};
-use super::{Attribute, Child, Element, Piece, Scene};
 use crate::expressions::Expressions;
-use model::{Compiled, Diagnostic, Span};
+use model::{Diagnostic, Span};
+use program::{Attribute, Child, Compiled, Element, Piece, Scene};
 use std::collections::BTreeSet;
 use std::ops::Range;
 use units::{Words, words};
 
-/// Reads the scene in `range`: definitions, then one `svg` element.
-pub fn build(expressions: &mut Expressions, range: Range<usize>) -> Option<Scene> {
+/// Reads the scene in `range`: definitions, then one `svg` element. Also what its texts say, for translations.
+pub fn build(expressions: &mut Expressions, range: Range<usize>) -> Option<(Scene, Vec<SceneText>)> {
     let source = expressions.source;
     let opening = Span::new(range.start, range.start);
     let Some(length) = source[range.clone()].find("<svg") else {
@@ -60,7 +60,7 @@ pub fn build(expressions: &mut Expressions, range: Range<usize>) -> Option<Scene
     builder.check_references();
     let Builder { values, words, .. } = builder;
     expressions.forget();
-    Some(Scene { root: root?, values, words })
+    Some((Scene { root: root?, values }, words))
 }
 
 /// Builds one scene.
@@ -157,7 +157,7 @@ impl Builder<'_, '_> {
     fn element(&mut self, raw: RawElement) -> Option<Element> {
         let name = self.source(&raw.name).to_owned();
         if !ELEMENTS.contains(&name.as_str()) {
-            let hint = model::nearest(&name, ELEMENTS)
+            let hint = units::nearest(&name, ELEMENTS)
                 .map(|near| words!("did you mean `{near}`?", "¿querías decir `{near}`?"));
             self.refuse(
                 words!(

@@ -1,8 +1,8 @@
 //! Parts of a scene that follow the hand.
 
-use super::Drag;
 use super::build::Builder;
 use crate::expressions::dimension_error;
+use program::Drag;
 use std::ops::Range;
 use units::words;
 
@@ -35,10 +35,10 @@ impl Builder<'_, '_> {
         };
         let place = crate::source::trim(self.expressions.source, place);
         let name = self.source(&place).to_owned();
-        let states: Vec<String> = self.expressions.model().states.iter().map(model::State::name).collect();
+        let states: Vec<String> = self.expressions.model().states.iter().map(program::State::name).collect();
         let Some(state) = states.iter().position(|known| *known == name) else {
             let mut hint = words!("the states are {}", "los estados son {}", states.join(", "));
-            if let Some(near) = model::nearest(&name, states.iter().map(String::as_str)) {
+            if let Some(near) = units::nearest(&name, states.iter().map(String::as_str)) {
                 hint = words!("did you mean `{near}`?", "¿querías decir `{near}`?");
             }
             self.refuse(
@@ -73,15 +73,16 @@ impl Builder<'_, '_> {
     /// What one unit of the drawing adds to a state.
     fn drag_rate(&mut self, range: Range<usize>, state: usize) -> Option<usize> {
         let rate = self.expressions.number(range)?;
+        let declared = self.expressions.places.states.get(state).copied().unwrap_or_default();
         let state = &self.expressions.model().states[state];
-        if rate.dimension() != state.unit.dimension {
+        if rate.value.dimension() != state.unit.dimension {
             let message = words!(
                 "one unit of the drawing must add to `{}` something of its dimension",
                 "una unidad del dibujo debe añadir a `{}` algo de su dimensión",
                 state.name()
             );
-            let expected = (state.span, state.unit.dimension);
-            self.expressions.diagnostics.push(dimension_error(message, (rate.span, rate.dimension()), expected));
+            let expected = (declared, state.unit.dimension);
+            self.expressions.diagnostics.push(dimension_error(message, (rate.span, rate.value.dimension()), expected));
             return None;
         }
         self.value(rate)

@@ -2,9 +2,10 @@
 
 use super::build::Builder;
 use super::template::{self, RawPiece, normalised};
-use super::{Child, Element, Piece, Scene, Template};
+use crate::expressions::Placed;
 use crate::translation::Texts;
-use model::{Compiled, Diagnostic, Kind};
+use model::Diagnostic;
+use program::{Child, Element, Kind, Piece, Scene, Template};
 use std::ops::Range;
 use units::words;
 
@@ -40,7 +41,7 @@ impl Builder<'_, '_> {
             return Some(Piece::Literal(text));
         };
         let compiled = self.expressions.compile(expression)?;
-        if in_attribute && compiled.kind == Kind::Text {
+        if in_attribute && compiled.value.kind == Kind::Text {
             self.expressions.error(
                 "not-a-number",
                 words(
@@ -56,7 +57,7 @@ impl Builder<'_, '_> {
     }
 
     /// The place of a value among those of the scene; equal ones are computed once.
-    pub fn value(&mut self, compiled: Compiled) -> Option<usize> {
+    pub fn value(&mut self, Placed { value: compiled, span }: Placed) -> Option<usize> {
         let known = self.values.iter().position(|value| {
             value.node == compiled.node && value.unit == compiled.unit && value.kind == compiled.kind
         });
@@ -70,7 +71,7 @@ impl Builder<'_, '_> {
                     "a scene cannot have more than {VALUES} values",
                     "una escena no puede tener más de {VALUES} valores"
                 ),
-                compiled.span,
+                span,
             );
             return None;
         }
@@ -123,13 +124,11 @@ impl SceneText {
     }
 }
 
-impl Scene {
-    /// The scene in another language: the same drawing with the same values.
-    pub(crate) fn translated(&self, texts: &mut Texts) -> Self {
-        let mut scene = self.clone();
-        translate(&mut scene.root, &mut self.words.iter(), texts);
-        scene
-    }
+/// The scene in another language: the same drawing with the same values. `words` is what [`super::build`] has given with it.
+pub fn translated(scene: &Scene, words: &[SceneText], texts: &mut Texts) -> Scene {
+    let mut scene = scene.clone();
+    translate(&mut scene.root, &mut words.iter(), texts);
+    scene
 }
 
 /// Takes from `originals` as many as there are texts in the element.

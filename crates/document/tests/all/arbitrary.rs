@@ -85,11 +85,11 @@ fn check(source: &str, translation: &str) {
     }
     if let Some(document) = &opened.document {
         for language in ["en", "es"] {
-            let html: String = (document.sections(language).iter())
+            let html: String = (document.program.sections(language).iter())
                 .flat_map(|section| &section.blocks)
                 .map(|block| match block {
-                    document::Block::Html(html) => html.clone(),
-                    document::Block::Question(index) => document.question_text(language, *index).prompt.clone(),
+                    program::Block::Html(html) => html.clone(),
+                    program::Block::Question(index) => document.program.question_text(language, *index).prompt.clone(),
                 })
                 .collect();
             assert!(!html.contains("<b>") && !html.contains("<script"), "{html}");

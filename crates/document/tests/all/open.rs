@@ -1,6 +1,7 @@
 //! Whole documents: what comes of them, and what is said about them.
 
-use document::{Block, Document, Tolerance};
+use document::Document;
+use program::{Block, Tolerance};
 
 const MODEL: &str = "```model\nparameter h = 2 [m] in 0..9 \"Height\"\ny'' = -9.8 [m/s^2]\ny(0) = h \"Place\"\ny'(0) = 0\nmood = if y > 0 then \"high\" else \"low\"\n```\n";
 
@@ -20,21 +21,24 @@ fn good(source: &str, translations: &[&str]) -> Document {
 #[test]
 fn several_model_blocks_are_one_model() {
     let document = good("A\n\n```model\nm = 2*k\n```\n\nB\n\n```model\nk = 3 [kg] \"Mass\"\n```\n", &[]);
-    assert_eq!(document.model.quantities.len(), 2);
-    assert_eq!(&document.source[document.model.quantities[1].value.span.range()], "3 [kg]");
+    let model = &document.program.model;
+    assert_eq!(model.quantities.iter().map(|quantity| quantity.name.as_str()).collect::<Vec<_>>(), ["m", "k"]);
+    assert_eq!(model.quantities[0].value.unit.text, "kg");
 }
 
 #[test]
 fn settings_are_in_si() {
     let front = "---\ntitle: T\nlanguage: es\nmethod: euler\nstep: 50 [ms]\nuntil: 2 [min]\ntolerance: 1e-9\n---\n";
     let document = good(&format!("{front}{MODEL}"), &[]);
-    assert_eq!((document.step, document.until, document.tolerance), (Some(0.05), Some(120.0), Some(1e-9)));
-    assert_eq!(document.method.as_deref(), Some("euler"));
-    assert_eq!(&document.source[document.method_span.range()], "euler");
-    assert_eq!((document.title.as_str(), document.language.as_str()), ("T", "es"));
+    assert_eq!(
+        (document.program.step, document.program.until, document.program.tolerance),
+        (Some(0.05), Some(120.0), Some(1e-9))
+    );
+    assert_eq!(document.program.method, Some(program::Method::Euler));
+    assert_eq!((document.program.title.as_str(), document.program.language.as_str()), ("T", "es"));
     // Bare numbers are in the unit of the independent variable.
     let document = good("---\nstep: 5\n---\n```model\nindependent x in [cm]\nA' = -2 [1/m]*A\nA(0) = 1\n```\n", &[]);
-    assert_eq!(document.step, Some(0.05));
+    assert_eq!(document.program.step, Some(0.05));
 }
 
 #[test]
@@ -69,11 +73,11 @@ fn a_faulty_part_is_left_out_and_the_rest_stays() {
     let (document, findings) = open(&source, &[]);
     assert_eq!(findings, ["0: `z` is not known", "0: `q` is not a parameter of the model", "0: `z` is not known"]);
     let document = document.expect("the model is good");
-    assert_eq!(document.plots.len(), 1);
-    assert_eq!(document.presets[0].values.len(), 1);
-    assert_eq!(document.questions.len(), 1);
-    assert_eq!(document.questions[0].tolerance, Tolerance::Absolute(0.01));
-    assert_eq!(document.question_text("en", 0).prompt, "<p>R</p>\n");
+    assert_eq!(document.program.plots.len(), 1);
+    assert_eq!(document.program.presets[0].values.len(), 1);
+    assert_eq!(document.program.questions.len(), 1);
+    assert_eq!(document.program.questions[0].tolerance, Tolerance::Absolute(0.01));
+    assert_eq!(document.program.question_text("en", 0).prompt, "<p>R</p>\n");
 }
 
 #[test]
@@ -81,7 +85,7 @@ fn an_unclosed_block_spoils_nothing_after_it() {
     let source = format!("{}```plots\n\"A\": y against t\n```\nThe end.\n", MODEL.trim_end().trim_end_matches('`'));
     let (document, findings) = open(&source, &[]);
     assert_eq!(findings, ["0: the `model` block is not closed"]);
-    assert_eq!(document.expect("the model is good").plots.len(), 1);
+    assert_eq!(document.expect("the model is good").program.plots.len(), 1);
 }
 
 #[test]
@@ -90,13 +94,13 @@ fn questions_stand_where_they_were_written() {
         "{MODEL}# A\n\nText\n\n```question\nWhy?\nhint: *Think.*\nanswer: 2*h within 2 %\n```\n\nMore\n\n# B\n"
     );
     let document = good(&source, &[]);
-    let [a, b] = document.sections("en") else { panic!("two sections") };
+    let [a, b] = document.program.sections("en") else { panic!("two sections") };
     assert_eq!((a.id.as_str(), a.level, b.title.as_str()), ("doc-a", 1, "B"));
     assert_eq!(
         a.blocks,
         [Block::Html("<p>Text</p>\n".into()), Block::Question(0), Block::Html("<p>More</p>\n".into())]
     );
-    assert_eq!(document.question_text("en", 0).hint.as_deref(), Some("<p><em>Think.</em></p>\n"));
+    assert_eq!(document.program.question_text("en", 0).hint.as_deref(), Some("<p><em>Think.</em></p>\n"));
 }
 
 const BASE: &str = "# One\n\n```scene\n<svg viewBox='0 0 9 9'><text>now {y in [cm]} high</text><text>t</text></svg>\n```\n```plots\n\"Fall\": y against t\n```\n```question\nWhy?\nanswer: h within 2 %\n```\n```question\nHow?\nanswer: 2*h within 2 %\n```\n";
@@ -105,14 +109,14 @@ const BASE: &str = "# One\n\n```scene\n<svg viewBox='0 0 9 9'><text>now {y in [c
 fn a_translation_keeps_one_model() {
     let translation = "---\nlanguage: es\ntitle: Uno\ntranslates: base.md\n---\n# Uno\n\n```translations\n\"Height\" = \"Altura\"\n\"Place\" = \"Lugar\"\n\"high\" = \"alto\"\n\"low\" = \"bajo\"\n\"Fall\" = \"Caída\"\n\"now {y in [cm]} high\" = \"a {y in [cm]} de altura\"\n```\n\n```question\n¿Por qué?\n```\n```question\n¿Cómo?\nhint: Así.\n```\n";
     let document = good(&format!("{MODEL}{BASE}"), &[translation]);
-    assert_eq!(document.languages().collect::<Vec<_>>(), ["en", "es"]);
-    assert_eq!(document.text("es", "Height"), "Altura");
-    assert_eq!(document.text("es", "alone"), "alone");
-    assert_eq!(document.text("de", "Height"), "Height");
-    assert_eq!(document.edition("es").title, "Uno");
-    assert_eq!(document.question_text("es", 1).prompt, "<p>¿Cómo?</p>\n");
-    assert_eq!(document.question_text("de", 1).prompt, "<p>How?</p>\n");
-    let scene = format!("{:?}", document.scene("es").map(|scene| &scene.root));
+    assert_eq!(document.program.languages().collect::<Vec<_>>(), ["en", "es"]);
+    assert_eq!(document.program.text("es", "Height"), "Altura");
+    assert_eq!(document.program.text("es", "alone"), "alone");
+    assert_eq!(document.program.text("de", "Height"), "Height");
+    assert_eq!(document.program.edition("es").title, "Uno");
+    assert_eq!(document.program.question_text("es", 1).prompt, "<p>¿Cómo?</p>\n");
+    assert_eq!(document.program.question_text("de", 1).prompt, "<p>How?</p>\n");
+    let scene = format!("{:?}", document.program.scene("es").map(|scene| &scene.root));
     assert!(scene.contains("\"a \"") && scene.contains("\" de altura\"") && !scene.contains("high"), "{scene}");
 }
 
@@ -134,7 +138,7 @@ fn what_is_wrong_with_a_translation() {
             "1: `answer:` in a translation means nothing",
         ]
     );
-    assert_eq!(document.expect("the model is good").languages().count(), 2);
+    assert_eq!(document.expect("the model is good").program.languages().count(), 2);
     let (_, findings) = open(MODEL, &["", "---\nlanguage: en\n---\n"]);
     assert_eq!(findings, ["1: the translation does not say its language", "2: the document exists in `en` already"]);
     let (_, findings) = open("---\ntranslates: base.md\n---\n", &[]);
@@ -165,4 +169,12 @@ fn warnings_do_not_hide_that_the_model_is_missing() {
     assert_eq!(findings, ["0: the front matter has no key `titel`", "0: the document has no model"]);
     let (_, findings) = open(MODEL, &["---\nlanguage: a b\n---\n"]);
     assert_eq!(findings, ["1: `a b` is not a language"]);
+}
+
+#[test]
+fn an_unknown_method_is_an_error_that_names_the_methods() {
+    let (document, findings) = open(&format!("---\nmethod: leapfrog\n---\n{MODEL}"), &[]);
+    assert_eq!(document.expect("the model is good").program.method, None);
+    let methods = "euler, euler-richardson, velocity-verlet, rk4, dormand-prince and rosenbrock";
+    assert_eq!(findings, [format!("0: there is no method `leapfrog`; the methods are {methods}")]);
 }

@@ -1,5 +1,6 @@
 //! What a scene lets through and what it refuses, on the outside of the crate.
-use document::{Child, Element, Opened, Piece, Template};
+use document::Opened;
+use program::{Child, Element, Piece, Template};
 
 fn open(scene: &str) -> Opened {
     let source = format!(
@@ -42,7 +43,7 @@ fn check(scene: &str, expected: &str, messages: &[&str]) {
     let found: Vec<&str> = opened.diagnostics.iter().map(|(_, d)| &*d.message.english).collect();
     assert_eq!(found, messages, "{scene}");
     let document = opened.document.expect("the model is good");
-    let scene = document.scene("en").map(|scene| print(&scene.root)).unwrap_or_default();
+    let scene = document.program.scene("en").map(|scene| print(&scene.root)).unwrap_or_default();
     assert_eq!(scene, expected);
 }
 

@@ -22,8 +22,18 @@ fn open(name: &str) -> (Vec<String>, Opened) {
     (translations, opened)
 }
 
+/// The names of all documents that come with Meniscus.
+pub fn names() -> Vec<String> {
+    std::fs::read_dir(directory())
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter_map(|file| file.strip_suffix(".md").map(str::to_owned))
+        .filter(|name| !name.contains('.'))
+        .collect()
+}
+
 /// A document without any finding, warnings included.
-fn faultless(name: &str) -> Document {
+pub fn faultless(name: &str) -> Document {
     let (_, opened) = open(name);
     let findings: Vec<String> = (opened.diagnostics.iter())
         .map(|(file, d)| format!("{file}: {} at {:?} {:?} {:?}", d.message.english, d.span(), d.notes, d.hints))
@@ -32,12 +42,12 @@ fn faultless(name: &str) -> Document {
     opened.document.unwrap()
 }
 
-fn evaluate(document: &Document, roots: &[model::NodeId], parameters: &[f64]) -> Vec<f64> {
-    let mut routine = Routine::compile(&document.model, roots);
-    let states = document.model.states.len();
-    let initial_roots: Vec<_> = document.model.states.iter().map(|state| state.initial).collect();
+fn evaluate(document: &Document, roots: &[program::NodeId], parameters: &[f64]) -> Vec<f64> {
+    let mut routine = Routine::compile(&document.program.model, roots);
+    let states = document.program.model.states.len();
+    let initial_roots: Vec<_> = document.program.model.states.iter().map(|state| state.initial).collect();
     let mut initial = vec![0.0; states];
-    let mut starts = Routine::compile(&document.model, &initial_roots);
+    let mut starts = Routine::compile(&document.program.model, &initial_roots);
     starts.prepare(parameters, &vec![0.0; states]);
     starts.evaluate(0.0, &vec![0.0; states], &mut initial);
     let mut values = vec![0.0; roots.len()];
@@ -47,11 +57,11 @@ fn evaluate(document: &Document, roots: &[model::NodeId], parameters: &[f64]) ->
 }
 
 fn defaults(document: &Document) -> Vec<f64> {
-    document.model.parameters.iter().map(|parameter| parameter.value).collect()
+    document.program.model.parameters.iter().map(|parameter| parameter.value).collect()
 }
 
 /// Makes assignments one after the other.
-fn assigned(document: &Document, values: &[document::Assignment]) -> Vec<f64> {
+fn assigned(document: &Document, values: &[program::Assignment]) -> Vec<f64> {
     let mut parameters = defaults(document);
     for assignment in values {
         parameters[assignment.parameter] = evaluate(document, &[assignment.value.node], &parameters)[0];
@@ -60,28 +70,23 @@ fn assigned(document: &Document, values: &[document::Assignment]) -> Vec<f64> {
 }
 
 fn in_range(document: &Document, parameters: &[f64]) -> bool {
-    document.model.parameters.iter().zip(parameters).all(|(parameter, value)| {
+    document.program.model.parameters.iter().zip(parameters).all(|(parameter, value)| {
         parameter.range.is_none_or(|(low, high)| (low..=high).contains(value)) && value.is_finite()
     })
 }
 
 #[test]
 fn every_document_is_without_fault() {
-    let names: Vec<String> = std::fs::read_dir(directory())
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .filter_map(|file| file.strip_suffix(".md").map(str::to_owned))
-        .filter(|name| !name.contains('.'))
-        .collect();
+    let names = names();
     assert!(names.len() >= 5, "{names:?}");
     for name in names {
         let document = faultless(&name);
-        assert!(document.edition(&document.language).scene.is_some(), "{name}");
-        assert!(!document.plots.is_empty(), "{name}");
-        for preset in &document.presets {
+        assert!(document.program.edition(&document.program.language).scene.is_some(), "{name}");
+        assert!(!document.program.plots.is_empty(), "{name}");
+        for preset in &document.program.presets {
             assert!(in_range(&document, &assigned(&document, &preset.values)), "{name}: {}", preset.name);
         }
-        for question in &document.questions {
+        for question in &document.program.questions {
             let parameters = assigned(&document, &question.setup);
             assert!(in_range(&document, &parameters), "{name}: {question:?}");
             let answer = evaluate(&document, &[question.answer.node], &parameters)[0];
@@ -93,7 +98,7 @@ fn every_document_is_without_fault() {
 #[test]
 fn the_answers_of_the_u_tube() {
     let document = faultless("utube");
-    let answers: Vec<f64> = (document.questions.iter())
+    let answers: Vec<f64> = (document.program.questions.iter())
         .map(|question| {
             let parameters = assigned(&document, &question.setup);
             question.unit.from_si(evaluate(&document, &[question.answer.node], &parameters)[0])
@@ -111,9 +116,9 @@ fn the_answers_of_the_u_tube() {
 #[test]
 fn critical_damping_is_within_reach_for_every_liquid() {
     let document = faultless("utube");
-    let index = |name: &str| document.model.parameters.iter().position(|p| p.name == name).unwrap();
-    let critical = document.model.lookup("b_c", 0).unwrap().node;
-    let greatest = |name: &str| document.model.parameters[index(name)].range.unwrap().1;
+    let index = |name: &str| document.program.model.parameters.iter().position(|p| p.name == name).unwrap();
+    let critical = document.program.model.lookup("b_c", 0).unwrap().node;
+    let greatest = |name: &str| document.program.model.parameters[index(name)].range.unwrap().1;
     let mut parameters = defaults(&document);
     for name in ["rho", "S", "h_l", "h_r", "g"] {
         parameters[index(name)] = greatest(name);
@@ -124,12 +129,12 @@ fn critical_damping_is_within_reach_for_every_liquid() {
 
 /// Runs a document for ten units of the independent variable.
 fn run(document: &Document, parameters: Vec<f64>) -> Run {
-    let mut setup = Setup::defaults(&document.model);
+    let mut setup = Setup::defaults(&document.program.model);
     setup.parameters = parameters;
-    setup.step = document.step.unwrap_or(setup.step);
-    setup.tolerance = document.tolerance.unwrap_or(setup.tolerance);
-    setup.method = document.method.as_ref().map_or(setup.method, |method| method.parse().unwrap());
-    let mut run = Run::start(&document.model, setup).unwrap_or_else(|error| panic!("{error:?}"));
+    setup.step = document.program.step.unwrap_or(setup.step);
+    setup.tolerance = document.program.tolerance.unwrap_or(setup.tolerance);
+    setup.method = document.program.method.unwrap_or(setup.method);
+    let mut run = Run::start(&document.program.model, setup).unwrap_or_else(|error| panic!("{error:?}"));
     while run.time() < 10.0 {
         run.advance().unwrap_or_else(|error| panic!("{error:?}"));
     }
@@ -141,7 +146,7 @@ fn every_document_runs_with_every_preset() {
     for name in ["utube", "pendulum", "double-pendulum", "bouncing-ball", "van-der-pol"] {
         let document = faultless(name);
         run(&document, defaults(&document));
-        for preset in &document.presets {
+        for preset in &document.program.presets {
             eprintln!("{name}: {}", preset.name);
             run(&document, assigned(&document, &preset.values));
         }
@@ -153,9 +158,9 @@ fn every_document_runs_with_every_preset() {
 fn the_period_of_a_large_swing() {
     let document = faultless("pendulum");
     let mut parameters = defaults(&document);
-    let start = document.model.parameters.iter().position(|p| p.name == "theta_0").unwrap();
+    let start = document.program.model.parameters.iter().position(|p| p.name == "theta_0").unwrap();
     parameters[start] = std::f64::consts::FRAC_PI_2;
-    let period = document.model.lookup("T", 0).unwrap().node;
+    let period = document.program.model.lookup("T", 0).unwrap().node;
     let said = evaluate(&document, &[period], &parameters)[0];
     let mut run = run(&document, parameters);
     // The angle passes through zero, downwards first, after a quarter of a period and then at each half.

@@ -42,17 +42,17 @@ struct Done {
 /// Runs a theory over its whole time with some parameters set, to 1e-12 and with a row at each step.
 fn run(name: &str, values: &[(&str, f64)]) -> Done {
     let document = theory(name);
-    let mut setup = Setup::defaults(&document.model);
+    let mut setup = Setup::defaults(&document.program.model);
     for (parameter, value) in values {
-        let index = document.model.parameters.iter().position(|p| p.name == *parameter);
+        let index = document.program.model.parameters.iter().position(|p| p.name == *parameter);
         setup.parameters[index.unwrap_or_else(|| panic!("{name}: {parameter}"))] = *value;
     }
-    setup.method = document.method.as_ref().unwrap().parse().unwrap();
+    setup.method = document.program.method.unwrap();
     setup.step = STEP;
     setup.tolerance = 1e-12;
-    let mut run = Run::start(&document.model, setup).unwrap();
-    while run.time() < document.until.unwrap() {
-        run.advance().unwrap_or_else(|error| panic!("{name}: {error}"));
+    let mut run = Run::start(&document.program.model, setup).unwrap();
+    while run.time() < document.program.until.unwrap() {
+        run.advance().unwrap_or_else(|error| panic!("{name}: {error:?}"));
     }
     Done { document, run }
 }
@@ -60,10 +60,13 @@ fn run(name: &str, values: &[(&str, f64)]) -> Done {
 impl Done {
     /// The values of an expression on the grid of the rows, without those of the events between.
     fn values(&self, expression: &str) -> Vec<f64> {
-        let mut model = self.document.model.clone();
+        let mut model = self.document.program.model.clone();
         let (tree, unit, found) = model::parse_expression(expression, 0..expression.len());
         assert!(found.is_empty(), "{expression}");
-        let node = model.compile_expression(&tree, unit.as_ref()).unwrap_or_else(|found| panic!("{found:?}")).node;
+        let node = model::Compiler::new(&mut model)
+            .compile(&tree, unit.as_ref())
+            .unwrap_or_else(|found| panic!("{found:?}"))
+            .node;
         let mut readings = Readings::new(&model, &[node]);
         let history = self.run.history();
         let mut state = vec![0.0; model.states.len()];
@@ -86,7 +89,7 @@ impl Done {
     /// The displacement where the velocity is zero, the start from rest included.
     fn turning_points(&mut self) -> Vec<f64> {
         let (x, v) = (self.state("x", 0), self.state("x", 1));
-        let mut state = vec![0.0; self.document.model.states.len()];
+        let mut state = vec![0.0; self.document.program.model.states.len()];
         let times: Vec<f64> = (0..self.run.history().len()).map(|row| self.run.history().time(row)).collect();
         let mut found = vec![self.run.initial()[x]];
         for pair in times.windows(2) {
@@ -113,7 +116,7 @@ impl Done {
     }
 
     fn state(&self, variable: &str, order: u32) -> usize {
-        let mut states = self.document.model.states.iter();
+        let mut states = self.document.program.model.states.iter();
         states.position(|state| state.variable == variable && state.order == order).unwrap()
     }
 }
@@ -136,10 +139,13 @@ fn every_theory_can_be_fitted_to_a_measured_level_and_its_velocity() {
     for name in THEORIES {
         let done = run(name, &[("c", -0.003), ("drift", 0.001)]);
         let document = &done.document;
-        assert_eq!(document.languages().collect::<Vec<_>>(), ["en", "es"], "{name}");
-        assert!((4..=8).contains(&document.vary.len()), "{name}");
-        assert!(document.vary.iter().all(|&index| document.model.parameters[index].name != "drift"), "{name}");
-        for parameter in &document.model.parameters {
+        assert_eq!(document.program.languages().collect::<Vec<_>>(), ["en", "es"], "{name}");
+        assert!((4..=8).contains(&document.program.vary.len()), "{name}");
+        assert!(
+            document.program.vary.iter().all(|&index| document.program.model.parameters[index].name != "drift"),
+            "{name}"
+        );
+        for parameter in &document.program.model.parameters {
             let (low, high) = parameter.range.unwrap();
             assert!((low..=high).contains(&parameter.value), "{name}: {}", parameter.name);
             let damping = ["gamma", "beta", "mu", "D"].contains(&parameter.name.as_str());

@@ -1,7 +1,8 @@
 //! From one point of the grid to the next: steps of the method, events on the way.
 
 use super::{Solver, Stepper};
-use crate::{AfterJump, Record, RunError};
+use crate::adaptive::Stalled;
+use crate::{AfterJump, Cause, Method, Record, RunError};
 
 /// What it took to come from one point of the grid towards the next.
 #[derive(Clone, Copy, Debug, Default)]
@@ -96,7 +97,7 @@ impl Stepper {
             let jumped = match self.solver {
                 Solver::Fixed(_) => self.fixed(target)?,
                 Solver::Adaptive(_) if self.row.steps > Self::STEP_LIMIT => {
-                    return Err(self.places.too_many_steps(Self::STEP_LIMIT, self.time));
+                    return Err(self.error(Cause::TooManySteps(Self::STEP_LIMIT, self.method)));
                 }
                 Solver::Adaptive(_) => self.adaptive(target)?,
             };
@@ -122,7 +123,8 @@ impl Stepper {
         let size = if self.on_grid { self.step } else { target - self.time };
         method.step(equations, self.time, size, &self.state, &mut self.next);
         if !self.next.iter().all(|value| value.is_finite()) {
-            return Err(self.places.not_finite(self.time, &self.next, equations.singular()));
+            let cause = not_finite(&self.next, equations.singular(), self.method);
+            return Err(self.error(cause));
         }
         if !self.events.is_empty() {
             if self.events.due(target, &self.next) {
@@ -150,7 +152,11 @@ impl Stepper {
         if method.end() <= self.time
             && let Err(stalled) = method.extend(equations, target)
         {
-            return Err(self.places.stalled(stalled, self.time, method.attempt(), equations.singular()));
+            let cause = match stalled {
+                Stalled::NotFinite => not_finite(method.attempt(), equations.singular(), self.method),
+                Stalled::TooSmall => Cause::StepTooSmall,
+            };
+            return Err(self.error(cause));
         }
         let until = target.min(method.end());
         if until == method.end() {
@@ -172,6 +178,11 @@ impl Stepper {
         Ok(None)
     }
 
+    /// An error at the present time.
+    fn error(&self, cause: Cause) -> RunError {
+        RunError { cause, time: self.time }
+    }
+
     /// Lets the located events act.
     fn jump(&mut self, resolution: f64, record: &mut impl Record) -> Result<(), RunError> {
         self.on_grid = false;
@@ -181,13 +192,13 @@ impl Stepper {
         loop {
             let after = self.events.after();
             if !after.iter().all(|value| value.is_finite()) {
-                return Err(self.places.not_finite(self.time, after, false));
+                let cause = not_finite(after, false, self.method);
+                return Err(self.error(cause));
             }
             self.state.copy_from_slice(after);
             record.row(self.time, &self.state, true);
             if self.row.events > Self::EVENT_LIMIT {
-                let event = self.events.first_due();
-                return Err(self.places.too_many_events(Self::EVENT_LIMIT, event, self.time));
+                return Err(self.error(Cause::TooManyEvents(Self::EVENT_LIMIT, self.events.first_due())));
             }
             match self.events.cascade(self.time) {
                 0 => break,
@@ -199,5 +210,17 @@ impl Stepper {
         record.after_jump(AfterJump { armed: self.events.armed().to_vec(), on_grid });
         self.restart();
         Ok(())
+    }
+}
+
+/// Why a state that a step has given cannot be taken.
+fn not_finite(state: &[f64], singular: bool, method: Method) -> Cause {
+    let first = state.iter().position(|value| !value.is_finite()).unwrap_or_default();
+    if singular {
+        Cause::Singular(first)
+    } else if state.get(first).is_some_and(|value| value.is_infinite()) {
+        Cause::Infinite(first, method)
+    } else {
+        Cause::NotANumber(first, method)
     }
 }

@@ -1,7 +1,7 @@
 //! Sudden changes of the state.
 
 use crate::support::{jumps, model, setup};
-use engine::{Advance, Method, Run, Setup};
+use engine::{Advance, Method, Run, Setup, Subject};
 
 const BALL: &str = "
 parameter g = 9.8 [m/s^2]
@@ -13,7 +13,7 @@ y'(0) = 0 [m/s]
 when y < 0 [m] { y' = -e*y' }
 ";
 
-fn ball(e: f64, method: Method, step: f64) -> (model::Model, Setup) {
+fn ball(e: f64, method: Method, step: f64) -> (program::Model, Setup) {
     let model = model(BALL);
     let mut setup = setup(&model, method, step);
     setup.parameters[1] = e;
@@ -70,9 +70,10 @@ fn nothing_falls_through_the_floor_and_infinitely_many_bounces_stop_the_run() {
             let lowest = run.history().column(0).iter().copied().fold(f64::INFINITY, f64::min);
             assert!(lowest >= 0.0, "{method}, e = {e}: {lowest:e}");
             let error = error.unwrap_or_else(|| panic!("{method}, e = {e}: no end"));
-            assert_eq!(error.code, "too-many-events", "{method}, e = {e}: {error}");
-            assert!(error.message.english.starts_with("more than 1000 events in one step, at t = "), "{error}");
-            assert_eq!(error.span, Some(model.events[0].span));
+            assert_eq!(error.code(), "too-many-events", "{method}, e = {e}: {error}");
+            let message = error.message(&model).english;
+            assert!(message.starts_with("more than 1000 events in one step, at t = "), "{message}");
+            assert_eq!(error.subject(), Some(Subject::Event(0)));
             let end = (2.0 / 9.8_f64).sqrt() * (1.0 + 2.0 * e / (1.0 - e));
             assert!((error.time - end).abs() < 1e-6 * end, "{method}, e = {e}: {} {end}", error.time);
         }
@@ -173,7 +174,7 @@ when b > 0.5 { b = 0
     );
     let mut run = Run::start(&model, setup(&model, Method::RungeKutta4, 0.2)).unwrap();
     let error = (0..10).find_map(|_| run.advance().err()).expect("stops");
-    assert_eq!(error.code, "too-many-events");
+    assert_eq!(error.code(), "too-many-events");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::support::{model, setup};
 use engine::{Advance, Method, Run, Setup};
-use model::Model;
+use program::Model;
 
 /// Bounces that die away, an event in time, and one that the first causes.
 const BOUNCES: &str = "

@@ -1,8 +1,8 @@
 //! Each method shows its order, and what is known of its energy.
 
 use crate::support::{U_TUBE, model, setup};
-use engine::{Method, Run, Setup};
-use model::Model;
+use engine::{Method, Run, Setup, Subject};
+use program::Model;
 
 /// The greatest error of `y` at the end of a run to `until`, for a step and its half.
 fn slope(model: &Model, method: Method, step: f64, until: f64, exact: f64) -> f64 {
@@ -80,9 +80,9 @@ fn velocity_verlet_refuses_equations_of_other_orders() {
     ] {
         let model = model(text);
         let error = Run::start(&model, setup(&model, Method::VelocityVerlet, 0.1)).expect_err("refused");
-        assert_eq!((error.code, &*error.message.english), ("not-second-order", message));
-        assert_eq!(error.hint.unwrap().english, "use the method `rk4`");
-        assert!(error.span.is_some());
+        assert_eq!((error.code(), &*error.message(&model).english), ("not-second-order", message));
+        assert_eq!(error.hint().english, "use the method `rk4`");
+        assert!(matches!(error.subject(), Some(Subject::State(_))));
     }
 }
 

@@ -28,7 +28,7 @@ fn written(table: &mut Table, run: &Run, format: Format) -> String {
     text
 }
 
-fn example() -> (model::Model, Run) {
+fn example() -> (program::Model, Run) {
     let model = model(TEXT);
     let run = crate::support::run(&model, setup(&model, Method::Euler, 0.1), 1);
     (model, run)

@@ -10,7 +10,7 @@ use super::form::{Conflict, Form, Solver};
 use super::infer::Inference;
 use super::mismatch::{Place, Term, is_bare};
 use super::types::{Type, Types};
-use crate::names::{Equation, EventEntry, InitialEntry, Meaning, Program, Unknown};
+use crate::names::{Declarations, Equation, EventEntry, InitialEntry, Meaning, Unknown};
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, Span, StatedUnit, has_errors};
 use units::{Dimension, Words, words};
@@ -18,7 +18,7 @@ use units::{Dimension, Words, words};
 /// What is known about the names of a model once it has been checked; every dimension in it is known. `order` is that of
 /// the definitions.
 pub(crate) fn check_dimensions(
-    program: &Program,
+    declarations: &Declarations,
     order: &[usize],
     unknowns: &[Unknown],
     diagnostics: &mut Vec<Diagnostic>,
@@ -26,27 +26,27 @@ pub(crate) fn check_dimensions(
     let mut solver = Solver::default();
     let unit = |stated: Option<&StatedUnit>| stated.map_or(Dimension::NONE, |stated| stated.unit.dimension);
     let mut types = Types {
-        independent: program.independent.1.dimension.into(),
-        parameters: program.parameters.iter().map(|entry| unit(entry.statement.unit.as_ref()).into()).collect(),
-        definitions: vec![Type::Unknown; program.definitions.len()],
-        numbers: vec![None; program.definitions.len()],
+        independent: declarations.independent.1.dimension.into(),
+        parameters: declarations.parameters.iter().map(|entry| unit(entry.statement.unit.as_ref()).into()).collect(),
+        definitions: vec![Type::Unknown; declarations.definitions.len()],
+        numbers: vec![None; declarations.definitions.len()],
         unknowns: unknowns.iter().map(|_| solver.fresh()).collect(),
         unknown_names: unknowns.iter().map(|unknown| unknown.name.to_owned()).collect(),
     };
-    let mut inference = Inference { scope: &program.scope, types: &mut types, solver, diagnostics: Vec::new() };
+    let mut inference = Inference { scope: &declarations.scope, types: &mut types, solver, diagnostics: Vec::new() };
     inference.stated_initial_values(unknowns);
-    inference.definitions(program, order);
+    inference.definitions(declarations, order);
     inference.initial_values(unknowns, |entry| !is_bare(entry.value));
-    for equation in &program.equations {
+    for equation in &declarations.equations {
         inference.equation(equation);
     }
     inference.initial_values(unknowns, |entry| is_bare(entry.value));
-    for definition in &program.definitions {
+    for definition in &declarations.definitions {
         if let Some(stated) = definition.unit {
             inference.stated(definition.value, stated);
         }
     }
-    for event in &program.events {
+    for event in &declarations.events {
         inference.event(event);
     }
     inference.settle(unknowns, !has_errors(diagnostics));
@@ -86,9 +86,9 @@ impl Inference<'_> {
     }
 
     /// Definitions in an order in which each comes after those it uses. A stated unit is believed for now.
-    fn definitions(&mut self, program: &Program, order: &[usize]) {
+    fn definitions(&mut self, declarations: &Declarations, order: &[usize]) {
         for &index in order {
-            let definition = &program.definitions[index];
+            let definition = &declarations.definitions[index];
             self.types.numbers[index] = if definition.unit.is_none() { self.constant(definition.value) } else { None };
             self.types.definitions[index] = match definition.unit {
                 Some(stated) => Type::Number(stated.unit.dimension.into()),

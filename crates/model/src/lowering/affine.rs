@@ -2,7 +2,8 @@
 //! in no such way.
 
 use super::expression::TooManyNodes;
-use crate::{Binary, Graph, Node, NodeId, Unary, limits};
+use crate::limits;
+use program::{Binary, Graph, Node, NodeId, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// `sum of coefficient*unknown + rest`; an absent coefficient or rest is 0.

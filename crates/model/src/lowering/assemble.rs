@@ -5,73 +5,80 @@ use super::expression::{Chain, Lowered, Lowering, TooManyNodes};
 use super::solve::{solve, too_many_nodes};
 use crate::dimensions::{Type, Types};
 use crate::matching::blocks;
-use crate::names::{EventEntry, Meaning, Program, Unknown, list};
+use crate::names::{Declarations, EventEntry, Meaning, Unknown, list};
 use crate::notation::primed;
-use crate::{
-    Compiled, Diagnostic, Event, Expression, ExpressionKind, Graph, Independent, Kind, Model, Node, NodeId, Parameter,
-    Quantity, State,
-};
+use crate::{Diagnostic, Expression, ExpressionKind, Places, Span};
+use program::{Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, State};
 use units::{Dimension, Exponent, Unit, words};
 
-/// Builds the model, all but its statements. `order` is that of the definitions.
+/// Builds the model and says where its parts stand. `order` is that of the definitions.
 pub(crate) fn assemble(
-    program: &Program,
+    declarations: &Declarations,
     order: &[usize],
     unknowns: &[Unknown],
     types: &Types,
-) -> Result<Model, Vec<Diagnostic>> {
+) -> Result<(Model, Places), Vec<Diagnostic>> {
     let mut graph = Graph::default();
     let mut texts = Vec::new();
     // What has a name is always there to be looked up.
     graph.insert(Node::Independent);
-    for index in 0..program.parameters.len() {
+    for index in 0..declarations.parameters.len() {
         graph.insert(Node::Parameter(index as u32));
     }
     for number in 0..unknowns.iter().map(|unknown| unknown.highest).sum() {
         graph.insert(Node::State(number));
     }
-    let rates = solve(program, order, unknowns, &mut graph)?;
+    let rates = solve(declarations, order, unknowns, &mut graph)?;
     let chain = |(unknown, rate): (&Unknown, NodeId)| Chain {
         first_state: unknown.first_state,
         highest: unknown.highest,
         rate,
     };
     let chains: Vec<Chain> = unknowns.iter().zip(rates).map(chain).collect();
-    let mut known = Lowered::of(vec![None; program.definitions.len()]);
-    let mut lowering =
-        Lowering { graph: &mut graph, texts: &mut texts, scope: &program.scope, chains: &chains, known: &mut known };
+    let mut known = Lowered::of(vec![None; declarations.definitions.len()]);
+    let mut lowering = Lowering {
+        graph: &mut graph,
+        texts: &mut texts,
+        scope: &declarations.scope,
+        chains: &chains,
+        known: &mut known,
+    };
     for &index in order {
-        let value = lower(&mut lowering, program.definitions[index].value)?;
+        let value = lower(&mut lowering, declarations.definitions[index].value)?;
         lowering.known.definitions[index] = Some(value);
     }
-    let states = states(&mut lowering, unknowns, types)?;
-    let events = program.events.iter().map(|event| lower_event(&mut lowering, event)).collect::<Result<_, _>>()?;
+    let (states, state_places) = states(&mut lowering, unknowns, types)?;
+    let events = declarations.events.iter().map(|event| lower_event(&mut lowering, event)).collect::<Result<_, _>>()?;
     let values = known.definitions;
     let mut model = Model {
-        statements: Vec::new(),
-        independent: Independent { name: program.independent.0.clone(), unit: program.independent.1.clone() },
-        parameters: parameters(program),
+        independent: Independent { name: declarations.independent.0.clone(), unit: declarations.independent.1.clone() },
+        parameters: parameters(declarations),
         states,
         quantities: Vec::new(),
         events,
         graph,
         texts,
     };
-    close_initial_values(&mut model)?;
+    let places = Places {
+        parameters: declarations.parameters.iter().map(|entry| entry.span).collect(),
+        states: state_places,
+        events: declarations.events.iter().map(|event| event.span).collect(),
+    };
+    close_initial_values(&mut model, &places.states)?;
     let mut variation = Variation::default();
     for ((definition, found), node) in
-        program.definitions.iter().zip(&types.definitions).zip(values.into_iter().flatten())
+        declarations.definitions.iter().zip(&types.definitions).zip(values.into_iter().flatten())
     {
         let stated = definition.unit.map(|stated| stated.unit.clone());
         let unit = stated.unwrap_or_else(|| Unit::si(found.dimension()));
-        let value = Compiled { node, kind: found.kind(), unit, span: definition.value.span };
+        let value = Compiled { node, kind: found.kind(), unit };
         let label = definition.label.map(str::to_owned);
         let varies = variation.of(&model.graph, node);
         model.quantities.push(Quantity { name: definition.name.text.clone(), label, value, varies });
     }
     // A quantity that is but another name for something is shown in that one's unit.
     for &index in order {
-        let definition = &program.definitions[index];
+        let definition = &declarations.definitions[index];
         if let ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } =
             &definition.value.kind
             && definition.unit.is_none()
@@ -80,7 +87,7 @@ pub(crate) fn assemble(
             model.quantities[index].value.unit = named.unit;
         }
     }
-    Ok(model)
+    Ok((model, places))
 }
 
 impl Type {
@@ -106,7 +113,7 @@ fn lower(lowering: &mut Lowering, expression: &Expression) -> Result<NodeId, Vec
     lowering.expression(expression).map_err(|TooManyNodes| vec![too_many_nodes(expression.span)])
 }
 
-fn parameters(program: &Program) -> Vec<Parameter> {
+fn parameters(declarations: &Declarations) -> Vec<Parameter> {
     let parameter = |entry: &crate::names::ParameterEntry| {
         let statement = entry.statement;
         let unit = statement.unit.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
@@ -116,17 +123,21 @@ fn parameters(program: &Program) -> Vec<Parameter> {
             value: unit.to_si(statement.value),
             range: statement.range.as_ref().map(|bounds| (unit.to_si(bounds.low), unit.to_si(bounds.high))),
             step: statement.step.map(|step| unit.to_si(step)),
-            span: entry.span,
             restarts: false,
             unit,
         }
     };
-    program.parameters.iter().map(parameter).collect()
+    declarations.parameters.iter().map(parameter).collect()
 }
 
-/// The states in the order of their numbers. Their initial values may still be computed from each other.
-fn states(lowering: &mut Lowering, unknowns: &[Unknown], types: &Types) -> Result<Vec<State>, Vec<Diagnostic>> {
-    let mut states = Vec::new();
+/// The states in the order of their numbers, and where their initial values stand, which may still be computed from each
+/// other.
+fn states(
+    lowering: &mut Lowering,
+    unknowns: &[Unknown],
+    types: &Types,
+) -> Result<(Vec<State>, Vec<Span>), Vec<Diagnostic>> {
+    let (mut states, mut places) = (Vec::new(), Vec::new());
     let mut in_order: Vec<usize> = (0..unknowns.len()).collect();
     in_order.sort_by_key(|&index| unknowns[index].first_state);
     for index in in_order {
@@ -142,11 +153,11 @@ fn states(lowering: &mut Lowering, unknowns: &[Unknown], types: &Types) -> Resul
                 unit,
                 initial: lower(lowering, entry.value)?,
                 derivative: chain.node(lowering.graph, order + 1).unwrap_or(chain.rate),
-                span: entry.value.span,
             });
+            places.push(entry.value.span);
         }
     }
-    Ok(states)
+    Ok((states, places))
 }
 
 /// A power that has been computed before without leaving the bound.
@@ -163,14 +174,14 @@ fn lower_event(lowering: &mut Lowering, event: &EventEntry) -> Result<Event, Vec
             actions.push((number, lower(lowering, &action.value)?));
         }
     }
-    Ok(Event { condition, actions, jump: None, span: event.span })
+    Ok(Event { condition, actions, jump: None })
 }
 
 /// Makes initial values depend on parameters alone, and marks the parameters they depend on.
-fn close_initial_values(model: &mut Model) -> Result<(), Vec<Diagnostic>> {
+fn close_initial_values(model: &mut Model, places: &[Span]) -> Result<(), Vec<Diagnostic>> {
     let dependences: Vec<_> = model.states.iter().map(|state| model.depends(state.initial)).collect();
     let mut diagnostics = Vec::new();
-    for (state, dependence) in model.states.iter().zip(&dependences) {
+    for ((state, dependence), place) in model.states.iter().zip(&dependences).zip(places) {
         if !dependence.varies() {
             continue;
         }
@@ -189,7 +200,7 @@ fn close_initial_values(model: &mut Model) -> Result<(), Vec<Diagnostic>> {
             "el valor inicial de `{}` depende de `{what}`, que cambia",
             state.name()
         );
-        diagnostics.push(Diagnostic::error("initial-value-varies", message, state.span).with_hint(hint));
+        diagnostics.push(Diagnostic::error("initial-value-varies", message, *place).with_hint(hint));
     }
     let needs: Vec<Vec<usize>> = dependences
         .iter()
@@ -198,7 +209,7 @@ fn close_initial_values(model: &mut Model) -> Result<(), Vec<Diagnostic>> {
     for block in blocks(&needs) {
         let is_circle = block.len() > 1 || block.iter().any(|&number| needs[number].contains(&number));
         if is_circle {
-            diagnostics.push(initial_circle(model, &block));
+            diagnostics.push(initial_circle(model, &block, places));
         }
         for number in block.into_iter().filter(|_| !is_circle) {
             let values: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
@@ -217,13 +228,12 @@ fn close_initial_values(model: &mut Model) -> Result<(), Vec<Diagnostic>> {
     if diagnostics.is_empty() { Ok(()) } else { Err(diagnostics) }
 }
 
-fn initial_circle(model: &Model, members: &[usize]) -> Diagnostic {
+fn initial_circle(model: &Model, members: &[usize], places: &[Span]) -> Diagnostic {
     let written = |&number: &usize| {
         let state = &model.states[number];
         format!("`{}(0)`", primed(&state.variable, state.order))
     };
     let names: Vec<String> = members.iter().map(written).collect();
-    let span = |number: usize| model.states[number].span;
     let message = if names.len() == 1 {
         words!(
             "the initial value {names} is given by itself",
@@ -237,9 +247,9 @@ fn initial_circle(model: &Model, members: &[usize]) -> Diagnostic {
             names = list(&names)
         )
     };
-    let mut diagnostic = Diagnostic::error("cycle", message, span(members[0]));
+    let mut diagnostic = Diagnostic::error("cycle", message, places[members[0]]);
     for &other in &members[1..] {
-        diagnostic = diagnostic.with_label(span(other), words("and this", "y este"));
+        diagnostic = diagnostic.with_label(places[other], words("and this", "y este"));
     }
     diagnostic
 }

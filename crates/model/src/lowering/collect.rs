@@ -2,7 +2,8 @@
 //! each term, and the divisor goes into the coefficients. -(b*y' + 2*rho*S*g*y)/(rho*S*L) becomes c_1*y' + c_2*y.
 //! Nothing but the rounding of the last digits changes.
 
-use crate::{Binary, Graph, Node, NodeId, Unary, limits};
+use crate::limits;
+use program::{Binary, Graph, Node, NodeId, Unary};
 use std::collections::HashMap;
 
 /// Which nodes change during a run in which no parameter is changed.

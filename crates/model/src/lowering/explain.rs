@@ -3,14 +3,15 @@
 use super::affine::{Shape, Shapes};
 use super::expression::{Lowering, TooManyNodes};
 use super::solve::highest_names;
-use crate::names::{Equation, Meaning, Program, Unknown, children};
+use crate::names::{Declarations, Equation, Meaning, Unknown, children};
 use crate::notation::quote;
-use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Node, Span};
+use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span};
+use program::Node;
 use units::{Words, words};
 
 /// Finds the innermost part of an equation that is not linear in the highest derivatives, through definitions.
 pub(crate) fn nonlinear(
-    program: &Program,
+    declarations: &Declarations,
     equation: &Equation,
     lowering: &mut Lowering,
     shapes: &mut Shapes,
@@ -25,10 +26,10 @@ pub(crate) fn nonlinear(
     loop {
         let mut inner = None;
         if let ExpressionKind::Name { name, order: 0 } = &at.kind
-            && let Some(Meaning::Definition(index)) = program.scope.meaning(name)
+            && let Some(Meaning::Definition(index)) = declarations.scope.meaning(name)
         {
             through.push(index);
-            inner = Some(program.definitions[index].value);
+            inner = Some(declarations.definitions[index].value);
         } else {
             for child in children(at) {
                 if is_nonlinear(child)? {
@@ -50,7 +51,7 @@ pub(crate) fn nonlinear(
     let mut diagnostic = Diagnostic::error("nonlinear-highest-derivative", message, at.span)
         .with_label(equation.span, words("in this equation", "en esta ecuación"));
     for index in through {
-        let name = program.definitions[index].name;
+        let name = declarations.definitions[index].name;
         diagnostic = diagnostic.with_label(name.span, words!("through `{}`", "a través de `{}`", name.text));
     }
     Ok(diagnostic.with_hint(words(
@@ -84,7 +85,7 @@ fn reason(expression: &Expression) -> Words {
 
 /// Tells which unknowns have no equation left with a coefficient other than 0.
 pub(crate) fn not_solvable(
-    program: &Program,
+    declarations: &Declarations,
     unknowns: &[Unknown],
     contains: &[Vec<usize>],
     equation_of: &[Option<usize>],
@@ -109,7 +110,7 @@ pub(crate) fn not_solvable(
         };
         diagnostics.push(diagnostic);
     }
-    for (index, equation) in program.equations.iter().enumerate() {
+    for (index, equation) in declarations.equations.iter().enumerate() {
         if contains[index].is_empty()
             && let Some(first) = diagnostics.first_mut()
             && !first.labels.iter().any(|label| label.span == equation.span)

@@ -1,9 +1,10 @@
 //! From checked expressions to nodes of the graph.
 
-use crate::differentiate::along;
 use crate::functions::Function;
 use crate::names::{Meaning, Scope};
-use crate::{Binary, BinaryOperator, Expression, ExpressionKind, Graph, Node, NodeId, Unary, UnaryOperator, limits};
+use crate::{BinaryOperator, Expression, ExpressionKind, UnaryOperator, limits};
+use program::along;
+use program::{Binary, Graph, Node, NodeId, Unary};
 use std::collections::HashMap;
 
 /// An unknown function as the graph sees it.

@@ -1,7 +1,7 @@
 //! Whether coefficients determine their unknowns at all. That equations depend on each other, as x'' + y'' = a and
 //! 2*x'' + 2*y'' = b, cannot be seen from which unknowns they contain; it is seen from their values at a few points.
 
-use crate::{Graph, Node, NodeId};
+use program::{Graph, Node, NodeId};
 
 /// So many points must all say the same.
 const POINTS: u32 = 3;

@@ -6,14 +6,15 @@ use super::explain::{dependent, nonlinear, not_solvable};
 use super::expression::{Chain, Lowered, Lowering, TooManyNodes};
 use super::rank::is_singular;
 use crate::matching::{blocks, match_equations};
-use crate::names::{Equation, Meaning, Program, Unknown, for_each_name, list};
+use crate::names::{Declarations, Equation, Meaning, Unknown, for_each_name, list};
 use crate::notation::primed;
-use crate::{Diagnostic, Graph, LinearSystem, Node, NodeId, Span, limits};
+use crate::{Diagnostic, Span, limits};
+use program::{Graph, LinearSystem, Node, NodeId};
 use units::{Words, words};
 
 /// The highest derivative of each unknown as an expression in `graph`. `order` is that of the definitions.
 pub(crate) fn solve(
-    program: &Program,
+    declarations: &Declarations,
     order: &[usize],
     unknowns: &[Unknown],
     graph: &mut Graph,
@@ -29,14 +30,14 @@ pub(crate) fn solve(
             rate: scratch.insert(Node::State(number)),
         })
         .collect();
-    let affine = linear_equations(program, order, (states, &chains), &mut scratch)?;
+    let affine = linear_equations(declarations, order, (states, &chains), &mut scratch)?;
     let affine = copied(&affine, &scratch, graph);
     let contains: Vec<Vec<usize>> =
         affine.iter().map(|form| form.coefficients.keys().map(|&unknown| unknown as usize).collect()).collect();
     let equation_of = match_equations(&contains, unknowns.len());
     let paired: Vec<usize> = equation_of.iter().copied().flatten().collect();
     if paired.len() < unknowns.len() {
-        return Err(not_solvable(program, unknowns, &contains, &equation_of));
+        return Err(not_solvable(declarations, unknowns, &contains, &equation_of));
     }
     let needs: Vec<Vec<usize>> = (0..unknowns.len())
         .map(|unknown| contains[paired[unknown]].iter().copied().filter(|&other| other != unknown).collect())
@@ -54,7 +55,8 @@ pub(crate) fn solve(
             }
         };
         if !regular {
-            let equations: Vec<Span> = block.iter().map(|&member| program.equations[paired[member]].span).collect();
+            let equations: Vec<Span> =
+                block.iter().map(|&member| declarations.equations[paired[member]].span).collect();
             return Err(vec![dependent(unknowns, &block, &equations)]);
         }
     }
@@ -74,17 +76,18 @@ fn too_coupled(members: &[usize], unknowns: &[Unknown]) -> Diagnostic {
 
 /// Each equation as left side minus right side, linear in the highest derivatives.
 fn linear_equations(
-    program: &Program,
+    declarations: &Declarations,
     order: &[usize],
     (states, chains): (u32, &[Chain]),
     scratch: &mut Graph,
 ) -> Result<Vec<Affine>, Vec<Diagnostic>> {
     let mut texts = Vec::new();
-    let mut known = Lowered::of(vec![None; program.definitions.len()]);
-    let mut lowering = Lowering { graph: scratch, texts: &mut texts, scope: &program.scope, chains, known: &mut known };
+    let mut known = Lowered::of(vec![None; declarations.definitions.len()]);
+    let mut lowering =
+        Lowering { graph: scratch, texts: &mut texts, scope: &declarations.scope, chains, known: &mut known };
     let too_many = |span: Span| vec![too_many_nodes(span)];
-    for index in used_definitions(program, order) {
-        let definition = &program.definitions[index];
+    for index in used_definitions(declarations, order) {
+        let definition = &declarations.definitions[index];
         let value = lowering.expression(definition.value).map_err(|TooManyNodes| too_many(definition.name.span))?;
         lowering.known.definitions[index] = Some(value);
     }
@@ -95,7 +98,7 @@ fn linear_equations(
     };
     let mut forms = Vec::new();
     let mut diagnostics = Vec::new();
-    for equation in &program.equations {
+    for equation in &declarations.equations {
         let too_many = |TooManyNodes| too_many(equation.span);
         let left = lowering.expression(equation.left).map_err(too_many)?;
         let right = lowering.expression(equation.right).map_err(too_many)?;
@@ -108,7 +111,7 @@ fn linear_equations(
             Shape::Affine(form) => forms.push(form),
             Shape::Free => forms.push(Affine { rest: Some(difference), ..Affine::default() }),
             Shape::Nonlinear => {
-                let told = nonlinear(program, equation, &mut lowering, &mut shapes, unknown);
+                let told = nonlinear(declarations, equation, &mut lowering, &mut shapes, unknown);
                 diagnostics.push(told.map_err(too_many)?);
             }
         }
@@ -126,22 +129,22 @@ pub(crate) fn too_many_nodes(span: Span) -> Diagnostic {
 }
 
 /// The definitions that the equations use, in the order of computation.
-fn used_definitions(program: &Program, order: &[usize]) -> Vec<usize> {
-    let mut used = vec![false; program.definitions.len()];
+fn used_definitions(declarations: &Declarations, order: &[usize]) -> Vec<usize> {
+    let mut used = vec![false; declarations.definitions.len()];
     let mark = |expression, used: &mut Vec<bool>| {
         for_each_name(expression, |name, _, _| {
-            if let Some(Meaning::Definition(index)) = program.scope.meaning(name) {
+            if let Some(Meaning::Definition(index)) = declarations.scope.meaning(name) {
                 used[index] = true;
             }
         });
     };
-    for equation in &program.equations {
+    for equation in &declarations.equations {
         mark(equation.left, &mut used);
         mark(equation.right, &mut used);
     }
     for &index in order.iter().rev() {
         if used[index] {
-            mark(program.definitions[index].value, &mut used);
+            mark(declarations.definitions[index].value, &mut used);
         }
     }
     order.iter().copied().filter(|&index| used[index]).collect()

@@ -1,6 +1,6 @@
 //! What events may change: states, and nothing else.
 
-use super::program::{EventEntry, Program};
+use super::declarations::{Declarations, EventEntry};
 use super::scope::Meaning;
 use super::unknowns::Unknown;
 use crate::notation::{primed, quote};
@@ -9,7 +9,7 @@ use units::{Words, words};
 
 /// Checks the names on the left of the actions of an event, and that its condition can become true.
 pub(crate) fn check_event(
-    program: &Program,
+    declarations: &Declarations,
     unknowns: &[Unknown],
     event: &EventEntry,
     diagnostics: &mut Vec<Diagnostic>,
@@ -32,7 +32,7 @@ pub(crate) fn check_event(
         );
     }
     for (index, action) in event.actions.iter().enumerate() {
-        if let Some(diagnostic) = check_action(program, unknowns, action) {
+        if let Some(diagnostic) = check_action(declarations, unknowns, action) {
             diagnostics.push(diagnostic);
         }
         let is_same = |other: &&Action| other.name.text == action.name.text && other.order == action.order;
@@ -54,11 +54,11 @@ pub(crate) fn check_event(
     }
 }
 
-fn check_action(program: &Program, unknowns: &[Unknown], action: &Action) -> Option<Diagnostic> {
+fn check_action(declarations: &Declarations, unknowns: &[Unknown], action: &Action) -> Option<Diagnostic> {
     let name = &action.name.text;
     let written = primed(name, action.order);
     let error = |message: Words| Diagnostic::error("event-changes-no-state", message, action.name.span);
-    Some(match program.scope.meaning(name) {
+    Some(match declarations.scope.meaning(name) {
         Some(Meaning::Variable(index)) => {
             let unknown = &unknowns[index];
             if action.order < unknown.highest {
@@ -76,7 +76,7 @@ fn check_action(program: &Program, unknowns: &[Unknown], action: &Action) -> Opt
             ))
         }
         Some(Meaning::Definition(index)) => {
-            let definition = &program.definitions[index];
+            let definition = &declarations.definitions[index];
             let diagnostic = error(words!(
                 "an event cannot change `{written}`: `{name}` is defined by an expression",
                 "un evento no puede cambiar `{written}`: `{name}` se define con una expresión"
@@ -105,7 +105,7 @@ fn check_action(program: &Program, unknowns: &[Unknown], action: &Action) -> Opt
                 words!("`{name}` is not known", "no se conoce `{name}`"),
                 action.name.span,
             );
-            match program.scope.near(name) {
+            match declarations.scope.near(name) {
                 Some(near) => diagnostic.with_hint(words!(
                     "did you mean `{}`?",
                     "¿querías decir `{}`?",

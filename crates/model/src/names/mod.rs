@@ -2,18 +2,17 @@
 //! unknowns of the equations.
 
 mod check;
+mod declarations;
 mod events;
 mod order;
-mod program;
 mod scope;
 mod traverse;
 mod unknowns;
 
 pub(crate) use check::NameCheck;
+pub(crate) use declarations::{Declarations, Equation, EventEntry, InitialEntry, ParameterEntry};
 pub(crate) use events::check_event;
 pub(crate) use order::{alternatives, definition_order, list};
-pub(crate) use program::{Equation, EventEntry, InitialEntry, ParameterEntry, Program};
-pub use scope::nearest;
 pub(crate) use scope::{Meaning, Scope};
 pub(crate) use traverse::{children, for_each, for_each_name};
 pub(crate) use unknowns::{Unknown, find_unknowns};

@@ -1,6 +1,6 @@
 //! The order in which definitions can be computed, and the circles in which they cannot.
 
-use super::program::Program;
+use super::declarations::Declarations;
 use super::scope::Meaning;
 use super::traverse::for_each_name;
 use crate::Diagnostic;
@@ -9,21 +9,21 @@ use units::{Words, words};
 
 /// Indices of definitions, each after those it uses. Members of circles, and what uses them, are left out; each circle
 /// is told.
-pub(crate) fn definition_order(program: &Program, diagnostics: &mut Vec<Diagnostic>) -> Vec<usize> {
-    let uses = uses(program);
+pub(crate) fn definition_order(declarations: &Declarations, diagnostics: &mut Vec<Diagnostic>) -> Vec<usize> {
+    let uses = uses(declarations);
     let order = sorted(&uses);
     if order.len() < uses.len() {
-        report_circles(program, &uses, &order, diagnostics);
+        report_circles(declarations, &uses, &order, diagnostics);
     }
     order
 }
 
 /// For each definition, the definitions it uses, each once.
-fn uses(program: &Program) -> Vec<Vec<usize>> {
+fn uses(declarations: &Declarations) -> Vec<Vec<usize>> {
     let uses_of = |value| {
         let mut used = Vec::new();
         for_each_name(value, |name, _, _| {
-            if let Some(Meaning::Definition(index)) = program.scope.meaning(name)
+            if let Some(Meaning::Definition(index)) = declarations.scope.meaning(name)
                 && !used.contains(&index)
             {
                 used.push(index);
@@ -31,7 +31,7 @@ fn uses(program: &Program) -> Vec<Vec<usize>> {
         });
         used
     };
-    program.definitions.iter().map(|definition| uses_of(definition.value)).collect()
+    declarations.definitions.iter().map(|definition| uses_of(definition.value)).collect()
 }
 
 /// Each index after all that it uses; those for which this is impossible are missing.
@@ -58,20 +58,25 @@ fn sorted(uses: &[Vec<usize>]) -> Vec<usize> {
 }
 
 /// Tells the circles among the definitions that could not be sorted.
-fn report_circles(program: &Program, uses: &[Vec<usize>], order: &[usize], diagnostics: &mut Vec<Diagnostic>) {
+fn report_circles(
+    declarations: &Declarations,
+    uses: &[Vec<usize>],
+    order: &[usize],
+    diagnostics: &mut Vec<Diagnostic>,
+) {
     let mut remaining = vec![true; uses.len()];
     order.iter().for_each(|&index| remaining[index] = false);
     let among: Vec<Vec<usize>> =
         uses.iter().map(|used| used.iter().copied().filter(|&index| remaining[index]).collect()).collect();
     for members in blocks(&among) {
         if members.iter().any(|&member| among[member].iter().any(|used| members.contains(used))) {
-            diagnostics.push(circle(program, &members, &among));
+            diagnostics.push(circle(declarations, &members, &among));
         }
     }
 }
 
-fn circle(program: &Program, members: &[usize], uses: &[Vec<usize>]) -> Diagnostic {
-    let name = |index: usize| program.definitions[index].name;
+fn circle(declarations: &Declarations, members: &[usize], uses: &[Vec<usize>]) -> Diagnostic {
+    let name = |index: usize| declarations.definitions[index].name;
     let first = name(members[0]);
     if members.len() == 1 {
         let text = &first.text;

@@ -1,7 +1,7 @@
 //! The unknown functions: names with primes that nothing defines. Their highest derivatives are what the equations are
 //! solved for; the lower ones are the states and need initial values.
 
-use super::program::{InitialEntry, Program};
+use super::declarations::{Declarations, InitialEntry};
 use super::scope::Meaning;
 use super::traverse::for_each_name;
 use super::{Scope, list};
@@ -33,18 +33,18 @@ type Orders<'a> = BTreeMap<&'a str, (u32, Span)>;
 /// Finds the unknowns, declares them, and tells where there are more of them than equations or fewer, and which initial
 /// values are missing or pointless. `order` is that of the definitions.
 pub(crate) fn find_unknowns<'a>(
-    program: &mut Program<'a>,
+    declarations: &mut Declarations<'a>,
     order: &[usize],
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<Unknown<'a>> {
-    let in_definitions = orders_in_definitions(program, order);
-    let in_equations: Vec<Orders> = program
+    let in_definitions = orders_in_definitions(declarations, order);
+    let in_equations: Vec<Orders> = declarations
         .equations
         .iter()
         .map(|equation| {
             let mut orders = Orders::new();
-            add_orders(program, &in_definitions, equation.left, &mut orders);
-            add_orders(program, &in_definitions, equation.right, &mut orders);
+            add_orders(declarations, &in_definitions, equation.left, &mut orders);
+            add_orders(declarations, &in_definitions, equation.right, &mut orders);
             orders
         })
         .collect();
@@ -71,7 +71,7 @@ pub(crate) fn find_unknowns<'a>(
         unknown.initial = vec![None; unknown.highest as usize];
     }
     for (index, unknown) in unknowns.iter().enumerate() {
-        program.scope.declare(unknown.name, Meaning::Variable(index));
+        declarations.scope.declare(unknown.name, Meaning::Variable(index));
     }
     if let Some(Unknown { name, span, .. }) = unknowns.iter().find(|unknown| Function::named(unknown.name).is_some()) {
         let message = words!(
@@ -85,9 +85,9 @@ pub(crate) fn find_unknowns<'a>(
         // Its initial value was read as a call, so the counts below would be wrong.
         return unknowns;
     }
-    let solvable = check_counts(program, &in_equations, &unknowns, diagnostics);
-    assign_initial_values(program, &mut unknowns, diagnostics);
-    order_states(program, &mut unknowns);
+    let solvable = check_counts(declarations, &in_equations, &unknowns, diagnostics);
+    assign_initial_values(declarations, &mut unknowns, diagnostics);
+    order_states(declarations, &mut unknowns);
     for (unknown, solvable) in unknowns.iter().zip(solvable) {
         if solvable {
             check_initial_values(unknown, diagnostics);
@@ -97,7 +97,12 @@ pub(crate) fn find_unknowns<'a>(
 }
 
 /// The undefined names in an expression, with their primes. The prime of a definition counts for what is inside it.
-fn add_orders<'a>(program: &Program, definitions: &[Orders<'a>], expression: &'a Expression, orders: &mut Orders<'a>) {
+fn add_orders<'a>(
+    declarations: &Declarations,
+    definitions: &[Orders<'a>],
+    expression: &'a Expression,
+    orders: &mut Orders<'a>,
+) {
     for_each_name(expression, |name, order, part| {
         let mut raise = |name: &'a str, order: u32| {
             let known = orders.entry(name).or_insert((order, part.span));
@@ -105,7 +110,7 @@ fn add_orders<'a>(program: &Program, definitions: &[Orders<'a>], expression: &'a
                 *known = (order, part.span);
             }
         };
-        match program.scope.meaning(name) {
+        match declarations.scope.meaning(name) {
             None | Some(Meaning::Variable(_)) => raise(name, order),
             Some(Meaning::Definition(index)) => {
                 for (inner, &(inner_order, _)) in &definitions[index] {
@@ -117,11 +122,11 @@ fn add_orders<'a>(program: &Program, definitions: &[Orders<'a>], expression: &'a
     });
 }
 
-fn orders_in_definitions<'a>(program: &Program<'a>, order: &[usize]) -> Vec<Orders<'a>> {
-    let mut all = vec![Orders::new(); program.definitions.len()];
+fn orders_in_definitions<'a>(declarations: &Declarations<'a>, order: &[usize]) -> Vec<Orders<'a>> {
+    let mut all = vec![Orders::new(); declarations.definitions.len()];
     for &index in order {
         let mut orders = Orders::new();
-        add_orders(program, &all, program.definitions[index].value, &mut orders);
+        add_orders(declarations, &all, declarations.definitions[index].value, &mut orders);
         all[index] = orders;
     }
     all
@@ -129,7 +134,7 @@ fn orders_in_definitions<'a>(program: &Program<'a>, order: &[usize]) -> Vec<Orde
 
 /// For each unknown, whether there is an equation to determine it.
 fn check_counts(
-    program: &Program,
+    declarations: &Declarations,
     in_equations: &[Orders],
     unknowns: &[Unknown],
     diagnostics: &mut Vec<Diagnostic>,
@@ -145,15 +150,15 @@ fn check_counts(
     let equation_of = match_equations(&contains, unknowns.len());
     let highest: Vec<String> =
         unknowns.iter().map(|unknown| format!("`{}`", primed(unknown.name, unknown.highest))).collect();
-    for (index, equation) in program.equations.iter().enumerate() {
+    for (index, equation) in declarations.equations.iter().enumerate() {
         if equation_of.contains(&Some(index)) {
             continue;
         }
         diagnostics.push(if contains[index].is_empty() {
-            nothing_to_solve_for(program, equation, &in_equations[index], unknowns)
+            nothing_to_solve_for(declarations, equation, &in_equations[index], unknowns)
         } else {
             let solved: Vec<String> = contains[index].iter().map(|&unknown| highest[unknown].clone()).collect();
-            let count = program.equations.len();
+            let count = declarations.equations.len();
             let message = words!(
                 "there are more equations than unknowns: {count} for {highest}",
                 "hay más ecuaciones que incógnitas: {count} para {highest}",
@@ -165,26 +170,27 @@ fn check_counts(
                 solved = list(&solved)
             ));
             let shares = |other: &usize| contains[*other].iter().any(|unknown| contains[index].contains(unknown));
-            let others = (0..program.equations.len()).filter(|other| *other != index && shares(other));
+            let others = (0..declarations.equations.len()).filter(|other| *other != index && shares(other));
             for other in others.take(limits::PLACES) {
-                diagnostic = diagnostic.with_label(program.equations[other].span, words("by this one", "por esta"));
+                diagnostic =
+                    diagnostic.with_label(declarations.equations[other].span, words("by this one", "por esta"));
             }
             diagnostic.with_hint(words("leave one of them out", "omite una de ellas"))
         });
     }
     // If an equation is left over and the number is right, that equation was meant for the unknown: it was told.
     let paired = equation_of.iter().flatten().count();
-    let too_few = unknowns.len() > program.equations.len() || paired == program.equations.len();
+    let too_few = unknowns.len() > declarations.equations.len() || paired == declarations.equations.len();
     for (index, unknown) in unknowns.iter().enumerate() {
         if equation_of[index].is_none() && too_few {
-            diagnostics.push(no_equation_for(program, unknown, &highest, unknowns));
+            diagnostics.push(no_equation_for(declarations, unknown, &highest, unknowns));
         }
     }
     equation_of.iter().map(Option::is_some).collect()
 }
 
 fn nothing_to_solve_for(
-    program: &Program,
+    declarations: &Declarations,
     equation: &super::Equation,
     orders: &Orders,
     unknowns: &[Unknown],
@@ -210,14 +216,14 @@ fn nothing_to_solve_for(
     for side in [equation.left, equation.right] {
         for_each_name(side, |name, order, _| {
             if order > 0
-                && let Some(Meaning::Definition(index)) = program.scope.meaning(name)
+                && let Some(Meaning::Definition(index)) = declarations.scope.meaning(name)
             {
                 defined = defined.or(Some(index));
             }
         });
     }
     if let Some(index) = defined {
-        let name = program.definitions[index].name;
+        let name = declarations.definitions[index].name;
         diagnostic = diagnostic.with_label(
             name.span,
             words!(
@@ -233,8 +239,13 @@ fn nothing_to_solve_for(
     ))
 }
 
-fn no_equation_for(program: &Program, unknown: &Unknown, highest: &[String], unknowns: &[Unknown]) -> Diagnostic {
-    let equations = match program.equations.len() {
+fn no_equation_for(
+    declarations: &Declarations,
+    unknown: &Unknown,
+    highest: &[String],
+    unknowns: &[Unknown],
+) -> Diagnostic {
+    let equations = match declarations.equations.len() {
         1 => words("1 equation", "1 ecuación"),
         count => words!("{count} equations", "{count} ecuaciones"),
     };
@@ -249,11 +260,11 @@ fn no_equation_for(program: &Program, unknown: &Unknown, highest: &[String], unk
         "no equation is left to determine `{missing}`",
         "no queda ninguna ecuación que determine `{missing}`"
     ));
-    let mut known = Scope::new(&program.independent.0);
+    let mut known = Scope::new(&declarations.independent.0);
     for other in unknowns.iter().filter(|other| other.name != unknown.name) {
         known.declare(other.name, Meaning::Pi);
     }
-    for entry in &program.definitions {
+    for entry in &declarations.definitions {
         known.declare(&entry.name.text, Meaning::Pi);
     }
     match known.near(unknown.name) {
@@ -269,12 +280,16 @@ fn no_equation_for(program: &Program, unknown: &Unknown, highest: &[String], unk
 }
 
 /// Gives each unknown its initial values; tells those that belong to nothing.
-fn assign_initial_values<'a>(program: &Program<'a>, unknowns: &mut [Unknown<'a>], diagnostics: &mut Vec<Diagnostic>) {
-    for entry in &program.initial_values {
+fn assign_initial_values<'a>(
+    declarations: &Declarations<'a>,
+    unknowns: &mut [Unknown<'a>],
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    for entry in &declarations.initial_values {
         let name = entry.name.text.as_str();
         let written = format!("{}(0)", primed(name, entry.order));
         let error = |code, message: Words| Diagnostic::error(code, message, entry.name.span);
-        let diagnostic = match program.scope.meaning(name) {
+        let diagnostic = match declarations.scope.meaning(name) {
             Some(Meaning::Variable(index)) => {
                 let unknown = &mut unknowns[index];
                 let highest = primed(name, unknown.highest);
@@ -301,7 +316,7 @@ fn assign_initial_values<'a>(program: &Program<'a>, unknowns: &mut [Unknown<'a>]
                 }
             }
             Some(Meaning::Definition(index)) => {
-                let defined = program.definitions[index].name;
+                let defined = declarations.definitions[index].name;
                 error(
                     "initial-value-of-definition",
                     words!(
@@ -330,7 +345,7 @@ fn assign_initial_values<'a>(program: &Program<'a>, unknowns: &mut [Unknown<'a>]
                     "`{written}` is the initial value of nothing",
                     "`{written}` no es el valor inicial de nada"
                 ));
-                match program.scope.near(name) {
+                match declarations.scope.near(name) {
                     Some(near) => diagnostic.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
                     None => diagnostic.with_hint(words!(
                         "write an equation with `{name}'`, or define `{name} = ...`",
@@ -344,9 +359,9 @@ fn assign_initial_values<'a>(program: &Program<'a>, unknowns: &mut [Unknown<'a>]
 }
 
 /// Sorts the unknowns' states as the author gives their initial values, else as the equations mention them.
-fn order_states(program: &Program, unknowns: &mut [Unknown]) {
+fn order_states(declarations: &Declarations, unknowns: &mut [Unknown]) {
     let place = |unknown: &Unknown| {
-        let given = program.initial_values.iter().position(|entry| entry.name.text == unknown.name);
+        let given = declarations.initial_values.iter().position(|entry| entry.name.text == unknown.name);
         (given.unwrap_or(usize::MAX), unknown.span.start)
     };
     let mut by_place: Vec<usize> = (0..unknowns.len()).collect();

@@ -6,17 +6,15 @@ mod symbols;
 #[cfg(test)]
 mod tests;
 
-use crate::{Action, Expression, Model, Statement, StatementKind};
+use crate::{Action, Expression, Statement, StatementKind};
 use expression::{Typesetter, initial_value};
 
-impl Model {
-    /// Each displayed statement as a `<math display="block">` element, in the order of the text: definitions,
-    /// equations, initial values and events. Parameters are controls and not shown here. `translate` is given the
-    /// texts that are values (`"underdamped"`).
-    pub fn typeset(&self, translate: &dyn Fn(&str) -> String) -> Vec<String> {
-        let typesetter = Typesetter { translate };
-        self.statements.iter().filter_map(|statement| typesetter.statement(statement)).collect()
-    }
+/// Each displayed statement as a `<math display="block">` element, in the order of the text: definitions, equations,
+/// initial values and events. Parameters are controls and not shown here. `translate` is given the texts that are values
+/// (`"underdamped"`).
+pub fn typeset(statements: &[Statement], translate: &dyn Fn(&str) -> String) -> Vec<String> {
+    let typesetter = Typesetter { translate };
+    statements.iter().filter_map(|statement| typesetter.statement(statement)).collect()
 }
 
 /// An expression as a `<math>` element for a line of text.

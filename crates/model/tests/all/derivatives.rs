@@ -1,7 +1,7 @@
 //! Symbolic derivatives against differences.
 
 use crate::common::{At, compile, difference};
-use model::{Variable, differentiate, differentiate_all};
+use program::{Variable, differentiate, differentiate_all};
 
 /// Every function, away from its corners, at y = 0.6 and p = 1.4.
 const EXPRESSIONS: &[&str] = &[

@@ -1,7 +1,7 @@
 //! Expressions of the document against a model.
 
 use crate::common::{At, compile, render};
-use model::{Compiled, Kind, Model};
+use program::{Compiled, Kind, Model};
 
 const OSCILLATOR: &str = "parameter m = 2 [kg]\nparameter k = 50 [N/m]\nm*y'' + k*y = 0\n\
     y(0) = 3 [cm] in [cm]\ny'(0) = 0 in [cm/s]\nomega_0 = sqrt(k/m)\nT = 2*pi/omega_0 in [s]\nE = m*y'^2/2 + k*y^2/2 in [J]\n\
@@ -10,7 +10,7 @@ const OSCILLATOR: &str = "parameter m = 2 [kg]\nparameter k = 50 [N/m]\nm*y'' + 
 fn expression(model: &mut Model, text: &str) -> Result<Compiled, String> {
     let (expression, unit, diagnostics) = model::parse_expression(text, 0..text.len());
     assert!(diagnostics.is_empty(), "{}", render(text, &diagnostics));
-    model.compile_expression(&expression, unit.as_ref()).map_err(|diagnostics| render(text, &diagnostics))
+    model::Compiler::new(model).compile(&expression, unit.as_ref()).map_err(|diagnostics| render(text, &diagnostics))
 }
 
 #[test]

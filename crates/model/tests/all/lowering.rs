@@ -1,7 +1,7 @@
 //! Models against their equations of motion worked out by hand.
 
 use crate::common::{At, assert_near, compile, value};
-use model::{Kind, Node};
+use program::{Kind, Node};
 
 const UTUBE: &str = r#"
 parameter g   = 9.8  [m/s^2]
@@ -26,7 +26,7 @@ regime = if b < b_c then "underdamped" else "overdamped"
 #[test]
 fn the_u_tube_is_its_equation_of_motion() {
     let model = compile(UTUBE);
-    let names: Vec<String> = model.states.iter().map(model::State::name).collect();
+    let names: Vec<String> = model.states.iter().map(program::State::name).collect();
     assert_eq!(names, ["y", "y'"]);
     assert_eq!(model.states.iter().map(|state| state.unit.text.as_str()).collect::<Vec<_>>(), ["m", "m/s"]);
     for (y, v) in [(0.5, 0.0), (-0.3, 1.7), (1e-9, -2.0)] {
@@ -141,7 +141,7 @@ fn systems_of_first_and_mixed_order() {
          predator' = b*prey*predator - predator*0.3 [1/s]\nprey(0) = 10\npredator(0) = 5\n\
          w''' = prey/1 [s^3]\nw(0) = 0\nw'(0) = 0\nw''(0) = 0\n",
     );
-    let names: Vec<String> = model.states.iter().map(model::State::name).collect();
+    let names: Vec<String> = model.states.iter().map(program::State::name).collect();
     assert_eq!(names, ["prey", "predator", "w", "w'", "w''"]);
     let at = At::new(&model, 0.0, &[10.0, 5.0, 0.0, 0.0, 0.0]);
     assert_near(value(&model, &at, "prey", 1), 11.0 - 20.0);
@@ -199,7 +199,19 @@ fn the_independent_variable_can_be_a_length() {
 fn equal_expressions_are_computed_once() {
     let model = compile("independent t\ny'' = -sin(y)\ny(0) = 1\ny'(0) = 0\na = sin(y)\nb = sin(y) + 1\n");
     let sines = (0..model.graph.len() as u32)
-        .filter(|&number| matches!(model.graph.node(model::NodeId(number)), Node::Unary(model::Unary::Sin, _)))
+        .filter(|&number| matches!(model.graph.node(program::NodeId(number)), Node::Unary(program::Unary::Sin, _)))
         .count();
     assert_eq!(sines, 1);
+}
+
+#[test]
+fn counts_are_whole() {
+    let source = "parameter e = 0.9\ny'' = -9.81 [m/s^2]\ny(0) = 1 [m]\ny'(0) = 0 [m/s]\nn' = 0\nn(0) = 0\n\
+        half' = 0\nhalf(0) = 0\nboth' = 0\nboth(0) = 1\ntwice = 2*n + 1\nquarter = n/4\nrounded = floor(e)\n\
+        when y < 0 [m] {\n  y' = -e*y'\n  n = n + 1\n  half = half + 0.5\n  both = both + half\n}\n";
+    let model = compile(source);
+    let whole = model.whole_numbers();
+    let is_whole = |name: &str| model.lookup(name, 0).is_some_and(|value| whole[value.node.0 as usize]);
+    let names = ["n", "twice", "rounded", "y", "half", "both", "quarter", "e"];
+    assert_eq!(names.map(is_whole), [true, true, true, false, false, false, false, false]);
 }

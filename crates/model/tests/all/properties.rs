@@ -1,7 +1,8 @@
 //! What holds for every model: compiling returns, there is a model or an error, and a model is sound.
 
 use crate::common::At;
-use model::{Model, NodeId, Severity, Variable, differentiate_all, has_errors};
+use model::{Severity, has_errors};
+use program::{Model, NodeId, Variable, differentiate_all};
 use proptest::prelude::*;
 
 /// Statements that fit together often enough for many models to be sound.
@@ -97,6 +98,7 @@ proptest! {
     fn every_text_gives_a_model_or_an_error(statements in prop::collection::vec(statement(), 0..12)) {
         let source = statements.join("\n");
         let (model, diagnostics) = model::compile(&source, std::slice::from_ref(&(0..source.len())));
+    let model = model.map(|checked| checked.model);
         prop_assert_eq!(model.is_none(), has_errors(&diagnostics));
         for diagnostic in &diagnostics {
             let message = &diagnostic.message.english;
@@ -113,6 +115,7 @@ proptest! {
     #[test]
     fn sound_models_are_accepted_and_solve_their_equations(source in sound(), t in -2.0..2.0, x in -2.0..2.0, v in -2.0..2.0, y in -2.0..2.0) {
         let (model, diagnostics) = model::compile(&source, std::slice::from_ref(&(0..source.len())));
+    let model = model.map(|checked| checked.model);
         let errors = diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error).count();
         prop_assert_eq!(errors, 0, "{}{}", source, crate::common::render(&source, &diagnostics));
         let mut model = model.unwrap();
@@ -123,7 +126,7 @@ proptest! {
             let (left, right) = equation.split_once(" = ").unwrap();
             let mut value = |text: &str| {
                 let (expression, _, _) = model::parse_expression(text, 0..text.len());
-                let compiled = model.compile_expression(&expression, None).unwrap();
+                let compiled = model::Compiler::new(&mut model).compile(&expression, None).unwrap();
                 at.value(&model.graph, compiled.node)
             };
             let (left, right) = (value(left), value(right));

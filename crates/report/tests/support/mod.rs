@@ -45,7 +45,7 @@ pub fn observed(document: &mut Document, expression: &str, times: &[f64], values
     let (tree, unit, _) = model::parse_expression(expression, 0..expression.len());
     Observation {
         name: expression.to_owned(),
-        observed: document.model.compile_expression(&tree, unit.as_ref()).unwrap(),
+        observed: model::Compiler::new(&mut document.program.model).compile(&tree, unit.as_ref()).unwrap(),
         times: times.to_vec(),
         values: values.to_vec(),
         errors: None,
@@ -56,14 +56,14 @@ pub fn observed(document: &mut Document, expression: &str, times: &[f64], values
 /// A finished fit of what the theory varies by itself.
 pub fn fitted(name: &str, document: Document, records: Vec<Record>, change: impl FnOnce(&mut Task)) -> Fitted {
     let mut task = Task {
-        parameters: document.model.parameters.iter().map(|parameter| parameter.value).collect(),
-        method: document.method.as_ref().unwrap().parse().unwrap(),
-        varied: document.vary.iter().map(|&index| Varied::parameter(index)).collect(),
+        parameters: document.program.model.parameters.iter().map(|parameter| parameter.value).collect(),
+        method: document.program.method.unwrap(),
+        varied: document.program.vary.iter().map(|&index| Varied::parameter(index)).collect(),
         records,
         ..Task::default()
     };
     change(&mut task);
-    let mut fit = Fit::new(&document.model, task.clone()).unwrap();
+    let mut fit = Fit::new(&document.program.model, task.clone()).unwrap();
     fit.complete();
     let outcome = fit.outcome().unwrap();
     let traces = fit.traces(600);

@@ -75,7 +75,7 @@ fn perform(session: &mut Session, action: Action) {
         Action::Type(index, text) => drop(session.set_parameter_text(index, &text)),
         Action::State(index, value) => drop(session.set_state(index, value)),
         Action::Drag(right, up) => {
-            session.drag_begin(&session::document::Drag { state: 0, up: Some(0), right: Some(1) });
+            session.drag_begin(&session::program::Drag { state: 0, up: Some(0), right: Some(1) });
             session.drag_move(right, up);
             session.drag_end();
         }

@@ -163,11 +163,11 @@ fn the_state_is_set_by_hand_while_paused() {
 }
 
 /// The handle of the test document's scene.
-fn handle(session: &Session) -> session::document::Drag {
-    let scene = session.document().scene("en").unwrap();
+fn handle(session: &Session) -> session::program::Drag {
+    let scene = session.document().program.scene("en").unwrap();
     let mut drags = scene.root.children.iter().filter_map(|child| match child {
-        session::document::Child::Element(element) => element.drag.clone(),
-        session::document::Child::Text(_) => None,
+        session::program::Child::Element(element) => element.drag.clone(),
+        session::program::Child::Text(_) => None,
     });
     drags.next().expect("the scene has a handle")
 }
@@ -336,7 +336,7 @@ fn a_click_on_the_liquid_changes_nothing() {
     session.drag_end();
     assert_eq!(bits(&session), before);
     assert!(!session.is_playing());
-    session.drag_begin(&session::document::Drag { state: 9, up: None, right: Some(77) });
+    session.drag_begin(&session::program::Drag { state: 9, up: None, right: Some(77) });
     session.drag_move(1.0, 1.0);
     session.drag_end();
     assert_eq!(bits(&session), before);

@@ -172,7 +172,7 @@ fn theories_of_several_records_are_ranked() {
     session.begin_ranking(theories.to_vec()).unwrap();
     while session.advance_fit() {}
     let fits = session.fits();
-    assert_eq!(fits[0].theory, theory("linear").title);
+    assert_eq!(fits[0].theory, theory("linear").program.title);
     assert!(fits.iter().all(|fit| fit.records.len() == 3));
     let shared = |id| session.fit_detail(id).unwrap().estimates.iter().filter(|one| one.record.is_empty()).count();
     assert_eq!((shared(fits[0].id), shared(fits[1].id)), (1, 0), "gamma alone, where there is one");
@@ -387,30 +387,6 @@ fn a_part_begins_with_its_initial_values() {
     assert!(earlier.contains("record #") && earlier.contains(" -  film.txt"));
     let earlier = earlier.replace(" -  film.txt", " 5e-1  film.txt");
     assert!(restored(&earlier).sentences.iter().any(|sentence| sentence == said));
-}
-
-/// A theory that cannot be fitted is named with the reason, and is not fitted by another method than it asks for.
-#[test]
-fn a_theory_whose_method_does_not_exist_is_named() {
-    let mut session = three();
-    let unknown = |name: &str| {
-        let text = theory(name).source.replace("method: dormand-prince", "method: wibble");
-        document::open(&text, &[]).document.unwrap()
-    };
-    let theories = [("linear.md".to_owned(), theory("linear")), ("quadratic.md".to_owned(), unknown("quadratic"))];
-    session.begin_ranking(theories.to_vec()).unwrap();
-    while session.advance_fit() {}
-    assert_eq!(session.fits().len(), 1);
-    let told = std::iter::from_fn(|| session.take_announcement()).collect::<Vec<_>>();
-    let told: Vec<String> = told.iter().map(|one| session.announcement_text(one)).collect();
-    let named = told.iter().any(|text| {
-        text.starts_with("Not fitted: Quadratic damping: ") && text.contains("There is no method `wibble`")
-    });
-    assert!(named, "{told:?}");
-    let mut alone = Session::open(unknown("linear"));
-    alone.add_record("film.txt", late_film().as_bytes()).unwrap();
-    let refusal = alone.begin_fit("linear.md").unwrap_err();
-    assert!(alone.refusal_text(&refusal).contains("wibble"), "{refusal:?}");
 }
 
 /// The id of a fit, or of a kept run, that is gone is not given again: something may still call it by that.

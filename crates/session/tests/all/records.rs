@@ -138,7 +138,7 @@ fn a_measurement_without_errors_leaves_nothing_over() {
         "{:?}",
         record.findings
     );
-    let residuals = session.document().plots.len();
+    let residuals = session.document().program.plots.len();
     assert!(session.plots()[residuals].offered);
     session.play();
     (0..40).for_each(|_| assert!(session.tick(0.05)));
@@ -262,7 +262,7 @@ fn theories_are_ranked() {
     while session.advance_fit() {}
     let fits = session.fits();
     assert_eq!(fits.len(), 3);
-    assert_eq!(fits[0].theory, theory("linear").title);
+    assert_eq!(fits[0].theory, theory("linear").program.title);
     assert_eq!(session.fit_texts(fits[0].id)[0].0, "theories/linear.md");
     assert_eq!(fits[0].difference, "0.0");
     assert!(fits.iter().all(|fit| !fit.applicable), "another document is open");

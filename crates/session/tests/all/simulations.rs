@@ -1,8 +1,8 @@
 //! The documents that come with the laboratory, as a person uses them.
 
 use crate::support::{bits, open, play, state};
-use session::document::{Child, Drag, Element};
 use session::figure::Settings;
+use session::program::{Child, Drag, Element};
 use session::{Grade, Session};
 
 const UTUBE: &str = include_str!("../../../../simulations/utube.md");
@@ -78,7 +78,7 @@ fn every_question_has_an_answer_that_is_taken_in_both_languages() {
     for language in ["en", "es"] {
         let mut session = utube();
         session.set_language(language);
-        let questions = session.document().questions.len();
+        let questions = session.document().program.questions.len();
         assert!(questions >= 7);
         for question in 0..questions {
             let before = session.reveal_answer(question);
@@ -95,7 +95,7 @@ fn every_question_has_an_answer_that_is_taken_in_both_languages() {
 #[test]
 fn the_liquid_is_dragged_as_far_as_there_is_liquid() {
     let mut session = utube();
-    let drag = handle(&session.document().scene("en").unwrap().root).unwrap().clone();
+    let drag = handle(&session.document().program.scene("en").unwrap().root).unwrap().clone();
     session.drag_begin(&drag);
     session.drag_move(0.0, 53.0);
     assert!((state(&session)[0] - 1.5).abs() < 1e-9, "a metre is 53 units: {:?}", state(&session));
@@ -118,7 +118,7 @@ fn everything_is_said_in_spanish() {
     for (parameter, label) in model.parameters.iter().zip(&labels) {
         assert_ne!(parameter.label.as_ref(), Some(label));
     }
-    for (plot, view) in session.document().plots.clone().iter().zip(session.plots()) {
+    for (plot, view) in session.document().program.plots.clone().iter().zip(session.plots()) {
         assert_ne!(plot.title, view.title);
     }
     for readout in session.readouts() {

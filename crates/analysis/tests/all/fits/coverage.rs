@@ -3,7 +3,7 @@
 use crate::support::Noise;
 use crate::support::fitting::{fitted, model, observation, parameter, record, task};
 use analysis::fit::{Fit, profile};
-use model::Model;
+use program::Model;
 
 const FORMULA: &str = "
 parameter A = 0.05 [m]

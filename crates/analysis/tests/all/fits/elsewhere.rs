@@ -5,7 +5,7 @@ use crate::support::fitting::{fitted, model, observation, record, task, value};
 use crate::support::{Noise, utube};
 use analysis::fit::{Fit, Task, profiles};
 use engine::{Method, Run, Setup};
-use model::Model;
+use program::Model;
 use std::path::Path;
 
 /// A theory that ships, as its document states it.

@@ -3,7 +3,7 @@
 use crate::support::Noise;
 use crate::support::fitting::{fitted, model, observation, parameter, record, task};
 use analysis::fit::{Outcome, Varied, Verdict, rank};
-use model::Model;
+use program::Model;
 
 const SWING: &str = "
 parameter A = 0.05 [m]

@@ -5,7 +5,7 @@ use crate::support::fitting::{fitted, model, observation, parameter, record, tas
 use analysis::fit::{Fit, Outcome, Record, Undetermined, Varied, Verdict};
 use analysis::virtual_record::tracked_velocities;
 use engine::Method;
-use model::Model;
+use program::Model;
 
 fn frames(rate: f64, count: u32) -> Vec<f64> {
     (0..count).map(|row| f64::from(row) / rate).collect()

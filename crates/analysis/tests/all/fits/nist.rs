@@ -10,7 +10,7 @@
 
 use crate::support::fitting::{fitted, model, observation, parameter, record};
 use analysis::fit::{Fit, Outcome, Record, Task, Varied};
-use model::Model;
+use program::Model;
 use std::fmt::Write;
 
 struct Problem {

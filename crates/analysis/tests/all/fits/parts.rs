@@ -4,7 +4,7 @@
 use crate::support::fitting::{fitted, model, observation, record, task, value};
 use crate::support::{Noise, utube};
 use analysis::fit::{Fit, FitError, Outcome, Record, Target, Task, Varied};
-use model::Model;
+use program::Model;
 
 /// Quadratic damping, whose initial values matter wherever they hold.
 const QUADRATIC: &str = "

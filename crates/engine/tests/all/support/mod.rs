@@ -1,10 +1,11 @@
 //! What the tests of the engine share.
 use engine::{Method, Run, Setup};
-use model::Model;
+use program::Model;
 
 /// The model that `text` states.
 pub fn model(text: &str) -> Model {
     let (model, diagnostics) = model::compile(text, std::slice::from_ref(&(0..text.len())));
+    let model = model.map(|checked| checked.model);
     model.unwrap_or_else(|| panic!("{diagnostics:#?}"))
 }
 

@@ -1,12 +1,14 @@
 //! What the tests share: compiling, computing the value of a node, and diagnostics as plain text.
 pub mod catalogue;
 
-use model::{Diagnostic, Graph, Model, Node, NodeId, Severity, Variable};
+use model::{Diagnostic, Severity};
+use program::{Graph, Model, Node, NodeId, Variable};
 
 /// Compiles a text that is all model; it must have no errors.
 #[track_caller]
 pub fn compile(source: &str) -> Model {
     let (model, diagnostics) = model::compile(source, std::slice::from_ref(&(0..source.len())));
+    let model = model.map(|checked| checked.model);
     model.unwrap_or_else(|| panic!("{}", render(source, &diagnostics)))
 }
 

@@ -1,13 +1,23 @@
 //! The checked model: a system of first-order equations and everything that can be shown of it.
 
-use crate::{Graph, NodeId, Span, Statement};
+mod lookup;
+mod sensitivity;
+mod slopes;
+mod whole;
+
+pub use lookup::Dependence;
+
+use crate::{Graph, NodeId};
+use serde::{Deserialize, Serialize};
 use units::{Dimension, Unit};
 
+/// Nodes of the expression graph with all its derivatives. Documents come from strangers, and a short text can ask for an
+/// enormous computation; no honest model comes near this.
+const MOST_NODES: usize = 500_000;
+
 /// A checked model, lowered to first order. Values are SI unless a [`Unit`] is named.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Model {
-    /// What the author wrote, for typesetting.
-    pub statements: Vec<Statement>,
     /// The independent variable.
     pub independent: Independent,
     /// In the order of the text.
@@ -25,7 +35,7 @@ pub struct Model {
 }
 
 /// The independent variable, `t` in seconds unless stated.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Independent {
     /// Its name.
     pub name: String,
@@ -34,7 +44,7 @@ pub struct Independent {
 }
 
 /// A number the user can change.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Parameter {
     /// Its ASCII name.
     pub name: String,
@@ -48,14 +58,12 @@ pub struct Parameter {
     pub range: Option<(f64, f64)>,
     /// The slider's step, SI.
     pub step: Option<f64>,
-    /// Where it is declared.
-    pub span: Span,
     /// Whether an initial value depends on it: a change restarts the run.
     pub restarts: bool,
 }
 
 /// One first-order state.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// The variable without primes, `y`.
     pub variable: String,
@@ -69,8 +77,6 @@ pub struct State {
     pub initial: NodeId,
     /// Its rate of change: the next state, or the solution of the equations for the highest derivative.
     pub derivative: NodeId,
-    /// Where its initial value is given.
-    pub span: Span,
 }
 
 impl State {
@@ -83,7 +89,7 @@ impl State {
 }
 
 /// A named definition.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Quantity {
     /// Its ASCII name.
     pub name: String,
@@ -96,7 +102,7 @@ pub struct Quantity {
 }
 
 /// An expression compiled against a model.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Compiled {
     /// Its node.
     pub node: NodeId,
@@ -104,8 +110,6 @@ pub struct Compiled {
     pub kind: Kind,
     /// The display unit: stated, or that of the name it consists of, or SI. Dimensionless unless `kind` is a number.
     pub unit: Unit,
-    /// Where it stands.
-    pub span: Span,
 }
 
 impl Compiled {
@@ -116,7 +120,7 @@ impl Compiled {
 }
 
 /// What an expression's value is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Kind {
     /// A number with a dimension.
     Number,
@@ -127,7 +131,7 @@ pub enum Kind {
 }
 
 /// A sudden change of the state.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Event {
     /// Fires when this goes from 0 to 1.
     pub condition: NodeId,
@@ -135,13 +139,11 @@ pub struct Event {
     pub actions: Vec<(u32, NodeId)>,
     /// How sensitivities change, in a model that has them ([`Model::with_sensitivities`]).
     pub jump: Option<Jump>,
-    /// Where it stands.
-    pub span: Span,
 }
 
 /// How the sensitivities of a model change at an event. With S states of the model itself and P parameters, the model with
 /// sensitivities has n = S (1 + P) states.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Jump {
     /// The derivative of the event's moment by each parameter, at the state before all events of the moment.
     pub delays: Vec<NodeId>,

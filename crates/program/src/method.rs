@@ -1,11 +1,12 @@
 //! The methods by name.
 
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 use units::{Words, words};
 
 /// How the equations are integrated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 pub enum Method {
     /// Euler's, order 1.
     Euler,

@@ -1,7 +1,7 @@
 //! Derivatives of expressions, as expressions: the Jacobian of a stiff method, the prime of a defined quantity, the
 //! sensitivity to a parameter.
 
-use crate::{Binary, Graph, LinearSystem, Model, Node, NodeId, Unary, limits};
+use super::{Binary, Graph, LinearSystem, Node, NodeId, Unary};
 use std::collections::HashMap;
 
 /// What to differentiate with respect to.
@@ -37,26 +37,8 @@ pub fn differentiate_all(graph: &mut Graph, nodes: &[NodeId], variable: Variable
     along(graph, nodes, |node| (node == wanted).then_some(one))
 }
 
-impl Model {
-    /// The derivatives of all rates of change, for stiff methods: in a graph that extends the model's, first by each
-    /// state, one column after the other, then by the independent variable. `None` if there would be too many nodes.
-    pub fn slopes(&self) -> Option<(Graph, Vec<NodeId>)> {
-        let mut graph = self.graph.clone();
-        let rates: Vec<NodeId> = self.states.iter().map(|state| state.derivative).collect();
-        let mut slopes = Vec::with_capacity(rates.len() * (rates.len() + 1));
-        let states = (0..rates.len()).map(|number| Variable::State(number as u32));
-        for variable in states.chain([Variable::Independent]) {
-            slopes.extend(differentiate_all(&mut graph, &rates, variable));
-            if graph.len() > limits::SLOPES {
-                return None;
-            }
-        }
-        Some((graph, slopes))
-    }
-}
-
 /// The change of `nodes` per unit of a change in which each input changes as `rate` says; `None` is no change.
-pub(crate) fn along(graph: &mut Graph, nodes: &[NodeId], mut rate: impl FnMut(Node) -> Option<NodeId>) -> Vec<NodeId> {
+pub fn along(graph: &mut Graph, nodes: &[NodeId], mut rate: impl FnMut(Node) -> Option<NodeId>) -> Vec<NodeId> {
     let mut rates: HashMap<NodeId, NodeId> = HashMap::new();
     let mut systems: HashMap<u32, Option<u32>> = HashMap::new();
     for id in graph.reachable(nodes) {

@@ -15,8 +15,9 @@
 //!
 //! h_x (s + f tau') + h_t tau' + h_p - f+ tau' of what it sets, and S + f(X) tau' - f+ tau' of what it does not.
 
-use crate::differentiate::along;
-use crate::{Binary, Graph, Jump, Model, Node, NodeId, State, Unary, limits};
+use super::MOST_NODES;
+use crate::graph::along;
+use crate::{Binary, Graph, Jump, Model, Node, NodeId, State, Unary};
 use units::Unit;
 
 impl Model {
@@ -30,7 +31,7 @@ impl Model {
         }
         for (position, &parameter) in parameters.iter().enumerate() {
             self.add_sensitivity(&mut extended, parameter as u32, (position, parameters.len()));
-            if extended.graph.len() > limits::SLOPES {
+            if extended.graph.len() > MOST_NODES {
                 return None;
             }
         }
@@ -73,7 +74,6 @@ impl Model {
                 unit,
                 initial: at_start[number],
                 derivative: derivatives[number],
-                span: state.span,
             });
         }
         for number in 0..self.events.len() {

@@ -2,14 +2,24 @@
 //! so that nothing is computed twice. All values are SI numbers; a truth value is 0 or 1; a text is an index into
 //! [`crate::Model::texts`].
 
+mod build;
+mod differentiate;
+mod evaluate;
+mod walk;
+mod written;
+
+pub use differentiate::{Variable, along, differentiate, differentiate_all};
+use written::Written;
+
+use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 
 /// A node of a [`Graph`]. A node's operands always have smaller numbers than the node itself.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct NodeId(pub u32);
 
 /// One operation or input.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Node {
     /// A number, by its bits.
     Constant(u64),
@@ -37,7 +47,7 @@ pub enum Node {
 }
 
 /// Functions of one argument, on SI numbers; angles in radians.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "each says itself")]
 pub enum Unary {
     Negate,
@@ -69,7 +79,7 @@ pub enum Unary {
 }
 
 /// Functions of two arguments.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "each says itself")]
 pub enum Binary {
     Add,
@@ -92,7 +102,7 @@ pub enum Binary {
 }
 
 /// A small linear system A x = r, solved where the equations of motion are coupled.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LinearSystem {
     /// A, row by row; `right.len()` squared of them.
     pub matrix: Vec<NodeId>,
@@ -101,7 +111,8 @@ pub struct LinearSystem {
 }
 
 /// Nodes, each equal expression once.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[serde(try_from = "Written", into = "Written")]
 pub struct Graph {
     nodes: Vec<Node>,
     known: HashMap<Node, NodeId>,

@@ -50,21 +50,3 @@ impl Model {
         whole
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::Model;
-
-    #[test]
-    fn counts_are_whole() {
-        let source = "parameter e = 0.9\ny'' = -9.81 [m/s^2]\ny(0) = 1 [m]\ny'(0) = 0 [m/s]\nn' = 0\nn(0) = 0\n\
-            half' = 0\nhalf(0) = 0\nboth' = 0\nboth(0) = 1\ntwice = 2*n + 1\nquarter = n/4\nrounded = floor(e)\n\
-            when y < 0 [m] {\n  y' = -e*y'\n  n = n + 1\n  half = half + 0.5\n  both = both + half\n}\n";
-        let (model, diagnostics) = crate::compile(source, std::slice::from_ref(&(0..source.len())));
-        let model: Model = model.unwrap_or_else(|| panic!("{diagnostics:#?}"));
-        let whole = model.whole_numbers();
-        let is_whole = |name: &str| model.lookup(name, 0).is_some_and(|value| whole[value.node.0 as usize]);
-        let names = ["n", "twice", "rounded", "y", "half", "both", "quarter", "e"];
-        assert_eq!(names.map(is_whole), [true, true, true, false, false, false, false, false]);
-    }
-}

@@ -9,7 +9,7 @@ use units::{Unit, words};
 
 /// A model by kinds of statement, each in the order of the text.
 #[derive(Debug)]
-pub(crate) struct Program<'a> {
+pub(crate) struct Declarations<'a> {
     pub independent: (String, Unit),
     pub parameters: Vec<ParameterEntry<'a>>,
     pub definitions: Vec<Definition<'a>>,
@@ -57,12 +57,12 @@ pub(crate) struct EventEntry<'a> {
     pub span: Span,
 }
 
-impl<'a> Program<'a> {
+impl<'a> Declarations<'a> {
     /// Sorts the statements and declares parameters, definitions and the independent variable.
     pub fn collect(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> Self {
         let independent = independent(statements, diagnostics);
         let mut declared: HashMap<&str, Span> = HashMap::new();
-        let mut program = Self {
+        let mut declarations = Self {
             scope: Scope::new(&independent.0),
             independent,
             parameters: Vec::new(),
@@ -77,31 +77,31 @@ impl<'a> Program<'a> {
             match &statement.kind {
                 StatementKind::Parameter(parameter) => {
                     check_parameter(parameter, diagnostics);
-                    if program.may_declare(&parameter.name, &mut declared, diagnostics) {
-                        let meaning = Meaning::Parameter(program.parameters.len());
-                        program.scope.declare(&parameter.name.text, meaning);
-                        program.parameters.push(ParameterEntry { statement: parameter, label, span });
+                    if declarations.may_declare(&parameter.name, &mut declared, diagnostics) {
+                        let meaning = Meaning::Parameter(declarations.parameters.len());
+                        declarations.scope.declare(&parameter.name.text, meaning);
+                        declarations.parameters.push(ParameterEntry { statement: parameter, label, span });
                     }
                 }
                 StatementKind::Definition { name, value, unit } => {
-                    if program.may_declare(name, &mut declared, diagnostics) {
-                        let meaning = Meaning::Definition(program.definitions.len());
-                        program.scope.declare(&name.text, meaning);
-                        program.definitions.push(Definition { name, value, unit: unit.as_ref(), label });
+                    if declarations.may_declare(name, &mut declared, diagnostics) {
+                        let meaning = Meaning::Definition(declarations.definitions.len());
+                        declarations.scope.declare(&name.text, meaning);
+                        declarations.definitions.push(Definition { name, value, unit: unit.as_ref(), label });
                     }
                 }
                 StatementKind::InitialValue { name, order, value, unit } => {
                     let order = *order;
-                    program.initial_values.push(InitialEntry { name, order, value, unit: unit.as_ref(), label });
+                    declarations.initial_values.push(InitialEntry { name, order, value, unit: unit.as_ref(), label });
                 }
-                StatementKind::Equation { left, right } => program.equations.push(Equation { left, right, span }),
+                StatementKind::Equation { left, right } => declarations.equations.push(Equation { left, right, span }),
                 StatementKind::Event { condition, actions } => {
-                    program.events.push(EventEntry { condition, actions, span });
+                    declarations.events.push(EventEntry { condition, actions, span });
                 }
                 StatementKind::Independent { .. } => {}
             }
         }
-        program
+        declarations
     }
 
     /// Whether a name is free to be declared; if not, says why.

@@ -1,0 +1,76 @@
+//! What is written to a bundle and read back is the same program: the same texts, and runs of the same bits.
+
+use crate::simulations::{faultless, names};
+use engine::{Run, Setup};
+use program::{Program, bundle};
+
+fn read_back(program: &Program) -> Program {
+    let bytes = bundle::write(program).unwrap();
+    let read = bundle::read(&bytes).unwrap();
+    assert_eq!(bundle::write(&read).unwrap(), bytes);
+    read
+}
+
+/// The bits of all rows of a run of 20 units of the independent variable, with every value of the scene at its end.
+fn bits(program: &Program) -> Vec<u64> {
+    let model = &program.model;
+    let defaults = Setup::defaults(model);
+    let setup = Setup {
+        method: program.method.unwrap_or(defaults.method),
+        step: program.step.unwrap_or(defaults.step),
+        tolerance: program.tolerance.unwrap_or(defaults.tolerance),
+        ..defaults
+    };
+    let mut run = Run::start(model, setup).unwrap();
+    while run.time() < 20.0 && run.advance().is_ok() {}
+    let history = run.history();
+    let mut bits: Vec<u64> = Vec::new();
+    for state in 0..model.states.len() {
+        bits.extend(history.column(state).iter().map(|value| value.to_bits()));
+    }
+    let scene = program.editions.iter().filter_map(|edition| edition.scene.as_ref());
+    let drawn = scene.flat_map(|scene| &scene.values).map(|value| value.node);
+    let shown = drawn.chain(model.quantities.iter().map(|quantity| quantity.value.node)).collect::<Vec<_>>();
+    let mut readings = engine::Readings::new(model, &shown);
+    bits.extend(readings.at_row(history, history.len() - 1).iter().map(|value| value.to_bits()));
+    bits
+}
+
+#[test]
+fn every_simulation_is_the_same_when_it_is_read_back() {
+    for name in names() {
+        let program = faultless(&name).program;
+        let read = read_back(&program);
+        assert_eq!(bits(&program), bits(&read), "{name}");
+        assert_eq!((&program.title, &program.language), (&read.title, &read.language));
+        assert_eq!(program.model.parameters, read.model.parameters, "{name}");
+        assert_eq!(program.model.states, read.model.states, "{name}");
+        assert_eq!(program.model.quantities, read.model.quantities, "{name}");
+        assert_eq!(program.model.events, read.model.events, "{name}");
+        assert_eq!(program.model.texts, read.model.texts, "{name}");
+        assert_eq!((&program.plots, &program.presets), (&read.plots, &read.presets), "{name}");
+        assert_eq!(program.questions, read.questions, "{name}");
+        assert_eq!(format!("{:?}", program.editions), format!("{:?}", read.editions), "{name}");
+    }
+}
+
+#[test]
+fn damaged_bundles_are_refused() {
+    let bytes = bundle::write(&faultless("utube").program).unwrap();
+    assert_eq!(bundle::read(b"").unwrap_err(), bundle::BundleError::NoBundle);
+    assert_eq!(bundle::read(b"meniscus\x09").unwrap_err(), bundle::BundleError::OtherVersion(9));
+    assert_eq!(bundle::read(&bytes[..bytes.len() - 1]).unwrap_err(), bundle::BundleError::Damaged);
+    assert_eq!(bundle::read(&[&bytes[..], b"x"].concat()).unwrap_err(), bundle::BundleError::Damaged);
+    // Whatever single byte is wrong, what is read can be run.
+    for place in (9..bytes.len()).step_by(7) {
+        let mut damaged = bytes.clone();
+        damaged[place] ^= 0x15;
+        if let Ok(program) = bundle::read(&damaged) {
+            let mut setup = Setup::defaults(&program.model);
+            setup.step = 0.1;
+            if let Ok(mut run) = Run::start(&program.model, setup) {
+                let _ = run.advance();
+            }
+        }
+    }
+}

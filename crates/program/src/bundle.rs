@@ -1,0 +1,126 @@
+//! A program as bytes, for a page that plays it without the parsers of the language.
+//!
+//! A bundle is a signature, a version, and the program in the format of [postcard](https://postcard.jamesmunns.com).
+//! Reading checks everything that running relies on: a bundle that is read cannot make the engine reach beyond its model.
+
+use crate::{Compiled, Model, Node, NodeId, Piece, Program, Scene};
+
+/// What a bundle begins with.
+const SIGNATURE: &[u8] = b"meniscus";
+/// The version of the format; raised whenever a program of an earlier version would be misread.
+const VERSION: u8 = 1;
+/// The longest bundle, in bytes. Documents are at most 1 MiB long.
+const LONGEST: usize = 16 << 20;
+
+/// Why bytes are not a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BundleError {
+    /// They do not begin as a bundle does.
+    NoBundle,
+    /// They are a bundle of this other version.
+    OtherVersion(u8),
+    /// There are more of them than a bundle may have.
+    TooLong,
+    /// They end too early, go on too long, or contradict themselves.
+    Damaged,
+}
+
+/// Writes a program.
+///
+/// # Errors
+/// [`BundleError::TooLong`], and [`BundleError::Damaged`] for a program that could not be read again.
+pub fn write(program: &Program) -> Result<Vec<u8>, BundleError> {
+    check(program)?;
+    let mut bytes = [SIGNATURE, &[VERSION]].concat();
+    bytes.extend(postcard::to_allocvec(program).map_err(|_| BundleError::Damaged)?);
+    if bytes.len() > LONGEST { Err(BundleError::TooLong) } else { Ok(bytes) }
+}
+
+/// Reads a program that [`write`] has written.
+///
+/// # Errors
+/// Every [`BundleError`].
+pub fn read(bytes: &[u8]) -> Result<Program, BundleError> {
+    if bytes.len() > LONGEST {
+        return Err(BundleError::TooLong);
+    }
+    let rest = bytes.strip_prefix(SIGNATURE).ok_or(BundleError::NoBundle)?;
+    let (version, rest) = rest.split_first().ok_or(BundleError::NoBundle)?;
+    if *version != VERSION {
+        return Err(BundleError::OtherVersion(*version));
+    }
+    let (program, rest) = postcard::take_from_bytes::<Program>(rest).map_err(|_| BundleError::Damaged)?;
+    if !rest.is_empty() {
+        return Err(BundleError::Damaged);
+    }
+    check(&program)?;
+    Ok(program)
+}
+
+/// Whether everything that the program refers to by number is there.
+fn check(program: &Program) -> Result<(), BundleError> {
+    let model = &program.model;
+    let known = |node: &NodeId| (node.0 as usize) < model.graph.len();
+    let compiled = |value: &Compiled| known(&value.node);
+    let parameter = |index: &usize| *index < model.parameters.len();
+    let assignments =
+        |values: &[crate::Assignment]| values.iter().all(|one| parameter(&one.parameter) && compiled(&one.value));
+    let nodes = model.states.iter().flat_map(|state| [&state.initial, &state.derivative]);
+    let good = inputs_exist(model)
+        && nodes.into_iter().all(known)
+        && orders_ascend(model)
+        && model.quantities.iter().all(|quantity| compiled(&quantity.value))
+        && model.events.iter().all(|event| {
+            let targets = event.actions.iter();
+            let mut targets = targets.map(|(state, value)| (*state as usize) < model.states.len() && known(value));
+            known(&event.condition) && targets.all(|good| good) && event.jump.is_none()
+        })
+        && program.vary.iter().all(parameter)
+        && program.plots.iter().all(|plot| plot.curves.iter().chain([&plot.x]).all(|curve| compiled(&curve.value)))
+        && program.presets.iter().all(|preset| assignments(&preset.values))
+        && program.questions.iter().all(|question| {
+            let hidden = |index: &usize| *index < model.quantities.len();
+            assignments(&question.setup) && compiled(&question.answer) && question.hides.iter().all(hidden)
+        })
+        && program.editions.first().is_some_and(|first| first.questions.len() == program.questions.len())
+        && program.editions.iter().filter_map(|edition| edition.scene.as_ref()).all(|scene| {
+            let drawn = scene.values.iter().all(compiled);
+            drawn && element_exists(&scene.root, scene, model.states.len())
+        });
+    if good { Ok(()) } else { Err(BundleError::Damaged) }
+}
+
+/// Whether the graph reads parameters and states that there are.
+fn inputs_exist(model: &Model) -> bool {
+    (0..model.graph.len()).all(|number| match model.graph.node(NodeId(number as u32)) {
+        Node::Parameter(index) => (index as usize) < model.parameters.len(),
+        Node::Initial(index) | Node::State(index) => (index as usize) < model.states.len(),
+        _ => true,
+    })
+}
+
+/// Whether the orders of each variable stand together, lowest first.
+fn orders_ascend(model: &Model) -> bool {
+    let first = model.states.first().is_none_or(|first| first.order == 0);
+    first
+        && model.states.windows(2).all(|pair| {
+            let [before, state] = pair else { return true };
+            state.order == if state.variable == before.variable { before.order + 1 } else { 0 }
+        })
+}
+
+/// Whether an element of a scene shows values and drags states that there are.
+fn element_exists(element: &crate::Element, scene: &Scene, states: usize) -> bool {
+    let value = |index: &usize| *index < scene.values.len();
+    let piece = |piece: &Piece| match piece {
+        Piece::Literal(_) => true,
+        Piece::Value { index, .. } => value(index),
+    };
+    let drag =
+        element.drag.as_ref().is_none_or(|drag| drag.state < states && drag.up.iter().chain(&drag.right).all(value));
+    drag && element.attributes.iter().all(|attribute| attribute.value.iter().all(piece))
+        && element.children.iter().all(|child| match child {
+            crate::Child::Element(inner) => element_exists(inner, scene, states),
+            crate::Child::Text(text) => text.iter().all(piece),
+        })
+}

@@ -1,0 +1,23 @@
+//! What is left when a document is understood: equations as a graph, drawing, plots, presets, questions and finished prose,
+//! without source text and places in it. It is what runs; [`bundle`] writes and reads it.
+
+pub mod bundle;
+mod graph;
+mod method;
+mod model;
+mod plots;
+mod presets;
+mod program;
+mod prose;
+mod questions;
+mod scene;
+
+pub use graph::{Binary, Graph, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate, differentiate_all};
+pub use method::{Method, UnknownMethod};
+pub use model::{Compiled, Dependence, Event, Independent, Jump, Kind, Model, Parameter, Quantity, State};
+pub use plots::{Curve, Plot};
+pub use presets::{Assignment, Preset};
+pub use program::{Edition, Program};
+pub use prose::{Block, Section};
+pub use questions::{Question, QuestionText, Tolerance};
+pub use scene::{Attribute, Child, Drag, Element, Piece, Scene, Template};

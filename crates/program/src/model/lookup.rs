@@ -1,0 +1,78 @@
+//! What names mean, and what values depend on.
+
+use crate::{Compiled, Kind, Model, Node, NodeId};
+use units::Unit;
+
+/// What a node is computed from. The numbers are sorted.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Dependence {
+    /// Indices into [`Model::parameters`].
+    pub parameters: Vec<u32>,
+    /// Indices into [`Model::states`] whose value at the start is used.
+    pub initial: Vec<u32>,
+    /// Indices into [`Model::states`].
+    pub states: Vec<u32>,
+    /// Whether the independent variable is used.
+    pub independent: bool,
+}
+
+impl Dependence {
+    /// Whether the value changes during a run in which no parameter is changed.
+    pub fn varies(&self) -> bool {
+        self.independent || !self.states.is_empty()
+    }
+}
+
+impl Model {
+    /// The value of a name with `order` primes: a parameter, a state, a highest derivative, a defined quantity, the
+    /// independent variable. `None` for an unknown name, and for derivatives that the model does not already have
+    /// (primes of defined quantities): these need the compiler of the language.
+    pub fn lookup(&self, name: &str, order: u32) -> Option<Compiled> {
+        let number = |node, unit: &Unit| Compiled { node, kind: Kind::Number, unit: unit.clone() };
+        let find = |node| self.graph.find(node);
+        if let Some(index) = self.states.iter().position(|state| state.variable == name && state.order == order) {
+            return Some(number(find(Node::State(index as u32))?, &self.states[index].unit));
+        }
+        let last = self.states.iter().rfind(|state| state.variable == name);
+        if let Some(last) = last.filter(|last| last.order + 1 == order) {
+            let dimension = last.unit.dimension.per(self.independent.unit.dimension)?;
+            return Some(number(last.derivative, &Unit::si(dimension)));
+        }
+        if order > 0 {
+            return None;
+        }
+        if name == self.independent.name {
+            return Some(number(find(Node::Independent)?, &self.independent.unit));
+        }
+        if let Some(index) = self.parameters.iter().position(|parameter| parameter.name == name) {
+            return Some(number(find(Node::Parameter(index as u32))?, &self.parameters[index].unit));
+        }
+        self.quantities.iter().find(|quantity| quantity.name == name).map(|quantity| quantity.value.clone())
+    }
+
+    /// What `node` is computed from.
+    pub fn depends(&self, node: NodeId) -> Dependence {
+        let mut dependence = Dependence::default();
+        for id in self.graph.reachable(&[node]) {
+            match self.graph.node(id) {
+                Node::Parameter(index) => dependence.parameters.push(index),
+                Node::Initial(index) => dependence.initial.push(index),
+                Node::State(index) => dependence.states.push(index),
+                Node::Independent => dependence.independent = true,
+                _ => {}
+            }
+        }
+        for numbers in [&mut dependence.parameters, &mut dependence.initial, &mut dependence.states] {
+            numbers.sort_unstable();
+        }
+        dependence
+    }
+
+    /// Whether there are equations of motion, and they and the events are the same at all times: then a run can begin at any
+    /// reading of the clock.
+    pub fn is_autonomous(&self) -> bool {
+        let derivatives = self.states.iter().map(|state| state.derivative);
+        let mut nodes = derivatives.chain(self.events.iter().map(|event| event.condition));
+        !self.states.is_empty() && !nodes.any(|node| self.depends(node).independent)
+    }
+}

@@ -1,0 +1,83 @@
+//! A scene as it is written to a bundle: its elements in a list, so that reading needs no recursion.
+
+use super::{Attribute, Child, Drag, Element, Scene, Template};
+use crate::Compiled;
+use serde::{Deserialize, Serialize};
+
+/// How deeply elements may be nested; documents allow less.
+const DEEPEST: usize = 64;
+
+/// A [`Scene`], not yet checked: the last of the elements is the root.
+#[derive(Serialize, Deserialize)]
+pub(super) struct Written {
+    elements: Vec<WrittenElement>,
+    values: Vec<Compiled>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct WrittenElement {
+    name: String,
+    attributes: Vec<Attribute>,
+    children: Vec<WrittenChild>,
+    drag: Option<Drag>,
+}
+
+#[derive(Serialize, Deserialize)]
+enum WrittenChild {
+    /// The element of this number, which comes before its parent.
+    Element(u32),
+    Text(Template),
+}
+
+impl From<Scene> for Written {
+    fn from(scene: Scene) -> Self {
+        let mut written = Self { elements: Vec::new(), values: scene.values };
+        written.add(scene.root);
+        written
+    }
+}
+
+impl Written {
+    /// Adds an element after those that it holds; its number.
+    fn add(&mut self, element: Element) -> u32 {
+        let Element { name, attributes, children, drag } = element;
+        let children = children.into_iter().map(|child| match child {
+            Child::Element(inner) => WrittenChild::Element(self.add(inner)),
+            Child::Text(text) => WrittenChild::Text(text),
+        });
+        let children = children.collect();
+        self.elements.push(WrittenElement { name, attributes, children, drag });
+        (self.elements.len() - 1) as u32
+    }
+}
+
+impl TryFrom<Written> for Scene {
+    type Error = &'static str;
+
+    fn try_from(written: Written) -> Result<Self, Self::Error> {
+        // Each with its depth, until its parent takes it.
+        let mut built: Vec<Option<(Element, usize)>> = Vec::new();
+        for WrittenElement { name, attributes, children, drag } in written.elements {
+            let mut depth = 1;
+            let children = children.into_iter().map(|child| match child {
+                WrittenChild::Text(text) => Ok(Child::Text(text)),
+                WrittenChild::Element(number) => {
+                    let inner = built.get_mut(number as usize).and_then(Option::take);
+                    let (inner, inner_depth) = inner.ok_or("an element of the scene without a place")?;
+                    depth = depth.max(inner_depth + 1);
+                    Ok(Child::Element(inner))
+                }
+            });
+            let children = children.collect::<Result<_, Self::Error>>()?;
+            if depth > DEEPEST {
+                return Err("a scene that is nested too deeply");
+            }
+            built.push(Some((Element { name, attributes, children, drag }, depth)));
+        }
+        let (root, _) = built.pop().flatten().ok_or("a scene without elements")?;
+        if built.iter().any(Option::is_some) {
+            return Err("an element of the scene without a place");
+        }
+        Ok(Self { root, values: written.values })
+    }
+}

@@ -1,0 +1,66 @@
+//! Names that were probably meant: for hints such as "did you mean `gamma`?".
+
+/// The candidate that differs least from `name`, if that is little; the first of several.
+pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let length = name.chars().count();
+    if length > LONGEST_COMPARED {
+        return None;
+    }
+    let tolerance = if length <= 2 { 1 } else { length.div_ceil(3).min(3) };
+    candidates
+        .into_iter()
+        .filter(|candidate| candidate.chars().count().abs_diff(length) <= tolerance)
+        .map(|candidate| (distance(name, candidate), candidate))
+        .filter(|&(distance, candidate)| distance <= tolerance && (distance < length || similar(name, candidate)))
+        .min_by_key(|&(distance, _)| distance)
+        .map(|(_, candidate)| candidate)
+}
+
+/// Longer names are not compared, which takes time with the square of the length.
+const LONGEST_COMPARED: usize = 64;
+
+/// Whether two names are the same but for capitals: of names of one letter only these are near to each other.
+fn similar(a: &str, b: &str) -> bool {
+    a.eq_ignore_ascii_case(b)
+}
+
+/// How many characters must be inserted, removed, replaced or exchanged with their neighbour.
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut before: Vec<usize> = Vec::new();
+    let mut above: Vec<usize> = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let same = a[i - 1] == b[j - 1];
+            let replaced = above[j - 1] + usize::from(!same);
+            let mut least = replaced.min(above[j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                least = least.min(before[j - 2] + 1);
+            }
+            row.push(least);
+        }
+        before = above;
+        above = row;
+    }
+    above.last().copied().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_misspelled_name_is_near_and_another_is_not() {
+        for (written, known, meant) in [
+            ("titel", "title", true),
+            ("Step", "step", true),
+            ("author", "title", false),
+            ("author", "step", false),
+            ("", "step", false),
+            ("L", "g", false),
+        ] {
+            assert_eq!(nearest(written, [known]), meant.then_some(known), "{written}");
+        }
+    }
+}

@@ -26,8 +26,9 @@ for (const language of ["en-GB", "es-ES"]) {
         for (const tab of await lab.page.getByRole("tab").all()) {
           await tab.click();
           await lab.page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
-          found.push(...(await faults(lab, await tab.innerText(), "#notebook")));
+          found.push(...(await faults(lab, await tab.innerText(), "#panel")));
         }
+        await lab.page.locator("#tab-play").click();
         await lab.page.locator("#parameter-0").fill("nonsense");
         await lab.page.locator("#parameter-0").press("Enter");
         found.push(...(await faults(lab, "a refusal")));
@@ -111,7 +112,7 @@ visit("from a document with errors there is a way back", async (lab) => {
   await lab.page.setInputFiles("#open-file", brokenFile);
   await lab.press("Back to the previous document");
   await lab.page.getByRole("heading", { level: 1, name: /U-tube/ }).waitFor();
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   assert.equal(await records(lab).count(), 1, "the records are still there");
   await lab.page.setInputFiles("#open-file", brokenFile);
   await lab.press("Other documents");
@@ -244,7 +245,7 @@ visit("the whole laboratory is worked by keyboard alone", async (lab) => {
   await lab.keys("ArrowRight", "ArrowRight");
   assert.ok((await lab.number("Damping")) > before);
 
-  // The notebook: tabs with arrows; single keys do nothing there.
+  // The panel: tabs with arrows; single keys do nothing there.
   await lab.tabTo("[role=tab]");
   await lab.keys("ArrowRight");
   assert.equal(await lab.page.getByRole("tab").nth(1).getAttribute("aria-selected"), "true");

@@ -104,7 +104,7 @@ visit("velocity and acceleration are computed and add no independent information
   await eventually(async () => assert.match(await head.innerText(), /polynomials of degree 3 over 7 rows/));
   // They are there after a reload.
   await lab.page.reload();
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   await eventually(async () => assert.match(await head.innerText(), /polynomials of degree 3 over 7 rows/));
   await record.getByText("Velocity and acceleration").click();
   await record.getByRole("button", { name: "Remove them" }).click();
@@ -160,7 +160,7 @@ visit("a real film has cycles that the linear theory does not allow", { language
   }
   const file = temporary("U3.txt");
   writeFileSync(file, readFileSync(measured));
-  await lab.tab("Mediciones");
+  await lab.tab("Medir");
   await lab.page.setInputFiles("#record-file", file);
   await cycles(lab).waitFor();
   await look(lab, "Ciclo a ciclo");

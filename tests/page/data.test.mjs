@@ -13,7 +13,7 @@ async function record(lab, seconds) {
 }
 
 const downloadCsv = async (lab) => {
-  await lab.tab("Data");
+  await lab.openTable();
   return lab.save(lab.button("Download CSV"));
 };
 
@@ -41,7 +41,7 @@ visit("with other parameters and in Spanish too", { language: "es-ES" }, async (
   await lab.enter("Damping", "200");
   await record(lab, 5);
   await lab.press("ES – Español");
-  await lab.tab("Datos");
+  await lab.openTable();
   const { text } = await lab.save(lab.button("Descargar CSV"));
   const settings = ["h_l=2", "h_r=6", "rho=13600", "S=0.5", "b=200"].flatMap((setting) => ["--set", setting]);
   // As programs with decimal commas read it: the same numbers to the last digit.
@@ -63,7 +63,7 @@ visit("figures are saved as SVG and PNG", async (lab) => {
 });
 
 visit("the table on the page follows the run", async (lab) => {
-  await lab.tab("Data");
+  await lab.openTable();
   assert.equal(await lab.rows(), 1);
   await record(lab, 3);
   assert.ok((await lab.rows()) > 60);
@@ -112,6 +112,6 @@ function exported() {
 visit("an exported page and a document can be opened", async (lab) => {
   await lab.page.setInputFiles("#open-file", exported());
   await eventually(async () => assert.equal(await lab.time(), 0));
-  await lab.tab("Source");
+  await lab.openSource();
   assert.match(await lab.page.locator(".source pre").first().innerText(), /^---\ntitle: /);
 });

@@ -13,7 +13,7 @@ visit("a dropped file is recognised, drawn, and fitted by one button", async (la
   await openTheory(lab, "Linear damping");
   await drop(lab, { name: "film.csv", text: film() });
   await records(lab).waitFor();
-  assert.equal(await lab.page.getByRole("tab", { name: "Measurements" }).getAttribute("aria-selected"), "true");
+  assert.equal(await lab.page.getByRole("tab", { name: "Measure" }).getAttribute("aria-selected"), "true");
   const taken = await records(lab).locator(".table select").evaluateAll((selects) => selects.map((select) => select.value));
   assert.deepEqual(taken, ["t", "y"]);
   assert.equal(await lab.field("Unit, y [cm]").inputValue(), "cm");
@@ -33,11 +33,12 @@ visit("a dropped file is recognised, drawn, and fitted by one button", async (la
 
   // Records and fits outlive another document and a reload.
   await openTheory(lab, "Quadratic damping");
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   assert.equal(await records(lab).count(), 1);
+  await lab.tab("Fit");
   assert.equal(await lab.page.locator(".fits tbody tr").count(), 1);
   await lab.page.reload();
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   await eventually(async () => assert.equal(await records(lab).count(), 1));
 });
 
@@ -70,7 +71,7 @@ visit("a fit is handed in as report, workbook and CSV", { language: "es-ES" }, a
 visit("a virtual measurement is fitted, and the truth is found", async (lab) => {
   await openTheory(lab, "Linear damping");
   await lab.enter("Length of the column", "0.3");
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   await lab.page.locator("#virtual summary").click();
   await lab.page.getByRole("textbox", { name: "Duration" }).fill("6");
   await lab.page.getByRole("textbox", { name: "Noise of a reading" }).fill("0.5 mm");
@@ -79,21 +80,24 @@ visit("a virtual measurement is fitted, and the truth is found", async (lab) => 
   await records(lab).waitFor();
   assert.equal(await records(lab).locator(".tag").innerText(), "synthetic");
   // Somewhere else, as if nobody knew.
+  await lab.tab("Play");
   await lab.press("Restore defaults");
   const found = await fit(lab);
   const length = found.get("Length of the column");
   assert.ok(Math.abs(length.value - 0.3) < 3 * length.spread, JSON.stringify(length));
   assert.match(length.remark, /^truth: 0.3 m; off by −?\d/);
   // A field that cannot be says so.
+  await lab.tab("Measure");
   await lab.page.getByRole("textbox", { name: "Frames per second" }).fill("none");
   await lab.press("Measure");
   assert.equal(await lab.page.getByRole("textbox", { name: "Frames per second" }).getAttribute("aria-invalid"), "true");
 });
 
 visit("the sample with a contact line is told from the others", async (lab) => {
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   await lab.press("Column with a contact line");
   await records(lab).waitFor();
+  await lab.tab("Fit");
   await lab.press("Rank all theories");
   // The page is not frozen meanwhile, and what is begun can be given up.
   await lab.page.locator("#cancel-fit").waitFor();
@@ -105,7 +109,7 @@ visit("the sample with a contact line is told from the others", async (lab) => {
   await lab.page.getByRole("button", { name: /^Open: / }).first().click();
   await eventually(async () => assert.notEqual(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Oscillations of a liquid in a U-tube"));
   await eventually(async () => assert.match(await lab.told(), /fitted values/));
-  await lab.tab("Measurements");
+  await lab.tab("Fit");
   assert.equal(await lab.page.locator(".fits tbody tr").count(), before);
 });
 
@@ -121,7 +125,7 @@ visit("what cannot be read says where and why, and nothing is lost", async (lab)
 });
 
 visit("a pasted table is read, its columns renamed and switched off", async (lab) => {
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   await lab.page.getByText("Paste a table").click();
   await lab.page.locator("#paste-record").fill("0 1 2\n0.1 2 3\n0.2 3 5\n0.3 2 4\n");
   await lab.press("Read");
@@ -144,7 +148,7 @@ visit("a real film is fitted", async (lab) => {
   await openTheory(lab, "Damped cosine");
   const file = temporary("U3.txt");
   writeFileSync(file, readFileSync(measured));
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   await lab.page.setInputFiles("#record-file", file);
   await records(lab).waitFor();
   assert.match(await records(lab).innerText(), /6 frames are missing/);
@@ -165,7 +169,7 @@ visit("from the sample to the result by keyboard alone", async (lab) => {
   await lab.keys("Enter");
   await eventually(async () => assert.equal((await lab.focused()).id, "browse"));
   await lab.tabTo("[role=tab]");
-  await lab.keys("End", "ArrowLeft");
+  await lab.keys("End", "ArrowLeft", "ArrowLeft");
   await lab.tabTo(".intake .chip");
   await lab.keys("Enter");
   await records(lab).waitFor();
@@ -175,6 +179,8 @@ visit("from the sample to the result by keyboard alone", async (lab) => {
   await eventually(async () => assert.equal((await lab.focused()).id, ticked, "the focus stays"));
   await lab.keys("Space");
   await eventually(async () => assert.equal(await lab.page.locator(`#${ticked}`).isChecked(), true));
+  await lab.page.locator("#tab-measure").focus();
+  await lab.keys("ArrowRight");
   await lab.tabTo("#fit");
   await lab.keys("Enter");
   await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
@@ -187,7 +193,7 @@ for (const language of ["en-GB", "es-ES"]) {
       visit(`axe finds nothing in a fit: ${language}, ${theme}, ${device}`, { language, theme, ...size }, async (lab) => {
         const spanish = language === "es-ES";
         await openTheory(lab, spanish ? "Amortiguamiento lineal" : "Linear damping", spanish ? "Documentos" : "Documents");
-        await lab.tab(spanish ? "Mediciones" : "Measurements");
+        await lab.tab(spanish ? "Medir" : "Measure");
         await lab.page.locator(".intake .chip").first().click();
         await records(lab).waitFor();
         await fit(lab);

@@ -4,8 +4,10 @@ use crate::browser;
 use crate::frame::{self, Stage};
 use crate::messages::{self, Message};
 use crate::opening::Findings;
+use crate::panel::Tab;
 use crate::saved::{self, Saved};
 use crate::sound::Sound;
+use crate::stage;
 use crate::views::*;
 use crate::words::{Words, words_in};
 use document::page::Source;
@@ -106,12 +108,16 @@ pub struct Page {
     pub record_progress: Signal<Option<RecordProgress>>,
     /// Why the last record could not be read.
     pub record_refusal: Signal<Option<String>>,
-    /// Which tab of the notebook is that of the measurements.
-    pub measurements_tab: Signal<usize>,
     /// Whether the list of documents has been asked for.
     pub library_asked_for: Signal<bool>,
-    /// The open tab of the notebook.
-    pub tab: Signal<usize>,
+    /// The open tab of the panel.
+    pub tab: Signal<Tab>,
+    /// Whether the table of the recorded values is shown.
+    pub table_open: Signal<bool>,
+    /// Whether the window has room for one plot only.
+    pub narrow: Signal<bool>,
+    /// The plot shown there.
+    pub front_plot: Signal<Option<usize>>,
     /// Whether method and step are shown.
     pub numerics_open: Signal<bool>,
 }
@@ -152,9 +158,11 @@ impl App {
             fit_progress: create_signal(None),
             record_progress: create_signal(None),
             record_refusal: create_signal(None),
-            measurements_tab: create_signal(0),
             library_asked_for: create_signal(false),
-            tab: create_signal(0),
+            tab: create_signal(Tab::default()),
+            table_open: create_signal(false),
+            narrow: create_signal(browser::matches(stage::NARROW)),
+            front_plot: create_signal(None),
             numerics_open: create_signal(false),
         };
         Self(Box::leak(Box::new(page)))

@@ -61,6 +61,22 @@ pub fn scroll_to_top() {
     window().scroll_to_with_scroll_to_options(&options);
 }
 
+/// Scrolls back to the top of an element that reaches beyond the top of the window, at once.
+pub fn scroll_back_to(id: &str) {
+    let Some(element) = by_id::<HtmlElement>(id) else { return };
+    // Where it begins below what sticks to the top of the window: its scroll margin.
+    let margin = window().get_computed_style(&element).ok().flatten();
+    let margin = margin.and_then(|style| style.get_property_value("scroll-margin-top").ok());
+    let margin: f64 = margin.and_then(|margin| margin.trim_end_matches("px").parse().ok()).unwrap_or(0.0);
+    let above = element.get_bounding_client_rect().top() - margin;
+    if above < 0.0 {
+        let options = ScrollToOptions::new();
+        options.set_top(window().scroll_y().unwrap_or(0.0) + above);
+        options.set_behavior(ScrollBehavior::Instant);
+        window().scroll_to_with_scroll_to_options(&options);
+    }
+}
+
 /// Calls `react` whenever this happens in the window, as long as the page lives.
 pub fn listen<E: JsCast + 'static>(event: &str, mut react: impl FnMut(&E) + 'static) {
     let closure = Closure::<dyn FnMut(Event)>::new(move |event: Event| react(event.unchecked_ref()));

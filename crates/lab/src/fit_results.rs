@@ -1,6 +1,7 @@
 //! What has come of fits: side by side, one of them in detail, and the files that can be saved of them.
 
 use crate::app::App;
+use crate::panel::Tab;
 use crate::controls::symbol;
 use crate::views::*;
 use crate::{browser, opening};
@@ -65,7 +66,7 @@ fn row(app: App, fit: FitView, shown: Option<u32>, chosen: Signal<Option<u32>>) 
             opening::open_sources(app, texts.into_iter().map(|(name, text)| Source { name, text }).collect());
         }
         app.act(|session| session.apply_fit(id));
-        app.tab.set(app.measurements_tab.get_untracked());
+        app.tab.set(Tab::Fit);
     };
     let forget = move |_| {
         app.act(|session| session.remove_fit(id));

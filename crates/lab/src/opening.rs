@@ -65,8 +65,6 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
         lab.findings = findings;
         closed
     });
-    // Nobody is told: what shows the tabs is built anew below.
-    app.tab.set_silent(0);
     let language = app.language.get_untracked();
     let left = saved::state(app);
     let state = if state.is_empty() { left.as_str() } else { state };

@@ -185,14 +185,19 @@ pub fn view(app: App) -> View {
     let words = app.words();
     let mut plots = app.read(|session| session.plots());
     plots.retain(|plot| !plot.of_cycles);
-    let shown = move |index: usize| now(app, index).is_some_and(|plot| plot.shown && plot.offered);
+    let shown = move |index: usize| is_in_sight(app, index);
     let offered = move |index: usize| now(app, index).is_some_and(|plot| plot.offered);
     let count = plots.len();
     let switch = |plot: &PlotView| {
         let index = plot.index;
         let turn = move |_| {
             let shown = now(app, index).is_some_and(|plot| plot.shown);
-            app.act(|session| session.show_plot(index, !shown));
+            // Where there is room for one plot alone, the buttons choose which.
+            let narrow = app.narrow.get_untracked();
+            if narrow {
+                app.front_plot.set(Some(index));
+            }
+            app.act(|session| session.show_plot(index, narrow || !shown));
         };
         button()
             .class("chip")
@@ -218,6 +223,18 @@ pub fn view(app: App) -> View {
         .child(p().id("plot-keys").hidden(true).child(words.plot_keys))
         .child(p().class("empty").hidden(move || (0..count).any(shown)).child(words.no_plots))
         .into()
+}
+
+/// Whether a plot is shown. Where there is room for one alone it is the chosen one, or else the first.
+fn is_in_sight(app: App, index: usize) -> bool {
+    app.changes.plots.track();
+    let shown = app.read(|session| session.plots());
+    let mut shown = shown.iter().filter(|plot| plot.shown && plot.offered && !plot.of_cycles);
+    if !app.narrow.get() {
+        return shown.any(|plot| plot.index == index);
+    }
+    let front = app.front_plot.get().filter(|front| shown.clone().any(|plot| plot.index == *front));
+    front.or_else(|| shown.next().map(|plot| plot.index)) == Some(index)
 }
 
 /// A plot as the session has it now.

@@ -23,7 +23,6 @@ macro_rules! words {
 words! {
     // The page.
     skip: "Skip to the apparatus", "Ir al aparato";
-    jump: "On this page", "En esta página";
     language: "Language", "Idioma";
     theme_system: "Colours: as the system", "Colores: como el sistema";
     theme_light: "Colours: light", "Colores: claros";
@@ -106,6 +105,7 @@ words! {
     started_by_hand: "The run starts from a state that was set by hand. Restore defaults brings the document's start back.", "La serie parte de un estado fijado a mano. Restaurar valores recupera el del documento.";
     method: "Method", "Método";
     step: "Step", "Paso";
+    settings: "State and method", "Estado y método";
     numerics: "Numerical method", "Método numérico";
 
     // Readouts.
@@ -134,13 +134,16 @@ words! {
     remove_run: "Remove", "Quitar";
     ghost: "Previous run", "Serie anterior";
 
-    // The notebook.
-    notebook: "Notebook", "Cuaderno";
-    introduction: "Introduction", "Introducción";
+    // The panel.
+    panel: "Panel", "Panel";
+    tab_play: "Play", "Explorar";
+    tab_activities: "Activities", "Actividades";
+    tab_measure: "Measure", "Medir";
+    tab_fit: "Fit", "Ajustar";
+    tab_theory: "Theory", "Teoría";
     contents: "Contents", "Contenido";
     equations: "Model", "Modelo";
     equations_intro: "The equations as the document states them; the program solves exactly these.", "Las ecuaciones tal como las enuncia el documento; el programa resuelve exactamente estas.";
-    data: "Data", "Datos";
     source: "Source", "Fuente";
     source_intro: "The whole simulation is this text. Save it, change it, and open it again.", "Toda la simulación es este texto. Guárdalo, cámbialo y ábrelo de nuevo.";
     save_source: "Download", "Descargar";
@@ -159,7 +162,6 @@ words! {
     copy_csv: "Copy CSV", "Copiar CSV";
 
     // Measurements.
-    measurements: "Measurements", "Mediciones";
     measurements_intro: "Bring a record of a film or a sensor: a table of times and values as text, XLSX or ODS, as the tracking program or spreadsheet wrote it. Drop the file anywhere on this page, choose it, or paste it. It stays in your browser.", "Trae un registro de un vídeo o de un sensor: una tabla de tiempos y valores como texto, XLSX u ODS, tal como la escribió el programa de seguimiento o la hoja de cálculo. Suelta el archivo en cualquier parte de esta página, elígelo o pégalo. No sale de tu navegador.";
     records: "Records", "Registros";
     choose_record: "Choose a file", "Elegir un archivo";

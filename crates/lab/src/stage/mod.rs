@@ -1,0 +1,66 @@
+//! The stage: scene, plots and transport, always in sight.
+
+use crate::app::App;
+use crate::scene::SceneNodes;
+use crate::views::*;
+use crate::{frame, plots, transport};
+
+/// A window with room for the scene and one plot: a phone, or a tablet held upright.
+pub const NARROW: &str = "(max-width: 1099px) and (orientation: portrait), (max-width: 719px), (max-height: 500px)";
+
+/// The stage.
+pub fn view(app: App) -> HtmlSection {
+    let words = app.words();
+    let body = div().class("stage-body").child(scene(app)).child(plots::view(app));
+    section()
+        .class("stage")
+        .id("apparatus")
+        .tabindex("-1")
+        .attr("aria-label", words.apparatus)
+        .child(body)
+        .child(transport::view(app))
+}
+
+fn scene(app: App) -> HtmlSection {
+    let words = app.words();
+    let mut place = div().class("drawing");
+    let language = app.language.get_untracked().tag();
+    let scene = app.read(|session| session.document().scene(language).cloned());
+    let (exists, draggable) = (scene.is_some(), scene.as_ref().is_some_and(|scene| has_handle(&scene.root)));
+    if let Some(scene) = &scene {
+        let nodes = SceneNodes::build(app, scene, &place.node(), words.scene);
+        app.with(|lab| lab.stage.scene = nodes);
+        frame::wake(app);
+    }
+    part("scene", "scene card", words.scene)
+        .child(place)
+        .child(changing(move || outline_legend(app)))
+        .maybe(draggable.then(|| drag_hint(app)))
+        .maybe((!exists).then(|| p().class("empty").child(words.no_scene)))
+}
+
+/// What the dashed outline in the scene is; nothing while there is none.
+fn outline_legend(app: App) -> View {
+    app.changes.records.track();
+    let records = app.read(|session| session.ghost_records());
+    if records.is_empty() {
+        return View::new();
+    }
+    let sample = span().class("outline-sample").attr("aria-hidden", "true");
+    p().class("note scene-legend")
+        .child(sample)
+        .child(format!("{}: {}", app.words().outline, records.join(", ")))
+        .into()
+}
+
+/// How to drag, for the device in hand: who has no keyboard does not read of keys.
+fn drag_hint(app: App) -> HtmlP {
+    let words = app.words();
+    let keys = span().class("for-keys").child(words.drag_hint);
+    note(keys).child(span().class("for-touch").child(words.drag_hint_touch))
+}
+
+fn has_handle(element: &document::Element) -> bool {
+    element.drag.is_some()
+        || element.children.iter().any(|child| matches!(child, document::Child::Element(child) if has_handle(child)))
+}

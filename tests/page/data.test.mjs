@@ -53,10 +53,14 @@ visit("with other parameters and in Spanish too", { language: "es-ES" }, async (
 visit("figures are saved as SVG and PNG", async (lab) => {
   await record(lab, 2);
   const plot = lab.page.locator("figure.plot").first();
-  const { name, text } = await lab.save(plot.getByRole("button", { name: "Download SVG" }));
+  const { name, text } = await lab.saveOfPlot(plot, "Download SVG");
   assert.match(name, /\.svg$/);
   assert.match(text, /^<svg /);
   assert.match(text, /<(path|polyline)/);
+  const csv = await lab.saveOfPlot(plot, "Download CSV of this plot");
+  assert.equal(csv.name, "displacement-and-velocity.csv");
+  assert.match(csv.text, /^t \[s\],y \[m\],t \[s\],y′ \[m\/s\]\r\n0,0\.5,0,0\r\n/);
+  await plot.locator("[id^=plot-more]").click();
   const [download] = await Promise.all([lab.page.waitForEvent("download"), plot.getByRole("button", { name: "Download PNG" }).click()]);
   const png = readFileSync(await download.path());
   assert.equal(png.subarray(1, 4).toString(), "PNG");

@@ -209,6 +209,13 @@ export class Lab {
     return { name: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
   }
 
+  /** Saves what the menu of a plot offers under this name. */
+  async saveOfPlot(plot, name) {
+    const more = plot.locator("[id^=plot-more]");
+    if ((await more.getAttribute("aria-expanded")) === "false") await more.click();
+    return this.save(plot.getByRole("button", { name, exact: true }));
+  }
+
   /** Presses keys one after the other. */
   async keys(...keys) {
     for (const key of keys) await this.page.keyboard.press(key);

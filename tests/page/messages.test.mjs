@@ -143,7 +143,7 @@ visit("files over the page are invited", async (lab) => {
 
 visit("what is drawn besides the curves is explained", async (lab) => {
   const plot = lab.page.locator("figure.plot").first();
-  const svg = async () => (await lab.save(plot.getByRole("button", { name: "Download SVG" }))).text;
+  const svg = async () => (await lab.saveOfPlot(plot, "Download SVG")).text;
   assert.doesNotMatch(await svg(), /level\.csv|previous run/);
   await drop(lab, { name: "level.csv", text: TABLE });
   assert.match(await svg(), />y \(level\.csv\)</, "the points");

@@ -1,8 +1,8 @@
 //! What has come of fits: side by side, one of them in detail, and the files that can be saved of them.
 
 use crate::app::App;
-use crate::panel::Tab;
 use crate::controls::symbol;
+use crate::panel::Tab;
 use crate::views::*;
 use crate::{browser, opening};
 use document::page::Source;

@@ -99,6 +99,7 @@ pub fn dialog(app: App) -> HtmlDialog {
                 (vec!["←", "→"], words.key_cursor),
                 (vec!["+", "−"], words.key_zoom),
                 (vec!["↑", "↓", "←", "→"], words.key_pan),
+                (vec!["Enter", "Esc"], words.key_pin),
                 (vec!["0"], words.key_fit),
             ],
         ),

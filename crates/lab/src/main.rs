@@ -3,7 +3,6 @@
 
 mod app;
 mod browser;
-mod canvas;
 mod controls;
 mod correction;
 mod cycles;
@@ -16,7 +15,6 @@ mod fit_results;
 mod fit_setup;
 mod fitting;
 mod frame;
-mod gestures;
 mod grip;
 mod header;
 mod icons;
@@ -31,11 +29,10 @@ mod packing;
 mod panel;
 mod parameters;
 mod pieces;
-mod plots;
+mod presenter;
 mod question;
 mod readouts;
 mod records;
-mod runs;
 mod saved;
 mod scene;
 mod sound;

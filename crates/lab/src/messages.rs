@@ -42,7 +42,9 @@ impl Message {
     /// What is shown of an announcement; `text` is the announcement in words.
     pub fn of(session: &Session, announcement: &Announcement, text: &str) -> Option<Self> {
         let action = match announcement {
-            Announcement::RecordAdded(_) => session.newest_record().map(|id| Action::Show(Tab::Measure, format!("record-{id}"))),
+            Announcement::RecordAdded(_) => {
+                session.newest_record().map(|id| Action::Show(Tab::Measure, format!("record-{id}")))
+            }
             Announcement::FitFinished => Some(Action::Show(Tab::Fit, "fit-results".to_owned())),
             other if other.can_be_undone() => session.undo_number().map(Action::Undo),
             _ => None,

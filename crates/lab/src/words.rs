@@ -27,6 +27,7 @@ words! {
     theme_system: "Colours: as the system", "Colores: como el sistema";
     theme_light: "Colours: light", "Colores: claros";
     theme_dark: "Colours: dark", "Colores: oscuros";
+    presenter: "Presenter's size", "Tamaño para proyectar";
     share: "Copy link", "Copiar enlace";
     share_title: "Copy a link that reopens this state", "Copiar un enlace que reabre este estado";
     link_copied: "Link copied", "Enlace copiado";
@@ -68,6 +69,7 @@ words! {
     speed: "Speed", "Velocidad";
     time: "Time", "Tiempo";
     time_line: "Time line", "Línea de tiempo";
+    fill_screen: "Stage in full screen", "Escenario a pantalla completa";
     sound: "Sound", "Sonido";
     sound_title: "Hear the displacement as a pitch", "Oír el desplazamiento como un tono";
     slow: "The computation cannot keep up with the clock at this speed.", "El cálculo no alcanza al reloj a esta velocidad.";
@@ -90,6 +92,7 @@ words! {
     key_cursor: "Move the read-out (with Shift: ten rows)", "Mover la lectura (con Mayús: diez filas)";
     key_zoom: "Zoom in, zoom out", "Acercar, alejar";
     key_pan: "Pan (with Ctrl)", "Desplazar (con Ctrl)";
+    key_pin: "Pin the reading, unpin all", "Fijar la lectura, soltarlas todas";
     key_fit: "Show all of the data", "Mostrar todos los datos";
     key_handle: "Move it (with Shift: five times as far)", "Moverla (con Mayús: cinco veces más)";
 
@@ -120,12 +123,22 @@ words! {
     plot: "plot", "gráfica";
     plots_shown: "Plots shown", "Gráficas visibles";
     no_plots: "All plots are hidden.", "Todas las gráficas están ocultas.";
-    plot_keys: "Arrow keys read values, plus and minus zoom, 0 shows everything.", "Las flechas leen valores, más y menos acercan y alejan, 0 muestra todo.";
+    plot_keys: "Arrow keys read values, Enter pins a reading, plus and minus zoom, 0 shows everything.", "Las flechas leen valores, Intro fija una lectura, más y menos acercan y alejan, 0 muestra todo.";
     zoom_in: "Zoom in", "Acercar";
     zoom_out: "Zoom out", "Alejar";
     fit: "Show all", "Mostrar todo";
     save_svg: "Download SVG", "Descargar SVG";
     save_png: "Download PNG", "Descargar PNG";
+
+    save_plot_csv: "Download CSV of this plot", "Descargar CSV de esta gráfica";
+    plot_menu: "Download and full screen", "Descargas y pantalla completa";
+    full_screen: "Full screen", "Pantalla completa";
+    legend: "Legend", "Leyenda";
+    pinned: "Pinned", "Fijado";
+    unpin: "Unpin the readings", "Soltar las lecturas";
+    unpinned: "Reading removed", "Lectura quitada";
+    difference: "Difference", "Diferencia";
+    difference_sign: "B − A", "B − A";
 
     // Runs.
     runs: "Kept runs", "Series guardadas";

@@ -5,7 +5,8 @@ use crate::links::Arrival;
 use crate::theme::Theme;
 use crate::views::*;
 use crate::{
-    browser, diagnostics, drop, frame, header, keys, library, links, messages, opening, panel, stage, visited, worksheet,
+    browser, diagnostics, drop, frame, header, keys, library, links, messages, opening, panel, presenter, stage,
+    visited, worksheet,
 };
 use units::Language;
 
@@ -30,6 +31,7 @@ pub fn start() {
 
 fn prepare(app: App, arrival: Arrival) {
     Theme::remembered().apply(app);
+    presenter::remembered(app);
     browser::on_match_change("(prefers-color-scheme: dark)", move || Theme::remembered().apply(app));
     browser::on_match_change(stage::NARROW, move || app.narrow.set(browser::matches(stage::NARROW)));
     frame::start(app);
@@ -81,4 +83,3 @@ fn build(app: App) -> View {
         library::dialog(app),
     ))
 }
-

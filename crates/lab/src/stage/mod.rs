@@ -1,9 +1,19 @@
 //! The stage: scene, plots and transport, always in sight.
 
+pub mod canvas;
+pub mod full_screen;
+mod gestures;
+mod legend;
+mod pins;
+pub mod plot;
+mod plot_tools;
+pub mod plots;
+mod runs;
+
 use crate::app::App;
 use crate::scene::SceneNodes;
 use crate::views::*;
-use crate::{frame, plots, transport};
+use crate::{frame, transport};
 
 /// A window with room for the scene and one plot: a phone, or a tablet held upright.
 pub const NARROW: &str = "(max-width: 1099px) and (orientation: portrait), (max-width: 719px), (max-height: 500px)";

@@ -113,6 +113,31 @@ visit("the sample with a contact line is told from the others", async (lab) => {
   assert.equal(await lab.page.locator(".fits tbody tr").count(), before);
 });
 
+visit("a fit takes a theory and a button, and the result stands beside the plots", async (lab) => {
+  await drop(lab, { name: "film.csv", text: film() });
+  await records(lab).waitFor();
+  await lab.tab("Fit");
+  const chips = lab.page.getByRole("group", { name: "Theories" }).getByRole("button");
+  assert.match(await chips.first().innerText(), /U-tube/, "the open document is the theory");
+  const linear = lab.page.locator(".theory-chip").filter({ has: lab.page.getByText("Linear damping", { exact: true }) });
+  await eventually(async () => assert.equal(await linear.locator("math").count(), 1, "each has its equation"));
+  const before = await lab.page.evaluate(() => scrollY);
+  await linear.click();
+  await lab.page.getByRole("heading", { level: 1, name: "Linear damping" }).waitFor();
+  assert.equal(await lab.page.getByRole("tab", { name: "Fit" }).getAttribute("aria-selected"), "true", "nobody is sent elsewhere");
+  assert.ok(Math.abs((await lab.page.evaluate(() => scrollY)) - before) < 2);
+  assert.equal(await linear.getAttribute("aria-pressed"), "true");
+  await lab.page.locator("#fit").click();
+  await lab.page.locator(".estimates").waitFor();
+  await eventually(async () => {
+    const [result, plot] = [await lab.page.locator(".estimates").boundingBox(), await lab.page.locator("#canvas-0").boundingBox()];
+    assert.ok(result.y > 0 && result.y < 500 && plot.y > 0 && plot.y < 500, `${result.y}, ${plot.y}`);
+  });
+  // The list of fits is not cut off.
+  const cut = await lab.page.locator(".fits, .record .table").evaluateAll((boxes) => boxes.filter((box) => box.scrollWidth > box.clientWidth + 1).map((box) => box.className));
+  assert.deepEqual(cut, []);
+});
+
 visit("what cannot be read says where and why, and nothing is lost", async (lab) => {
   await lab.enter("Damping", "60");
   await drop(lab, { name: "words.txt", text: "there is\nnothing here\n" }, { name: "film.csv", text: film() });

@@ -103,6 +103,7 @@ visit("a tip is as long as it needs to be, and in the window", async (lab) => {
 visit("kept runs have colours of their own, in the list and in what is saved", async (lab) => {
   await lab.press("Step forward");
   await lab.press("Keep run");
+  await lab.press("Back to start");
   await lab.enter("Damping", "300");
   await lab.press("Step forward");
   await lab.press("Keep run");
@@ -123,4 +124,48 @@ visit("the presenter's size is remembered", async (lab) => {
   await lab.page.reload();
   await lab.page.getByRole("heading", { level: 1 }).waitFor();
   assert.ok((await size()) > 1.2 * before);
+});
+
+visit("a stopwatch measures the time of the run", async (lab) => {
+  await lab.page.getByLabel("Speed").selectOption("8 ×");
+  await lab.press("Stopwatch");
+  const watch = lab.page.getByRole("group", { name: "Stopwatch" });
+  await lab.press("Play");
+  await lab.watchUntil(1);
+  await lab.press("Start the stopwatch");
+  await lab.watchUntil(5);
+  await lab.press("Pause");
+  await lab.press("Stop the stopwatch");
+  const held = number(await watch.locator("output").innerText());
+  assert.ok(held > 2 && held < (await lab.time()) - 1, `${held} s`);
+  assert.match(await lab.told(), /^Stopwatch: [\d.]+ s/);
+  await lab.press("Play");
+  await lab.watchUntil(7);
+  await lab.press("Pause");
+  assert.equal(number(await watch.locator("output").innerText()), held, "it stands");
+  await lab.press("Reset the stopwatch");
+  assert.equal(number(await watch.locator("output").innerText()), 0);
+});
+
+visit("a ruler measures lengths in the scene, by pointer and by keys", async (lab) => {
+  await lab.press("Ruler");
+  const ends = lab.page.getByRole("slider", { name: /^End of the ruler/ });
+  assert.equal(await ends.count(), 2);
+  const reads = async () => number(await ends.first().getAttribute("aria-valuetext"));
+  const before = await reads();
+  await ends.nth(1).focus();
+  await lab.keys("Shift+ArrowUp");
+  assert.ok((await reads()) > before, `${before} m, then ${await reads()} m`);
+  // As far as the drawing says: 53 units are a metre.
+  const { x, y, width, height } = await ends.nth(1).boundingBox();
+  const unit = await ends.nth(1).evaluate((end) => end.ownerSVGElement.getScreenCTM().d);
+  const from = await reads();
+  await lab.page.mouse.move(x + width / 2, y + height / 2);
+  await lab.page.mouse.down();
+  await lab.page.mouse.move(x + width / 2, y + height / 2 + 53 * unit, { steps: 5 });
+  await lab.page.mouse.up();
+  assert.ok(Math.abs((await reads()) - (from - 1)) < 0.03, `${from} m, then ${await reads()} m`);
+  assert.match(await lab.told(), /^Ruler: /);
+  await lab.press("Ruler");
+  assert.equal(await ends.count(), 0);
 });

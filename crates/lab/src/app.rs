@@ -13,7 +13,7 @@ use crate::words::{Words, words_in};
 use document::page::Source;
 use session::{Announcement, FitProgress, RecordProgress, Refusal, Revision, Session};
 use std::cell::{RefCell, RefMut};
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 use std::ops::Deref;
 use sycamore_reactive::{NodeHandle, batch, use_current_scope};
 use units::Language;
@@ -42,6 +42,8 @@ pub struct Lab {
     pub saved: Saved,
     /// A file that a link needs, and the state of its document.
     pub awaited: Option<(String, String)>,
+    /// Whether the equations of the theories have been asked for.
+    pub reads_equations: bool,
     /// Whether fits are being worked on.
     pub fitting: bool,
     /// Files that are to be read as records, and whether one is being read.
@@ -118,6 +120,8 @@ pub struct Page {
     pub narrow: Signal<bool>,
     /// The plot shown there.
     pub front_plot: Signal<Option<usize>>,
+    /// The first equation of each theory that has been read so far, by its file.
+    pub equations: Signal<BTreeMap<String, String>>,
     /// Whether method and step are shown.
     pub numerics_open: Signal<bool>,
 }
@@ -163,6 +167,7 @@ impl App {
             table_open: create_signal(false),
             narrow: create_signal(browser::matches(stage::NARROW)),
             front_plot: create_signal(None),
+            equations: create_signal(BTreeMap::new()),
             numerics_open: create_signal(false),
         };
         Self(Box::leak(Box::new(page)))

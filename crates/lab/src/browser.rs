@@ -53,10 +53,15 @@ pub fn reveal_later(id: String) {
     let _ = window().request_animation_frame(reveal.unchecked_ref());
 }
 
-/// Shows the page from its top, at once: where something else has taken its place.
-pub fn scroll_to_top() {
+/// How far the page is scrolled.
+pub fn scrolled() -> f64 {
+    window().scroll_y().unwrap_or(0.0)
+}
+
+/// Scrolls the page, at once.
+pub fn scroll_to(place: f64) {
     let options = ScrollToOptions::new();
-    options.set_top(0.0);
+    options.set_top(place);
     options.set_behavior(ScrollBehavior::Instant);
     window().scroll_to_with_scroll_to_options(&options);
 }
@@ -70,10 +75,14 @@ pub fn scroll_back_to(id: &str) {
     let margin: f64 = margin.and_then(|margin| margin.trim_end_matches("px").parse().ok()).unwrap_or(0.0);
     let above = element.get_bounding_client_rect().top() - margin;
     if above < 0.0 {
-        let options = ScrollToOptions::new();
-        options.set_top(window().scroll_y().unwrap_or(0.0) + above);
-        options.set_behavior(ScrollBehavior::Instant);
-        window().scroll_to_with_scroll_to_options(&options);
+        scroll_to(scrolled() + above);
+    }
+}
+
+/// Scrolls an element to the top of what is in sight.
+pub fn bring_to_top(id: &str) {
+    if let Some(element) = by_id::<HtmlElement>(id) {
+        element.scroll_into_view();
     }
 }
 

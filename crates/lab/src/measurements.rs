@@ -73,7 +73,7 @@ fn ways_in(app: App) -> View {
 }
 
 /// Adds a sample record.
-fn sample(app: App, number: usize) {
+pub fn sample(app: App, number: usize) {
     let file = session::SAMPLES.get(number).map_or("", |sample| sample.file);
     let theory = library::theories().into_iter().find(|entry| entry.file() == file).and_then(|entry| entry.open());
     if let Some(theory) = theory {

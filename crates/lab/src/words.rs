@@ -59,6 +59,15 @@ words! {
     drag_hint_touch: "Drag in the scene with a finger.", "Arrastra en la escena con un dedo.";
     drag_role: "handle", "asa";
 
+    instruments: "Instruments", "Instrumentos";
+    stopwatch: "Stopwatch", "Cronómetro";
+    stopwatch_start: "Start the stopwatch", "Poner en marcha el cronómetro";
+    stopwatch_started: "Stopwatch started", "Cronómetro en marcha";
+    stopwatch_stop: "Stop the stopwatch", "Parar el cronómetro";
+    stopwatch_reset: "Reset the stopwatch", "Poner el cronómetro a cero";
+    ruler: "Ruler", "Regla";
+    ruler_end: "End of the ruler", "Extremo de la regla";
+
     // Transport.
     transport: "Transport", "Reproducción";
     play: "Play", "Reproducir";
@@ -190,7 +199,7 @@ words! {
     not_lasting: "too long to be kept for the next visit", "demasiado largo para conservarlo hasta la próxima visita";
     show_record: "Show it in the plots", "Mostrarlo en las gráficas";
     remove_record: "Remove the record", "Quitar el registro";
-    preview: "Columns and first rows", "Columnas y primeras filas";
+    preview: "Columns and first values", "Columnas y primeros valores";
     column: "Column", "Columna";
     column_measures: "Measures", "Mide";
     column_unit: "Unit", "Unidad";
@@ -244,10 +253,15 @@ words! {
     library_theories: "Theories of a liquid column that comes to rest", "Teorías de una columna de líquido que se detiene";
 
     // Fits.
-    fit_title: "Fit", "Ajuste";
     fit_record: "Record to be fitted", "Registro que se ajusta";
-    fit_theory: "Choose a theory", "Elegir una teoría";
-    fit_intro: "The document that is open is the theory. Ticked parameters are adjusted until the curve matches the points as well as possible.", "El documento abierto es la teoría. Los parámetros marcados se ajustan hasta que la curva concuerda lo mejor posible con los puntos.";
+    fit_theory: "Theories", "Teorías";
+    fit_step_record: "Record", "Registro";
+    fit_step_theory: "Theory", "Teoría";
+    fit_step_fit: "Result", "Resultado";
+    fit_options: "Options", "Opciones";
+    fit_statistics: "Statistics", "Estadística";
+    fit_none: "There is no record to fit yet. Add one in the tab Measure, drop a file anywhere on this page, or take a sample.", "Todavía no hay ningún registro que ajustar. Añade uno en la pestaña Medir, suelta un archivo en cualquier parte de esta página o toma una muestra.";
+    add_record: "Add a record", "Añadir un registro";
     fit_together: "Fitted together", "Se ajustan juntos";
     fit_same: "one value for all", "un valor para todos";
     fit_same_intro: "A parameter that all records have in common is fitted to all of them at once. To use a known value for each record, untick the parameter and enter the values.", "Un parámetro común a todos los registros se ajusta con todos a la vez. Para usar un valor conocido en cada registro, desmarca el parámetro y escribe los valores.";
@@ -268,7 +282,6 @@ words! {
     fit_rmse: "Residuals (RMS)", "Residuos (RMS)";
     fit_predicted: "Outside the part", "Fuera de la parte";
     fit_weight: "Weight", "Peso";
-    fit_actions: "Actions", "Acciones";
     fit_apply: "Show", "Mostrar";
     fit_open: "Open", "Abrir";
     fit_remove: "Remove the fit", "Quitar el ajuste";

@@ -5,7 +5,7 @@ pub mod reading;
 
 use crate::app::App;
 use crate::views::*;
-use crate::{browser, fitting, measurements};
+use crate::{browser, fit, measurements};
 use sycamore_reactive::untrack;
 use web_sys::KeyboardEvent;
 
@@ -55,7 +55,7 @@ impl Tab {
             Self::Play => play::view(app).into(),
             Self::Activities => reading::activities(app).into(),
             Self::Measure => measurements::view(app).into(),
-            Self::Fit => fitting::view(app),
+            Self::Fit => fit::view(app),
             Self::Theory => reading::theory(app).into(),
         }
     }
@@ -110,7 +110,7 @@ fn body(app: App, tab: Tab) -> HtmlDiv {
 }
 
 /// Shows a tab from its top: another one may have been scrolled.
-fn show(app: App, tab: Tab) {
+pub fn show(app: App, tab: Tab) {
     app.tab.set(tab);
     browser::scroll_back_to("panel");
 }

@@ -8,12 +8,14 @@ mod pins;
 pub mod plot;
 mod plot_tools;
 pub mod plots;
+pub mod ruler;
 mod runs;
+mod stopwatch;
 
 use crate::app::App;
 use crate::scene::SceneNodes;
 use crate::views::*;
-use crate::{frame, transport};
+use crate::{frame, icons, transport};
 
 /// A window with room for the scene and one plot: a phone, or a tablet held upright.
 pub const NARROW: &str = "(max-width: 1099px) and (orientation: portrait), (max-width: 719px), (max-height: 500px)";
@@ -44,9 +46,44 @@ fn scene(app: App) -> HtmlSection {
     }
     part("scene", "scene card", words.scene)
         .child(place)
+        .child(instruments(app, exists))
         .child(changing(move || outline_legend(app)))
         .maybe(draggable.then(|| drag_hint(app)))
         .maybe((!exists).then(|| p().class("empty").child(words.no_scene)))
+}
+
+/// The instruments that lie on the scene, and the buttons that take them there.
+fn instruments(app: App, has_scene: bool) -> HtmlDiv {
+    let words = app.words();
+    let (watch, rules) = (create_signal(false), create_signal(false));
+    let measurable = has_scene && app.read(|session| session.scene_length(1.0)).is_some();
+    let lay = move |_| {
+        let laid = !rules.get_untracked();
+        app.with(|lab| {
+            if let Some(scene) = &mut lab.stage.scene {
+                scene.ruler = None;
+            }
+        });
+        let root = app.with(|lab| lab.stage.scene.as_ref().and_then(SceneNodes::root)).flatten();
+        let ruler = root.filter(|_| laid).and_then(|root| ruler::lay(app, &root));
+        rules.set(ruler.is_some());
+        app.with(|lab| {
+            if let Some(scene) = &mut lab.stage.scene {
+                scene.ruler = ruler;
+            }
+        });
+    };
+    let tool = |id: &'static str, name: &'static str, on: Signal<bool>| {
+        button().class("icon").id(id).called(name).attr("aria-pressed", move || on.get().to_string())
+    };
+    let take = move |_| watch.update(|shown| *shown = !*shown);
+    div()
+        .class("instruments")
+        .role("group")
+        .attr("aria-label", words.instruments)
+        .child(tool("stopwatch", words.stopwatch, watch).when(events::click, take).child(icons::stopwatch()))
+        .maybe(measurable.then(|| tool("ruler", words.ruler, rules).when(events::click, lay).child(icons::ruler())))
+        .child(changing(move || if watch.get() { stopwatch::view(app).into() } else { View::new() }))
 }
 
 /// What the dashed outline in the scene is; nothing while there is none.

@@ -1,9 +1,9 @@
-//! What a fit is asked for: theory, records, what is varied and what records have in common, the part that counts.
+//! What a fit is asked for: records, what is varied and what records have in common, the part that counts.
 
 use crate::app::App;
+use crate::browser;
 use crate::controls::symbol;
 use crate::views::*;
-use crate::{browser, library};
 use session::{ChoiceView, FitRecordView, KnownView};
 
 /// Why something typed was not taken.
@@ -12,17 +12,23 @@ type Refusal = Signal<Option<String>>;
 /// What can be varied, as it is now.
 type Choices = ReadSignal<Vec<ChoiceView>>;
 
-/// The setup. It is built anew only where it has changed, so that nobody is interrupted while typing.
-pub fn view(app: App, refusal: Refusal) -> View {
-    let words = app.words();
+/// The records and the part of them that counts.
+pub fn record(app: App, refusal: Refusal) -> View {
     let records = memo(move || {
         app.changes.records.track();
         app.changes.fits.track();
         app.read(|session| session.fit_records())
     });
+    let line =
+        div().class("step-line").child(changing(move || chooser(app, records.get_clone()))).child(ends(app, refusal));
+    View::from((line, changing(move || together(app, records.get_clone()))))
+}
+
+/// What is varied. It is built anew only where it has changed, so that nobody is interrupted while typing.
+pub fn varied(app: App, refusal: Refusal) -> View {
     let choices = memo(move || {
         app.changes.parameters.track();
-        records.track();
+        app.changes.records.track();
         app.changes.fits.track();
         app.read(|session| session.fit_choices())
     });
@@ -32,26 +38,12 @@ pub fn view(app: App, refusal: Refusal) -> View {
         rows.iter_mut().flat_map(|row| &mut row.values).for_each(|known| known.text.clear());
         rows
     });
-    let head = div()
-        .class("record-head")
-        .child(h3().id("fitting-title").child(words.fit_title))
-        .child(changing(move || chooser(app, records.get_clone())))
-        .child(
-            button()
-                .class("quiet outlined")
-                .id("fit-theory")
-                .attr("aria-haspopup", "dialog")
-                .when(events::click, move |_| library::choose(app))
-                .child(words.fit_theory),
-        );
-    View::from((
-        head,
-        note(words.fit_intro),
-        changing(move || together(app, records.get_clone())),
-        changing(move || vary(app, refusal, choices, rows.get_clone())),
-        ends(app, refusal),
-        loss(app),
-    ))
+    changing(move || vary(app, refusal, choices, rows.get_clone()))
+}
+
+/// What is seldom changed.
+pub fn options(app: App) -> HtmlDetails {
+    details().class("options").child(summary().child(app.words().fit_options)).child(loss(app))
 }
 
 /// What residuals cost.

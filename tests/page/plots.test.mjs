@@ -109,7 +109,7 @@ visit("kept runs have colours of their own, in the list and in what is saved", a
   await lab.press("Keep run");
   const colours = await lab.page.locator(".runs .sample").evaluateAll((samples) => samples.map((sample) => getComputedStyle(sample).color));
   assert.equal(new Set(colours).size, 2, String(colours));
-  const curve = await lab.page.locator(".legend .sample").first().evaluate((sample) => getComputedStyle(sample).color);
+  const curve = await lab.page.locator(".legend li:not(.of-run) .sample").first().evaluate((sample) => getComputedStyle(sample).color);
   assert.ok(!colours.includes(curve));
   const { text } = await lab.saveOfPlot(lab.page.locator("figure.plot").first(), "Download SVG");
   assert.match(text, />b = 300\skg\/s</);

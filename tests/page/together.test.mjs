@@ -50,6 +50,7 @@ visit("three records are fitted together with a number in common, and are there 
   await eventually(async () => assert.match(await lab.told(), /fitted values of short\.csv/));
 
   // The report has all three, and the font of its equations.
+  await lab.tab("Fit");
   const report = await lab.save(lab.page.locator(".detail").getByRole("button", { name: "Report", exact: true }));
   assert.equal(report.name, "short-middle-long.html");
   for (const [name] of TUBES) assert.match(report.text, new RegExp(`<figcaption>${name}`));

@@ -1,5 +1,5 @@
-//! Single keys. They act only while the focus is in the apparatus, at its controls or nowhere and nothing is being typed, and they can be
-//! switched off (WCAG 2.2, 2.1.4).
+//! Single keys. They act only while the focus is on the stage, at its controls or nowhere and nothing is being typed, and they
+//! can be switched off (WCAG 2.2, 2.1.4).
 
 use crate::app::App;
 use crate::views::*;

@@ -42,7 +42,8 @@ impl Session {
     }
 
     /// What is drawn in a plot as CSV: an abscissa and an ordinate for each series, since each has rows of its own.
-    pub fn plot_csv(&self, index: usize) -> String {
+    pub fn plot_csv(&mut self, index: usize) -> String {
+        self.follow();
         let names = self.series_names(index);
         let Some(plot) = self.figure_of(index) else { return String::new() };
         let dialect = if self.style.decimal_comma { Dialect::Semicolons } else { Dialect::Commas };
@@ -63,7 +64,13 @@ impl Session {
             let _ = dialect.text(&mut out, &head);
         }
         out.push_str(dialect.line_end());
-        let length = |series: &Series<'_>| series.x.len().min(series.y.len());
+        // The last row of a run that stands on a row of its grid is there twice.
+        let length = |series: &Series<'_>| match series.x.len().min(series.y.len()) {
+            rows @ 2.. if series.x[rows - 1] == series.x[rows - 2] && series.y[rows - 1] == series.y[rows - 2] => {
+                rows - 1
+            }
+            rows => rows,
+        };
         for row in 0..plot.series.iter().map(length).max().unwrap_or(0) {
             for (place, series) in plot.series.iter().enumerate() {
                 if place > 0 {

@@ -1,4 +1,4 @@
-//! What a person plays with: parameters and presets, the values, the recorded run as a table.
+//! What a person plays with: parameters and presets, the values, state and method, the recorded run as a table.
 
 use crate::app::App;
 use crate::views::*;

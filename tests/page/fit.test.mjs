@@ -127,6 +127,13 @@ visit("a fit takes a theory and a button, and the result stands beside the plots
   assert.equal(await lab.page.getByRole("tab", { name: "Fit" }).getAttribute("aria-selected"), "true", "nobody is sent elsewhere");
   assert.ok(Math.abs((await lab.page.evaluate(() => scrollY)) - before) < 2);
   assert.equal(await linear.getAttribute("aria-pressed"), "true");
+  // The part that counts is the one that a zoomed plot shows.
+  assert.equal(await lab.page.locator("#fit-part-in-plot").isVisible(), false);
+  await lab.page.locator("#canvas-0").focus();
+  await lab.keys("+", "+");
+  await lab.press("Take the part in the plot");
+  const ends = await Promise.all([0, 1].map(async (end) => Number(await lab.page.locator(`#fit-end-${end}`).inputValue())));
+  assert.ok(ends[0] > 0.5 && ends[1] > ends[0] + 1 && ends[1] < 9, String(ends));
   await lab.page.locator("#fit").click();
   await lab.page.locator(".estimates").waitFor();
   await eventually(async () => {

@@ -236,7 +236,10 @@ impl App {
                     if matches!(announcement, Announcement::RecordAdded(_)) {
                         added = session.newest_record();
                     }
-                    shown.extend(Message::of(session, &announcement, &text));
+                    // What has come of a fit is brought into sight where it was begun.
+                    if !(matches!(announcement, Announcement::FitFinished) && self.tab.get_untracked() == Tab::Fit) {
+                        shown.extend(Message::of(session, &announcement, &text));
+                    }
                     told.push(text);
                 }
             }

@@ -267,6 +267,7 @@ words! {
     fit_same_intro: "A parameter that all records have in common is fitted to all of them at once. To use a known value for each record, untick the parameter and enter the values.", "Un parámetro común a todos los registros se ajusta con todos a la vez. Para usar un valor conocido en cada registro, desmarca el parámetro y escribe los valores.";
     fit_vary: "Vary", "Varían";
     fit_part: "Part of the record", "Parte del registro";
+    fit_part_in_plot: "Take the part in the plot", "Tomar la parte de la gráfica";
     fit_from: "From", "Desde";
     fit_until: "until", "hasta";
     fit_loss: "Loss", "Pérdida";

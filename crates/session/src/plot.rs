@@ -312,7 +312,7 @@ impl Session {
         })
     }
 
-    fn is_against_independent(&self, index: usize) -> bool {
+    pub(crate) fn is_against_independent(&self, index: usize) -> bool {
         let node = self.document.plots.get(index).map(|plot| plot.x.value.node);
         node.is_some_and(|node| self.model().graph.node(node) == Node::Independent)
     }

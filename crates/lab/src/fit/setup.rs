@@ -4,7 +4,7 @@ use crate::app::App;
 use crate::browser;
 use crate::controls::symbol;
 use crate::views::*;
-use session::{ChoiceView, FitRecordView, KnownView};
+use session::{ChoiceView, FitRecordView, KnownView, Session};
 
 /// Why something typed was not taken.
 type Refusal = Signal<Option<String>>;
@@ -156,9 +156,13 @@ fn value(app: App, refusal: Refusal, choices: Choices, choice: &ChoiceView, know
 /// What part of the records counts.
 fn ends(app: App, refusal: Refusal) -> HtmlDiv {
     let words = app.words();
-    let [from, until] = app.read(|session| session.fit_window());
+    let window = memo(move || {
+        app.changes.fits.track();
+        app.read(|session| session.fit_window())
+    });
     let unit = app.read(|session| session.measurement_units("")[1].clone());
-    let end = |(end, (name, value)): (usize, (&'static str, String))| {
+    let end = |(end, name): (usize, &'static str)| {
+        let value = move || window.with(|window| window.get(end).cloned().unwrap_or_default());
         let id = format!("fit-end-{end}");
         let take = move |event| {
             let typed = value_of(&event);
@@ -168,6 +172,17 @@ fn ends(app: App, refusal: Refusal) -> HtmlDiv {
             .child(short_field(id).prop("value", value).when(events::change, take))
             .child(unit_of(unit.clone()))
     };
-    let ends = [(words.fit_from, from), (words.fit_until, until)].into_iter().enumerate();
-    div().class("ends").role("group").attr("aria-label", words.fit_part).each(ends, end)
+    let zoomed = memo(move || {
+        app.changes.plots.track();
+        app.read(|session| session.has_part_in_plot())
+    });
+    let take = move |_| app.act(Session::take_part_in_plot);
+    let from_plot = button()
+        .class("quiet")
+        .id("fit-part-in-plot")
+        .hidden(move || !zoomed.get())
+        .when(events::click, take)
+        .child(words.fit_part_in_plot);
+    let ends = [words.fit_from, words.fit_until].into_iter().enumerate();
+    div().class("ends").role("group").attr("aria-label", words.fit_part).each(ends, end).child(from_plot)
 }

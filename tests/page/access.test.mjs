@@ -26,8 +26,9 @@ for (const language of ["en-GB", "es-ES"]) {
         for (const tab of await lab.page.getByRole("tab").all()) {
           await tab.click();
           await lab.page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));
-          found.push(...(await faults(lab, await tab.innerText(), "#notebook")));
+          found.push(...(await faults(lab, await tab.innerText(), "#panel")));
         }
+        await lab.page.locator("#tab-play").click();
         await lab.page.locator("#parameter-0").fill("nonsense");
         await lab.page.locator("#parameter-0").press("Enter");
         found.push(...(await faults(lab, "a refusal")));
@@ -111,7 +112,7 @@ visit("from a document with errors there is a way back", async (lab) => {
   await lab.page.setInputFiles("#open-file", brokenFile);
   await lab.press("Back to the previous document");
   await lab.page.getByRole("heading", { level: 1, name: /U-tube/ }).waitFor();
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   assert.equal(await records(lab).count(), 1, "the records are still there");
   await lab.page.setInputFiles("#open-file", brokenFile);
   await lab.press("Other documents");
@@ -120,7 +121,7 @@ visit("from a document with errors there is a way back", async (lab) => {
 
 for (const [width, height] of [[844, 390], [667, 375], [568, 320]]) {
   visit(`a phone on its side has Play in sight: ${width} by ${height}`, { width, height, touch: true }, async (lab) => {
-    for (const button of await lab.page.locator("#transport button").all()) {
+    for (const button of await lab.page.locator("#transport button:visible").all()) {
       const box = await button.boundingBox();
       assert.ok(box.y >= 0 && box.y + box.height <= height && box.x >= 0 && box.x + box.width <= width, `${await button.getAttribute("aria-label")} at ${box.x}, ${box.y}`);
       assert.ok(box.width >= 40 && box.height >= 40);
@@ -181,7 +182,7 @@ visit("a phone shows everything without sideways scrolling", { width: 390, heigh
   await lab.press("Play");
   await lab.watchUntil(0.5);
   assert.equal(await isWide(), false, "while it plays");
-  for (const button of await lab.page.locator("#transport button").all()) {
+  for (const button of await lab.page.locator("#transport button:visible").all()) {
     const { width, height } = await button.boundingBox();
     assert.ok(width >= 40 && height >= 40, `${await button.getAttribute("aria-label")} is ${width} by ${height}`);
   }
@@ -244,7 +245,7 @@ visit("the whole laboratory is worked by keyboard alone", async (lab) => {
   await lab.keys("ArrowRight", "ArrowRight");
   assert.ok((await lab.number("Damping")) > before);
 
-  // The notebook: tabs with arrows; single keys do nothing there.
+  // The panel: tabs with arrows; single keys do nothing there.
   await lab.tabTo("[role=tab]");
   await lab.keys("ArrowRight");
   assert.equal(await lab.page.getByRole("tab").nth(1).getAttribute("aria-selected"), "true");

@@ -13,7 +13,7 @@ async function record(lab, seconds) {
 }
 
 const downloadCsv = async (lab) => {
-  await lab.tab("Data");
+  await lab.openTable();
   return lab.save(lab.button("Download CSV"));
 };
 
@@ -41,7 +41,7 @@ visit("with other parameters and in Spanish too", { language: "es-ES" }, async (
   await lab.enter("Damping", "200");
   await record(lab, 5);
   await lab.press("ES – Español");
-  await lab.tab("Datos");
+  await lab.openTable();
   const { text } = await lab.save(lab.button("Descargar CSV"));
   const settings = ["h_l=2", "h_r=6", "rho=13600", "S=0.5", "b=200"].flatMap((setting) => ["--set", setting]);
   // As programs with decimal commas read it: the same numbers to the last digit.
@@ -53,17 +53,21 @@ visit("with other parameters and in Spanish too", { language: "es-ES" }, async (
 visit("figures are saved as SVG and PNG", async (lab) => {
   await record(lab, 2);
   const plot = lab.page.locator("figure.plot").first();
-  const { name, text } = await lab.save(plot.getByRole("button", { name: "Download SVG" }));
+  const { name, text } = await lab.saveOfPlot(plot, "Download SVG");
   assert.match(name, /\.svg$/);
   assert.match(text, /^<svg /);
   assert.match(text, /<(path|polyline)/);
+  const csv = await lab.saveOfPlot(plot, "Download CSV of this plot");
+  assert.equal(csv.name, "displacement-and-velocity.csv");
+  assert.match(csv.text, /^t \[s\],y \[m\],t \[s\],y′ \[m\/s\]\r\n0,0\.5,0,0\r\n/);
+  await plot.locator("[id^=plot-more]").click();
   const [download] = await Promise.all([lab.page.waitForEvent("download"), plot.getByRole("button", { name: "Download PNG" }).click()]);
   const png = readFileSync(await download.path());
   assert.equal(png.subarray(1, 4).toString(), "PNG");
 });
 
 visit("the table on the page follows the run", async (lab) => {
-  await lab.tab("Data");
+  await lab.openTable();
   assert.equal(await lab.rows(), 1);
   await record(lab, 3);
   assert.ok((await lab.rows()) > 60);
@@ -112,6 +116,6 @@ function exported() {
 visit("an exported page and a document can be opened", async (lab) => {
   await lab.page.setInputFiles("#open-file", exported());
   await eventually(async () => assert.equal(await lab.time(), 0));
-  await lab.tab("Source");
+  await lab.openSource();
   assert.match(await lab.page.locator(".source pre").first().innerText(), /^---\ntitle: /);
 });

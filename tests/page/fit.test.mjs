@@ -13,7 +13,7 @@ visit("a dropped file is recognised, drawn, and fitted by one button", async (la
   await openTheory(lab, "Linear damping");
   await drop(lab, { name: "film.csv", text: film() });
   await records(lab).waitFor();
-  assert.equal(await lab.page.getByRole("tab", { name: "Measurements" }).getAttribute("aria-selected"), "true");
+  assert.equal(await lab.page.getByRole("tab", { name: "Measure" }).getAttribute("aria-selected"), "true");
   const taken = await records(lab).locator(".table select").evaluateAll((selects) => selects.map((select) => select.value));
   assert.deepEqual(taken, ["t", "y"]);
   assert.equal(await lab.field("Unit, y [cm]").inputValue(), "cm");
@@ -33,11 +33,12 @@ visit("a dropped file is recognised, drawn, and fitted by one button", async (la
 
   // Records and fits outlive another document and a reload.
   await openTheory(lab, "Quadratic damping");
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   assert.equal(await records(lab).count(), 1);
+  await lab.tab("Fit");
   assert.equal(await lab.page.locator(".fits tbody tr").count(), 1);
   await lab.page.reload();
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   await eventually(async () => assert.equal(await records(lab).count(), 1));
 });
 
@@ -70,7 +71,7 @@ visit("a fit is handed in as report, workbook and CSV", { language: "es-ES" }, a
 visit("a virtual measurement is fitted, and the truth is found", async (lab) => {
   await openTheory(lab, "Linear damping");
   await lab.enter("Length of the column", "0.3");
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   await lab.page.locator("#virtual summary").click();
   await lab.page.getByRole("textbox", { name: "Duration" }).fill("6");
   await lab.page.getByRole("textbox", { name: "Noise of a reading" }).fill("0.5 mm");
@@ -79,21 +80,24 @@ visit("a virtual measurement is fitted, and the truth is found", async (lab) => 
   await records(lab).waitFor();
   assert.equal(await records(lab).locator(".tag").innerText(), "synthetic");
   // Somewhere else, as if nobody knew.
+  await lab.tab("Play");
   await lab.press("Restore defaults");
   const found = await fit(lab);
   const length = found.get("Length of the column");
   assert.ok(Math.abs(length.value - 0.3) < 3 * length.spread, JSON.stringify(length));
   assert.match(length.remark, /^truth: 0.3 m; off by −?\d/);
   // A field that cannot be says so.
+  await lab.tab("Measure");
   await lab.page.getByRole("textbox", { name: "Frames per second" }).fill("none");
   await lab.press("Measure");
   assert.equal(await lab.page.getByRole("textbox", { name: "Frames per second" }).getAttribute("aria-invalid"), "true");
 });
 
 visit("the sample with a contact line is told from the others", async (lab) => {
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   await lab.press("Column with a contact line");
   await records(lab).waitFor();
+  await lab.tab("Fit");
   await lab.press("Rank all theories");
   // The page is not frozen meanwhile, and what is begun can be given up.
   await lab.page.locator("#cancel-fit").waitFor();
@@ -105,8 +109,40 @@ visit("the sample with a contact line is told from the others", async (lab) => {
   await lab.page.getByRole("button", { name: /^Open: / }).first().click();
   await eventually(async () => assert.notEqual(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Oscillations of a liquid in a U-tube"));
   await eventually(async () => assert.match(await lab.told(), /fitted values/));
-  await lab.tab("Measurements");
+  await lab.tab("Fit");
   assert.equal(await lab.page.locator(".fits tbody tr").count(), before);
+});
+
+visit("a fit takes a theory and a button, and the result stands beside the plots", async (lab) => {
+  await drop(lab, { name: "film.csv", text: film() });
+  await records(lab).waitFor();
+  await lab.tab("Fit");
+  const chips = lab.page.getByRole("group", { name: "Theories" }).getByRole("button");
+  assert.match(await chips.first().innerText(), /U-tube/, "the open document is the theory");
+  const linear = lab.page.locator(".theory-chip").filter({ has: lab.page.getByText("Linear damping", { exact: true }) });
+  await eventually(async () => assert.equal(await linear.locator("math").count(), 1, "each has its equation"));
+  const before = await lab.page.evaluate(() => scrollY);
+  await linear.click();
+  await lab.page.getByRole("heading", { level: 1, name: "Linear damping" }).waitFor();
+  assert.equal(await lab.page.getByRole("tab", { name: "Fit" }).getAttribute("aria-selected"), "true", "nobody is sent elsewhere");
+  assert.ok(Math.abs((await lab.page.evaluate(() => scrollY)) - before) < 2);
+  assert.equal(await linear.getAttribute("aria-pressed"), "true");
+  // The part that counts is the one that a zoomed plot shows.
+  assert.equal(await lab.page.locator("#fit-part-in-plot").isVisible(), false);
+  await lab.page.locator("#canvas-0").focus();
+  await lab.keys("+", "+");
+  await lab.press("Take the part in the plot");
+  const ends = await Promise.all([0, 1].map(async (end) => Number(await lab.page.locator(`#fit-end-${end}`).inputValue())));
+  assert.ok(ends[0] > 0.5 && ends[1] > ends[0] + 1 && ends[1] < 9, String(ends));
+  await lab.page.locator("#fit").click();
+  await lab.page.locator(".estimates").waitFor();
+  await eventually(async () => {
+    const [result, plot] = [await lab.page.locator(".estimates").boundingBox(), await lab.page.locator("#canvas-0").boundingBox()];
+    assert.ok(result.y > 0 && result.y < 500 && plot.y > 0 && plot.y < 500, `${result.y}, ${plot.y}`);
+  });
+  // The list of fits is not cut off.
+  const cut = await lab.page.locator(".fits, .record .table").evaluateAll((boxes) => boxes.filter((box) => box.scrollWidth > box.clientWidth + 1).map((box) => box.className));
+  assert.deepEqual(cut, []);
 });
 
 visit("what cannot be read says where and why, and nothing is lost", async (lab) => {
@@ -121,7 +157,7 @@ visit("what cannot be read says where and why, and nothing is lost", async (lab)
 });
 
 visit("a pasted table is read, its columns renamed and switched off", async (lab) => {
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   await lab.page.getByText("Paste a table").click();
   await lab.page.locator("#paste-record").fill("0 1 2\n0.1 2 3\n0.2 3 5\n0.3 2 4\n");
   await lab.press("Read");
@@ -144,7 +180,7 @@ visit("a real film is fitted", async (lab) => {
   await openTheory(lab, "Damped cosine");
   const file = temporary("U3.txt");
   writeFileSync(file, readFileSync(measured));
-  await lab.tab("Measurements");
+  await lab.tab("Measure");
   await lab.page.setInputFiles("#record-file", file);
   await records(lab).waitFor();
   assert.match(await records(lab).innerText(), /6 frames are missing/);
@@ -165,7 +201,7 @@ visit("from the sample to the result by keyboard alone", async (lab) => {
   await lab.keys("Enter");
   await eventually(async () => assert.equal((await lab.focused()).id, "browse"));
   await lab.tabTo("[role=tab]");
-  await lab.keys("End", "ArrowLeft");
+  await lab.keys("End", "ArrowLeft", "ArrowLeft");
   await lab.tabTo(".intake .chip");
   await lab.keys("Enter");
   await records(lab).waitFor();
@@ -175,6 +211,8 @@ visit("from the sample to the result by keyboard alone", async (lab) => {
   await eventually(async () => assert.equal((await lab.focused()).id, ticked, "the focus stays"));
   await lab.keys("Space");
   await eventually(async () => assert.equal(await lab.page.locator(`#${ticked}`).isChecked(), true));
+  await lab.page.locator("#tab-measure").focus();
+  await lab.keys("ArrowRight");
   await lab.tabTo("#fit");
   await lab.keys("Enter");
   await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
@@ -187,7 +225,7 @@ for (const language of ["en-GB", "es-ES"]) {
       visit(`axe finds nothing in a fit: ${language}, ${theme}, ${device}`, { language, theme, ...size }, async (lab) => {
         const spanish = language === "es-ES";
         await openTheory(lab, spanish ? "Amortiguamiento lineal" : "Linear damping", spanish ? "Documentos" : "Documents");
-        await lab.tab(spanish ? "Mediciones" : "Measurements");
+        await lab.tab(spanish ? "Medir" : "Measure");
         await lab.page.locator(".intake .chip").first().click();
         await records(lab).waitFor();
         await fit(lab);

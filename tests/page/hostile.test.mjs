@@ -88,7 +88,7 @@ function exportedWords() {
 
 visit("hostile drawings and links are told and left out", async (lab) => {
   await lab.page.setInputFiles("#open-file", beside("hostile-scene.md"));
-  await lab.tab("Source");
+  await lab.openSource();
   await eventually(async () => assert.ok((await lab.page.locator(".finding.error").count()) >= 5, "each is told"));
   await isHarmless(lab);
   for (const tab of await lab.page.getByRole("tab").all()) await tab.click();

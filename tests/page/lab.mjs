@@ -140,19 +140,39 @@ export class Lab {
     return this.page.getByRole("slider", { name });
   }
 
+  /** Goes to the tab of parameters and values, unless what is wanted is in sight. */
+  async play(wanted) {
+    if (!(await wanted.isVisible())) await this.page.locator("#tab-play").click();
+  }
+
+  /** Shows the table of the recorded values. */
+  async openTable() {
+    await this.play(this.page.locator("#recorded"));
+    if (!(await this.page.locator(".data").isVisible())) await this.page.locator("#recorded summary").click();
+  }
+
+  /** Shows the text of the document. */
+  async openSource() {
+    await this.page.locator("#tab-theory").click();
+    await this.page.locator("#source > summary").click();
+  }
+
   /** Types into a field and presses Enter. */
   async enter(name, text) {
+    await this.play(this.field(name));
     await this.field(name).fill(text);
     await this.field(name).press("Enter");
   }
 
   /** The number a field shows. */
   async number(name) {
+    await this.play(this.field(name));
     return number(await this.field(name).inputValue());
   }
 
   /** What stands beside a name among the values. */
   async value(name) {
+    await this.play(this.page.locator("#readouts"));
     const row = this.page.locator("#readouts dl > div").filter({ has: this.page.getByText(name, { exact: true }) });
     return (await row.locator("dd").innerText()).trim();
   }
@@ -187,6 +207,13 @@ export class Lab {
   async save(button) {
     const [download] = await Promise.all([this.page.waitForEvent("download"), button.click()]);
     return { name: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
+  }
+
+  /** Saves what the menu of a plot offers under this name. */
+  async saveOfPlot(plot, name) {
+    const more = plot.locator("[id^=plot-more]");
+    if ((await more.getAttribute("aria-expanded")) === "false") await more.click();
+    return this.save(plot.getByRole("button", { name, exact: true }));
   }
 
   /** Presses keys one after the other. */

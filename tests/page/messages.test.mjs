@@ -52,7 +52,7 @@ visit("an error stays until it is dismissed, ordinary messages follow one anothe
   const covered = await lab.page.evaluate(() => {
     const line = document.querySelector(".message").getBoundingClientRect();
     const bar = document.querySelector("#transport").getBoundingClientRect();
-    return line.bottom > bar.top + 1;
+    return line.bottom > bar.top + 1 && line.left < bar.right;
   });
   assert.equal(covered, false, "the transport is not covered");
 });
@@ -73,6 +73,7 @@ visit("what was removed is brought back by Undo", async (lab) => {
   assert.equal(await kept.count(), 1);
 
   await lab.enter("Damping", "77");
+  await lab.page.locator("#tab-play").click();
   await lab.press("Restore defaults");
   assert.equal(await lab.number("Damping"), 50);
   await lab.page.evaluate(() => document.activeElement.blur());
@@ -102,7 +103,7 @@ visit("scrubbing and playing leave the line alone", async (lab) => {
   assert.equal(await messages(lab).count(), 0);
 });
 
-visit("a new record is shown where it lies", { height: 600 }, async (lab) => {
+visit("a new record is shown where it lies", { width: 390, height: 700 }, async (lab) => {
   await drop(lab, { name: "level.csv", text: TABLE });
   await reads(lab, /level\.csv/);
   const record = lab.page.getByRole("article", { name: "level.csv" });
@@ -142,7 +143,7 @@ visit("files over the page are invited", async (lab) => {
 
 visit("what is drawn besides the curves is explained", async (lab) => {
   const plot = lab.page.locator("figure.plot").first();
-  const svg = async () => (await lab.save(plot.getByRole("button", { name: "Download SVG" }))).text;
+  const svg = async () => (await lab.saveOfPlot(plot, "Download SVG")).text;
   assert.doesNotMatch(await svg(), /level\.csv|previous run/);
   await drop(lab, { name: "level.csv", text: TABLE });
   assert.match(await svg(), />y \(level\.csv\)</, "the points");

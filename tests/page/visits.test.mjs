@@ -171,7 +171,7 @@ visit("Back and Forward walk through the documents", async (lab) => {
   await shows(lab, "My own oscillator");
   assert.equal(await lab.number("Stiffness"), 2.25);
   // A heading of the prose is a place in the same document.
-  await lab.page.evaluate(() => { location.hash = "notebook"; });
+  await lab.page.evaluate(() => { location.hash = "panel"; });
   await lab.page.reload();
   await shows(lab, "My own oscillator");
 });
@@ -224,14 +224,14 @@ visit("two pages keep each other's records, and what one removes is gone", async
   await eventually(async () => assert.equal(await stored(), 2));
   for (const page of pages) await page.page.reload();
   for (const page of pages) {
-    await page.tab("Measurements");
+    await page.tab("Measure");
     await eventually(async () => assert.deepEqual(await records(page).locator("h3").allInnerTexts(), ["film 1.csv", "film 2.csv"]));
   }
   await lab.page.getByRole("button", { name: "Remove the record: film 1.csv" }).click();
   await eventually(async () => assert.equal(await stored(), 1));
   for (const page of [second, lab]) {
     await page.page.reload();
-    await page.tab("Measurements");
+    await page.tab("Measure");
     await eventually(async () => assert.deepEqual(await records(page).locator("h3").allInnerTexts(), ["film 2.csv"]));
   }
   second.wasQuiet();

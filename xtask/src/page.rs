@@ -56,7 +56,9 @@ fn assemble(glue: &str, packed: &[u8]) -> Result<String> {
     let font = source.join("math.woff2");
     let font = std::fs::read(&font).with_context(|| format!("cannot read {}", font.display()))?;
     let style = read(&source.join("style.css"))?.replace("/*math-font*/", &base64(&font));
-    let style = style + &read(&source.join("narrow.css"))? + &read(&source.join("print.css"))?;
+    let style = ["stage.css", "panel.css", "measure.css", "narrow.css", "print.css"]
+        .iter()
+        .try_fold(style, |style, part| Ok::<_, anyhow::Error>(style + &read(&source.join(part))?))?;
     let boot = read(&source.join("boot.js"))?;
     let module = format!("<script type=\"application/octet-stream\" id=\"module\">{}</script>", base64(packed));
     let mut html = read(&source.join("index.html"))?;

@@ -52,6 +52,8 @@ pub enum Ink {
     Marker,
     /// A series in its colour.
     Series(u8),
+    /// A run that was kept, in the colour of its own.
+    Run(u8),
     /// A series as an earlier run left it: its colour, faint.
     Ghost(u8),
     /// What a series may be wrong by: its colour, fainter still.

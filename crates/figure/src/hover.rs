@@ -24,6 +24,8 @@ pub struct Sample {
     pub series: usize,
     /// Which row of it.
     pub row: usize,
+    /// The vertical axis of that series.
+    pub axis: usize,
     /// Its abscissa in the unit of the axis.
     pub x: f64,
     /// Its ordinate in the unit of the axis.
@@ -84,6 +86,41 @@ impl Figure {
             .or_else(|| (0..row).rev().find(shown))
     }
 
+    /// Where a place of the plane is in the figure; none if it is outside the panel.
+    pub fn place(&self, axis: usize, x: f64, y: f64) -> Option<Point> {
+        let at = Point { x: self.x?.pixel(x) as f32, y: self.y.get(axis)?.pixel(y) as f32 };
+        self.panel.contains(at).then_some(at)
+    }
+
+    /// How far a read-out is from another one: `Δt = 0.5 s`, and of each curve that is in both `Δy = 0.1 m`. Where they have no
+    /// curve in common, their first samples are compared if they have an axis in common.
+    pub fn difference(&self, plot: &Plot<'_>, from: &Readout, to: &Readout) -> Vec<String> {
+        let (Some(first), Some(other)) = (from.samples.first(), to.samples.first()) else { return Vec::new() };
+        let resolution = self.x.map_or(0.0, |scale| scale.resolution());
+        let name = format!("Δ{}", plot.x.label);
+        let mut lines = vec![self.quantity(&name, &plot.x, other.x - first.x, resolution, self.x_power)];
+        let mut pairs: Vec<(&Sample, &Sample)> = Vec::new();
+        for one in &from.samples {
+            pairs.extend(to.samples.iter().find(|other| name_of(other) == name_of(one)).map(|other| (one, other)));
+        }
+        if pairs.is_empty() {
+            pairs.push((first, other));
+        }
+        for (one, other) in pairs {
+            let (Some(series), Some(second)) = (plot.series.get(one.series), plot.series.get(other.series)) else {
+                continue;
+            };
+            let axis = series.axis;
+            let (Some(scale), Some(ticks)) = (self.y.get(axis), self.y_ticks.get(axis)) else { continue };
+            if let Some(drawn) = plot.y.get(axis).filter(|_| second.axis == axis) {
+                let label = if series.label.is_empty() { drawn.label } else { series.label };
+                let name = format!("Δ{label}");
+                lines.push(self.quantity(&name, drawn, other.y - one.y, scale.resolution(), ticks.power));
+            }
+        }
+        lines
+    }
+
     /// The samples of all series nearest to a pixel along the horizontal axis; of one series the row may be given, which
     /// tells apart the two at a jump.
     fn at_abscissa(&self, plot: &Plot<'_>, pixel: f64, given: Option<(usize, usize)>) -> Option<Readout> {
@@ -136,6 +173,7 @@ impl Figure {
         Some(Sample {
             series: index,
             row,
+            axis: series.axis,
             x,
             y,
             at: Point {
@@ -177,6 +215,11 @@ impl Figure {
         let scale = self.y.get(series.axis)?;
         (drawable(x) && drawable(y)).then_some((self.x?.pixel(x), scale.pixel(y)))
     }
+}
+
+/// What a sample is a value of: its series may have another number in a later read-out.
+fn name_of(sample: &Sample) -> &str {
+    sample.text.rsplit_once(" = ").map_or("", |(name, _)| name)
 }
 
 /// The drawable row of an ordered series that is nearest to an abscissa.

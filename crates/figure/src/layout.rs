@@ -166,12 +166,22 @@ impl Figure {
             }
             gutters.push(gutter);
         }
-        let left = edge + gutters.first().copied().unwrap_or(0.0);
+        let mut left = edge + gutters.first().copied().unwrap_or(0.0);
         let right = self.width - if gutters.len() > 1 { edge + gutters[1..].iter().sum::<f64>() } else { 1.3 * font };
         if right - left < LEAST_PANEL {
             self.y.clear();
             self.y_ticks.clear();
             return;
+        }
+        let mut x_ticks = self.horizontal_scale(plot, left, right);
+        if plot.equal && self.y.len() == 1 {
+            // Longer axes may need wider labels, which leave less room.
+            let before = gutters[0];
+            gutters[0] = self.even_out(left, right).widest_label(small, self.style) + TICK + 0.4 * font;
+            left += gutters[0] - before;
+            x_ticks = self.horizontal_scale(plot, left, right);
+            self.even_out(left, right);
+            x_ticks = self.ticks_across(right - left).unwrap_or(x_ticks);
         }
         self.panel = Rect {
             x: left as f32,
@@ -179,7 +189,6 @@ impl Figure {
             width: (right - left) as f32,
             height: (bottom - panel_top) as f32,
         };
-        let x_ticks = self.horizontal_scale(plot, left, right);
         self.x_power = x_ticks.power;
         // Under the grid, which would vanish beneath them.
         for series in &plot.series {
@@ -261,10 +270,36 @@ impl Figure {
         self.home_x = Some(home);
         let values = plot.view.x.map_or(home, sane);
         self.x = Some(Scale { values, low: left, high: right });
-        let style = self.style;
+        self.ticks_over(values, wide)
+    }
+
+    fn ticks_over(&self, values: Interval, wide: f64) -> Ticks {
+        let (font, style) = (self.font_size, self.style);
         Ticks::spaced(values, wide, 4.0 * font, |ticks, spacing| {
             spacing >= 3.2 * font && spacing >= ticks.widest_label(LABEL * font, style) + font
         })
+    }
+
+    /// The ticks of the horizontal scale as it is.
+    fn ticks_across(&self, wide: f64) -> Option<Ticks> {
+        self.x.map(|scale| self.ticks_over(scale.values, wide))
+    }
+
+    /// Makes the scale on which a unit takes more pixels as coarse as the other one. Gives the ticks of the vertical axis.
+    fn even_out(&mut self, left: f64, right: f64) -> Ticks {
+        let least = 2.1 * self.font_size;
+        if let (Some(x), Some(y)) = (&mut self.x, self.y.first_mut()) {
+            let (wide, high) = (right - left, y.low - y.high);
+            let factor = (wide / x.values.length()).min(high / y.values.length());
+            x.values = about_the_middle(x.values, wide / factor);
+            y.values = about_the_middle(y.values, high / factor);
+            let ticks = Ticks::spaced(y.values, high, least, |_, spacing| spacing >= least * 0.75);
+            if let Some(place) = self.y_ticks.first_mut() {
+                *place = ticks;
+            }
+            return ticks;
+        }
+        self.y_ticks.first().copied().unwrap_or_else(|| Ticks::spaced(Interval::new(0.0, 1.0), 1.0, least, |_, _| true))
     }
 
     fn push_text(&mut self, text: &str, at: Point, anchor: Anchor, size: f64, strong: bool, ink: Ink) {
@@ -280,6 +315,12 @@ impl Figure {
             self.entries.push(Entry::Text { text, at, anchor, size: size as f32, strong, ink });
         }
     }
+}
+
+/// An interval of this length with the same middle.
+fn about_the_middle(values: Interval, length: f64) -> Interval {
+    let middle = values.low + values.length() / 2.0;
+    Interval { low: middle - length / 2.0, high: middle + length / 2.0 }
 }
 
 /// The middle of the pixel, where a line one pixel wide is sharp.

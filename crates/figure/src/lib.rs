@@ -26,7 +26,7 @@ mod view;
 pub use figure::{Anchor, Dash, Figure, Ink, Item, Point, Rect, Scale, Stroke};
 pub use hover::{Readout, Sample};
 pub use layout::{layout, layout_into};
-pub use palette::{Colour, Palette, SERIES_COLOURS};
+pub use palette::{Colour, Palette, RUN_COLOURS, SERIES_COLOURS};
 pub use plot::{Axis, Interval, Plot, Series, Settings, Style, View};
 pub use svg::FONT_FAMILY;
 pub use view::Direction;

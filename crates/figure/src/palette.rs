@@ -7,6 +7,9 @@ use crate::figure::Ink;
 /// How many series have colours of their own.
 pub const SERIES_COLOURS: usize = 6;
 
+/// How many kept runs have colours of their own.
+pub const RUN_COLOURS: usize = 5;
+
 /// A colour in sRGB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Colour(pub u8, pub u8, pub u8);
@@ -48,7 +51,8 @@ impl Colour {
 /// Contrast with the ground (WCAG 2.2, checked by a test): text at least 7, axes and the marker at least 3, every series at
 /// least 4.5, so that its colour can also be that of a text. Grid and ghosts are meant to be faint. The series were chosen
 /// by search so that any two also differ for protanopes, deuteranopes and tritanopes (at least 18 in CIELAB, by the
-/// simulation of Machado and others, 2009).
+/// simulation of Machado and others, 2009). Those of the runs were chosen in the same way, to differ from each other and from
+/// the first three series by as much; their dashes tell them apart, too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
     /// Behind everything.
@@ -65,6 +69,8 @@ pub struct Palette {
     pub marker: Colour,
     /// The series.
     pub series: [Colour; SERIES_COLOURS],
+    /// The kept runs.
+    pub runs: [Colour; RUN_COLOURS],
 }
 
 impl Palette {
@@ -84,6 +90,13 @@ impl Palette {
             Colour(0x5c, 0x42, 0x12),
             Colour(0x59, 0x38, 0xd6),
         ],
+        runs: [
+            Colour(0x74, 0x01, 0xf5),
+            Colour(0x78, 0x24, 0x13),
+            Colour(0x90, 0x66, 0xa5),
+            Colour(0x08, 0x10, 0x3e),
+            Colour(0x5a, 0x1d, 0x83),
+        ],
     };
 
     /// For a dark page.
@@ -102,6 +115,13 @@ impl Palette {
             Colour(0xe4, 0xdf, 0x7c),
             Colour(0xc4, 0xce, 0xed),
         ],
+        runs: [
+            Colour(0xe0, 0x3f, 0xaf),
+            Colour(0xfb, 0xff, 0x40),
+            Colour(0xad, 0xde, 0xe7),
+            Colour(0xad, 0x77, 0x6d),
+            Colour(0xac, 0xa1, 0x5c),
+        ],
     };
 
     /// The colour of an ink.
@@ -115,6 +135,7 @@ impl Palette {
             Ink::Axis => self.axis,
             Ink::Marker => self.marker,
             Ink::Series(number) => series(number),
+            Ink::Run(number) => self.runs[usize::from(number) % RUN_COLOURS],
             Ink::Ghost(number) => series(number).mixed(self.ground, 96),
             Ink::Band(number) => series(number).mixed(self.ground, 40),
         }
@@ -144,7 +165,7 @@ mod tests {
             assert!(palette.text.contrast(ground) >= 7.0);
             assert!(palette.axis.contrast(ground) >= 3.0);
             assert!(palette.marker.contrast(ground) >= 3.0);
-            for colour in palette.series {
+            for colour in palette.series.into_iter().chain(palette.runs) {
                 assert!(colour.contrast(ground) >= 4.5, "{colour} on {ground}: {}", colour.contrast(ground));
             }
         }
@@ -170,11 +191,23 @@ mod tests {
         for palette in BOTH {
             for (eye, matrix) in EYES {
                 let seen = palette.series.map(|colour| lab(colour, matrix));
+                let distance = |one: [f64; 3], other: [f64; 3]| {
+                    (0..3).map(|axis| one[axis] - other[axis]).map(|d| d * d).sum::<f64>().sqrt()
+                };
                 for one in 0..SERIES_COLOURS {
                     for other in 0..one {
-                        let square: f64 = (0..3).map(|axis| seen[one][axis] - seen[other][axis]).map(|d| d * d).sum();
                         let (a, b) = (palette.series[one], palette.series[other]);
-                        assert!(square.sqrt() >= 18.0, "{a} and {b} look alike to a {eye}: {}", square.sqrt());
+                        let apart = distance(seen[one], seen[other]);
+                        assert!(apart >= 18.0, "{a} and {b} look alike to a {eye}: {apart}");
+                    }
+                }
+                let runs = palette.runs.map(|colour| lab(colour, matrix));
+                for one in 0..RUN_COLOURS {
+                    for (other, also) in
+                        runs[..one].iter().zip(palette.runs).chain(seen[..3].iter().zip(palette.series))
+                    {
+                        let (run, apart) = (palette.runs[one], distance(runs[one], *other));
+                        assert!(apart >= 18.0, "{run} and {also} look alike to a {eye}: {apart}");
                     }
                 }
             }

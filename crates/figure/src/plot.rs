@@ -20,6 +20,9 @@ pub struct Plot<'a> {
     pub marker: Option<f64>,
     /// What part of the plane is shown.
     pub view: View,
+    /// Whether a unit is as long on the vertical axis as on the horizontal one, so that a path keeps its shape. Plots with
+    /// several vertical axes take no notice.
+    pub equal: bool,
 }
 
 /// One axis: the quantity drawn along it and the unit of its numbers.
@@ -67,8 +70,11 @@ pub enum Style {
     Line,
     /// A thin, faint line: what an earlier run left behind.
     Ghost,
-    /// A run that was kept, in a dash pattern of its own (counted modulo their number).
+    /// A line in a dash pattern of its own (counted modulo their number).
     Kept(u8),
+    /// A run that was kept, in a colour and a dash pattern of its own (both counted modulo their number). The curves after
+    /// the first are thinner.
+    Run(u8),
     /// Separate points: measured data.
     Points,
 }

@@ -90,6 +90,10 @@ pub(crate) fn stroke(series: &Series<'_>) -> Stroke {
     match series.style {
         Style::Line | Style::Points => Stroke { ink: Ink::Series(series.colour), width: 2.0, dash: Dash::Solid },
         Style::Ghost => Stroke { ink: Ink::Ghost(series.colour), width: 1.25, dash: Dash::Solid },
+        Style::Run(number) => {
+            let width = if series.colour == 0 { 1.75 } else { 1.25 };
+            Stroke { ink: Ink::Run(number), width, dash: Dash::Pattern(number) }
+        }
         Style::Kept(number) => Stroke { ink: Ink::Series(series.colour), width: 1.5, dash: Dash::Pattern(number) },
     }
 }

@@ -4,14 +4,16 @@ use crate::browser;
 use crate::frame::{self, Stage};
 use crate::messages::{self, Message};
 use crate::opening::Findings;
+use crate::panel::Tab;
 use crate::saved::{self, Saved};
 use crate::sound::Sound;
+use crate::stage;
 use crate::views::*;
 use crate::words::{Words, words_in};
 use document::page::Source;
 use session::{Announcement, FitProgress, RecordProgress, Refusal, Revision, Session};
 use std::cell::{RefCell, RefMut};
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 use std::ops::Deref;
 use sycamore_reactive::{NodeHandle, batch, use_current_scope};
 use units::Language;
@@ -40,6 +42,8 @@ pub struct Lab {
     pub saved: Saved,
     /// A file that a link needs, and the state of its document.
     pub awaited: Option<(String, String)>,
+    /// Whether the equations of the theories have been asked for.
+    pub reads_equations: bool,
     /// Whether fits are being worked on.
     pub fitting: bool,
     /// Files that are to be read as records, and whether one is being read.
@@ -106,12 +110,18 @@ pub struct Page {
     pub record_progress: Signal<Option<RecordProgress>>,
     /// Why the last record could not be read.
     pub record_refusal: Signal<Option<String>>,
-    /// Which tab of the notebook is that of the measurements.
-    pub measurements_tab: Signal<usize>,
     /// Whether the list of documents has been asked for.
     pub library_asked_for: Signal<bool>,
-    /// The open tab of the notebook.
-    pub tab: Signal<usize>,
+    /// The open tab of the panel.
+    pub tab: Signal<Tab>,
+    /// Whether the table of the recorded values is shown.
+    pub table_open: Signal<bool>,
+    /// Whether the window has room for one plot only.
+    pub narrow: Signal<bool>,
+    /// The plot shown there.
+    pub front_plot: Signal<Option<usize>>,
+    /// The first equation of each theory that has been read so far, by its file.
+    pub equations: Signal<BTreeMap<String, String>>,
     /// Whether method and step are shown.
     pub numerics_open: Signal<bool>,
 }
@@ -152,9 +162,12 @@ impl App {
             fit_progress: create_signal(None),
             record_progress: create_signal(None),
             record_refusal: create_signal(None),
-            measurements_tab: create_signal(0),
             library_asked_for: create_signal(false),
-            tab: create_signal(0),
+            tab: create_signal(Tab::default()),
+            table_open: create_signal(false),
+            narrow: create_signal(browser::matches(stage::NARROW)),
+            front_plot: create_signal(None),
+            equations: create_signal(BTreeMap::new()),
             numerics_open: create_signal(false),
         };
         Self(Box::leak(Box::new(page)))
@@ -223,7 +236,10 @@ impl App {
                     if matches!(announcement, Announcement::RecordAdded(_)) {
                         added = session.newest_record();
                     }
-                    shown.extend(Message::of(session, &announcement, &text));
+                    // What has come of a fit is brought into sight where it was begun.
+                    if !(matches!(announcement, Announcement::FitFinished) && self.tab.get_untracked() == Tab::Fit) {
+                        shown.extend(Message::of(session, &announcement, &text));
+                    }
                     told.push(text);
                 }
             }

@@ -53,12 +53,37 @@ pub fn reveal_later(id: String) {
     let _ = window().request_animation_frame(reveal.unchecked_ref());
 }
 
-/// Shows the page from its top, at once: where something else has taken its place.
-pub fn scroll_to_top() {
+/// How far the page is scrolled.
+pub fn scrolled() -> f64 {
+    window().scroll_y().unwrap_or(0.0)
+}
+
+/// Scrolls the page, at once.
+pub fn scroll_to(place: f64) {
     let options = ScrollToOptions::new();
-    options.set_top(0.0);
+    options.set_top(place);
     options.set_behavior(ScrollBehavior::Instant);
     window().scroll_to_with_scroll_to_options(&options);
+}
+
+/// Scrolls back to the top of an element that reaches beyond the top of the window, at once.
+pub fn scroll_back_to(id: &str) {
+    let Some(element) = by_id::<HtmlElement>(id) else { return };
+    // Where it begins below what sticks to the top of the window: its scroll margin.
+    let margin = window().get_computed_style(&element).ok().flatten();
+    let margin = margin.and_then(|style| style.get_property_value("scroll-margin-top").ok());
+    let margin: f64 = margin.and_then(|margin| margin.trim_end_matches("px").parse().ok()).unwrap_or(0.0);
+    let above = element.get_bounding_client_rect().top() - margin;
+    if above < 0.0 {
+        scroll_to(scrolled() + above);
+    }
+}
+
+/// Scrolls an element to the top of what is in sight.
+pub fn bring_to_top(id: &str) {
+    if let Some(element) = by_id::<HtmlElement>(id) {
+        element.scroll_into_view();
+    }
 }
 
 /// Calls `react` whenever this happens in the window, as long as the page lives.

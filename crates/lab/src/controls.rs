@@ -1,4 +1,4 @@
-//! The controls: presets, parameters, the state, method and step.
+//! The controls: parameters, presets, the state, method and step.
 
 use crate::app::App;
 use crate::parameters;
@@ -31,11 +31,12 @@ pub fn view(app: App) -> HtmlSection {
         .class("block")
         .child(div().class("block-head").child(h3().child(words.parameters)).child(restore))
         .each(app.read(|session| session.parameters()), |first| parameters::control(app, first));
-    part("controls", "controls card", words.controls)
-        .child(parameters)
-        .child(presets(app))
-        .child(states(app))
-        .child(numerics(app))
+    part("controls", "controls card", words.controls).child(parameters).child(presets(app))
+}
+
+/// The state at the present, and how it is computed: changed more seldom than parameters.
+pub fn state_and_method(app: App) -> HtmlSection {
+    part("settings", "controls card", app.words().settings).child(states(app)).child(numerics(app))
 }
 
 fn presets(app: App) -> View {

@@ -1,8 +1,9 @@
 //! An oscillation cycle by cycle: a choice of plots, the table, the words. Nothing is computed while it is closed.
 
 use crate::app::App;
+use crate::browser;
+use crate::stage::plots;
 use crate::views::*;
-use crate::{browser, plots};
 use session::{CycleColumn, CyclesView, ExportKind};
 use web_sys::HtmlDetailsElement;
 

@@ -1,14 +1,15 @@
 //! The recorded run as a table, a window of rows at a time, and as CSV.
 
 use crate::app::App;
+use crate::panel::Tab;
 use crate::views::*;
-use crate::{browser, notebook};
+use crate::{browser, panel};
 
 /// Rows in the window.
 const ROWS: usize = 20;
 
-/// The table and its tools, in the notebook's tab of this number. While another tab is open it costs nothing.
-pub fn view(app: App, tab: usize) -> HtmlDiv {
+/// The table and its tools. While they are folded, or another tab is open, they cost nothing.
+pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
     let head = app.read(|session| session.table_header());
     let start = create_signal(0_usize);
@@ -18,7 +19,7 @@ pub fn view(app: App, tab: usize) -> HtmlDiv {
         app.read(|session| session.table_length())
     };
     let last_start = move || length().saturating_sub(ROWS);
-    let open = memo(move || app.tab.get() == tab);
+    let open = memo(move || app.tab.get() == Tab::Play && app.table_open.get());
     let body = move || {
         if !open.get() {
             return View::new();
@@ -77,7 +78,7 @@ pub fn view(app: App, tab: usize) -> HtmlDiv {
 
 /// The text alone: a byte-order mark is for files.
 fn copy(app: App) {
-    notebook::copy(app, app.read(|session| session.csv()).trim_start_matches('\u{feff}'));
+    panel::reading::copy(app, app.read(|session| session.csv()).trim_start_matches('\u{feff}'));
 }
 
 fn save(app: App) {

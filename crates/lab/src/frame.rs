@@ -3,8 +3,8 @@
 //! says what a long pause means; losing the focus does not stop the run.
 
 use crate::app::{App, Lab};
-use crate::plots::PlotNodes;
 use crate::scene::SceneNodes;
+use crate::stage::plot::PlotNodes;
 use crate::theme::Colours;
 use crate::transport::TransportNodes;
 use crate::views::window;
@@ -23,6 +23,8 @@ pub struct Stage {
     pub plots: Vec<Option<PlotNodes>>,
     /// Clock and time line.
     pub transport: Option<TransportNodes>,
+    /// The size of the figures' texts in CSS pixels.
+    pub font_size: f64,
     /// The colours of the theme in use.
     pub colours: Colours,
     callback: Option<Closure<dyn FnMut(f64)>>,
@@ -92,7 +94,7 @@ fn advance(lab: &mut Lab, now: f64) -> (bool, bool) {
     let mut unfinished = false;
     for (index, plot) in stage.plots.iter_mut().enumerate() {
         if let Some(plot) = plot {
-            unfinished |= plot.draw(index, session, &stage.colours);
+            unfinished |= plot.draw(index, session, &stage.colours, stage.font_size);
         }
     }
     sound.follow(session);

@@ -3,7 +3,7 @@
 use crate::app::App;
 use crate::theme::Theme;
 use crate::views::*;
-use crate::{browser, icons, keys, library, links, opening};
+use crate::{browser, icons, keys, library, links, opening, presenter};
 use units::Language;
 use web_sys::HtmlInputElement;
 
@@ -34,6 +34,7 @@ pub fn view(app: App) -> HtmlHeader {
         .child(open_button(app))
         .child(share)
         .child(help)
+        .child(presenter::button_of(app))
         .child(theme(app))
         .child(languages(app));
     header()

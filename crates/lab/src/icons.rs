@@ -37,6 +37,16 @@ icons! {
     minus: "M6 12h12";
     /// Four corners.
     fit: "M5 9.5V5h4.5M14.5 5H19v4.5M19 14.5V19h-4.5M9.5 19H5v-4.5";
+    /// A stopwatch.
+    stopwatch: "M12 21a7.5 7.5 0 1 0 0-15 7.5 7.5 0 0 0 0 15zM12 6V3M9.5 3h5M12 13.5V9.5M17.5 7.5l1.5-1.5";
+    /// A ruler with its marks.
+    ruler: "M4 16L16 4l4 4L8 20zM8 12l2 2M11 9l2 2M14 6l2 2";
+    /// Three dots.
+    more: "M6 12h.01M12 12h.01M18 12h.01";
+    /// Four corners that point outwards.
+    full_screen: "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5M4 4l6 6M20 4l-6 6M20 20l-6-6M4 20l6-6";
+    /// A large and a small letter A.
+    type_size: "M3 18L8 6l5 12M4.7 14h6.6M15 18l3-7 3 7M16 15.7h4";
     /// A cross.
     cross: "M7 7l10 10M17 7L7 17";
     /// A loudspeaker with a wave.

@@ -2,6 +2,7 @@
 //! out.
 
 use crate::app::App;
+use crate::panel::Tab;
 use crate::views::*;
 use crate::{browser, measurements};
 use session::{LONGEST_RECORD, RecordProgress, Refusal, Session};
@@ -53,7 +54,7 @@ pub fn read(app: App, files: Vec<File>) {
                 let refusal = read_file(app, &file).await;
                 app.record_progress.set(None);
                 measurements::refuse(app, refusal);
-                app.tab.set(app.measurements_tab.get_untracked());
+                app.tab.set(Tab::Measure);
             }
             app.with(|lab| lab.reading = false);
         });
@@ -69,7 +70,7 @@ async fn read_file(app: App, file: &File) -> Option<String> {
     }
     measurements::refuse(app, None);
     app.record_progress.set(Some(RecordProgress { name: name.clone(), part: 0.0 }));
-    app.tab.set(app.measurements_tab.get_untracked());
+    app.tab.set(Tab::Measure);
     app.say(format!("{} {name}", app.words().reading_record));
     let Ok(buffer) = browser::wait(file.array_buffer()).await else {
         return Some(format!("{} {name}", app.words().file_not_read));

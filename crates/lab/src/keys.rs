@@ -1,5 +1,5 @@
-//! Single keys. They act only while the focus is in the apparatus or nowhere and nothing is being typed, and they can be
-//! switched off (WCAG 2.2, 2.1.4).
+//! Single keys. They act only while the focus is on the stage, at its controls or nowhere and nothing is being typed, and they
+//! can be switched off (WCAG 2.2, 2.1.4).
 
 use crate::app::App;
 use crate::views::*;
@@ -35,7 +35,7 @@ fn pressed(app: App, event: &KeyboardEvent) {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     let within = |selector: &str| target.as_ref().and_then(|target| target.closest(selector).ok().flatten()).is_some();
     let nowhere = target.as_ref().is_none_or(|target| matches!(target.tag_name().as_str(), "BODY" | "HTML"));
-    if !(nowhere || within("#apparatus")) || within("dialog") || within(TAKES_TEXT) {
+    if !(nowhere || within("#apparatus, #panel-play")) || within("dialog") || within(TAKES_TEXT) {
         return;
     }
     match event.key().as_str() {
@@ -99,6 +99,7 @@ pub fn dialog(app: App) -> HtmlDialog {
                 (vec!["←", "→"], words.key_cursor),
                 (vec!["+", "−"], words.key_zoom),
                 (vec!["↑", "↓", "←", "→"], words.key_pan),
+                (vec!["Enter", "Esc"], words.key_pin),
                 (vec!["0"], words.key_fit),
             ],
         ),

@@ -25,7 +25,7 @@ impl Entry {
     }
 
     /// Its title in a language, as its front matter has it.
-    fn title(&self, language: &str) -> String {
+    pub fn title(&self, language: &str) -> String {
         let own = self.files.iter().find(|file| value(&file.text, "language") == Some(language));
         let title = own.or(self.files.first()).and_then(|file| value(&file.text, "title"));
         title.unwrap_or_default().to_owned()

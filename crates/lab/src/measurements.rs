@@ -1,8 +1,9 @@
-//! The tab of measured data: records come in, are looked at, and are fitted.
+//! The tab of measured data: records come in and are looked at, cycle by cycle too.
 
 use crate::app::App;
+use crate::panel::Tab;
 use crate::views::*;
-use crate::{browser, cycles, fitting, icons, intake, library, records, virtual_form};
+use crate::{browser, cycles, icons, intake, library, records, virtual_form};
 use web_sys::{HtmlInputElement, HtmlTextAreaElement};
 
 /// The tab.
@@ -21,7 +22,6 @@ pub fn view(app: App) -> HtmlDiv {
         )
         .child(records::view(app))
         .child(cycles::view(app))
-        .child(fitting::view(app))
         .child(virtual_form::view(app))
 }
 
@@ -73,7 +73,7 @@ fn ways_in(app: App) -> View {
 }
 
 /// Adds a sample record.
-fn sample(app: App, number: usize) {
+pub fn sample(app: App, number: usize) {
     let file = session::SAMPLES.get(number).map_or("", |sample| sample.file);
     let theory = library::theories().into_iter().find(|entry| entry.file() == file).and_then(|entry| entry.open());
     if let Some(theory) = theory {
@@ -86,7 +86,7 @@ fn add(app: App, name: &str, bytes: &[u8]) -> bool {
     let refusal = app.attempt(|session| session.add_record(name, bytes).map(|_| ()));
     let added = refusal.is_none();
     refuse(app, refusal);
-    app.tab.set(app.measurements_tab.get_untracked());
+    app.tab.set(Tab::Measure);
     added
 }
 

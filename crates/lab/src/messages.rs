@@ -2,6 +2,7 @@
 //! has been spoken once, through the live region; the line itself is none.
 
 use crate::app::App;
+use crate::panel::Tab;
 use crate::views::*;
 use crate::{browser, icons};
 use session::{Announcement, Prominence, Session};
@@ -14,8 +15,8 @@ const MOST_ERRORS: usize = 3;
 pub enum Action {
     /// Puts back what the removal of this number took away.
     Undo(u32),
-    /// Goes to the element of this id in the tab of the measurements.
-    Show(String),
+    /// Goes to the element of this id in a tab.
+    Show(Tab, String),
 }
 
 /// A line.
@@ -41,8 +42,10 @@ impl Message {
     /// What is shown of an announcement; `text` is the announcement in words.
     pub fn of(session: &Session, announcement: &Announcement, text: &str) -> Option<Self> {
         let action = match announcement {
-            Announcement::RecordAdded(_) => session.newest_record().map(|id| Action::Show(format!("record-{id}"))),
-            Announcement::FitFinished => Some(Action::Show("fit-results".to_owned())),
+            Announcement::RecordAdded(_) => {
+                session.newest_record().map(|id| Action::Show(Tab::Measure, format!("record-{id}")))
+            }
+            Announcement::FitFinished => Some(Action::Show(Tab::Fit, "fit-results".to_owned())),
             other if other.can_be_undone() => session.undo_number().map(Action::Undo),
             _ => None,
         };
@@ -104,7 +107,7 @@ fn line(app: App, message: Message) -> HtmlLi {
     let act = message.action.clone().map(|action| {
         let name = match action {
             Action::Undo(_) => words.undo,
-            Action::Show(_) => words.show,
+            Action::Show(..) => words.show,
         };
         button().class("quiet").when(events::click, move |_| perform(app, &action)).child(name)
     });
@@ -128,8 +131,8 @@ fn perform(app: App, action: &Action) {
             undo(app);
             browser::focus_in_place("apparatus");
         }
-        Action::Show(place) => {
-            app.tab.set(app.measurements_tab.get_untracked());
+        Action::Show(tab, place) => {
+            app.tab.set(*tab);
             browser::reveal_later(place.clone());
         }
     }

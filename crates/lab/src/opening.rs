@@ -3,7 +3,7 @@
 
 use crate::app::App;
 use crate::links::Arrival;
-use crate::{browser, fitting, frame, intake, messages, saved, visited};
+use crate::{browser, fit, frame, intake, messages, saved, visited};
 use document::page::{self, Source};
 use model::Diagnostic;
 use session::Session;
@@ -65,8 +65,6 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
         lab.findings = findings;
         closed
     });
-    // Nobody is told: what shows the tabs is built anew below.
-    app.tab.set_silent(0);
     let language = app.language.get_untracked();
     let left = saved::state(app);
     let state = if state.is_empty() { left.as_str() } else { state };
@@ -84,7 +82,7 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
         app.complain(app.words().records_closed.to_owned());
     }
     if app.read(|session| session.has_fits_waiting()) {
-        fitting::go_on(app);
+        fit::go_on(app);
     }
 }
 
@@ -99,7 +97,16 @@ fn go_to(app: App, sources: Vec<Source>, state: &str) {
     open(app, sources, state);
     visited::step(app);
     // What is wrong with it stands at the top, too.
-    browser::scroll_to_top();
+    browser::scroll_to(0.0);
+}
+
+/// Opens another theory for the records that are being fitted: the page stays where it is scrolled to.
+pub fn change_theory(app: App, sources: Vec<Source>) {
+    let place = browser::scrolled();
+    leave(app);
+    open(app, sources, "");
+    visited::step(app);
+    browser::scroll_to(place);
 }
 
 /// Opens the corrected text of a document that did not run.

@@ -5,8 +5,8 @@ use crate::views::*;
 use crate::{browser, derivatives, measurements};
 use session::{ColumnView, RecordView};
 
-/// Rows of the preview.
-const ROWS: usize = 4;
+/// How many values of a column are shown.
+const ROWS: usize = 3;
 
 /// The records, as they are now.
 type Records = ReadSignal<Vec<RecordView>>;
@@ -71,29 +71,25 @@ fn item(app: App, records: Records, record: RecordView, choice: derivatives::Cho
         .maybe(findings)
 }
 
+/// A line for each column: what it measures, its unit, whether it is fitted, and its first values.
 fn preview(app: App, records: Records, record: &RecordView) -> HtmlDiv {
     let words = app.words();
     let id = record.id;
     let measurable = app.read(|session| session.measurable());
-    let columns = &record.columns;
-    let head = |column: &ColumnView| {
+    let line = |column: &ColumnView| {
         let made = (!column.made.is_empty()).then(|| span().class("note made").child(column.made.clone()));
-        column_head(column.head.clone()).maybe(made)
+        let cells = app.read(|session| session.record_cells(id, column.index, 0..ROWS.min(record.rows)));
+        let cells: Vec<String> =
+            cells.into_iter().map(|cell| if cell.is_empty() { "–".to_owned() } else { cell }).collect();
+        let first = span().class("note first-values").child(cells.join(" · "));
+        tr().child(row_head(column.head.clone()).maybe(made).child(first))
+            .child(quantity(app, id, column, &measurable))
+            .child(unit(app, records, id, column))
+            .child(fitted(app, id, column))
     };
-    let line = |name: &'static str| tr().child(row_head(name));
-    let cells: Vec<Vec<String>> =
-        columns.iter().map(|column| app.read(|session| session.record_cells(id, column.index, 0..ROWS))).collect();
-    let row = |row: usize| {
-        let cell = |column: &Vec<String>| td().child(column.get(row).cloned().unwrap_or_default());
-        tr().child(row_head(row + 1)).each(&cells, cell)
-    };
-    let head = tr().child(column_head(words.column)).each(columns, head);
-    let body = tbody()
-        .child(line(words.column_measures).each(columns, |column| quantity(app, id, column, &measurable)))
-        .child(line(words.column_unit).each(columns, |column| unit(app, records, id, column)))
-        .child(line(words.column_fitted).each(columns, |column| fitted(app, id, column)))
-        .each(0..ROWS.min(record.rows), row);
-    table_in("table", format!("{}: {}", words.preview, record.name), Some(head), body)
+    let heads = [words.column, words.column_measures, words.column_unit, words.column_fitted];
+    let body = tbody().each(&record.columns, line);
+    table_in("table", format!("{}: {}", words.preview, record.name), Some(tr().each(heads, column_head)), body)
 }
 
 /// What a control of a column is called.

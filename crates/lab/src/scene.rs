@@ -4,6 +4,7 @@
 use crate::app::App;
 use crate::drag::{self, Handle};
 use crate::grip::Grips;
+use crate::stage::ruler::Ruler;
 use crate::views::document as page;
 use program::{Child, Element, Piece, Scene, Template};
 use session::{Follows, Session};
@@ -18,6 +19,9 @@ pub struct SceneNodes {
     handles: Vec<Handle>,
     grips: Option<Grips>,
     ghost: Ghost,
+    /// The ruler that lies on it.
+    pub ruler: Option<Ruler>,
+    root: Option<SvgGraphicsElement>,
     /// The values drawn last.
     drawn: Vec<f64>,
     values: Vec<f64>,
@@ -45,6 +49,8 @@ impl SceneNodes {
             handles: Vec::new(),
             grips: None,
             ghost: Ghost::default(),
+            ruler: None,
+            root: None,
             drawn: Vec::new(),
             values: Vec::new(),
             text: String::new(),
@@ -62,6 +68,7 @@ impl SceneNodes {
         for handle in &mut nodes.handles {
             drag::attach(app, handle, &root);
         }
+        nodes.root = Some(root.clone());
         nodes.grips = Some(Grips::new(app, root, nodes.handles.iter().map(Handle::part).collect()));
         Some(nodes)
     }
@@ -110,6 +117,11 @@ impl SceneNodes {
             self.handles.push(Handle::new(node.clone(), drag.clone(), name));
         }
         Some(node)
+    }
+
+    /// The drawing.
+    pub fn root(&self) -> Option<SvgGraphicsElement> {
+        self.root.clone()
     }
 
     /// Shows the present.

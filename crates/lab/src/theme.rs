@@ -3,7 +3,9 @@
 use crate::app::App;
 use crate::views::*;
 use crate::{browser, frame};
-use figure::{Ink, Palette, SERIES_COLOURS};
+use figure::{Ink, Palette, RUN_COLOURS, SERIES_COLOURS};
+use wasm_bindgen::JsCast;
+use web_sys::HtmlElement;
 
 /// What was chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,6 +47,17 @@ impl Theme {
     pub fn apply(self, app: App) {
         let dark = self == Self::Dark || (self == Self::System && browser::matches("(prefers-color-scheme: dark)"));
         if let Some(root) = document().document_element() {
+            let palette = if dark { &Palette::DARK } else { &Palette::LIGHT };
+            let root: HtmlElement = root.unchecked_into();
+            let style = root.style();
+            // For legends.
+            for number in 0..SERIES_COLOURS as u8 {
+                let colour = palette.colour(Ink::Series(number)).to_string();
+                let _ = style.set_property(&format!("--series-{number}"), &colour);
+            }
+            for number in 0..RUN_COLOURS as u8 {
+                let _ = style.set_property(&format!("--run-{number}"), &palette.colour(Ink::Run(number)).to_string());
+            }
             let _ = root.set_attribute("data-theme", if dark { Self::Dark } else { Self::Light }.name());
         }
         app.with(|lab| {
@@ -69,6 +82,7 @@ impl Theme {
 pub struct Colours {
     plain: [String; 6],
     series: [String; SERIES_COLOURS],
+    runs: [String; RUN_COLOURS],
     ghosts: [String; SERIES_COLOURS],
     bands: [String; SERIES_COLOURS],
 }
@@ -79,6 +93,7 @@ impl Colours {
         Self {
             plain: [Ink::Ground, Ink::Text, Ink::Grid, Ink::Zero, Ink::Axis, Ink::Marker].map(text),
             series: std::array::from_fn(|number| text(Ink::Series(number as u8))),
+            runs: std::array::from_fn(|number| text(Ink::Run(number as u8))),
             ghosts: std::array::from_fn(|number| text(Ink::Ghost(number as u8))),
             bands: std::array::from_fn(|number| text(Ink::Band(number as u8))),
         }
@@ -94,6 +109,7 @@ impl Colours {
             Ink::Axis => &self.plain[4],
             Ink::Marker => &self.plain[5],
             Ink::Series(number) => &self.series[usize::from(number) % SERIES_COLOURS],
+            Ink::Run(number) => &self.runs[usize::from(number) % RUN_COLOURS],
             Ink::Ghost(number) => &self.ghosts[usize::from(number) % SERIES_COLOURS],
             Ink::Band(number) => &self.bands[usize::from(number) % SERIES_COLOURS],
         }

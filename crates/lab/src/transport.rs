@@ -1,10 +1,11 @@
 //! The transport: play, step, back to the start, time line, speed, sound.
 
 use crate::app::App;
+use crate::stage::full_screen;
 use crate::views::*;
-use crate::{frame, icons};
+use crate::{browser, frame, icons};
 use session::{SPEEDS, Session, Status};
-use web_sys::{HtmlElement, HtmlInputElement};
+use web_sys::{Element, HtmlElement, HtmlInputElement};
 
 /// The time line has so many positions.
 const POSITIONS: f64 = 10_000.0;
@@ -104,7 +105,7 @@ pub fn view(app: App) -> HtmlSection {
         .attr("aria-label", words.transport)
         .child(buttons)
         .child(div().class("time").child(clock).child(line))
-        .child(div().class("extras").child(speed(app)).child(sound(app)))
+        .child(div().class("extras").child(speed(app)).child(sound(app)).maybe(fill_screen(app)))
         // Why the run has stopped is announced by the session; only the other has to be spoken from here.
         .child(p().class("trouble").child(text(move || trouble(true))))
         .child(p().class("trouble").role("status").child(text(move || trouble(false))))
@@ -174,6 +175,23 @@ fn sound(app: App) -> HtmlButton {
         .attr("aria-pressed", move || on.get().to_string())
         .when(events::click, toggle)
         .child(changing(move || if on.get() { icons::sound() } else { icons::mute() }))
+}
+
+/// Fills the screen with the stage.
+fn fill_screen(app: App) -> Option<HtmlButton> {
+    let fill = |_| {
+        if let Some(stage) = browser::by_id::<Element>("apparatus") {
+            full_screen::toggle(&stage);
+        }
+    };
+    full_screen::is_offered().then(|| {
+        button()
+            .class("icon")
+            .id("full-screen")
+            .called(app.words().fill_screen)
+            .when(events::click, fill)
+            .child(icons::full_screen())
+    })
 }
 
 /// What keeps the run from going on as it should: what the session has `announced`, or else what it has not.

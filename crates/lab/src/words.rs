@@ -23,11 +23,11 @@ macro_rules! words {
 words! {
     // The page.
     skip: "Skip to the apparatus", "Ir al aparato";
-    jump: "On this page", "En esta página";
     language: "Language", "Idioma";
     theme_system: "Colours: as the system", "Colores: como el sistema";
     theme_light: "Colours: light", "Colores: claros";
     theme_dark: "Colours: dark", "Colores: oscuros";
+    presenter: "Presenter's size", "Tamaño para proyectar";
     share: "Copy link", "Copiar enlace";
     share_title: "Copy a link that reopens this state", "Copiar un enlace que reabre este estado";
     link_copied: "Link copied", "Enlace copiado";
@@ -59,6 +59,15 @@ words! {
     drag_hint_touch: "Drag in the scene with a finger.", "Arrastra en la escena con un dedo.";
     drag_role: "handle", "asa";
 
+    instruments: "Instruments", "Instrumentos";
+    stopwatch: "Stopwatch", "Cronómetro";
+    stopwatch_start: "Start the stopwatch", "Poner en marcha el cronómetro";
+    stopwatch_started: "Stopwatch started", "Cronómetro en marcha";
+    stopwatch_stop: "Stop the stopwatch", "Parar el cronómetro";
+    stopwatch_reset: "Reset the stopwatch", "Poner el cronómetro a cero";
+    ruler: "Ruler", "Regla";
+    ruler_end: "End of the ruler", "Extremo de la regla";
+
     // Transport.
     transport: "Transport", "Reproducción";
     play: "Play", "Reproducir";
@@ -69,6 +78,7 @@ words! {
     speed: "Speed", "Velocidad";
     time: "Time", "Tiempo";
     time_line: "Time line", "Línea de tiempo";
+    fill_screen: "Stage in full screen", "Escenario a pantalla completa";
     sound: "Sound", "Sonido";
     sound_title: "Hear the displacement as a pitch", "Oír el desplazamiento como un tono";
     slow: "The computation cannot keep up with the clock at this speed.", "El cálculo no alcanza al reloj a esta velocidad.";
@@ -91,6 +101,7 @@ words! {
     key_cursor: "Move the read-out (with Shift: ten rows)", "Mover la lectura (con Mayús: diez filas)";
     key_zoom: "Zoom in, zoom out", "Acercar, alejar";
     key_pan: "Pan (with Ctrl)", "Desplazar (con Ctrl)";
+    key_pin: "Pin the reading, unpin all", "Fijar la lectura, soltarlas todas";
     key_fit: "Show all of the data", "Mostrar todos los datos";
     key_handle: "Move it (with Shift: five times as far)", "Moverla (con Mayús: cinco veces más)";
 
@@ -106,6 +117,7 @@ words! {
     started_by_hand: "The run starts from a state that was set by hand. Restore defaults brings the document's start back.", "La serie parte de un estado fijado a mano. Restaurar valores recupera el del documento.";
     method: "Method", "Método";
     step: "Step", "Paso";
+    settings: "State and method", "Estado y método";
     numerics: "Numerical method", "Método numérico";
 
     // Readouts.
@@ -120,12 +132,22 @@ words! {
     plot: "plot", "gráfica";
     plots_shown: "Plots shown", "Gráficas visibles";
     no_plots: "All plots are hidden.", "Todas las gráficas están ocultas.";
-    plot_keys: "Arrow keys read values, plus and minus zoom, 0 shows everything.", "Las flechas leen valores, más y menos acercan y alejan, 0 muestra todo.";
+    plot_keys: "Arrow keys read values, Enter pins a reading, plus and minus zoom, 0 shows everything.", "Las flechas leen valores, Intro fija una lectura, más y menos acercan y alejan, 0 muestra todo.";
     zoom_in: "Zoom in", "Acercar";
     zoom_out: "Zoom out", "Alejar";
     fit: "Show all", "Mostrar todo";
     save_svg: "Download SVG", "Descargar SVG";
     save_png: "Download PNG", "Descargar PNG";
+
+    save_plot_csv: "Download CSV of this plot", "Descargar CSV de esta gráfica";
+    plot_menu: "Download and full screen", "Descargas y pantalla completa";
+    full_screen: "Full screen", "Pantalla completa";
+    legend: "Legend", "Leyenda";
+    pinned: "Pinned", "Fijado";
+    unpin: "Unpin the readings", "Soltar las lecturas";
+    unpinned: "Reading removed", "Lectura quitada";
+    difference: "Difference", "Diferencia";
+    difference_sign: "B − A", "B − A";
 
     // Runs.
     runs: "Kept runs", "Series guardadas";
@@ -134,13 +156,16 @@ words! {
     remove_run: "Remove", "Quitar";
     ghost: "Previous run", "Serie anterior";
 
-    // The notebook.
-    notebook: "Notebook", "Cuaderno";
-    introduction: "Introduction", "Introducción";
+    // The panel.
+    panel: "Panel", "Panel";
+    tab_play: "Play", "Explorar";
+    tab_activities: "Activities", "Actividades";
+    tab_measure: "Measure", "Medir";
+    tab_fit: "Fit", "Ajustar";
+    tab_theory: "Theory", "Teoría";
     contents: "Contents", "Contenido";
     equations: "Model", "Modelo";
     equations_intro: "The equations as the document states them; the program solves exactly these.", "Las ecuaciones tal como las enuncia el documento; el programa resuelve exactamente estas.";
-    data: "Data", "Datos";
     source: "Source", "Fuente";
     source_intro: "The whole simulation is this text. Save it, change it, and open it again.", "Toda la simulación es este texto. Guárdalo, cámbialo y ábrelo de nuevo.";
     save_source: "Download", "Descargar";
@@ -159,7 +184,6 @@ words! {
     copy_csv: "Copy CSV", "Copiar CSV";
 
     // Measurements.
-    measurements: "Measurements", "Mediciones";
     measurements_intro: "Bring a record of a film or a sensor: a table of times and values as text, XLSX or ODS, as the tracking program or spreadsheet wrote it. Drop the file anywhere on this page, choose it, or paste it. It stays in your browser.", "Trae un registro de un vídeo o de un sensor: una tabla de tiempos y valores como texto, XLSX u ODS, tal como la escribió el programa de seguimiento o la hoja de cálculo. Suelta el archivo en cualquier parte de esta página, elígelo o pégalo. No sale de tu navegador.";
     records: "Records", "Registros";
     choose_record: "Choose a file", "Elegir un archivo";
@@ -175,7 +199,7 @@ words! {
     not_lasting: "too long to be kept for the next visit", "demasiado largo para conservarlo hasta la próxima visita";
     show_record: "Show it in the plots", "Mostrarlo en las gráficas";
     remove_record: "Remove the record", "Quitar el registro";
-    preview: "Columns and first rows", "Columnas y primeras filas";
+    preview: "Columns and first values", "Columnas y primeros valores";
     column: "Column", "Columna";
     column_measures: "Measures", "Mide";
     column_unit: "Unit", "Unidad";
@@ -229,15 +253,21 @@ words! {
     library_theories: "Theories of a liquid column that comes to rest", "Teorías de una columna de líquido que se detiene";
 
     // Fits.
-    fit_title: "Fit", "Ajuste";
     fit_record: "Record to be fitted", "Registro que se ajusta";
-    fit_theory: "Choose a theory", "Elegir una teoría";
-    fit_intro: "The document that is open is the theory. Ticked parameters are adjusted until the curve matches the points as well as possible.", "El documento abierto es la teoría. Los parámetros marcados se ajustan hasta que la curva concuerda lo mejor posible con los puntos.";
+    fit_theory: "Theories", "Teorías";
+    fit_step_record: "Record", "Registro";
+    fit_step_theory: "Theory", "Teoría";
+    fit_step_fit: "Result", "Resultado";
+    fit_options: "Options", "Opciones";
+    fit_statistics: "Statistics", "Estadística";
+    fit_none: "There is no record to fit yet. Add one in the tab Measure, drop a file anywhere on this page, or take a sample.", "Todavía no hay ningún registro que ajustar. Añade uno en la pestaña Medir, suelta un archivo en cualquier parte de esta página o toma una muestra.";
+    add_record: "Add a record", "Añadir un registro";
     fit_together: "Fitted together", "Se ajustan juntos";
     fit_same: "one value for all", "un valor para todos";
     fit_same_intro: "A parameter that all records have in common is fitted to all of them at once. To use a known value for each record, untick the parameter and enter the values.", "Un parámetro común a todos los registros se ajusta con todos a la vez. Para usar un valor conocido en cada registro, desmarca el parámetro y escribe los valores.";
     fit_vary: "Vary", "Varían";
     fit_part: "Part of the record", "Parte del registro";
+    fit_part_in_plot: "Take the part in the plot", "Tomar la parte de la gráfica";
     fit_from: "From", "Desde";
     fit_until: "until", "hasta";
     fit_loss: "Loss", "Pérdida";
@@ -253,7 +283,6 @@ words! {
     fit_rmse: "Residuals (RMS)", "Residuos (RMS)";
     fit_predicted: "Outside the part", "Fuera de la parte";
     fit_weight: "Weight", "Peso";
-    fit_actions: "Actions", "Acciones";
     fit_apply: "Show", "Mostrar";
     fit_open: "Open", "Abrir";
     fit_remove: "Remove the fit", "Quitar el ajuste";

@@ -189,6 +189,7 @@ impl Session {
             marker: None,
             view,
             ordered: !against,
+            equal: false,
         })
     }
 

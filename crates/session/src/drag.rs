@@ -6,7 +6,7 @@
 //! what is held is at rest. It stays the start until another one is set or [`Session::restore_defaults`].
 
 use crate::start::Start;
-use crate::{Announcement, Session};
+use crate::{Announcement, Session, number};
 use document::Document;
 use engine::Setup;
 use program::{Child, Drag, Element, Piece};
@@ -45,6 +45,9 @@ struct Pulled {
 /// How finely the place is found at which the drawing stops following: parts of the way, as a power of two.
 const HALVINGS: u32 = 40;
 
+/// Significant digits of a length in the drawing: those of a ruler.
+const LENGTH_DIGITS: usize = 3;
+
 impl Session {
     /// Takes hold of a part of the scene; the run stands still meanwhile.
     pub fn drag_begin(&mut self, drag: &Drag) {
@@ -65,6 +68,22 @@ impl Session {
         let mut end = |way: f64| self.followed(&mut hold, way)?.state.get(drag.state).copied();
         let (one, other) = (end(-way).unwrap_or(now), end(way).unwrap_or(now));
         Some((one.min(other).min(now), one.max(other).max(now)))
+    }
+
+    /// A length in the drawing in words, where a handle says how long a unit of the drawing is; `None` where none does.
+    pub fn scene_length(&mut self, units: f64) -> Option<String> {
+        let scene = self.document.program.scene(&self.tag)?;
+        let mut drags = Vec::new();
+        collect_drags(&scene.root, &mut drags);
+        let lengths = drags.into_iter().filter_map(|drag| {
+            let state = self.document.program.model.states.get(drag.state)?;
+            (state.unit.dimension == units::Dimension::LENGTH).then_some((drag.up.or(drag.right)?, state.unit.clone()))
+        });
+        let (factor, unit) = lengths.collect::<Vec<_>>().into_iter().next()?;
+        let factor = self.scene_values().get(factor).copied().filter(|factor| factor.is_finite() && *factor != 0.0)?;
+        let value = unit.from_si(units * factor.abs());
+        let text = number::plain(value, LENGTH_DIGITS, self.style);
+        Some(format!("{text} {}", number::unit_text(&unit.text)))
     }
 
     /// What is to be known of a part that is taken hold of; `None` where the state cannot be dragged.
@@ -195,6 +214,15 @@ impl Session {
 /// Whether two drawings are the same, bit by bit.
 fn same(one: &[f64], other: &[f64]) -> bool {
     one.iter().map(|value| value.to_bits()).eq(other.iter().map(|value| value.to_bits()))
+}
+
+fn collect_drags<'a>(element: &'a Element, drags: &mut Vec<&'a Drag>) {
+    drags.extend(&element.drag);
+    for child in &element.children {
+        if let Child::Element(child) = child {
+            collect_drags(child, drags);
+        }
+    }
 }
 
 /// Collects the values in the attributes of an element and those below it.

@@ -285,4 +285,24 @@ impl Session {
         self.revision.fits += 1;
         Ok(())
     }
+
+    /// What a zoomed plot against the independent variable shows of it; `None` where none is zoomed.
+    fn part_in_plot(&self) -> Option<figure::Interval> {
+        let against = (0..self.document.program.plots.len()).filter(|index| self.is_against_independent(*index));
+        against.filter_map(|index| self.plots.get(index)?.view.x).next()
+    }
+
+    /// Whether a plot shows a part of the records that can be taken for the one that is fitted.
+    pub fn has_part_in_plot(&self) -> bool {
+        self.part_in_plot().is_some()
+    }
+
+    /// Fits the part of the records that a zoomed plot shows.
+    pub fn take_part_in_plot(&mut self) {
+        if let Some(part) = self.part_in_plot() {
+            let unit = &self.model().independent.unit;
+            self.fits.setup.window = [part.low, part.high].map(|end| Some(unit.to_si(end)));
+            self.revision.fits += 1;
+        }
+    }
 }

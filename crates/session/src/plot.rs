@@ -89,8 +89,9 @@ impl Session {
         self.follow();
         let mut figure = std::mem::take(&mut self.plots.get_mut(index)?.figure);
         if let Some(mut plot) = self.figure_of(index) {
-            // On the page the title is a heading above the figure.
+            // On the page title and legend stand above the figure.
             plot.title = "";
+            plot.series.iter_mut().for_each(|series| series.label = "");
             figure::layout_into(&mut figure, &plot, settings);
         }
         let state = self.plots.get_mut(index)?;
@@ -106,7 +107,15 @@ impl Session {
     /// The plot as a figure that stands alone, with its title: what is saved.
     pub fn titled_figure(&mut self, index: usize, settings: &Settings) -> Option<Figure> {
         self.follow();
-        Some(figure::layout(&self.figure_of(index)?, settings))
+        let names = self.series_names(index);
+        let mut plot = self.figure_of(index)?;
+        // One entry stands for all curves of a kept run.
+        for (series, name) in plot.series.iter_mut().zip(&names) {
+            if let (Style::Run(_), 0, Some(run)) = (series.style, series.colour, &name.run) {
+                series.label = run;
+            }
+        }
+        Some(figure::layout(&plot, settings))
     }
 
     /// The plot as a standalone SVG file.
@@ -252,7 +261,7 @@ impl Session {
         let labels = &state.labels;
         let ghosts = self.ghost.iter().map(|ghost| (&ghost.traces, Style::Ghost));
         let kept = self.kept.iter().filter(|kept| kept.shown);
-        let kept = kept.map(|kept| (&kept.traces, Style::Kept(kept.pattern)));
+        let kept = kept.map(|kept| (&kept.traces, Style::Run(kept.pattern)));
         let points = self.data.points.get(index).into_iter().flatten().enumerate().filter_map(|(number, points)| {
             let (_, axis) = *columns.curves.get(points.curve)?;
             let (colour, style) = (MEASURED + points.curve as u8, Style::Points);
@@ -290,10 +299,20 @@ impl Session {
             marker: if independent { self.present.get(columns.x).copied() } else { None },
             view: state.view.clone(),
             ordered: independent,
+            equal: self.is_path(index),
         })
     }
 
-    fn is_against_independent(&self, index: usize) -> bool {
+    /// Whether lengths are drawn against a length.
+    fn is_path(&self, index: usize) -> bool {
+        let plot = self.document.program.plots.get(index);
+        plot.is_some_and(|plot| {
+            let mut drawn = plot.curves.iter().map(|curve| &curve.value).chain([&plot.x.value]);
+            drawn.all(|value| value.unit.dimension == units::Dimension::LENGTH)
+        })
+    }
+
+    pub(crate) fn is_against_independent(&self, index: usize) -> bool {
         let node = self.document.program.plots.get(index).map(|plot| plot.x.value.node);
         node.is_some_and(|node| self.model().graph.node(node) == Node::Independent)
     }

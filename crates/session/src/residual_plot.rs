@@ -37,6 +37,7 @@ impl Session {
             marker: Some(unit.from_si(self.course.time())),
             view: state.view.clone(),
             ordered: true,
+            equal: false,
         })
     }
 

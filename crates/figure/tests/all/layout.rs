@@ -102,6 +102,28 @@ fn the_legend_stands_between_the_titles_of_the_axes() {
 }
 
 #[test]
+fn a_path_has_equal_axes_also_when_it_is_zoomed() {
+    let angle: Vec<f64> = (0..=90).map(|step| f64::from(step) * std::f64::consts::TAU / 90.0).collect();
+    let x: Vec<f64> = angle.iter().map(|angle| 3.0 * libm::cos(*angle)).collect();
+    let y: Vec<f64> = angle.iter().map(|angle| 3.0 * libm::sin(*angle)).collect();
+    let series = vec![Series { x: &x, y: &y, ..Series::default() }];
+    let mut plot = Plot { x: axis("x", "m"), y: vec![axis("y", "m")], series, equal: true, ..Plot::default() };
+    let per_unit = |figure: &figure::Figure| {
+        let (x, y) = (figure.x_scale().unwrap(), &figure.y_scales()[0]);
+        (x.pixel(1.0) - x.pixel(0.0), y.pixel(0.0) - y.pixel(1.0))
+    };
+    for size in [settings(640.0, 240.0), settings(240.0, 640.0), settings(300.0, 300.0)] {
+        plot.view = figure::View::default();
+        let figure = layout(&plot, &size);
+        let (across, up) = per_unit(&figure);
+        assert!((across / up - 1.0).abs() < 0.02, "{across} and {up} pixels at {size:?}");
+        plot.view = figure.zoom_centre(2.0, figure::Direction::Both);
+        let (zoomed, up) = per_unit(&layout(&plot, &size));
+        assert!((zoomed / up - 1.0).abs() < 0.02 && zoomed > 1.8 * across, "{zoomed} and {up} pixels");
+    }
+}
+
+#[test]
 fn zeros_of_all_axes_are_level_and_the_present_is_marked() {
     let (time, displacement, velocity) = columns(201);
     let plot = Plot {

@@ -175,6 +175,8 @@ fn plots_are_read_by_pointer_and_by_keyboard() {
     let row = hovered.samples[0].row;
     let next = session.move_cursor(0, 1).unwrap();
     assert_eq!(next.samples[0].row, row + 1);
+    let apart = session.plot_difference(0, &hovered, &next);
+    assert!(apart[0].starts_with("Δt = 0.0") && apart[1].starts_with("Δy = ") && apart.len() == 3, "{apart:?}");
     assert!(session.hover_plot(0, Point { x: -1.0, y: 0.0 }).is_none());
     assert!(session.hover_plot(9, middle).is_none() && session.move_cursor(9, 1).is_none());
 }
@@ -304,4 +306,34 @@ fn units_other_than_si_are_shown_everywhere() {
     session.layout_plot(0, &Settings::default());
     let readout = session.move_cursor(0, 0).unwrap();
     assert_eq!(readout.samples[0].y, 5.0);
+}
+
+#[test]
+fn kept_runs_are_named_in_legend_csv_and_figure_and_left_out_of_pins() {
+    let mut session = utube();
+    play(&mut session, [1.0]);
+    session.keep().unwrap();
+    play(&mut session, [1.0]);
+    let legend = session.plot_legend(0);
+    let labels: Vec<&str> = legend.iter().map(|entry| entry.label.as_str()).collect();
+    assert_eq!(labels, ["initial settings", "y", "y′"]);
+    assert_eq!(legend[0].style, figure::Style::Run(0));
+    let csv = session.plot_csv(0);
+    let head = csv.lines().next().unwrap();
+    assert!(head.starts_with("t (initial settings) [s],y (initial settings) [m],"), "{head}");
+    assert!(head.ends_with(",t [s],y [m],t [s],y′ [m/s]"), "{head}");
+    // The kept run is the shorter one; the last row has the present one alone.
+    assert!(csv.trim_end().lines().last().unwrap().starts_with(",,,,"), "{csv}");
+    assert!(session.plot_svg(0, &Settings::default(), &figure::Palette::LIGHT).contains(">initial settings<"));
+    let panel = session.layout_plot(0, &Settings::default()).unwrap().panel;
+    let at = Point { x: panel.x + panel.width / 20.0, y: panel.y + panel.height / 2.0 };
+    let hovered = session.hover_plot(0, at).unwrap();
+    assert_eq!(hovered.samples.len(), 4);
+    assert_eq!(session.own_samples(0, hovered).samples.len(), 2);
+}
+
+#[test]
+fn a_length_in_the_drawing_is_that_of_its_handles() {
+    // 40 units of the drawing are a metre.
+    assert_eq!(utube().scene_length(40.0).as_deref(), Some("1 m"));
 }

@@ -1,10 +1,10 @@
-//! What a fit is asked for: theory, records, what is varied and what records have in common, the part that counts.
+//! What a fit is asked for: records, what is varied and what records have in common, the part that counts.
 
 use crate::app::App;
+use crate::browser;
 use crate::controls::symbol;
 use crate::views::*;
-use crate::{browser, library};
-use session::{ChoiceView, FitRecordView, KnownView};
+use session::{ChoiceView, FitRecordView, KnownView, Session};
 
 /// Why something typed was not taken.
 type Refusal = Signal<Option<String>>;
@@ -12,17 +12,23 @@ type Refusal = Signal<Option<String>>;
 /// What can be varied, as it is now.
 type Choices = ReadSignal<Vec<ChoiceView>>;
 
-/// The setup. It is built anew only where it has changed, so that nobody is interrupted while typing.
-pub fn view(app: App, refusal: Refusal) -> View {
-    let words = app.words();
+/// The records and the part of them that counts.
+pub fn record(app: App, refusal: Refusal) -> View {
     let records = memo(move || {
         app.changes.records.track();
         app.changes.fits.track();
         app.read(|session| session.fit_records())
     });
+    let line =
+        div().class("step-line").child(changing(move || chooser(app, records.get_clone()))).child(ends(app, refusal));
+    View::from((line, changing(move || together(app, records.get_clone()))))
+}
+
+/// What is varied. It is built anew only where it has changed, so that nobody is interrupted while typing.
+pub fn varied(app: App, refusal: Refusal) -> View {
     let choices = memo(move || {
         app.changes.parameters.track();
-        records.track();
+        app.changes.records.track();
         app.changes.fits.track();
         app.read(|session| session.fit_choices())
     });
@@ -32,26 +38,12 @@ pub fn view(app: App, refusal: Refusal) -> View {
         rows.iter_mut().flat_map(|row| &mut row.values).for_each(|known| known.text.clear());
         rows
     });
-    let head = div()
-        .class("record-head")
-        .child(h3().id("fitting-title").child(words.fit_title))
-        .child(changing(move || chooser(app, records.get_clone())))
-        .child(
-            button()
-                .class("quiet outlined")
-                .id("fit-theory")
-                .attr("aria-haspopup", "dialog")
-                .when(events::click, move |_| library::choose(app))
-                .child(words.fit_theory),
-        );
-    View::from((
-        head,
-        note(words.fit_intro),
-        changing(move || together(app, records.get_clone())),
-        changing(move || vary(app, refusal, choices, rows.get_clone())),
-        ends(app, refusal),
-        loss(app),
-    ))
+    changing(move || vary(app, refusal, choices, rows.get_clone()))
+}
+
+/// What is seldom changed.
+pub fn options(app: App) -> HtmlDetails {
+    details().class("options").child(summary().child(app.words().fit_options)).child(loss(app))
 }
 
 /// What residuals cost.
@@ -164,9 +156,13 @@ fn value(app: App, refusal: Refusal, choices: Choices, choice: &ChoiceView, know
 /// What part of the records counts.
 fn ends(app: App, refusal: Refusal) -> HtmlDiv {
     let words = app.words();
-    let [from, until] = app.read(|session| session.fit_window());
+    let window = memo(move || {
+        app.changes.fits.track();
+        app.read(|session| session.fit_window())
+    });
     let unit = app.read(|session| session.measurement_units("")[1].clone());
-    let end = |(end, (name, value)): (usize, (&'static str, String))| {
+    let end = |(end, name): (usize, &'static str)| {
+        let value = move || window.with(|window| window.get(end).cloned().unwrap_or_default());
         let id = format!("fit-end-{end}");
         let take = move |event| {
             let typed = value_of(&event);
@@ -176,6 +172,17 @@ fn ends(app: App, refusal: Refusal) -> HtmlDiv {
             .child(short_field(id).prop("value", value).when(events::change, take))
             .child(unit_of(unit.clone()))
     };
-    let ends = [(words.fit_from, from), (words.fit_until, until)].into_iter().enumerate();
-    div().class("ends").role("group").attr("aria-label", words.fit_part).each(ends, end)
+    let zoomed = memo(move || {
+        app.changes.plots.track();
+        app.read(|session| session.has_part_in_plot())
+    });
+    let take = move |_| app.act(Session::take_part_in_plot);
+    let from_plot = button()
+        .class("quiet")
+        .id("fit-part-in-plot")
+        .hidden(move || !zoomed.get())
+        .when(events::click, take)
+        .child(words.fit_part_in_plot);
+    let ends = [words.fit_from, words.fit_until].into_iter().enumerate();
+    div().class("ends").role("group").attr("aria-label", words.fit_part).each(ends, end).child(from_plot)
 }

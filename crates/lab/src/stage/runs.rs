@@ -1,5 +1,6 @@
 //! Kept runs: drawn behind the present one, shown, hidden, removed.
 
+use super::legend;
 use crate::app::App;
 use crate::icons;
 use crate::views::*;
@@ -24,7 +25,8 @@ pub fn list(app: App) -> View {
     });
     // The list is built anew only where it has another line: who hides a run stays at its box.
     let lines = memo(move || {
-        let named = kept.with(|kept| kept.iter().map(|run| (run.id, run.name.clone())).collect::<Vec<_>>());
+        let named =
+            kept.with(|kept| kept.iter().map(|run| (run.id, run.name.clone(), run.pattern)).collect::<Vec<_>>());
         app.changes.runs.track();
         (named, app.read(|session| session.has_ghost()))
     });
@@ -35,14 +37,16 @@ pub fn list(app: App) -> View {
         if named.is_empty() && !ghost {
             return View::new();
         }
-        let run = |(id, name): (u32, String)| {
+        let run = |(id, name, pattern): (u32, String, u8)| {
             let show = move |event| {
                 let shown = is_checked(&event);
                 app.act(|session| session.show_kept(id, shown));
             };
             let tick = input().r#type("checkbox").prop("checked", move || shown(id)).when(events::change, show);
             let remove = remove(app, &name, move |session| session.remove_kept(id));
-            li().class("run").child(switch(tick, name)).child(remove)
+            let name = span().class("run-name").title(name.clone()).child(name);
+            let line = legend::sample(figure::Style::Run(pattern), pattern);
+            li().class("run").child(switch(tick, View::from((line, name)))).child(remove)
         };
         let ghost = ghost.then(|| {
             let remove = remove(app, words.ghost, Session::remove_ghost);

@@ -46,6 +46,34 @@ pub fn paint_readout(context: &CanvasRenderingContext2d, readout: &Readout, figu
     }
 }
 
+/// A pinned read-out: rings about its samples, and a line with its letter.
+pub fn paint_pin(context: &CanvasRenderingContext2d, pin: &Readout, letter: &str, figure: &Figure, colours: &Colours) {
+    let places = pin.samples.iter().filter_map(|sample| figure.place(sample.axis, sample.x, sample.y));
+    let places: Vec<figure::Point> = places.collect();
+    let Some(first) = places.first() else { return };
+    let (x, panel) = (f64::from(first.x).round() + 0.5, figure.panel);
+    context.set_stroke_style_str(colours.of(Ink::Text));
+    context.set_line_width(1.0);
+    let _ = context.set_line_dash(&Array::of2(&3.into(), &3.into()));
+    context.begin_path();
+    context.move_to(x, f64::from(panel.y));
+    context.line_to(x, f64::from(panel.y + panel.height));
+    context.stroke();
+    let _ = context.set_line_dash(&Array::new());
+    context.set_line_width(2.0);
+    for place in &places {
+        context.begin_path();
+        let _ = context.arc(place.x.into(), place.y.into(), 4.0, 0.0, std::f64::consts::TAU);
+        context.set_fill_style_str(colours.of(Ink::Ground));
+        context.fill();
+        context.stroke();
+    }
+    context.set_fill_style_str(colours.of(Ink::Text));
+    context.set_font(&format!("600 12px {FACE}"));
+    context.set_text_align("left");
+    let _ = context.fill_text(letter, x + 4.0, f64::from(panel.y) + 12.0);
+}
+
 /// The rectangle that is being drawn for zooming.
 pub fn paint_box(context: &CanvasRenderingContext2d, from: (f64, f64), to: (f64, f64), colours: &Colours) {
     let (x, y) = (from.0.min(to.0), from.1.min(to.1));

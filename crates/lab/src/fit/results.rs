@@ -1,7 +1,8 @@
 //! What has come of fits: side by side, one of them in detail, and the files that can be saved of them.
 
 use crate::app::App;
-use crate::controls::symbol;
+use crate::controls::name_and_symbol;
+use crate::panel::Tab;
 use crate::views::*;
 use crate::{browser, opening};
 use document::page::Source;
@@ -30,16 +31,14 @@ pub fn view(app: App, chosen: Signal<Option<u32>>, ranked: Signal<bool>) -> View
         (Some(id), several) => detail(app, id, several),
         (None, _) => View::new(),
     };
-    let results = move || View::from((table(app, changing(rows)), changing(detail)));
+    let results = move || View::from((changing(detail), table(app, changing(rows))));
     changing(move || if any.get() { results() } else { View::new() })
 }
 
 fn table(app: App, rows: View) -> HtmlDiv {
     let words = app.words();
-    let heads =
-        [words.fit_theory_head, words.fit_counts, words.fit_rmse, words.fit_predicted, "ΔAICc", words.fit_weight];
-    let actions = column_head(span().class("visually-hidden").child(words.fit_actions));
-    let head = tr().each(heads, column_head).child(actions);
+    let heads = [words.fit_theory_head, words.fit_rmse, "ΔAICc", words.fit_weight];
+    let head = tr().each(heads, column_head);
     table_in("table fits", words.fit_results, Some(head), tbody().child(rows)).id("fit-results")
 }
 
@@ -48,8 +47,11 @@ fn row(app: App, fit: FitView, shown: Option<u32>, chosen: Signal<Option<u32>>) 
     let (id, selected) = (fit.id, shown == Some(fit.id));
     let records = fit.records.join(" + ");
     let name = format!("{}, {records}", fit.theory);
-    let counts = format!("{} / {}", fit.counts.0, fit.counts.1);
-    let cells = [counts, fit.rmse, fit.predicted, fit.difference, fit.weight];
+    let mut remarks = vec![records, format!("{}: {} / {}", words.fit_counts, fit.counts.0, fit.counts.1)];
+    if !fit.predicted.is_empty() {
+        remarks.push(format!("{}: {}", words.fit_predicted, fit.predicted));
+    }
+    let cells = [fit.rmse, fit.difference, fit.weight];
     // A theory that is not open can be opened and shown with what was found.
     let apply = if fit.applicable { words.fit_apply } else { words.fit_open };
     let remove = format!("{}: {name}", words.fit_remove);
@@ -62,10 +64,10 @@ fn row(app: App, fit: FitView, shown: Option<u32>, chosen: Signal<Option<u32>>) 
     let use_it = move |_| {
         if !applicable {
             let texts = app.read(|session| session.fit_texts(id));
-            opening::open_sources(app, texts.into_iter().map(|(name, text)| Source { name, text }).collect());
+            opening::change_theory(app, texts.into_iter().map(|(name, text)| Source { name, text }).collect());
         }
         app.act(|session| session.apply_fit(id));
-        app.tab.set(app.measurements_tab.get_untracked());
+        app.tab.set(Tab::Fit);
     };
     let forget = move |_| {
         app.act(|session| session.remove_fit(id));
@@ -84,10 +86,10 @@ fn row(app: App, fit: FitView, shown: Option<u32>, chosen: Signal<Option<u32>>) 
         .when(events::click, use_it)
         .child(apply);
     let remove = cross(remove).id(format!("remove-fit-{id}")).when(events::click, forget);
-    tr().attr("aria-current", selected.then_some("true"))
-        .child(row_head(pick).child(span().class("note").child(records)))
-        .each(cells, |cell| td().child(cell))
-        .child(td().child(div().class("actions").child(apply).child(remove)))
+    let first = row_head(pick)
+        .child(span().class("note").child(remarks.join(" · ")))
+        .child(div().class("actions").child(apply).child(remove));
+    tr().attr("aria-current", selected.then_some("true")).child(first).each(cells, |cell| td().child(cell))
 }
 
 /// The files that can be saved of a fit, and of all fits of the same values.
@@ -135,7 +137,7 @@ fn estimates(app: App, detail: &FitDetail) -> HtmlTbody {
         let head = tr().class("group").child(th().scope("colgroup").colspan("4").child(name));
         let row = tr()
             .class(one.derived.then_some("derived"))
-            .child(row_head(one.label.clone()).child(" ").child(symbol(&one.name)))
+            .child(row_head(name_and_symbol(&one.label, &one.name)))
             .child(td().class("value").child(one.value.clone()))
             .child(td().class("unit").child(one.unit.clone()))
             .child(td().class("note").child(one.remark.clone()));
@@ -148,13 +150,17 @@ fn detail(app: App, id: u32, several: bool) -> View {
     let Some(detail) = app.read(|session| session.fit_detail(id)) else { return View::new() };
     let statistics: Vec<String> = detail.statistics.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     let estimates = table_in("estimates", words.fit_varied, None, estimates(app, &detail));
+    let statistics = details()
+        .class("options")
+        .child(summary().child(words.fit_statistics))
+        .child(ul().class("statistics").each(statistics, |line| li().child(line)))
+        .child(note(words.fit_errors));
     div()
         .class("detail")
         .child(h4().child(detail.theory))
-        .child(div().class("verdicts").each(detail.sentences, |sentence| p().child(sentence)))
         .child(estimates)
-        .child(note(statistics.join(" · ")))
-        .child(note(words.fit_errors))
+        .child(div().class("verdicts").each(detail.sentences, |sentence| p().child(sentence)))
+        .child(statistics)
         .child(exports(app, id, several))
         .into()
 }

@@ -1,16 +1,19 @@
 //! Pointer, wheel and keys on a plot. A mouse reads by hovering, pans by dragging and zooms into a rectangle with Shift;
-//! one finger reads, two fingers pan and zoom. The wheel zooms only in a plot that has the focus, or with Ctrl, so that
+//! one finger reads, two fingers pan and zoom. A press, or a finger that lifts, pins what is read. The wheel zooms only in a plot that has the focus, or with Ctrl, so that
 //! it scrolls the page otherwise.
 
+use super::pins;
 use crate::app::App;
 use crate::frame;
-use crate::plots::with_plot;
+use crate::stage::plot::with_plot;
 use figure::{Direction, Point};
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent, PointerEvent, WheelEvent};
 
 /// A rectangle smaller than this in CSS pixels is a click.
 const SMALLEST: f64 = 6.0;
+/// A mouse that has moved less than this in CSS pixels has pressed and not dragged.
+const STILL: f64 = 4.0;
 
 /// The pointers that are down on a canvas.
 #[derive(Default)]
@@ -18,6 +21,8 @@ pub struct Gesture {
     fingers: Vec<(i32, f64, f64)>,
     /// Where a zoom rectangle began and where it is now.
     rectangle: Option<((f64, f64), (f64, f64))>,
+    /// Where a single pointer went down, as long as it may become a press: a mouse that moves pans, a finger reads.
+    pressed: Option<(f64, f64)>,
 }
 
 impl Gesture {
@@ -61,6 +66,7 @@ pub fn down(app: App, index: usize, event: &PointerEvent) {
         plot.gesture.fingers.retain(|finger| finger.0 != event.pointer_id());
         plot.gesture.fingers.push((event.pointer_id(), at.0, at.1));
         plot.gesture.rectangle = rectangle.then_some((at, at));
+        plot.gesture.pressed = (plot.gesture.fingers.len() == 1 && !rectangle).then_some(at);
         plot.pointer = (plot.gesture.fingers.len() == 1 && (touch || !rectangle)).then(|| point(at));
     });
     frame::wake(app);
@@ -85,6 +91,7 @@ pub fn moved(app: App, index: usize, event: &PointerEvent) {
         match others.first() {
             Some(&(_, x, y)) => {
                 plot.pointer = None;
+                gesture.pressed = None;
                 let distance = |from: (f64, f64)| ((from.0 - x) * (from.0 - x) + (from.1 - y) * (from.1 - y)).sqrt();
                 Motion::Pinch {
                     at: point(((at.0 + x) / 2.0, (at.1 + y) / 2.0)),
@@ -99,6 +106,12 @@ pub fn moved(app: App, index: usize, event: &PointerEvent) {
             }
             None => {
                 plot.pointer = None;
+                if gesture.pressed.is_some_and(|from| (from.0 - at.0).abs().max((from.1 - at.1).abs()) > STILL) {
+                    gesture.pressed = None;
+                }
+                if gesture.pressed.is_some() {
+                    return Motion::Nothing;
+                }
                 Motion::Pan(at.0 - before.0, at.1 - before.1)
             }
         }
@@ -114,13 +127,17 @@ pub fn moved(app: App, index: usize, event: &PointerEvent) {
     }
 }
 
-/// A pointer went up.
+/// A pointer went up: what was read stays.
 pub fn up(app: App, index: usize, event: &PointerEvent) {
-    let rectangle = with_plot(app, index, |plot| {
+    let ended = with_plot(app, index, |plot| {
         plot.gesture.fingers.retain(|finger| finger.0 != event.pointer_id());
-        plot.gesture.rectangle.take()
+        (plot.gesture.rectangle.take(), plot.gesture.pressed.take())
     });
-    if let Some((from, to)) = rectangle.flatten()
+    let Some((rectangle, pressed)) = ended else { return };
+    if pressed.is_some() {
+        pins::press(app, index, point(place(event)));
+    }
+    if let Some((from, to)) = rectangle
         && (from.0 - to.0).abs() > SMALLEST
         && (from.1 - to.1).abs() > SMALLEST
     {
@@ -129,7 +146,16 @@ pub fn up(app: App, index: usize, event: &PointerEvent) {
     frame::wake(app);
 }
 
-/// The pointer left the canvas. What a finger read stays until the next touch.
+/// The browser has taken the pointer, to scroll the page.
+pub fn cancelled(app: App, index: usize, event: &PointerEvent) {
+    with_plot(app, index, |plot| {
+        plot.gesture.fingers.retain(|finger| finger.0 != event.pointer_id());
+        (plot.gesture.rectangle, plot.gesture.pressed, plot.pointer) = (None, None, None);
+    });
+    frame::wake(app);
+}
+
+/// The pointer left the canvas.
 pub fn left(app: App, index: usize) {
     with_plot(app, index, |plot| plot.pointer = None);
     frame::wake(app);
@@ -166,6 +192,13 @@ pub fn key(app: App, index: usize, event: &KeyboardEvent) {
         ("ArrowRight", false) => read(app, index, rows),
         ("+" | "=", false) => app.act(|session| session.zoom_plot(index, None, 1.5, Direction::Both)),
         ("-" | "_", false) => app.act(|session| session.zoom_plot(index, None, 1.0 / 1.5, Direction::Both)),
+        ("Enter", false) => {
+            let cursor = with_plot(app, index, |plot| plot.cursor.clone()).flatten();
+            if let Some(readout) = cursor {
+                pins::pin(app, index, readout);
+            }
+        }
+        ("Escape", false) if pins::clear(app, index) => {}
         ("0", false) => app.act(|session| session.reset_plot(index)),
         _ => return,
     }

@@ -1,8 +1,13 @@
 //! Fits in the page: begun by a button, made in slices between frames.
 
+mod results;
+mod setup;
+mod theories;
+
 use crate::app::App;
+use crate::panel::{self, Tab};
 use crate::views::*;
-use crate::{browser, fit_results, fit_setup, library};
+use crate::{browser, library, measurements};
 use session::{FitProgress, Session};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
@@ -10,16 +15,34 @@ use wasm_bindgen::closure::Closure;
 /// A slice of work takes so many milliseconds: half a frame.
 const SLICE: f64 = 8.0;
 
-/// The part of the tab that fits; nothing while there is no record.
+/// The tab: which record, which theory, the fit.
 pub fn view(app: App) -> View {
     let has_records = memo(move || {
         app.changes.records.track();
         app.read(|session| !session.records().is_empty())
     });
-    changing(move || if has_records.get() { card(app) } else { View::new() })
+    changing(move || if has_records.get() { steps(app) } else { nothing_yet(app) })
 }
 
-fn card(app: App) -> View {
+/// Where there is no record: the way to one.
+fn nothing_yet(app: App) -> View {
+    let words = app.words();
+    let names = app.read(|session| session.sample_names().to_vec());
+    let choose = |(number, name): (usize, &'static str)| {
+        button().class("chip").when(events::click, move |_| measurements::sample(app, number)).child(name)
+    };
+    let samples = div()
+        .class("chips")
+        .role("group")
+        .attr("aria-label", words.sample_records)
+        .each(names.into_iter().enumerate(), choose);
+    let measure =
+        button().class("primary").when(events::click, move |_| panel::show(app, Tab::Measure)).child(words.add_record);
+    let card = section().class("card step").attr("aria-label", words.tab_fit);
+    card.child(p().child(words.fit_none)).child(samples).child(measure).into()
+}
+
+fn steps(app: App) -> View {
     let words = app.words();
     let refusal = create_signal(None::<String>);
     let chosen = create_signal(None::<u32>);
@@ -48,14 +71,26 @@ fn card(app: App) -> View {
         .child(begins(false).class("primary").id("fit").child(words.fit_begin))
         .child(begins(true).class("quiet").id("rank").title(words.fit_rank_title).child(words.fit_rank))
         .child(changing(move || if busy.get() { running(app) } else { View::new() }));
-    section()
-        .class("fitting card")
-        .attr("aria-labelledby", "fitting-title")
-        .child(fit_setup::view(app, refusal))
+    let record = step("record-step", "1", words.fit_step_record).child(setup::record(app, refusal));
+    let theory =
+        step("theory-step", "2", words.fit_step_theory).child(theories::view(app)).child(setup::varied(app, refusal));
+    let fit = step("fit-step", "3", words.fit_step_fit)
         .child(buttons)
         .child(refusal_of(refusal))
-        .child(fit_results::view(app, chosen, ranked))
-        .into()
+        .child(results::view(app, chosen, ranked))
+        .child(setup::options(app));
+    div().class("fitting-steps").child(record).child(theory).child(fit).into()
+}
+
+/// A card with its number.
+fn step(id: &'static str, number: &'static str, title: &'static str) -> HtmlSection {
+    let heading = format!("{id}-title");
+    let number = span().class("number-of-step").attr("aria-hidden", "true").child(number);
+    section()
+        .class("fitting card step")
+        .id(id)
+        .attr("aria-labelledby", heading.clone())
+        .child(h3().id(heading).child(number).child(title))
 }
 
 /// The bar and the way out, while a fit is being made.
@@ -81,7 +116,7 @@ fn running(app: App) -> View {
         browser::focus("fit");
     };
     View::from((
-        tags::progress().attr("aria-label", words.fit_title).max(move || finished().1.to_string()).value(part),
+        tags::progress().attr("aria-label", words.fit_begin).max(move || finished().1.to_string()).value(part),
         span().class("note").child(text(told)),
         button().class("quiet").id("cancel-fit").when(events::click, cancel).child(words.fit_cancel),
     ))
@@ -107,12 +142,17 @@ fn work(app: App) {
             }
             more
         });
+        let asked_for = app.fit_progress.with_untracked(Option::is_some);
         app.fit_progress.set(app.read(|session| session.fit_progress()));
         app.publish(false, false);
         if more {
             work(app);
         } else {
             app.with(|lab| lab.fitting = false);
+            // What has come of it stands below the button.
+            if asked_for && app.tab.get_untracked() == Tab::Fit {
+                browser::bring_to_top("fit-step");
+            }
             crate::frame::wake(app);
         }
     });

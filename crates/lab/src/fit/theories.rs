@@ -1,0 +1,91 @@
+//! The theories to choose from, each with its equation. Choosing one opens it, and the reader stays where the choice was made.
+
+use crate::app::App;
+use crate::views::*;
+use crate::{browser, header, library, opening};
+use document::Document;
+
+/// A theory in the list.
+#[derive(Clone, PartialEq)]
+struct Theory {
+    /// Its file; none for a document that is open and not in the library's list.
+    file: Option<String>,
+    title: String,
+    chosen: bool,
+}
+
+/// The list.
+pub fn view(app: App) -> HtmlDiv {
+    let words = app.words();
+    let chips = theories(app).into_iter().enumerate();
+    let list = div().class("theories").role("group").attr("aria-label", words.fit_theory);
+    let list = list.each(chips, |(number, theory)| chip(app, number, theory));
+    write_equations(app);
+    list
+}
+
+fn theories(app: App) -> Vec<Theory> {
+    let language = app.language.get_untracked().tag();
+    let open = app.with(|lab| lab.sources.clone()).unwrap_or_default();
+    let mut theories: Vec<Theory> = Vec::new();
+    for entry in library::theories() {
+        let (file, title, chosen) = (entry.file().to_owned(), entry.title(language), entry.files == open);
+        theories.push(Theory { file: Some(file), title, chosen });
+    }
+    if theories.iter().all(|theory| !theory.chosen) {
+        theories.insert(0, Theory { file: None, title: header::title(app), chosen: true });
+    }
+    theories
+}
+
+fn chip(app: App, number: usize, theory: Theory) -> HtmlButton {
+    let Theory { file, title, chosen } = theory;
+    let id = format!("theory-{number}");
+    let equation = match &file {
+        Some(file) => {
+            let file = file.clone();
+            let written = memo(move || app.equations.with(|known| known.get(&file).cloned().unwrap_or_default()));
+            changing(move || span().class("equation").inner_html(written.get_clone()))
+        }
+        None => span().class("equation").inner_html(app.read(|session| equation(session.document()))).into(),
+    };
+    let choose = move |_| {
+        if let Some(files) = file.as_deref().and_then(library::find)
+            && !chosen
+        {
+            opening::change_theory(app, files);
+            // Where the open document was not in the list, it has left it, and all have moved up.
+            let place = theories(app).iter().position(|theory| theory.chosen).unwrap_or(0);
+            browser::focus_later(format!("theory-{place}"));
+        }
+    };
+    button()
+        .class("theory-chip")
+        .id(id)
+        .attr("aria-pressed", chosen.to_string())
+        .when(events::click, choose)
+        .child(span().class("name").child(title))
+        .child(equation)
+}
+
+/// The first equation of motion of a document; where it has none, what it defines first.
+fn equation(document: &Document) -> String {
+    let lines = document.program.editions.first().map_or(&[][..], |edition| &edition.equations);
+    let motion = lines.iter().find(|line| line.contains("<mo>″</mo>"));
+    motion.or(lines.first()).cloned().unwrap_or_default()
+}
+
+/// Reads the documents one after the other for their equations, once, and lets the page breathe in between.
+fn write_equations(app: App) {
+    if app.with(|lab| std::mem::replace(&mut lab.reads_equations, true)).unwrap_or(true) {
+        return;
+    }
+    wasm_bindgen_futures::spawn_local(async move {
+        for entry in library::theories() {
+            browser::breathe().await;
+            if let Some(document) = entry.open() {
+                app.equations.update(|known| drop(known.insert(entry.file().to_owned(), equation(&document))));
+            }
+        }
+    });
+}

@@ -1,0 +1,141 @@
+//! What is read: the prose of the document with its questions, its equations, its source.
+
+use crate::app::App;
+use crate::views::*;
+use crate::{browser, diagnostics, question};
+use document::page::Source;
+use program::{Block, Section};
+
+/// The sections of the document in the language of the page, and the level of their headings.
+fn sections(app: App) -> (Vec<Section>, u8) {
+    let language = app.language.get_untracked().tag();
+    let mut sections: Vec<Section> = app.read(|session| session.document().program.sections(language).to_vec());
+    let top = sections.iter().map(|section| section.level).filter(|&level| level > 0).min().unwrap_or(1);
+    sections.retain(|section| section.level > 0 || !section.blocks.is_empty());
+    (sections, top)
+}
+
+/// Whether the document asks anything.
+pub fn asks(app: App) -> bool {
+    sections(app).0.iter().any(section_asks)
+}
+
+fn section_asks(section: &Section) -> bool {
+    section.blocks.iter().any(|block| matches!(block, Block::Question(_)))
+}
+
+/// Chapters that ask questions, and those that are only read. A section below another one belongs to its chapter.
+fn chapters(app: App, asking: bool) -> (Vec<Section>, u8) {
+    let (sections, top) = sections(app);
+    let mut chapters: Vec<Vec<Section>> = Vec::new();
+    for section in sections {
+        match chapters.last_mut() {
+            Some(chapter) if section.level > top => chapter.push(section),
+            _ => chapters.push(vec![section]),
+        }
+    }
+    chapters.retain(|chapter| chapter.iter().any(section_asks) == asking);
+    (chapters.into_iter().flatten().collect(), top)
+}
+
+/// The tab of the questions.
+pub fn activities(app: App) -> HtmlDiv {
+    let (sections, top) = chapters(app, true);
+    prose(app, &sections, top)
+}
+
+/// The tab of prose and equations, and of the text that they are made from.
+pub fn theory(app: App) -> HtmlDiv {
+    let (sections, top) = chapters(app, false);
+    let words = app.words();
+    let fold = details().class("card fold").id("source").child(summary().child(h3().child(words.source)));
+    div()
+        .class("theory")
+        .child(contents(app, &sections, top))
+        .child(prose(app, &sections, top))
+        .child(equations(app))
+        .child(fold.child(source(app)))
+}
+
+fn prose(app: App, sections: &[Section], top: u8) -> HtmlDiv {
+    let language = app.language.get_untracked().tag();
+    div().class("prose").lang(language).each(sections, |section| passage(app, section, top))
+}
+
+/// The way to the sections of a long text.
+fn contents(app: App, sections: &[Section], top: u8) -> View {
+    let listed: Vec<&Section> =
+        sections.iter().filter(|section| section.level == top && !section.title.is_empty()).collect();
+    if listed.len() < 3 {
+        return View::new();
+    }
+    let link = |section: &Section| li().child(a().href(format!("#{}", section.id)).child(section.title.clone()));
+    nav().class("contents").attr("aria-label", app.words().contents).child(ol().each(listed, link)).into()
+}
+
+fn passage(app: App, section: &Section, top: u8) -> View {
+    let (id, heading) = (section.id.clone(), section.heading.clone());
+    let heading = if heading.is_empty() {
+        View::new()
+    } else if section.level <= top {
+        h3().id(id).inner_html(heading).into()
+    } else if section.level == top + 1 {
+        h4().id(id).inner_html(heading).into()
+    } else {
+        h5().id(id).inner_html(heading).into()
+    };
+    let block = |block: &Block| match block {
+        // The document has made it safe.
+        Block::Html(html) => div().inner_html(html.clone()).into(),
+        Block::Question(index) => question::view(app, *index),
+    };
+    View::from((heading, each(&section.blocks, block)))
+}
+
+/// The model, typeset from its own syntax.
+fn equations(app: App) -> HtmlDiv {
+    let words = app.words();
+    let language = app.language.get_untracked().tag();
+    let lines = app.read(|session| session.document().program.edition(language).equations.clone());
+    let list = ol().each(lines, |math| li().inner_html(math));
+    let equations =
+        div().class("equations").role("region").tabindex("0").attr("aria-label", words.equations).child(list);
+    let heading = h3().id("equations").child(words.equations);
+    div().class("model").child(heading).child(note(words.equations_intro)).child(equations)
+}
+
+/// The text of the document.
+fn source(app: App) -> HtmlDiv {
+    let words = app.words();
+    let sources = app.with(|lab| lab.sources.clone()).unwrap_or_default();
+    let file = |file: Source| {
+        let (name, text, copied) = (file.name.clone(), file.text.clone(), file.text.clone());
+        let copy = button()
+            .class("quiet")
+            .attr("aria-label", format!("{}: {}", words.copy, file.name))
+            .when(events::click, move |_| copy(app, &copied))
+            .child(words.copy);
+        let save = button()
+            .class("quiet")
+            .attr("aria-label", format!("{}: {}", words.save_source, file.name))
+            .when(events::click, move |_| browser::save_text(&name, "text/markdown", &text))
+            .child(words.save_source);
+        let actions = div().class("actions").child(copy).child(save);
+        div()
+            .class("file")
+            .child(div().class("block-head").child(h3().child(file.name.clone())).child(actions))
+            .child(pre().tabindex("0").attr("aria-label", file.name).child(code().child(file.text)))
+    };
+    div().class("source").child(note(words.source_intro)).child(diagnostics::remarks(app)).each(sources, file)
+}
+
+/// Copies a text and says whether that worked.
+pub fn copy(app: App, text: &str) {
+    let words = app.words();
+    browser::copy(
+        text,
+        move |allowed| {
+            if allowed { app.notify(words.copied) } else { app.complain(words.not_copied.to_owned()) }
+        },
+    );
+}

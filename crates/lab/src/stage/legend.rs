@@ -1,0 +1,56 @@
+//! The legend in a plot's title line.
+
+use crate::app::App;
+use crate::views::*;
+use figure::{Dash, Style};
+use session::LegendEntry;
+use sycamore_web::SvgGlobalAttributes;
+
+/// The legend of a plot; nothing where there is but one series.
+pub fn view(app: App, index: usize) -> View {
+    let entries = memo(move || {
+        app.changes.runs.track();
+        app.changes.records.track();
+        app.changes.plots.track();
+        app.read(|session| session.plot_legend(index))
+    });
+    changing(move || {
+        let entries = entries.get_clone();
+        let is_run = |entry: &LegendEntry| matches!(entry.style, Style::Run(_));
+        if entries.is_empty() {
+            return View::new();
+        }
+        let item = |entry: LegendEntry| {
+            let class = is_run(&entry).then_some("of-run");
+            li().class(class)
+                .title(entry.label.clone())
+                .child(sample(entry.style, entry.colour))
+                .child(span().child(entry.label))
+        };
+        ul().class("legend").attr("aria-label", app.words().legend).each(entries, item).into()
+    })
+}
+
+/// A piece of the line, or a point, in the colour that it has in the plots.
+pub fn sample(style: Style, colour: u8) -> SvgSvg {
+    let ink = match style {
+        Style::Run(_) => format!("color:var(--run-{})", usize::from(colour) % figure::RUN_COLOURS),
+        _ => format!("color:var(--series-{})", usize::from(colour) % figure::SERIES_COLOURS),
+    };
+    let drawing = svg()
+        .class(if style == Style::Ghost { "sample faint" } else { "sample" })
+        .viewBox("0 0 24 8")
+        .width("24")
+        .height("8")
+        .attr("aria-hidden", "true")
+        .style(ink);
+    let dash = match style {
+        Style::Kept(pattern) | Style::Run(pattern) => Dash::Pattern(pattern),
+        _ => Dash::Solid,
+    };
+    let dashes: Vec<String> = dash.lengths().iter().map(f32::to_string).collect();
+    match style {
+        Style::Points => drawing.child(tags::path().class("point").d("M12 4h0")),
+        _ => drawing.child(tags::path().d("M0 4h24").attr("stroke-dasharray", dashes.join(" "))),
+    }
+}

@@ -1,0 +1,113 @@
+//! The stage: scene, plots and transport, always in sight.
+
+pub mod canvas;
+pub mod full_screen;
+mod gestures;
+mod legend;
+mod pins;
+pub mod plot;
+mod plot_tools;
+pub mod plots;
+pub mod ruler;
+mod runs;
+mod stopwatch;
+
+use crate::app::App;
+use crate::scene::SceneNodes;
+use crate::views::*;
+use crate::{frame, icons, transport};
+
+/// A window with room for the scene and one plot: a phone, or a tablet held upright.
+pub const NARROW: &str = "(max-width: 1099px) and (orientation: portrait), (max-width: 719px), (max-height: 500px)";
+
+/// The stage.
+pub fn view(app: App) -> HtmlSection {
+    let words = app.words();
+    let body = div().class("stage-body").child(scene(app)).child(plots::view(app));
+    section()
+        .class("stage")
+        .id("apparatus")
+        .tabindex("-1")
+        .attr("aria-label", words.apparatus)
+        .child(body)
+        .child(transport::view(app))
+}
+
+fn scene(app: App) -> HtmlSection {
+    let words = app.words();
+    let mut place = div().class("drawing");
+    let language = app.language.get_untracked().tag();
+    let scene = app.read(|session| session.document().program.scene(language).cloned());
+    let (exists, draggable) = (scene.is_some(), scene.as_ref().is_some_and(|scene| has_handle(&scene.root)));
+    if let Some(scene) = &scene {
+        let nodes = SceneNodes::build(app, scene, &place.node(), words.scene);
+        app.with(|lab| lab.stage.scene = nodes);
+        frame::wake(app);
+    }
+    part("scene", "scene card", words.scene)
+        .child(place)
+        .child(instruments(app, exists))
+        .child(changing(move || outline_legend(app)))
+        .maybe(draggable.then(|| drag_hint(app)))
+        .maybe((!exists).then(|| p().class("empty").child(words.no_scene)))
+}
+
+/// The instruments that lie on the scene, and the buttons that take them there.
+fn instruments(app: App, has_scene: bool) -> HtmlDiv {
+    let words = app.words();
+    let (watch, rules) = (create_signal(false), create_signal(false));
+    let measurable = has_scene && app.read(|session| session.scene_length(1.0)).is_some();
+    let lay = move |_| {
+        let laid = !rules.get_untracked();
+        app.with(|lab| {
+            if let Some(scene) = &mut lab.stage.scene {
+                scene.ruler = None;
+            }
+        });
+        let root = app.with(|lab| lab.stage.scene.as_ref().and_then(SceneNodes::root)).flatten();
+        let ruler = root.filter(|_| laid).and_then(|root| ruler::lay(app, &root));
+        rules.set(ruler.is_some());
+        app.with(|lab| {
+            if let Some(scene) = &mut lab.stage.scene {
+                scene.ruler = ruler;
+            }
+        });
+    };
+    let tool = |id: &'static str, name: &'static str, on: Signal<bool>| {
+        button().class("icon").id(id).called(name).attr("aria-pressed", move || on.get().to_string())
+    };
+    let take = move |_| watch.update(|shown| *shown = !*shown);
+    div()
+        .class("instruments")
+        .role("group")
+        .attr("aria-label", words.instruments)
+        .child(tool("stopwatch", words.stopwatch, watch).when(events::click, take).child(icons::stopwatch()))
+        .maybe(measurable.then(|| tool("ruler", words.ruler, rules).when(events::click, lay).child(icons::ruler())))
+        .child(changing(move || if watch.get() { stopwatch::view(app).into() } else { View::new() }))
+}
+
+/// What the dashed outline in the scene is; nothing while there is none.
+fn outline_legend(app: App) -> View {
+    app.changes.records.track();
+    let records = app.read(|session| session.ghost_records());
+    if records.is_empty() {
+        return View::new();
+    }
+    let sample = span().class("outline-sample").attr("aria-hidden", "true");
+    p().class("note scene-legend")
+        .child(sample)
+        .child(format!("{}: {}", app.words().outline, records.join(", ")))
+        .into()
+}
+
+/// How to drag, for the device in hand: who has no keyboard does not read of keys.
+fn drag_hint(app: App) -> HtmlP {
+    let words = app.words();
+    let keys = span().class("for-keys").child(words.drag_hint);
+    note(keys).child(span().class("for-touch").child(words.drag_hint_touch))
+}
+
+fn has_handle(element: &program::Element) -> bool {
+    element.drag.is_some()
+        || element.children.iter().any(|child| matches!(child, program::Child::Element(child) if has_handle(child)))
+}

@@ -1,0 +1,114 @@
+//! Pinned read-outs: they stay when the pointer leaves or the finger lifts, and two of them are compared.
+
+use super::plot::with_plot;
+use crate::app::App;
+use crate::frame;
+use crate::views::*;
+use figure::{Point, Readout};
+
+/// What the pins are called in the plot.
+pub const LETTERS: [&str; 2] = ["A", "B"];
+
+/// So near to a pin, in CSS pixels, another press takes it away.
+const NEAR: f32 = 12.0;
+
+/// The words of a plot's pins.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Pinned {
+    /// What each of them reads.
+    readings: Vec<String>,
+    /// How far the second is from the first.
+    difference: String,
+}
+
+/// Pins what lies at a pixel, or takes away the pin that is there.
+pub fn press(app: App, index: usize, at: Point) {
+    let near = |pin: &Readout| {
+        app.read(|session| {
+            let figure = session.plot_figure(index)?;
+            let sample = pin.samples.first()?;
+            let place = figure.place(sample.axis, sample.x, sample.y)?;
+            Some((place.x - at.x).abs() < NEAR)
+        })
+        .unwrap_or_default()
+    };
+    let pins = with_plot(app, index, |plot| plot.pins.clone()).unwrap_or_default();
+    if let Some(place) = pins.iter().position(near) {
+        with_plot(app, index, |plot| plot.pins.remove(place));
+        return tell(app, index);
+    }
+    if let Some(readout) = app.read(|session| session.hover_plot(index, at)) {
+        pin(app, index, readout);
+    }
+}
+
+/// Pins a read-out; of three the oldest goes.
+pub fn pin(app: App, index: usize, readout: Readout) {
+    let Some(readout) = app.read(|session| Some(session.own_samples(index, readout))) else { return };
+    if readout.samples.is_empty() {
+        return;
+    }
+    with_plot(app, index, |plot| {
+        if plot.pins.len() == LETTERS.len() {
+            plot.pins.remove(0);
+        }
+        plot.pins.push(readout);
+    });
+    tell(app, index);
+}
+
+/// Takes all pins of a plot away. Whether there were any.
+pub fn clear(app: App, index: usize) -> bool {
+    let any = with_plot(app, index, |plot| !std::mem::take(&mut plot.pins).is_empty()).unwrap_or_default();
+    if any {
+        tell(app, index);
+    }
+    any
+}
+
+/// Writes and says what the pins read.
+fn tell(app: App, index: usize) {
+    let Some((pins, pinned)) = with_plot(app, index, |plot| (plot.pins.clone(), plot.pinned)) else { return };
+    let lines = |pin: &Readout| {
+        let samples = pin.samples.iter().map(|sample| sample.text.clone());
+        let lines: Vec<String> =
+            std::iter::once(pin.heading.clone()).chain(samples).filter(|line| !line.is_empty()).collect();
+        lines.join(", ")
+    };
+    let difference = match pins.as_slice() {
+        [from, to] => app.read(|session| session.plot_difference(index, from, to)),
+        _ => Vec::new(),
+    };
+    let now = Pinned { readings: pins.iter().map(lines).collect(), difference: difference.join(", ") };
+    let words = app.words();
+    let said = match (now.readings.last(), now.difference.as_str()) {
+        (None, _) => words.unpinned.to_owned(),
+        (Some(last), "") => format!("{}: {last}", words.pinned),
+        (Some(last), difference) => format!("{}: {last}. {}: {difference}", words.pinned, words.difference),
+    };
+    app.say(said);
+    pinned.set(now);
+    frame::wake(app);
+}
+
+/// The line below a plot with what is pinned in it.
+pub fn view(app: App, index: usize, pinned: Signal<Pinned>) -> View {
+    changing(move || {
+        let now = pinned.get_clone();
+        if now.readings.is_empty() {
+            return View::new();
+        }
+        let words = app.words();
+        let reading =
+            |(letter, reading): (&'static str, String)| li().child(strong().child(letter)).child(" ").child(reading);
+        let difference = (!now.difference.is_empty()).then(|| {
+            li().class("difference").child(strong().child(words.difference_sign)).child(" ").child(now.difference)
+        });
+        let readings = LETTERS.into_iter().zip(now.readings);
+        let clear = cross(words.unpin.to_owned()).when(events::click, move |_| {
+            clear(app, index);
+            crate::browser::focus(&format!("canvas-{index}"));
+        });
+        div().class("pins").child(ul().each(readings, reading).maybe(difference)).child(clear).into()
+    })
+}

@@ -1,0 +1,199 @@
+//! A plot's canvas: drawn when something in it has changed, in the size that its box has.
+
+use super::canvas;
+use super::gestures::Gesture;
+use super::pins::{self, Pinned};
+use crate::app::App;
+use crate::frame;
+use crate::theme::Colours;
+use crate::views::*;
+use figure::{Point, Readout, Settings};
+use session::Session;
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlElement, IntersectionObserver, ResizeObserver};
+
+/// A plot's canvas and what is drawn over the figure.
+pub struct PlotNodes {
+    canvas: HtmlCanvasElement,
+    context: CanvasRenderingContext2d,
+    tip: HtmlElement,
+    tip_shown: bool,
+    size: (f64, f64),
+    scale: f64,
+    decimal_comma: bool,
+    /// Whether it is in sight; what is not is drawn once, for those who print the page.
+    pub visible: bool,
+    /// Whether something other than the session has changed.
+    stale: bool,
+    drawn: Option<session::Revision>,
+    /// Where the pointer reads.
+    pub pointer: Option<Point>,
+    /// What the keyboard's cursor reads.
+    pub cursor: Option<Readout>,
+    /// Read-outs that stay.
+    pub pins: Vec<Readout>,
+    /// What is shown of them.
+    pub pinned: Signal<Pinned>,
+    /// What the pointers on the canvas are about.
+    pub gesture: Gesture,
+    observers: Option<(ResizeObserver, IntersectionObserver)>,
+    /// Kept as long as the observers call them.
+    _callbacks: [Closure<dyn FnMut(js_sys::Array)>; 2],
+}
+
+impl PlotNodes {
+    /// Draws again in the next frame, whether or not the session has changed.
+    pub fn invalidate(&mut self) {
+        self.stale = true;
+    }
+
+    fn settings(&self, font_size: f64) -> Settings {
+        let (width, height) = self.size;
+        Settings { width, height, font_size, decimal_comma: self.decimal_comma }
+    }
+
+    /// Takes the size of its box.
+    fn fit(&mut self) {
+        let (width, height) = (f64::from(self.canvas.client_width()), f64::from(self.canvas.client_height()));
+        let scale = window().device_pixel_ratio().clamp(1.0, 4.0);
+        if (width, height, scale) != (self.size.0, self.size.1, self.scale) {
+            (self.size, self.scale) = ((width, height), scale);
+            self.canvas.set_width((width * scale).round() as u32);
+            self.canvas.set_height((height * scale).round() as u32);
+            // That has emptied it.
+            self.drawn = None;
+        }
+    }
+
+    /// Draws the figure if anything in it has changed. Whether a further frame is to go on with it.
+    pub fn draw(&mut self, index: usize, session: &mut Session, colours: &Colours, font_size: f64) -> bool {
+        let revision = session.revision();
+        let seen = self.visible || self.drawn.is_none();
+        if !seen || self.size.0 < 40.0 || !(self.stale || self.drawn != Some(revision)) {
+            return false;
+        }
+        (self.stale, self.drawn) = (false, Some(revision));
+        let settings = self.settings(font_size);
+        let Some(figure) = session.layout_plot(index, &settings) else { return false };
+        canvas::paint(&self.context, figure, colours, self.scale);
+        self.stale = figure.is_unfinished();
+        let readout = match self.pointer {
+            Some(at) => session.hover_plot(index, at),
+            None => self.cursor.clone(),
+        };
+        if let Some((from, to)) = self.gesture.rectangle() {
+            canvas::paint_box(&self.context, from, to, colours);
+        }
+        if let Some(figure) = session.plot_figure(index) {
+            for (pin, letter) in self.pins.iter().zip(pins::LETTERS) {
+                canvas::paint_pin(&self.context, pin, letter, figure, colours);
+            }
+        }
+        if let (Some(readout), Some(figure)) = (&readout, session.plot_figure(index)) {
+            canvas::paint_readout(&self.context, readout, figure, colours);
+        }
+        self.show_tip(readout.as_ref());
+        self.stale
+    }
+
+    /// Shows what is read beside its place, above everything: a tip that lies in its card would be cropped by it.
+    fn show_tip(&mut self, readout: Option<&Readout>) {
+        let Some(readout) = readout.filter(|readout| !readout.samples.is_empty()) else {
+            if std::mem::take(&mut self.tip_shown) {
+                let _ = self.tip.hide_popover();
+            }
+            return;
+        };
+        let lines =
+            std::iter::once(readout.heading.as_str()).chain(readout.samples.iter().map(|sample| sample.text.as_str()));
+        self.tip.set_text_content(Some(&lines.filter(|line| !line.is_empty()).collect::<Vec<_>>().join("\n")));
+        if !std::mem::replace(&mut self.tip_shown, true) {
+            let _ = self.tip.show_popover();
+        }
+        let at = readout.samples.first().map(|sample| sample.at).unwrap_or_default();
+        let canvas = self.canvas.get_bounding_client_rect();
+        let (wide, high) = (f64::from(self.tip.offset_width()), f64::from(self.tip.offset_height()));
+        let inner = |length: Result<JsValue, JsValue>| length.ok().and_then(|length| length.as_f64()).unwrap_or(0.0);
+        // On the side of the point where there is more room, and within the window.
+        let beside = if f64::from(at.x) > self.size.0 / 2.0 { -14.0 - wide } else { 14.0 };
+        let left = (canvas.left() + f64::from(at.x) + beside)
+            .clamp(4.0, (inner(window().inner_width()) - wide - 4.0).max(4.0));
+        let top = (canvas.top() + 8.0).clamp(4.0, (inner(window().inner_height()) - high - 4.0).max(4.0));
+        let style = self.tip.style();
+        let _ = style.set_property("left", &format!("{left:.0}px"));
+        let _ = style.set_property("top", &format!("{top:.0}px"));
+    }
+}
+
+impl Drop for PlotNodes {
+    fn drop(&mut self) {
+        if let Some((resize, intersection)) = &self.observers {
+            resize.disconnect();
+            intersection.disconnect();
+        }
+    }
+}
+
+/// Takes a canvas that has come into the page.
+pub fn register(app: App, index: usize, canvas: &HtmlCanvasElement, tip: &HtmlElement, pinned: Signal<Pinned>) {
+    let Some(context) = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok()) else {
+        return;
+    };
+    let resized = Closure::<dyn FnMut(js_sys::Array)>::new(move |_| {
+        with_plot(app, index, PlotNodes::fit);
+        frame::wake(app);
+    });
+    let seen = Closure::<dyn FnMut(js_sys::Array)>::new(move |entries: js_sys::Array| {
+        let entry: Option<web_sys::IntersectionObserverEntry> = entries.pop().dyn_into().ok();
+        if let Some(entry) = entry {
+            with_plot(app, index, |plot| plot.visible = entry.is_intersecting());
+            frame::wake(app);
+        }
+    });
+    let observers = ResizeObserver::new(resized.as_ref().unchecked_ref())
+        .and_then(|resize| Ok((resize, IntersectionObserver::new(seen.as_ref().unchecked_ref())?)));
+    let nodes = PlotNodes {
+        canvas: canvas.clone(),
+        context,
+        tip: tip.clone(),
+        tip_shown: false,
+        size: (0.0, 0.0),
+        scale: 1.0,
+        decimal_comma: app.language.get_untracked().style().decimal_comma,
+        visible: true,
+        stale: true,
+        drawn: None,
+        pointer: None,
+        cursor: None,
+        pins: Vec::new(),
+        pinned,
+        gesture: Gesture::default(),
+        observers: None,
+        _callbacks: [resized, seen],
+    };
+    // The observer tells the size when the page has been laid out; asking now would lay it out twice.
+    app.with(|lab| {
+        let plots = &mut lab.stage.plots;
+        if plots.len() <= index {
+            plots.resize_with(index + 1, || None);
+        }
+        plots[index] = Some(nodes);
+    });
+    if let Ok((resize, intersection)) = observers {
+        resize.observe(canvas);
+        intersection.observe(canvas);
+        with_plot(app, index, |plot| plot.observers = Some((resize, intersection)));
+    }
+    frame::wake(app);
+}
+
+/// Works on a plot's nodes; it is drawn anew afterwards.
+pub fn with_plot<T>(app: App, index: usize, work: impl FnOnce(&mut PlotNodes) -> T) -> Option<T> {
+    app.with(|lab| {
+        let plot = lab.stage.plots.get_mut(index)?.as_mut()?;
+        plot.stale = true;
+        Some(work(plot))
+    })
+    .flatten()
+}

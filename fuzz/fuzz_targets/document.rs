@@ -6,7 +6,7 @@ use document::page::{MARKER, Options, Source, embed, read};
 use document::Document;
 use program::Block;
 use libfuzzer_sys::fuzz_target;
-use session::Session;
+use play::Play;
 
 fuzz_target!(|text: &str| {
     let mut parts = text.split("\n=====\n");
@@ -51,14 +51,14 @@ fn carries_no_script(document: &Document) {
 
 /// A short lesson: play, change, step back, share, export.
 fn is_worked_with(document: Document) {
-    let mut session = Session::open(document);
-    session.play();
+    let mut play = Play::open(document.program);
+    play.play();
     for _ in 0..4 {
-        session.tick(0.1);
+        play.tick(0.1);
     }
-    session.pause();
-    session.step_back();
-    let shared = session.share();
-    let _ = session.restore(&shared);
-    session.back_to_start();
+    play.pause();
+    play.step_back();
+    let shared = play.share();
+    let _ = play.restore(&shared);
+    play.back_to_start();
 }

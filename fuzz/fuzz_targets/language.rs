@@ -13,11 +13,11 @@ fuzz_target!(|source: &str| {
     places_lie_in(source, &model::parse_expression(source, whole.clone()).2);
     places_lie_in(source, &model::parse_assignments(source, whole.clone()).1);
     let (compiled, diagnostics) = model::compile(source, &[whole]);
-    let compiled = compiled.map(|checked| checked.model);
     places_lie_in(source, &diagnostics);
     assert_eq!(compiled.is_none(), model::has_errors(&diagnostics), "a model exactly where there are no errors");
-    if let Some(model) = compiled {
-        model::typeset(&statements, &|text| text.to_owned());
+    if let Some(checked) = compiled {
+        model::typeset(&checked.statements, &|text| text.to_owned());
+        let model = checked.model;
         for method in Method::ALL {
             run(&model, method);
         }

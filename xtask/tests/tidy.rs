@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which crates of the workspace each may use. The walls between them are the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 12] = [
+const ARROWS: [(&str, &[&str]); 13] = [
     ("units", &[]),
     ("program", &["units"]),
     ("model", &["program", "units"]),
@@ -16,14 +16,16 @@ const ARROWS: [(&str, &[&str]); 12] = [
     ("document", &["model", "program", "units"]),
     ("analysis", &["engine", "program", "units"]),
     ("report", &["analysis", "document", "figure", "model", "program", "units"]),
-    ("session", &["analysis", "document", "engine", "figure", "model", "program", "report", "units"]),
-    ("probe", &["analysis", "document", "engine", "figure", "model", "program", "session", "units"]),
-    ("lab", &["document", "figure", "model", "program", "session", "units"]),
+    ("play", &["engine", "figure", "program", "units"]),
+    ("desk", &["analysis", "document", "engine", "figure", "play", "program", "report", "units"]),
+    ("probe", &["analysis", "document", "engine", "figure", "program", "units"]),
+    ("lab", &["desk", "document", "figure", "model", "play", "program", "units"]),
     ("cli", &["analysis", "document", "engine", "figure", "model", "program", "report", "units"]),
 ];
 
 /// The crates that do no I/O, read no clock and touch no DOM.
-const CORE: [&str; 9] = ["units", "program", "model", "document", "engine", "analysis", "figure", "report", "session"];
+const CORE: [&str; 10] =
+    ["units", "program", "model", "document", "engine", "analysis", "figure", "report", "play", "desk"];
 const OUTSIDE: [&str; 8] =
     ["std::fs", "std::net", "std::env", "std::process", "std::time", "std::thread", "web_sys", "js_sys"];
 

@@ -1,4 +1,5 @@
-//! The handle that every view holds: it leads to the one session, and tells the views which part of it has changed.
+//! The handle that every view holds: it leads to the one desk and its simulation, and tells the views which part of them
+//! has changed.
 
 use crate::browser;
 use crate::frame::{self, Stage};
@@ -10,8 +11,9 @@ use crate::sound::Sound;
 use crate::stage;
 use crate::views::*;
 use crate::words::{Words, words_in};
+use desk::{Announcement, Desk, FitProgress, RecordProgress, Revision};
 use document::page::Source;
-use session::{Announcement, FitProgress, RecordProgress, Refusal, Revision, Session};
+use play::{Play, PlotId};
 use std::cell::{RefCell, RefMut};
 use std::collections::{BTreeMap, VecDeque};
 use std::ops::Deref;
@@ -22,10 +24,10 @@ use web_sys::File;
 /// What the page holds for as long as it is open.
 #[derive(Default)]
 pub struct Lab {
-    /// The session, when a document is open that has no errors.
-    pub session: Option<Session>,
-    /// The session of the last document that ran, while another is open that does not: it holds the records.
-    pub parked: Option<Session>,
+    /// The desk, when a document is open that has no errors.
+    pub desk: Option<Desk>,
+    /// The desk of the last document that ran, while another is open that does not: it holds the records.
+    pub parked: Option<Desk>,
     /// The files of the document.
     pub sources: Vec<Source>,
     /// The files of the last document that ran, while another is open that does not.
@@ -56,7 +58,7 @@ pub struct Lab {
     seen_frame: u64,
 }
 
-/// Counters that views track. Each is raised when that part of the session has changed.
+/// Counters that views track. Each is raised when that part of the desk or of its simulation has changed.
 #[derive(Clone, Copy)]
 pub struct Changes {
     /// Another document, or the document in another language.
@@ -119,7 +121,7 @@ pub struct Page {
     /// Whether the window has room for one plot only.
     pub narrow: Signal<bool>,
     /// The plot shown there.
-    pub front_plot: Signal<Option<usize>>,
+    pub front_plot: Signal<Option<PlotId>>,
     /// The first equation of each theory that has been read so far, by its file.
     pub equations: Signal<BTreeMap<String, String>>,
     /// Whether method and step are shown.
@@ -183,36 +185,51 @@ impl App {
         self.lab.try_borrow_mut().ok().map(|mut lab| work(&mut lab))
     }
 
-    /// Reads something from the session; its default where no document is open.
-    pub fn read<T: Default>(self, read: impl FnOnce(&mut Session) -> T) -> T {
-        match self.session() {
-            Some(mut session) => read(&mut session),
+    /// Reads something from the simulation; its default where no document is open.
+    pub fn read<T: Default>(self, read: impl FnOnce(&mut Play) -> T) -> T {
+        self.read_desk(|desk| read(desk.play_mut()))
+    }
+
+    /// Reads something from the desk; its default where no document is open.
+    pub fn read_desk<T: Default>(self, read: impl FnOnce(&mut Desk) -> T) -> T {
+        match self.desk() {
+            Some(mut desk) => read(&mut desk),
             None => T::default(),
         }
     }
 
-    /// The session, if a document is open.
+    /// The desk, if a document is open.
     #[inline(never)]
-    fn session(self) -> Option<RefMut<'static, Session>> {
-        RefMut::filter_map(self.0.lab.try_borrow_mut().ok()?, |lab| lab.session.as_mut()).ok()
+    fn desk(self) -> Option<RefMut<'static, Desk>> {
+        RefMut::filter_map(self.0.lab.try_borrow_mut().ok()?, |lab| lab.desk.as_mut()).ok()
     }
 
-    /// Does something in the session, tells the views and draws.
-    pub fn act<T: Default>(self, act: impl FnOnce(&mut Session) -> T) -> T {
-        let result = self.read(act);
+    /// Does something in the simulation, tells the views and draws.
+    pub fn act<T: Default>(self, act: impl FnOnce(&mut Play) -> T) -> T {
+        self.act_on_desk(|desk| act(desk.play_mut()))
+    }
+
+    /// Does something at the desk, tells the views and draws.
+    pub fn act_on_desk<T: Default>(self, act: impl FnOnce(&mut Desk) -> T) -> T {
+        let result = self.read_desk(act);
         self.acted(false);
         result
     }
 
     /// As [`App::act`], for a slider, which tells its value itself.
-    pub fn slide(self, act: impl FnOnce(&mut Session)) {
+    pub fn slide(self, act: impl FnOnce(&mut Play)) {
         self.read(act);
         self.acted(true);
     }
 
     /// As [`App::act`], for what may be refused: the refusal in words.
-    pub fn attempt(self, act: impl FnOnce(&mut Session) -> Result<(), Refusal>) -> Option<String> {
-        self.act(|session| act(session).err().map(|refusal| session.refusal_text(&refusal)))
+    pub fn attempt(self, act: impl FnOnce(&mut Play) -> Result<(), play::Refusal>) -> Option<String> {
+        self.act(|play| act(play).err().map(|refusal| play.refusal_text(&refusal)))
+    }
+
+    /// The same at the desk.
+    pub fn attempt_on_desk(self, act: impl FnOnce(&mut Desk) -> Result<(), desk::Refusal>) -> Option<String> {
+        self.act_on_desk(|desk| act(desk).err().map(|refusal| desk.refusal_text(&refusal)))
     }
 
     fn acted(self, by_slider: bool) {
@@ -224,35 +241,35 @@ impl App {
     /// changing values anew.
     pub fn publish(self, values: bool, by_slider: bool) {
         let news = self.with(|lab| {
-            let session = lab.session.as_mut()?;
+            let desk = lab.desk.as_mut()?;
             // The clock is right as soon as something was done, not a frame later.
             if let Some(transport) = &mut lab.stage.transport {
-                transport.draw(session);
+                transport.draw(desk.play_mut());
             }
             let (mut told, mut shown, mut added) = (Vec::new(), Vec::new(), None);
-            while let Some(announcement) = session.take_announcement() {
-                if !(by_slider && matches!(announcement, Announcement::ParameterSet(..))) {
-                    let text = session.announcement_text(&announcement);
+            while let Some(announcement) = desk.take_announcement() {
+                if !(by_slider && matches!(announcement, Announcement::Play(play::Announcement::ParameterSet(..)))) {
+                    let text = desk.announcement_text(&announcement);
                     if matches!(announcement, Announcement::RecordAdded(_)) {
-                        added = session.newest_record();
+                        added = desk.newest_record();
                     }
                     // What has come of a fit is brought into sight where it was begun.
                     if !(matches!(announcement, Announcement::FitFinished) && self.tab.get_untracked() == Tab::Fit) {
-                        shown.extend(Message::of(session, &announcement, &text));
+                        shown.extend(Message::of(desk, &announcement, &text));
                     }
                     told.push(text);
                 }
             }
-            let (before, mut now) = (lab.seen, session.revision());
-            let moved = std::mem::replace(&mut lab.seen_frame, now.frame) != now.frame;
+            let (before, mut now) = (lab.seen, desk.revision());
+            let moved = std::mem::replace(&mut lab.seen_frame, now.play.frame) != now.play.frame;
             if !values {
-                (now.frame, now.rows) = (before.frame, before.rows);
+                (now.play.frame, now.play.rows) = (before.play.frame, before.play.rows);
             }
             lab.seen = now;
             Some((before, now, told.join(". "), shown, added, moved))
         });
         let Some((before, now, told, shown, added, moved)) = news.flatten() else { return };
-        let lasting = |revision: &Revision| (revision.records, revision.fits, revision.answers);
+        let lasting = |revision: &Revision| (revision.records, revision.fits, revision.play.answers);
         if lasting(&before) != lasting(&now) {
             saved::later(self);
         }
@@ -263,14 +280,14 @@ impl App {
             }
         };
         let changed = [
-            (before.parameters != now.parameters, changes.parameters),
-            (before.transport != now.transport, changes.transport),
-            (before.runs != now.runs, changes.runs),
-            (before.plots != now.plots, changes.plots),
+            (before.play.parameters != now.play.parameters, changes.parameters),
+            (before.play.transport != now.play.transport, changes.transport),
+            (before.play.runs != now.play.runs, changes.runs),
+            (before.play.plots != now.play.plots, changes.plots),
             (before.records != now.records, changes.records),
             (before.fits != now.fits, changes.fits),
             (moved, changes.frame),
-            ((before.frame, before.rows) != (now.frame, now.rows), changes.values),
+            ((before.play.frame, before.play.rows) != (now.play.frame, now.play.rows), changes.values),
         ];
         let focused = browser::focused();
         // What reads several of them is built once.
@@ -318,7 +335,7 @@ impl App {
 
     /// Chooses the language of everything.
     pub fn set_language(self, language: Language) {
-        self.read(|session| session.set_language(language.tag()));
+        self.read_desk(|desk| desk.set_language(language.tag()));
         self.language.set(language);
         browser::remember("language", language.tag());
         self.rebuild();

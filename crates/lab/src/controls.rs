@@ -3,7 +3,7 @@
 use crate::app::App;
 use crate::parameters;
 use crate::views::*;
-use session::{MethodView, PresetGroup, PresetView, Session, StateView};
+use play::{MethodView, Play, PresetGroup, PresetView, StateView};
 use web_sys::HtmlDetailsElement;
 
 /// A name typeset: `h_l` as MathML. Labels say the same in words, so readers of the screen need not hear it.
@@ -25,12 +25,12 @@ pub fn view(app: App) -> HtmlSection {
         .class("quiet")
         .id("restore-defaults")
         .title(words.restore_defaults_title)
-        .when(events::click, move |_| app.act(Session::restore_defaults))
+        .when(events::click, move |_| app.act(Play::restore_defaults))
         .child(words.restore_defaults);
     let parameters = div()
         .class("block")
         .child(div().class("block-head").child(h3().child(words.parameters)).child(restore))
-        .each(app.read(|session| session.parameters()), |first| parameters::control(app, first));
+        .each(app.read(|play| play.parameters()), |first| parameters::control(app, first));
     part("controls", "controls card", words.controls).child(parameters).child(presets(app))
 }
 
@@ -43,7 +43,7 @@ fn presets(app: App) -> View {
     let words = app.words();
     let now = memo(move || {
         app.changes.parameters.track();
-        app.read(|session| session.presets())
+        app.read(|play| play.presets())
     });
     let groups = now.get_clone_untracked();
     if groups.is_empty() {
@@ -61,7 +61,7 @@ fn presets(app: App) -> View {
             .class("chip")
             .title(preset.description)
             .attr("aria-pressed", move || selected(index).to_string())
-            .when(events::click, move |_| refusal.set(app.attempt(|session| session.apply_preset(index))))
+            .when(events::click, move |_| refusal.set(app.attempt(|play| play.apply_preset(index))))
             .child(preset.name)
     };
     let group = |(number, group): (usize, PresetGroup)| {
@@ -85,7 +85,7 @@ fn presets(app: App) -> View {
 /// The state, to be edited while the run stands still.
 fn states(app: App) -> View {
     let words = app.words();
-    let states = app.read(|session| session.states());
+    let states = app.read(|play| play.states());
     if states.is_empty() {
         return View::new();
     }
@@ -94,7 +94,7 @@ fn states(app: App) -> View {
         let view = move || {
             app.changes.frame.track();
             app.changes.transport.track();
-            app.read(|session| session.states().into_iter().nth(index))
+            app.read(|play| play.states().into_iter().nth(index))
         };
         let error = create_signal(None::<String>);
         let field = parameters::Field {
@@ -103,7 +103,7 @@ fn states(app: App) -> View {
             editable: memo(move || view().is_some_and(|state| state.editable)),
             signed: true,
             error,
-            commit: Box::new(move |text| app.attempt(|session| session.set_state_text(index, text))),
+            commit: Box::new(move |text| app.attempt(|play| play.set_state_text(index, text))),
             nudge: Box::new(|_| ()),
         };
         div()
@@ -114,7 +114,7 @@ fn states(app: App) -> View {
     };
     let hint = move || {
         app.changes.parameters.track();
-        let by_hand = app.read(|session| session.is_started_by_hand());
+        let by_hand = app.read(|play| play.is_started_by_hand());
         (if by_hand { words.started_by_hand } else { words.state_hint }).to_owned()
     };
     div()
@@ -132,7 +132,7 @@ fn numerics(app: App) -> HtmlDetails {
     let error = create_signal(None::<String>);
     let chosen = move |name: &'static str| {
         app.changes.parameters.track();
-        app.read(|session| session.methods().iter().any(|method| method.name == name && method.selected))
+        app.read(|play| play.methods().iter().any(|method| method.name == name && method.selected))
     };
     let method = |method: MethodView| {
         option()
@@ -144,7 +144,7 @@ fn numerics(app: App) -> HtmlDetails {
     };
     let step = move || {
         app.changes.parameters.track();
-        app.read(|session| session.step_text())
+        app.read(|play| play.step_text())
     };
     let field = parameters::Field {
         id: "step-size".to_owned(),
@@ -152,16 +152,16 @@ fn numerics(app: App) -> HtmlDetails {
         editable: memo(|| true),
         signed: false,
         error,
-        commit: Box::new(move |text| app.attempt(|session| session.set_step_text(text))),
+        commit: Box::new(move |text| app.attempt(|play| play.set_step_text(text))),
         nudge: Box::new(|_| ()),
     };
     let choose = select()
         .id("method")
         .when(events::change, move |event| {
             let name = value_of(&event);
-            refusal.set(app.attempt(|session| session.set_method(&name)));
+            refusal.set(app.attempt(|play| play.set_method(&name)));
         })
-        .each(app.read(|session| session.methods()), method);
+        .each(app.read(|play| play.methods()), method);
     let method = div()
         .class("parameter")
         .child(label().r#for("method").child(span().child(words.method)))

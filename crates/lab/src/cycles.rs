@@ -4,21 +4,21 @@ use crate::app::App;
 use crate::browser;
 use crate::stage::plots;
 use crate::views::*;
-use session::{CycleColumn, CyclesView, ExportKind};
+use desk::{CycleColumn, CyclesView, ExportKind};
 use web_sys::HtmlDetailsElement;
 
 /// The section; nothing while there is no record.
 pub fn view(app: App) -> View {
     let any = memo(move || {
         app.changes.records.track();
-        app.read(|session| !session.records().is_empty())
+        app.read_desk(|desk| !desk.records().is_empty())
     });
     changing(move || if any.get() { card(app) } else { View::new() })
 }
 
 fn card(app: App) -> View {
     let words = app.words();
-    let open = create_signal(app.read(|session| session.looks_at_cycles()));
+    let open = create_signal(app.read_desk(|desk| desk.looks_at_cycles()));
     // Raised whenever something else is looked at.
     let looked = create_signal(0_u32);
     let mut details = details();
@@ -26,7 +26,7 @@ fn card(app: App) -> View {
     let toggled = move |_| {
         let now = node.open();
         if now != open.get_untracked() {
-            app.act(|session| session.open_cycles(now));
+            app.act_on_desk(|desk| desk.open_cycles(now));
             open.set(now);
         }
     };
@@ -42,12 +42,12 @@ fn card(app: App) -> View {
 
 fn content(app: App, looked: Signal<u32>) -> View {
     let words = app.words();
-    let index = app.read(|session| session.cycle_plot());
+    let index = app.read_desk(|desk| desk.cycle_plot());
     let shown = move || plots::now(app, index).is_some_and(|plot| plot.offered);
     let found = memo(move || {
         looked.track();
         app.changes.records.track();
-        app.read(|session| session.cycles())
+        app.read_desk(|desk| desk.cycles())
     });
     let sentences = move || {
         let sentences = found.get_clone().map(|found| found.sentences).unwrap_or_default();
@@ -72,31 +72,31 @@ fn choices(app: App, looked: Signal<u32>) -> HtmlDiv {
     let columns = move || {
         looked.track();
         app.changes.records.track();
-        let columns = app.read(|session| session.cycle_columns());
+        let columns = app.read_desk(|desk| desk.cycle_columns());
         let choose = |column: CycleColumn| {
             let value = format!("{}-{}", column.record, column.column);
             option().value(value).selected(column.selected).child(column.label)
         };
         each(columns, choose)
     };
-    let (names, drawn) = app.read(|session| session.cycle_quantities());
+    let (names, drawn) = app.read_desk(|desk| desk.cycle_quantities());
     let quantity =
         |(number, name): (usize, String)| option().value(number.to_string()).selected(number == drawn).child(name);
     let against = move || {
         looked.track();
-        app.read(|session| session.cycles_against_amplitude())
+        app.read_desk(|desk| desk.cycles_against_amplitude())
     };
     let draw = move |quantity: Option<usize>, amplitude: Option<bool>| {
-        app.act(|session| {
-            let (now, so) = (session.cycle_quantities().1, session.cycles_against_amplitude());
-            session.show_cycles(quantity.unwrap_or(now), amplitude.unwrap_or(so));
+        app.act_on_desk(|desk| {
+            let (now, so) = (desk.cycle_quantities().1, desk.cycles_against_amplitude());
+            desk.show_cycles(quantity.unwrap_or(now), amplitude.unwrap_or(so));
         });
         looked.update(|count| *count += 1);
     };
     let choose = move |value: String| {
         let (record, column) = value.split_once('-').unwrap_or_default();
         if let (Ok(record), Ok(column)) = (record.parse(), column.parse()) {
-            app.act(|session| session.choose_cycles(record, column));
+            app.act_on_desk(|desk| desk.choose_cycles(record, column));
             looked.update(|count| *count += 1);
         }
     };
@@ -133,7 +133,7 @@ fn table(app: App, found: CyclesView) -> View {
     let words = app.words();
     let row = |(kind, cells)| tr().child(row_head(kind)).each(cells, |cell: String| td().child(cell));
     let save = move |kind: ExportKind| {
-        if let Some(file) = app.read(|session| session.export_cycles(kind)) {
+        if let Some(file) = app.read_desk(|desk| desk.export_cycles(kind)) {
             browser::save_bytes(&file.name, file.kind, &file.bytes);
         }
     };

@@ -11,12 +11,12 @@ const ROWS: usize = 20;
 /// The table and its tools. While they are folded, or another tab is open, they cost nothing.
 pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
-    let head = app.read(|session| session.table_header());
+    let head = app.read(|play| play.table_header());
     let start = create_signal(0_usize);
     let follow = create_signal(true);
     let length = move || {
         app.changes.values.track();
-        app.read(|session| session.table_length())
+        app.read(|play| play.table_length())
     };
     let last_start = move || length().saturating_sub(ROWS);
     let open = memo(move || app.tab.get() == Tab::Play && app.table_open.get());
@@ -25,12 +25,12 @@ pub fn view(app: App) -> HtmlDiv {
             return View::new();
         }
         app.changes.values.track();
-        let now = app.read(|session| session.table_row_now());
+        let now = app.read(|play| play.table_row_now());
         if follow.get() {
             start.set(now.saturating_sub(ROWS - 1));
         }
         let from = start.get().min(last_start());
-        let rows = app.read(|session| session.table_rows(from..from + ROWS));
+        let rows = app.read(|play| play.table_rows(from..from + ROWS));
         let row = |(number, cells): (usize, Vec<String>)| {
             let present = from + number == now;
             let mut cells = cells.into_iter();
@@ -78,16 +78,16 @@ pub fn view(app: App) -> HtmlDiv {
 
 /// The text alone: a byte-order mark is for files.
 fn copy(app: App) {
-    panel::reading::copy(app, app.read(|session| session.csv()).trim_start_matches('\u{feff}'));
+    panel::reading::copy(app, app.read(|play| play.csv()).trim_start_matches('\u{feff}'));
 }
 
 fn save(app: App) {
-    browser::save_text(&format!("{}.csv", stem(app)), "text/csv", &app.read(|session| session.csv()));
+    browser::save_text(&format!("{}.csv", stem(app)), "text/csv", &app.read(|play| play.csv()));
 }
 
 fn save_workbook(app: App) {
     let kind = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
-    browser::save_bytes(&format!("{}.xlsx", stem(app)), kind, &app.read(|session| session.workbook()));
+    browser::save_bytes(&format!("{}.xlsx", stem(app)), kind, &app.read_desk(|desk| desk.workbook()));
 }
 
 /// The name of the document's file without its ending.

@@ -3,7 +3,7 @@
 use crate::app::App;
 use crate::browser;
 use crate::views::*;
-use session::{ColumnView, Differentiation, RecordView};
+use desk::{ColumnView, Differentiation, RecordView};
 use web_sys::HtmlDetailsElement;
 
 /// What was chosen last: the same for all records, as long as the page is open.
@@ -51,7 +51,7 @@ pub fn view(app: App, record: &RecordView, choice: Choice) -> View {
     let place = format!("derive-{id}");
     let again = place.clone();
     let make = move |_| {
-        let refusal = app.attempt(|session| session.make_derivatives(id, column.get_untracked(), choice.method()));
+        let refusal = app.attempt_on_desk(|desk| desk.make_derivatives(id, column.get_untracked(), choice.method()));
         crate::measurements::refuse(app, refusal);
         browser::focus_later(again.clone());
     };
@@ -68,7 +68,7 @@ pub fn view(app: App, record: &RecordView, choice: Choice) -> View {
         });
     };
     let forget = move |_| {
-        app.act(|session| session.forget_derivatives(id));
+        app.act_on_desk(|desk| desk.forget_derivatives(id));
         browser::focus_later(forget_focus.clone());
     };
     let of_what = select()

@@ -1,8 +1,8 @@
 //! Parts of the scene that follow the hand: focused and moved with the arrow keys, or by pointer ([`crate::grip`]).
 
 use crate::app::App;
+use play::Play;
 use program::Drag;
-use session::Session;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{Event, KeyboardEvent, SvgElement, SvgGraphicsElement};
@@ -50,11 +50,11 @@ impl Handle {
 
     /// Says where it is to those who do not see it. Left alone while the run is playing: a screen reader on the handle
     /// would talk without end.
-    pub fn describe(&mut self, session: &mut Session) {
-        if session.is_playing() && !self.shown.is_empty() {
+    pub fn describe(&mut self, play: &mut Play) {
+        if play.is_playing() && !self.shown.is_empty() {
             return;
         }
-        let Some(state) = session.states().into_iter().nth(self.drag.state) else { return };
+        let Some(state) = play.states().into_iter().nth(self.drag.state) else { return };
         let text = format!("{} {}", state.text, state.unit);
         if text != self.shown {
             let label = match (&self.name, self.number) {
@@ -63,7 +63,7 @@ impl Handle {
                 (None, number) => format!("{} {number}", state.label),
             };
             let _ = self.node.set_attribute("aria-label", &label);
-            if let Some((least, greatest)) = session.drag_range(&self.drag) {
+            if let Some((least, greatest)) = play.drag_range(&self.drag) {
                 let _ = self.node.set_attribute("aria-valuemin", &short(least));
                 let _ = self.node.set_attribute("aria-valuemax", &short(greatest));
             }
@@ -142,10 +142,10 @@ fn keyboard(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
             (true, false) => (right + up, 0.0),
             (false, _) => (0.0, right + up),
         };
-        app.act(|session| {
-            session.drag_begin(&drag);
-            session.drag_move(right * step, up * step);
-            session.drag_end();
+        app.act(|play| {
+            play.drag_begin(&drag);
+            play.drag_move(right * step, up * step);
+            play.drag_end();
         });
     });
 }

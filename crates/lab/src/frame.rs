@@ -1,5 +1,5 @@
-//! The frame: lets the session's time pass and redraws what has changed. Frames are asked for only while something
-//! moves; a page that stands still costs nothing. The browser asks for none while the page is hidden, and the session
+//! The frame: lets the simulation's time pass and redraws what has changed. Frames are asked for only while something
+//! moves; a page that stands still costs nothing. The browser asks for none while the page is hidden, and the simulation
 //! says what a long pause means; losing the focus does not stop the run.
 
 use crate::app::{App, Lab};
@@ -8,6 +8,7 @@ use crate::stage::plot::PlotNodes;
 use crate::theme::Colours;
 use crate::transport::TransportNodes;
 use crate::views::window;
+use play::PlotId;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 
@@ -66,37 +67,39 @@ pub fn wake(app: App) {
 fn draw(app: App, now: f64) {
     let Some((goes_on, values)) = app.with(|lab| advance(lab, now)) else { return };
     app.publish(values, false);
-    if goes_on || app.read(session::Session::catch_up) {
+    if goes_on || app.read_desk(desk::Desk::catch_up) {
         wake(app);
     }
 }
 
 /// One frame. Whether the run or a long figure goes on, and whether it is time to show changing values.
 fn advance(lab: &mut Lab, now: f64) -> (bool, bool) {
-    let Lab { session: Some(session), stage, sound, .. } = lab else { return (false, false) };
+    let Lab { desk: Some(desk), stage, sound, .. } = lab else { return (false, false) };
     stage.asked = false;
     let seconds = stage.moved.map_or(0.0, |moved| (now - moved) / 1000.0);
-    if session.is_playing() && seconds > 0.0 {
-        session.tick(seconds);
+    if desk.play().is_playing() && seconds > 0.0 {
+        desk.play_mut().tick(seconds);
     }
-    let playing = session.is_playing();
+    desk.follow();
+    let play = desk.play_mut();
+    let playing = play.is_playing();
     stage.moved = playing.then_some(now);
     let values = !playing || now - stage.shown >= 1000.0 / VALUES_PER_SECOND;
     if values {
         stage.shown = now;
     }
     if let Some(transport) = &mut stage.transport {
-        transport.draw(session);
+        transport.draw(play);
     }
     if let Some(scene) = &mut stage.scene {
-        scene.draw(session);
+        scene.draw(play);
     }
     let mut unfinished = false;
-    for (index, plot) in stage.plots.iter_mut().enumerate() {
+    for (place, plot) in stage.plots.iter_mut().enumerate() {
         if let Some(plot) = plot {
-            unfinished |= plot.draw(index, session, &stage.colours, stage.font_size);
+            unfinished |= plot.draw(PlotId::at(place), play, &stage.colours, stage.font_size);
         }
     }
-    sound.follow(session);
+    sound.follow(play);
     (playing || unfinished, values)
 }

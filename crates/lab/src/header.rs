@@ -47,7 +47,7 @@ pub fn view(app: App) -> HtmlHeader {
 /// The document's title; the program's name where none is open.
 pub fn title(app: App) -> String {
     let language = app.language.get_untracked().tag();
-    app.read(|session| Some(session.document().program.edition(language).title.clone()))
+    app.read_desk(|desk| Some(desk.document().program.edition(language).title.clone()))
         .filter(|title| !title.is_empty())
         .unwrap_or_else(|| "Meniscus".to_owned())
 }

@@ -5,7 +5,7 @@ use crate::app::App;
 use crate::panel::Tab;
 use crate::views::*;
 use crate::{browser, measurements};
-use session::{LONGEST_RECORD, RecordProgress, Refusal, Session};
+use desk::{Desk, LONGEST_RECORD, RecordProgress, Refusal};
 use web_sys::File;
 
 /// A slice of work takes so many milliseconds.
@@ -28,7 +28,7 @@ fn bar(app: App, name: &str) -> View {
         (100.0 * part).floor().to_string()
     };
     let cancel = move |_| {
-        app.act(Session::cancel_record);
+        app.act_on_desk(Desk::cancel_record);
         app.record_progress.set(None);
         browser::focus("choose-record");
     };
@@ -66,7 +66,7 @@ async fn read_file(app: App, file: &File) -> Option<String> {
     let name = file.name();
     // What is too large is refused unread.
     if file.size() > LONGEST_RECORD as f64 {
-        return app.attempt(|_| Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 }));
+        return app.attempt_on_desk(|_| Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 }));
     }
     measurements::refuse(app, None);
     app.record_progress.set(Some(RecordProgress { name: name.clone(), part: 0.0 }));
@@ -80,19 +80,19 @@ async fn read_file(app: App, file: &File) -> Option<String> {
         return None;
     }
     let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
-    let mut refusal = app.attempt(|session| session.begin_record(&name, bytes));
-    while refusal.is_none() && app.read(|session| session.record_progress().is_some()) {
+    let mut refusal = app.attempt_on_desk(|desk| desk.begin_record(&name, bytes));
+    while refusal.is_none() && app.read_desk(|desk| desk.record_progress().is_some()) {
         browser::breathe().await;
         let end = js_sys::Date::now() + SLICE;
-        refusal = app.read(|session| {
-            while js_sys::Date::now() < end && session.record_progress().is_some() {
-                if let Err(refusal) = session.advance_record(BUDGET) {
-                    return Some(session.refusal_text(&refusal));
+        refusal = app.read_desk(|desk| {
+            while js_sys::Date::now() < end && desk.record_progress().is_some() {
+                if let Err(refusal) = desk.advance_record(BUDGET) {
+                    return Some(desk.refusal_text(&refusal));
                 }
             }
             None
         });
-        let progress = app.read(|session| session.record_progress());
+        let progress = app.read_desk(|desk| desk.record_progress());
         if progress.is_some() {
             app.record_progress.set(progress);
         }

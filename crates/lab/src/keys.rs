@@ -4,7 +4,7 @@
 use crate::app::App;
 use crate::views::*;
 use crate::{browser, messages, views};
-use session::{SPEEDS, Session};
+use play::{Play, SPEEDS};
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlDialogElement, KeyboardEvent};
 
@@ -39,15 +39,15 @@ fn pressed(app: App, event: &KeyboardEvent) {
         return;
     }
     match event.key().as_str() {
-        " " if !within(TAKES_SPACE) => app.act(Session::toggle),
-        "k" | "K" => app.act(Session::toggle),
-        "r" | "R" => app.act(Session::back_to_start),
-        "," => app.act(Session::step_back),
-        "." => app.act(Session::step_forward),
-        "<" => app.act(|session| change_speed(session, false)),
-        ">" => app.act(|session| change_speed(session, true)),
+        " " if !within(TAKES_SPACE) => app.act(Play::toggle),
+        "k" | "K" => app.act(Play::toggle),
+        "r" | "R" => app.act(Play::back_to_start),
+        "," => app.act(Play::step_back),
+        "." => app.act(Play::step_forward),
+        "<" => app.act(|play| change_speed(play, false)),
+        ">" => app.act(|play| change_speed(play, true)),
         "s" | "S" => {
-            if let Some(refusal) = app.attempt(Session::keep) {
+            if let Some(refusal) = app.attempt(Play::keep) {
                 app.complain(refusal);
             }
         }
@@ -57,15 +57,15 @@ fn pressed(app: App, event: &KeyboardEvent) {
     event.prevent_default();
 }
 
-fn change_speed(session: &mut Session, faster: bool) {
-    let now = session.speed();
+fn change_speed(play: &mut Play, faster: bool) {
+    let now = play.speed();
     let next = if faster {
         SPEEDS.iter().find(|&&speed| speed > now)
     } else {
         SPEEDS.iter().rev().find(|&&speed| speed < now)
     };
     if let Some(&speed) = next {
-        session.set_speed(speed);
+        play.set_speed(speed);
     }
 }
 

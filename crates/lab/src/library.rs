@@ -6,7 +6,7 @@ use crate::views::*;
 use crate::{browser, opening, views};
 use document::Document;
 use document::page::{self, Source};
-use session::Subject;
+use play::Subject;
 use web_sys::HtmlDialogElement;
 
 /// Where the theories stand.

@@ -4,7 +4,7 @@ use crate::app::App;
 use crate::views::window;
 use crate::{browser, library, packing, visited};
 use document::page::{self, Source};
-use session::{LONGEST_PACKED, LONGEST_UNPACKED, Link, Refusal, Subject, packed_length};
+use play::{LONGEST_PACKED, LONGEST_UNPACKED, Link, Refusal, Subject, packed_length};
 
 /// What a link leads to.
 pub struct Arrival {
@@ -82,7 +82,7 @@ pub fn share(app: App) {
         let words = app.words();
         let sources = app.with(|lab| lab.sources.clone()).unwrap_or_default();
         let (subject, remark) = pack(app, &sources).await;
-        let (state, missing) = app.read(|session| (session.share(), session.missing_in_link()));
+        let (state, missing) = app.read_desk(|desk| (desk.play().share(), desk.missing_in_link()));
         let link = address(&Link { subject, state }.write());
         // Refused inside some frames; the clipboard may still work.
         visited::note(app, Some(&link));

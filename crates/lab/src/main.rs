@@ -1,5 +1,5 @@
-//! The browser shell of the laboratory: it calls the session's methods and draws what its getters give. All state is
-//! the session's; what is kept here is the browser's business (nodes, canvases, the clock, the theme).
+//! The browser shell of the laboratory: it calls the methods of the desk and of its simulation and draws what their getters give.
+//! All state is theirs; what is kept here is the browser's business (nodes, canvases, the clock, the theme).
 
 mod app;
 mod browser;

@@ -38,7 +38,7 @@ fn ways_in(app: App) -> View {
             area.set_value("");
         }
     };
-    let names = app.read(|session| session.sample_names().to_vec());
+    let names = app.read_desk(|desk| desk.sample_names().to_vec());
     let choose = |(number, name): (usize, &'static str)| {
         button().class("chip").when(events::click, move |_| sample(app, number)).child(name)
     };
@@ -74,16 +74,16 @@ fn ways_in(app: App) -> View {
 
 /// Adds a sample record.
 pub fn sample(app: App, number: usize) {
-    let file = session::SAMPLES.get(number).map_or("", |sample| sample.file);
+    let file = desk::SAMPLES.get(number).map_or("", |sample| sample.file);
     let theory = library::theories().into_iter().find(|entry| entry.file() == file).and_then(|entry| entry.open());
     if let Some(theory) = theory {
-        refuse(app, app.attempt(|session| session.add_sample(number, theory).map(|_| ())));
+        refuse(app, app.attempt_on_desk(|desk| desk.add_sample(number, theory).map(|_| ())));
     }
 }
 
 /// Adds a record and shows it, or says why it could not be read. Whether it was added.
 fn add(app: App, name: &str, bytes: &[u8]) -> bool {
-    let refusal = app.attempt(|session| session.add_record(name, bytes).map(|_| ()));
+    let refusal = app.attempt_on_desk(|desk| desk.add_record(name, bytes).map(|_| ()));
     let added = refusal.is_none();
     refuse(app, refusal);
     app.tab.set(Tab::Measure);

@@ -5,7 +5,8 @@ use crate::app::App;
 use crate::panel::Tab;
 use crate::views::*;
 use crate::{browser, icons};
-use session::{Announcement, Prominence, Session};
+use desk::{Announcement, Desk};
+use play::Prominence;
 
 /// More errors are not shown at once; the oldest go.
 const MOST_ERRORS: usize = 3;
@@ -40,13 +41,13 @@ impl Message {
     }
 
     /// What is shown of an announcement; `text` is the announcement in words.
-    pub fn of(session: &Session, announcement: &Announcement, text: &str) -> Option<Self> {
+    pub fn of(desk: &Desk, announcement: &Announcement, text: &str) -> Option<Self> {
         let action = match announcement {
             Announcement::RecordAdded(_) => {
-                session.newest_record().map(|id| Action::Show(Tab::Measure, format!("record-{id}")))
+                desk.newest_record().map(|id| Action::Show(Tab::Measure, format!("record-{id}")))
             }
             Announcement::FitFinished => Some(Action::Show(Tab::Fit, "fit-results".to_owned())),
-            other if other.can_be_undone() => session.undo_number().map(Action::Undo),
+            other if other.can_be_undone() => desk.undo_number().map(Action::Undo),
             _ => None,
         };
         match announcement.prominence() {
@@ -81,7 +82,7 @@ pub fn undo(app: App) -> bool {
             _ => None,
         })
     });
-    offered.is_some_and(|number| app.act(|session| session.undo(number)))
+    offered.is_some_and(|number| app.act_on_desk(|desk| desk.undo(number)))
 }
 
 /// The lines, newest last.

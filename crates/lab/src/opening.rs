@@ -4,9 +4,9 @@
 use crate::app::App;
 use crate::links::Arrival;
 use crate::{browser, fit, frame, intake, messages, saved, visited};
+use desk::Desk;
 use document::page::{self, Source};
 use model::Diagnostic;
-use session::Session;
 use web_sys::{Event, File, FileList};
 
 /// What was found in the files, each with the number of its file.
@@ -15,9 +15,9 @@ pub type Findings = Vec<(usize, Diagnostic)>;
 /// Opens what a link or the history leads to.
 pub fn arrive(app: App, arrival: Arrival) {
     let Arrival { sources, state, refusal, awaited } = arrival;
-    let is_open = app.with(|lab| lab.session.is_some() && lab.sources == sources) == Some(true);
+    let is_open = app.with(|lab| lab.desk.is_some() && lab.sources == sources) == Some(true);
     if is_open && !state.is_empty() {
-        if let Some(refusal) = app.attempt(|session| session.restore(&state)) {
+        if let Some(refusal) = app.attempt(|play| play.restore(&state)) {
             app.complain(refusal);
         }
     } else if !is_open {
@@ -27,40 +27,40 @@ pub fn arrive(app: App, arrival: Arrival) {
     app.with(|lab| lab.awaited = awaited);
     visited::note(app, None);
     if let Some(refusal) = refusal {
-        app.complain(app.read(|session| session.refusal_text(&refusal)));
+        app.complain(app.read(|play| play.refusal_text(&refusal)));
     }
 }
 
 /// Opens a document from its files. `state` is a shared state; without one the state of the last visit is taken.
 pub fn open(app: App, sources: Vec<Source>, state: &str) {
     let texts: Vec<&str> = sources.iter().map(|source| source.text.as_str()).collect();
-    let (session, findings) = match texts.split_first() {
+    let (desk, findings) = match texts.split_first() {
         Some((source, translations)) => {
             let opened = document::open(source, translations);
-            (opened.document.map(Session::open), opened.diagnostics)
+            (opened.document.map(Desk::open), opened.diagnostics)
         }
         None => (None, Vec::new()),
     };
     let closed = app.with(|lab| {
-        let (mut session, mut closed) = (session, 0);
+        let (mut desk, mut closed) = (desk, 0);
         // A document that does not run holds no records; they wait for the next one that does.
         // From there a button leads back to the last one that did.
-        if session.is_some() {
+        if desk.is_some() {
             lab.sources_before.clear();
-        } else if lab.session.is_some() {
+        } else if lab.desk.is_some() {
             lab.sources_before = std::mem::take(&mut lab.sources);
         }
-        let before = lab.session.take().or_else(|| lab.parked.take());
-        match (before, &mut session) {
-            (Some(mut before), Some(session)) => session.adopt_records(&mut before),
-            (None, Some(session)) => closed = saved::restore_measured(&mut lab.saved, session),
+        let before = lab.desk.take().or_else(|| lab.parked.take());
+        match (before, &mut desk) {
+            (Some(mut before), Some(desk)) => desk.adopt_records(&mut before),
+            (None, Some(desk)) => closed = saved::restore_measured(&mut lab.saved, desk),
             (before, None) => lab.parked = before,
         }
-        if let Some(session) = &mut session {
-            saved::restore_answers(&mut lab.saved, &sources, session);
+        if let Some(desk) = &mut desk {
+            saved::restore_answers(&mut lab.saved, &sources, desk);
         }
         lab.drafts.clear();
-        lab.session = session;
+        lab.desk = desk;
         lab.sources = sources;
         lab.findings = findings;
         closed
@@ -68,10 +68,10 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
     let language = app.language.get_untracked();
     let left = saved::state(app);
     let state = if state.is_empty() { left.as_str() } else { state };
-    let refusal = app.read(|session| {
-        session.set_language(language.tag());
-        let refusal = if state.is_empty() { None } else { session.restore(state).err() };
-        refusal.map(|refusal| session.refusal_text(&refusal))
+    let refusal = app.read_desk(|desk| {
+        desk.set_language(language.tag());
+        let refusal = if state.is_empty() { None } else { desk.play_mut().restore(state).err() };
+        refusal.map(|refusal| desk.play().refusal_text(&refusal))
     });
     messages::leave_document(app);
     app.rebuild();
@@ -81,7 +81,7 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
     if closed.is_some_and(|closed| closed > 0) {
         app.complain(app.words().records_closed.to_owned());
     }
-    if app.read(|session| session.has_fits_waiting()) {
+    if app.read_desk(|desk| desk.has_fits_waiting()) {
         fit::go_on(app);
     }
 }

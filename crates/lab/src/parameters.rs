@@ -3,7 +3,7 @@
 use crate::app::App;
 use crate::controls::name_and_symbol;
 use crate::views::*;
-use session::ParameterView;
+use play::ParameterView;
 use std::rc::Rc;
 use web_sys::{HtmlInputElement, KeyboardEvent};
 
@@ -89,15 +89,15 @@ pub fn control(app: App, first: ParameterView) -> HtmlDiv {
     let index = first.index;
     let now = memo(move || {
         app.changes.parameters.track();
-        app.read(|session| session.parameter(index))
+        app.read(|play| play.parameter(index))
     });
     let get = move |part: fn(&ParameterView) -> String| now.with(|view| view.as_ref().map(part).unwrap_or_default());
     let error = create_signal(None::<String>);
     let (id, range_id) = (format!("parameter-{index}"), format!("range-{index}"));
     let slide_by = move |by: i32| {
-        app.slide(|session| {
-            if let Some(slider) = session.parameter(index).and_then(|view| view.slider) {
-                session.slide(index, slider.position.saturating_add_signed(by).min(slider.positions));
+        app.slide(|play| {
+            if let Some(slider) = play.parameter(index).and_then(|view| view.slider) {
+                play.slide(index, slider.position.saturating_add_signed(by).min(slider.positions));
             }
         });
     };
@@ -107,7 +107,7 @@ pub fn control(app: App, first: ParameterView) -> HtmlDiv {
         editable: memo(|| true),
         signed: first.range.as_ref().is_none_or(|(low, _)| low.starts_with(['-', '−'])),
         error,
-        commit: Box::new(move |text| app.attempt(|session| session.set_parameter_text(index, text))),
+        commit: Box::new(move |text| app.attempt(|play| play.set_parameter_text(index, text))),
         nudge: Box::new(slide_by),
     };
     let slider = first.slider.map(|slider| {
@@ -131,7 +131,7 @@ pub fn control(app: App, first: ParameterView) -> HtmlDiv {
             .when(events::input, move |event| {
                 if let Ok(position) = value_of(&event).parse() {
                     error.set(None);
-                    app.slide(|session| session.slide(index, position));
+                    app.slide(|play| play.slide(index, position));
                 }
             })
             .when(events::keydown, move |event: KeyboardEvent| {

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use session::Grade;
+use play::Grade;
 use web_sys::{HtmlInputElement, SubmitEvent};
 
 /// The question of this number.
@@ -10,18 +10,18 @@ pub fn view(app: App, index: usize) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
     let asked =
-        app.read(|session| Some(session.document().program.question_text(language, index).clone())).unwrap_or_default();
-    let unit = app.read(|session| session.question_unit(index));
-    let given = app.read(|session| session.answer(index));
+        app.read_desk(|desk| Some(desk.document().program.question_text(language, index).clone())).unwrap_or_default();
+    let unit = app.read(|play| play.question_unit(index));
+    let given = app.read(|play| play.answer(index));
     let verdict = create_signal(given.verdict);
-    let revealed = create_signal(given.revealed.then(|| app.read(|session| session.reveal_answer(index))));
+    let revealed = create_signal(given.revealed.then(|| app.read(|play| play.reveal_answer(index))));
     let (field, number) = (format!("answer-{index}"), index + 1);
     let mut input = short_field(field.clone());
     let node: HtmlInputElement = input.node();
     let check = move |event: SubmitEvent| {
         event.prevent_default();
         let answer = node.value();
-        verdict.set(app.act(|session| Some(session.check_answer(index, &answer))));
+        verdict.set(app.act(|play| Some(play.check_answer(index, &answer))));
     };
     let grade = move || {
         verdict.with(|verdict| match verdict.as_ref().map(|verdict| verdict.grade) {
@@ -53,9 +53,9 @@ pub fn view(app: App, index: usize) -> View {
         .prop("value", given.typed)
         .when(events::input, move |event| {
             verdict.set(None);
-            app.act(|session| session.type_answer(index, &value_of(&event)));
+            app.act(|play| play.type_answer(index, &value_of(&event)));
         });
-    let reveal = move |_| revealed.set(Some(app.act(|session| session.reveal_answer(index))));
+    let reveal = move |_| revealed.set(Some(app.act(|play| play.reveal_answer(index))));
     let form = form()
         .class("answer")
         .when(events::submit, check)
@@ -83,7 +83,7 @@ fn setup(app: App, index: usize) -> View {
     let words = app.words();
     let now = memo(move || {
         app.changes.parameters.track();
-        app.read(|session| session.question_setup(index))
+        app.read(|play| play.question_setup(index))
     });
     if now.with_untracked(Option::is_none) {
         return View::new();
@@ -94,7 +94,7 @@ fn setup(app: App, index: usize) -> View {
     let set_up = button()
         .class("quiet")
         .attr("aria-disabled", move || is_set().to_string())
-        .when(events::click, move |_| refusal.set(app.attempt(|session| session.apply_question_setup(index))))
+        .when(events::click, move |_| refusal.set(app.attempt(|play| play.apply_question_setup(index))))
         .child(text(move || if is_set() { format!("✓ {}", words.is_set_up) } else { words.set_up.to_owned() }));
     let why = text(move || refusal.get_clone().unwrap_or_default());
     p().class("setup")

@@ -2,16 +2,16 @@
 
 use crate::app::App;
 use crate::views::*;
-use session::{Readout, ReadoutKind};
+use play::{Readout, ReadoutKind};
 
 /// The readouts: what changes with time, and what does not.
 pub fn view(app: App) -> HtmlSection {
     let words = app.words();
-    let first: Vec<Readout> = app.read(|session| session.readouts());
+    let first: Vec<Readout> = app.read(|play| play.readouts());
     let now = memo(move || {
         app.changes.frame.track();
         app.changes.parameters.track();
-        app.read(|session| session.readouts())
+        app.read(|play| play.readouts())
     });
     // The clock shows the independent variable.
     let list = |varies: bool, title: &'static str| {
@@ -23,14 +23,14 @@ pub fn view(app: App) -> HtmlSection {
             div().class("values").child(h3().child(title)).child(rows)
         })
     };
-    let hides = app.read(|session| session.hides_values());
+    let hides = app.read(|play| play.hides_values());
     let shown = input()
         .r#type("checkbox")
         .prop("checked", move || {
             app.changes.values.track();
-            app.read(|session| session.shows_hidden())
+            app.read(|play| play.shows_hidden())
         })
-        .when(events::change, move |event| app.act(|session| session.show_hidden(is_checked(&event))));
+        .when(events::change, move |event| app.act(|play| play.show_hidden(is_checked(&event))));
     part("readouts", "readouts card", words.readouts)
         .maybe(list(true, words.changing))
         .maybe(list(false, words.constants))

@@ -3,7 +3,7 @@
 use crate::app::App;
 use crate::views::*;
 use crate::{browser, derivatives, measurements};
-use session::{ColumnView, RecordView};
+use desk::{ColumnView, RecordView};
 
 /// How many values of a column are shown.
 const ROWS: usize = 3;
@@ -16,7 +16,7 @@ pub fn view(app: App) -> View {
     let choice = derivatives::Choice::new();
     let records = memo(move || {
         app.changes.records.track();
-        app.read(|session| session.records())
+        app.read_desk(|desk| desk.records())
     });
     // Without the units, which a person may be typing.
     let items = memo(move || {
@@ -39,10 +39,10 @@ fn item(app: App, records: Records, record: RecordView, choice: derivatives::Cho
     let id = record.id;
     let label_of_remove = format!("{}: {}", words.remove_record, record.name);
     let tick = tick(format!("show-record-{id}"), record.shown, move |shown| {
-        app.act(|session| session.show_record(id, shown));
+        app.act_on_desk(|desk| desk.show_record(id, shown));
     });
     let remove = move |_| {
-        app.act(|session| session.remove_record(id));
+        app.act_on_desk(|desk| desk.remove_record(id));
         browser::focus_later("choose-record".to_owned());
     };
     let remove = cross(label_of_remove).when(events::click, remove);
@@ -75,10 +75,10 @@ fn item(app: App, records: Records, record: RecordView, choice: derivatives::Cho
 fn preview(app: App, records: Records, record: &RecordView) -> HtmlDiv {
     let words = app.words();
     let id = record.id;
-    let measurable = app.read(|session| session.measurable());
+    let measurable = app.read_desk(|desk| desk.measurable());
     let line = |column: &ColumnView| {
         let made = (!column.made.is_empty()).then(|| span().class("note made").child(column.made.clone()));
-        let cells = app.read(|session| session.record_cells(id, column.index, 0..ROWS.min(record.rows)));
+        let cells = app.read_desk(|desk| desk.record_cells(id, column.index, 0..ROWS.min(record.rows)));
         let cells: Vec<String> =
             cells.into_iter().map(|cell| if cell.is_empty() { "–".to_owned() } else { cell }).collect();
         let first = span().class("note first-values").child(cells.join(" · "));
@@ -102,7 +102,7 @@ fn quantity(app: App, record: u32, column: &ColumnView, measurable: &[(String, S
     let again = id.clone();
     let choose = move |event| {
         let name = value_of(&event);
-        app.act(|session| session.set_column_quantity(record, index, &name));
+        app.act_on_desk(|desk| desk.set_column_quantity(record, index, &name));
         browser::focus_later(again.clone());
     };
     let choice = |value: &str, label: &str| {
@@ -131,7 +131,7 @@ fn unit(app: App, records: Records, record: u32, column: &ColumnView) -> View {
     });
     let take = move |event| {
         let typed = value_of(&event);
-        let refusal = app.attempt(|session| session.set_column_unit(record, index, &typed));
+        let refusal = app.attempt_on_desk(|desk| desk.set_column_unit(record, index, &typed));
         measurements::refuse(app, refusal);
         browser::focus_later(again.clone());
     };
@@ -161,7 +161,7 @@ fn fitted(app: App, record: u32, column: &ColumnView) -> View {
     }
     let (index, id) = (column.index, format!("fitted-{record}-{}", column.index));
     let tick = tick(id, column.fitted, move |fitted| {
-        app.act(|session| session.set_column_fitted(record, index, fitted));
+        app.act_on_desk(|desk| desk.set_column_fitted(record, index, fitted));
     });
     td().child(tick.attr("aria-label", name(app, |words| words.column_fitted, column))).into()
 }

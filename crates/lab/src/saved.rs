@@ -1,12 +1,13 @@
 //! What is there again at the next visit: the state of each document, records, fits, answers. Other pages of this site share
-//! the storage: see [`session::Shelf`].
+//! the storage: see [`desk::Shelf`].
 
 use crate::app::{App, Lab};
 use crate::browser;
 use crate::library;
 use crate::views::window;
+use desk::{Change, Desk, Shelf};
 use document::page::Source;
-use session::{Change, Session, Shelf, Subject};
+use play::Subject;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 
@@ -31,39 +32,37 @@ pub struct Saved {
 
 /// A document's name in the storage: by its file and title. Own documents keep apart from those of the page, which a link
 /// from a stranger could otherwise give another state.
-fn document_key(sources: &[Source], session: &Session) -> String {
+fn document_key(sources: &[Source], desk: &Desk) -> String {
     let own = if matches!(library::subject(sources), Subject::File(_)) { "own:" } else { "" };
     let name = sources.first().map_or("", |file| &file.name);
-    format!("{own}{name}:{}", session.document().program.title)
+    format!("{own}{name}:{}", desk.document().program.title)
 }
 
 /// The state in which a document was left.
 pub fn state(app: App) -> String {
-    let key = app.with(|lab| lab.session.as_ref().map(|session| document_key(&lab.sources, session))).flatten();
+    let key = app.with(|lab| lab.desk.as_ref().map(|desk| document_key(&lab.sources, desk))).flatten();
     key.and_then(|key| browser::remembered(&format!("state:{key}"))).unwrap_or_default()
 }
 
 /// Brings back records and fits, those of earlier versions too. How many records there was no room for.
-pub fn restore_measured(saved: &mut Saved, session: &mut Session) -> usize {
-    for (key, read) in
-        [("records", Session::restore_records as fn(&mut Session, &str)), ("fits", Session::restore_fits)]
-    {
+pub fn restore_measured(saved: &mut Saved, desk: &mut Desk) -> usize {
+    for (key, read) in [("records", Desk::restore_records as fn(&mut Desk, &str)), ("fits", Desk::restore_fits)] {
         if let Some(text) = browser::remembered(key) {
-            read(session, &text);
+            read(desk, &text);
             browser::forget(key);
         }
     }
     let (records, fits) = (browser::all_remembered(RECORDS), browser::all_remembered(FITS));
-    Shelf::ordered(records.clone()).iter().for_each(|(_, text)| session.restore_records(text));
-    Shelf::ordered(fits.clone()).iter().for_each(|(_, text)| session.restore_fits(text));
-    saved.records = shelf(&records, RECORDS, &session.saved_records());
-    saved.fits = shelf(&fits, FITS, &session.saved_fits());
-    let open = session.saved_records();
+    Shelf::ordered(records.clone()).iter().for_each(|(_, text)| desk.restore_records(text));
+    Shelf::ordered(fits.clone()).iter().for_each(|(_, text)| desk.restore_fits(text));
+    saved.records = shelf(&records, RECORDS, &desk.saved_records());
+    saved.fits = shelf(&fits, FITS, &desk.saved_fits());
+    let open = desk.saved_records();
     let closed =
         records.iter().filter(|(key, _)| open.iter().all(|(name, _)| *key != format!("{RECORDS}{name}"))).count();
     if closed == 0 {
         // A fit that cannot be made again has lost its record, in another page.
-        let open = session.saved_fits();
+        let open = desk.saved_fits();
         let lost = fits.iter().filter(|(key, _)| open.iter().all(|(name, _)| *key != format!("{FITS}{name}")));
         lost.for_each(|(key, _)| browser::forget(key));
     }
@@ -71,13 +70,13 @@ pub fn restore_measured(saved: &mut Saved, session: &mut Session) -> usize {
 }
 
 /// Brings back the answers to the questions of a document that has been opened.
-pub fn restore_answers(saved: &mut Saved, sources: &[Source], session: &mut Session) {
-    let prefix = answers_of(&document_key(sources, session));
+pub fn restore_answers(saved: &mut Saved, sources: &[Source], desk: &mut Desk) {
+    let prefix = answers_of(&document_key(sources, desk));
     let stored = browser::all_remembered(&prefix);
     for (key, text) in Shelf::ordered(stored.clone()) {
-        session.restore_answer(key.strip_prefix(&prefix).unwrap_or_default(), &text);
+        desk.play_mut().restore_answer(key.strip_prefix(&prefix).unwrap_or_default(), &text);
     }
-    saved.answers = shelf(&stored, &prefix, &session.saved_answers());
+    saved.answers = shelf(&stored, &prefix, &desk.play().saved_answers());
 }
 
 fn answers_of(document: &str) -> String {
@@ -113,15 +112,15 @@ pub fn now(app: App) {
 
 /// Whether it has to be said that something was refused.
 fn save(lab: &mut Lab) -> bool {
-    let Lab { session: Some(session), saved, sources, .. } = lab else { return false };
+    let Lab { desk: Some(desk), saved, sources, .. } = lab else { return false };
     saved.is_due = false;
-    let key = document_key(sources, session);
-    let mut stored = browser::remember(&format!("state:{key}"), &session.share());
+    let key = document_key(sources, desk);
+    let mut stored = browser::remember(&format!("state:{key}"), &desk.play().share());
     let now = js_sys::Date::now() as u64;
     for (shelf, prefix, items) in [
-        (&mut saved.records, RECORDS.to_owned(), session.saved_records()),
-        (&mut saved.fits, FITS.to_owned(), session.saved_fits()),
-        (&mut saved.answers, answers_of(&key), session.saved_answers()),
+        (&mut saved.records, RECORDS.to_owned(), desk.saved_records()),
+        (&mut saved.fits, FITS.to_owned(), desk.saved_fits()),
+        (&mut saved.answers, answers_of(&key), desk.play().saved_answers()),
     ] {
         let items = items.into_iter().map(|(name, text)| (format!("{prefix}{name}"), text)).collect();
         for change in shelf.keep(items, now, |key| browser::remembered(key).is_some()) {

@@ -6,8 +6,8 @@ use crate::drag::{self, Handle};
 use crate::grip::Grips;
 use crate::stage::ruler::Ruler;
 use crate::views::document as page;
+use play::{Follows, Play};
 use program::{Child, Element, Piece, Scene, Template};
-use session::{Follows, Session};
 use wasm_bindgen::JsCast;
 use web_sys::{ShadowRootInit, ShadowRootMode, SvgElement, SvgGraphicsElement, Text};
 
@@ -18,7 +18,7 @@ pub struct SceneNodes {
     bindings: Vec<Binding>,
     handles: Vec<Handle>,
     grips: Option<Grips>,
-    ghost: Ghost,
+    outline: Outline,
     /// The ruler that lies on it.
     pub ruler: Option<Ruler>,
     root: Option<SvgGraphicsElement>,
@@ -48,7 +48,7 @@ impl SceneNodes {
             bindings: Vec::new(),
             handles: Vec::new(),
             grips: None,
-            ghost: Ghost::default(),
+            outline: Outline::default(),
             ruler: None,
             root: None,
             drawn: Vec::new(),
@@ -62,7 +62,7 @@ impl SceneNodes {
         // A tree of its own: the document's styles stay in it, and the page's class names mean nothing there.
         let shadow = place.attach_shadow(&ShadowRootInit::new(ShadowRootMode::Open)).ok()?;
         let _ = shadow.append_child(&root);
-        nodes.ghost.place = Some((scene.clone(), root.clone()));
+        nodes.outline.place = Some((scene.clone(), root.clone()));
         let root: SvgGraphicsElement = root.dyn_into().ok()?;
         Handle::number_unnamed(&mut nodes.handles);
         for handle in &mut nodes.handles {
@@ -125,9 +125,9 @@ impl SceneNodes {
     }
 
     /// Shows the present.
-    pub fn draw(&mut self, session: &mut Session) {
+    pub fn draw(&mut self, play: &mut Play) {
         self.values.clear();
-        self.values.extend_from_slice(session.scene_values());
+        self.values.extend_from_slice(play.scene_values());
         let (values, drawn) = (&self.values, &self.drawn);
         let changed = |index: usize| {
             values.get(index).map(|value| value.to_bits()) != drawn.get(index).map(|value| value.to_bits())
@@ -149,7 +149,7 @@ impl SceneNodes {
                         self.text.push_str(&value.to_string());
                     }
                     (Piece::Value { index, decimals }, Target::Text(_)) => {
-                        self.text.push_str(&session.scene_text(*index, *decimals));
+                        self.text.push_str(&play.scene_text(*index, *decimals));
                     }
                 }
             }
@@ -162,33 +162,33 @@ impl SceneNodes {
             }
         }
         for handle in &mut self.handles {
-            handle.describe(session);
+            handle.describe(play);
         }
         std::mem::swap(&mut self.values, &mut self.drawn);
-        self.ghost.draw(session);
+        self.outline.draw(play);
     }
 }
 
 /// What is measured of the scene, in outline over it: those parts that follow nothing but measured positions.
 #[derive(Default)]
-struct Ghost {
+struct Outline {
     /// The scene and its node.
     place: Option<(Scene, SvgElement)>,
-    /// The records for which it was built.
-    records: Option<u64>,
+    /// What its values followed when it was built.
+    follows: Vec<Follows>,
     node: Option<SvgElement>,
     bindings: Vec<Binding>,
 }
 
-impl Ghost {
-    fn draw(&mut self, session: &mut Session) {
-        let records = session.revision().records;
-        if self.records != Some(records) {
-            self.records = Some(records);
-            self.build(session);
+impl Outline {
+    fn draw(&mut self, play: &mut Play) {
+        let follows = play.outline().map_or(&[][..], |outline| &outline.follows);
+        if self.follows != follows {
+            self.follows = follows.to_vec();
+            self.build();
         }
         let Some(node) = &self.node else { return };
-        let values = session.ghost_values();
+        let values = play.outline().and_then(|outline| outline.values.as_ref());
         let _ = if values.is_some() { node.remove_attribute("display") } else { node.set_attribute("display", "none") };
         for binding in &mut self.bindings {
             let (Some(values), Target::Attribute(node, name)) = (values, &binding.target) else { continue };
@@ -210,14 +210,14 @@ impl Ghost {
     }
 
     /// Builds its nodes for what is measured now.
-    fn build(&mut self, session: &Session) {
+    fn build(&mut self) {
         self.bindings.clear();
         if let Some(node) = self.node.take() {
             node.remove();
         }
-        let follows = session.ghost_follows();
+        let follows = self.follows.clone();
         let Some((scene, root)) = self.place.clone().filter(|_| !follows.is_empty()) else { return };
-        if let Some(node) = self.copy(&scene.root, follows, "g") {
+        if let Some(node) = self.copy(&scene.root, &follows, "g") {
             let _ = node.set_attribute("aria-hidden", "true");
             let _ = node.set_attribute("pointer-events", "none");
             // The handles stay on top, or nobody could take hold of them.

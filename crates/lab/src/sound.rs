@@ -1,6 +1,6 @@
 //! The displacement as a pitch.
 
-use session::Session;
+use play::Play;
 use web_sys::{AudioContext, GainNode, OscillatorNode};
 
 /// How loud, of 1.
@@ -52,11 +52,11 @@ impl Sound {
         self.on == on
     }
 
-    /// Follows the session: silent while it stands still.
-    pub fn follow(&mut self, session: &Session) {
+    /// Follows the play: silent while it stands still.
+    pub fn follow(&mut self, play: &Play) {
         let Some(voice) = self.voice.as_ref().filter(|_| self.on) else { return };
         let now = voice.context.current_time();
-        let pitch = session.pitch().filter(|_| session.is_playing() || session.is_dragging());
+        let pitch = play.pitch().filter(|_| play.is_playing() || play.is_dragging());
         if let Some(pitch) = pitch {
             let _ = voice.oscillator.frequency().set_target_at_time(pitch as f32, now, GLIDE);
         }

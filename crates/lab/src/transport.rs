@@ -4,7 +4,7 @@ use crate::app::App;
 use crate::stage::full_screen;
 use crate::views::*;
 use crate::{browser, frame, icons};
-use session::{SPEEDS, Session, Status};
+use play::{Play, SPEEDS, Status};
 use web_sys::{Element, HtmlElement, HtmlInputElement};
 
 /// The time line has so many positions.
@@ -23,19 +23,19 @@ pub struct TransportNodes {
 
 impl TransportNodes {
     /// Shows the time.
-    pub fn draw(&mut self, session: &mut Session) {
-        let text = session.time_text();
+    pub fn draw(&mut self, play: &mut Play) {
+        let text = play.time_text();
         if text != self.shown {
             self.clock.set_text_content(Some(&text));
             // Read only when the slider has the focus and moves; otherwise it costs nothing.
-            if !session.is_playing() || self.shown.is_empty() {
+            if !play.is_playing() || self.shown.is_empty() {
                 let _ = self.line.set_attribute("aria-valuetext", &text);
             }
             self.shown = text;
         }
-        let places = if session.is_playing() { MOVING } else { POSITIONS };
-        let part = |time: f64| ((time / session.horizon()).clamp(0.0, 1.0) * places).round() / places;
-        let (fraction, recorded) = (part(session.time()), part(session.end()));
+        let places = if play.is_playing() { MOVING } else { POSITIONS };
+        let part = |time: f64| ((time / play.horizon()).clamp(0.0, 1.0) * places).round() / places;
+        let (fraction, recorded) = (part(play.time()), part(play.end()));
         let position = (fraction * POSITIONS).round();
         // A hand may have put the slider beyond what is recorded.
         if position != self.line.value_as_number() {
@@ -56,7 +56,7 @@ pub fn view(app: App) -> HtmlSection {
     let words = app.words();
     let status = move || {
         app.changes.transport.track();
-        app.read(|session| Some(session.status()))
+        app.read(|play| Some(play.status()))
     };
     let playing = memo(move || status() == Some(Status::Playing));
     let mut clock = output().class("clock").id("clock").attr("aria-label", words.time).attr("aria-live", "off");
@@ -66,7 +66,7 @@ pub fn view(app: App) -> HtmlSection {
         TransportNodes { clock: clock.node(), line: line.node(), shown: String::new(), parts: (f64::NAN, f64::NAN) };
     app.with(|lab| lab.stage.transport = Some(nodes));
     frame::wake(app);
-    let step = |id: &'static str, name: &'static str, key: char, icon: SvgSvg, act: fn(&mut Session)| {
+    let step = |id: &'static str, name: &'static str, key: char, icon: SvgSvg, act: fn(&mut Play)| {
         button()
             .class("icon")
             .id(id)
@@ -81,14 +81,14 @@ pub fn view(app: App) -> HtmlSection {
         .id("play")
         .title(move || format!("{} (K)", play()))
         .attr("aria-label", play)
-        .when(events::click, move |_| app.act(Session::toggle))
+        .when(events::click, move |_| app.act(Play::toggle))
         .child(changing(move || if playing.get() { icons::pause() } else { icons::play() }));
     let buttons = div()
         .class("buttons")
-        .child(step("back-to-start", words.back_to_start, 'R', icons::reset(), Session::back_to_start))
-        .child(step("step-back", words.step_back, ',', icons::step_back(), Session::step_back))
+        .child(step("back-to-start", words.back_to_start, 'R', icons::reset(), Play::back_to_start))
+        .child(step("step-back", words.step_back, ',', icons::step_back(), Play::step_back))
         .child(toggle)
-        .child(step("step-forward", words.step_forward, '.', icons::step_forward(), Session::step_forward));
+        .child(step("step-forward", words.step_forward, '.', icons::step_forward(), Play::step_forward));
     let line = line
         .value("0")
         .attr("aria-label", words.time_line)
@@ -106,14 +106,14 @@ pub fn view(app: App) -> HtmlSection {
         .child(buttons)
         .child(div().class("time").child(clock).child(line))
         .child(div().class("extras").child(speed(app)).child(sound(app)).maybe(fill_screen(app)))
-        // Why the run has stopped is announced by the session; only the other has to be spoken from here.
+        // Why the run has stopped is announced by the play; only the other has to be spoken from here.
         .child(p().class("trouble").child(text(move || trouble(true))))
         .child(p().class("trouble").role("status").child(text(move || trouble(false))))
 }
 
 fn scrub(app: App, position: &str) {
     let fraction = position.parse::<f64>().unwrap_or(0.0) / POSITIONS;
-    app.slide(|session| session.scrub(fraction * session.horizon()));
+    app.slide(|play| play.scrub(fraction * play.horizon()));
 }
 
 /// On the time line the arrows go by steps of the grid, not by the slider's positions.
@@ -122,11 +122,11 @@ fn line_key(app: App, event: &web_sys::KeyboardEvent) {
         return;
     }
     match event.key().as_str() {
-        "ArrowLeft" | "ArrowDown" => app.slide(Session::step_back),
-        "ArrowRight" | "ArrowUp" => app.slide(|session| {
+        "ArrowLeft" | "ArrowDown" => app.slide(Play::step_back),
+        "ArrowRight" | "ArrowUp" => app.slide(|play| {
             // Within what is recorded; the step button goes on from its end.
-            if session.is_scrubbed() {
-                session.step_forward();
+            if play.is_scrubbed() {
+                play.step_forward();
             }
         }),
         _ => return,
@@ -139,7 +139,7 @@ fn speed(app: App) -> HtmlLabel {
     let words = app.words();
     let chosen = move || {
         app.changes.transport.track();
-        app.read(|session| session.speed())
+        app.read(|play| play.speed())
     };
     let choose = |speed: f64| {
         let text = if speed < 1.0 { format!("1/{} ×", 1.0 / speed) } else { format!("{speed} ×") };
@@ -147,7 +147,7 @@ fn speed(app: App) -> HtmlLabel {
     };
     let set = move |event| {
         if let Ok(speed) = value_of(&event).parse() {
-            app.act(|session| session.set_speed(speed));
+            app.act(|play| play.set_speed(speed));
         }
     };
     let select = select()
@@ -194,15 +194,15 @@ fn fill_screen(app: App) -> Option<HtmlButton> {
     })
 }
 
-/// What keeps the run from going on as it should: what the session has `announced`, or else what it has not.
+/// What keeps the run from going on as it should: what the simulation has `announced`, or else what it has not.
 fn trouble(app: App, announced: bool) -> String {
     let words = app.words();
-    app.read(|session| match session.status() {
+    app.read(|play| match play.status() {
         Status::Failed if announced => {
-            session.problem().map(|problem| format!("{} {}", problem.message, problem.hint)).unwrap_or_default()
+            play.problem().map(|problem| format!("{} {}", problem.message, problem.hint)).unwrap_or_default()
         }
         Status::Full if announced => words.full.to_owned(),
-        Status::Playing if !announced && session.slippage() > 0.5 => words.slow.to_owned(),
+        Status::Playing if !announced && play.slippage() > 0.5 => words.slow.to_owned(),
         _ => String::new(),
     })
 }

@@ -2,12 +2,12 @@
 
 use crate::app::App;
 use crate::views::*;
-use session::{MEASUREMENT_FIELDS, MeasurementForm};
+use desk::{MEASUREMENT_FIELDS, MeasurementForm};
 
 /// The form, closed at first.
 pub fn view(app: App) -> HtmlDetails {
     let words = app.words();
-    let form = create_signal(app.read(|session| session.measurement_form()));
+    let form = create_signal(app.read_desk(|desk| desk.measurement_form()));
     let refusal = create_signal(None::<(usize, String)>);
     let labels = [
         words.virtual_rate,
@@ -18,18 +18,18 @@ pub fn view(app: App) -> HtmlDetails {
         words.virtual_scale,
         words.virtual_seed,
     ];
-    let units = memo(move || form.with(|form| app.read(|session| session.measurement_units(&form.quantity))));
-    let measurable = app.read(|session| session.measurable());
+    let units = memo(move || form.with(|form| app.read_desk(|desk| desk.measurement_units(&form.quantity))));
+    let measurable = app.read_desk(|desk| desk.measurable());
     let choose = |(value, label): (String, String)| {
         let chosen = form.with_untracked(|form| form.quantity == value);
         option().value(value).selected(chosen).child(label)
     };
     let measure = move |_| {
         let asked: MeasurementForm = form.get_clone_untracked();
-        let answer = app.act(|session| {
-            let number = session.records().iter().filter(|record| record.synthetic).count() + 1;
+        let answer = app.act_on_desk(|desk| {
+            let number = desk.records().iter().filter(|record| record.synthetic).count() + 1;
             let name = format!("{} {number}", words.virtual_name);
-            session.measure(&name, &asked).err().map(|(field, refusal)| (field, session.refusal_text(&refusal)))
+            desk.measure(&name, &asked).err().map(|(field, refusal)| (field, desk.refusal_text(&refusal)))
         });
         refusal.set(answer);
     };

@@ -5,7 +5,7 @@ use crate::app::App;
 use crate::views::window;
 use crate::{browser, library, links, opening};
 use document::page::{self, Source};
-use session::{Link, Subject};
+use play::{Link, Subject};
 use wasm_bindgen::JsValue;
 use web_sys::{Event, History};
 

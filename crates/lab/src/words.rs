@@ -1,5 +1,5 @@
 //! The words of the interface in every language it speaks. What the document says is translated by the document, and
-//! what the session says by the session.
+//! what playing and measuring say by `play` and `desk`.
 
 use units::Language;
 

@@ -32,7 +32,7 @@ pub fn view(app: App) -> View {
 fn sheet(app: App) -> HtmlArticle {
     let words = app.words();
     let language = app.language.get_untracked().tag();
-    let sections: Vec<Section> = app.read(|session| session.document().program.sections(language).to_vec());
+    let sections: Vec<Section> = app.read_desk(|desk| desk.document().program.sections(language).to_vec());
     let asks = |section: &&Section| section.blocks.iter().any(|block| matches!(block, Block::Question(_)));
     let first = sections.iter().position(|section| asks(&section)).unwrap_or(sections.len());
     // What stands before the first heading leads to the apparatus; the rest of the text follows it.
@@ -68,8 +68,8 @@ fn passage(app: App, section: &Section) -> View {
 /// The scene beside the values of the parameters.
 fn apparatus(app: App) -> HtmlDiv {
     let words = app.words();
-    let parameters = app.read(|session| session.parameters());
-    let row = |parameter: session::ParameterView| {
+    let parameters = app.read(|play| play.parameters());
+    let row = |parameter: play::ParameterView| {
         tr().child(row_head(parameter.label).child(" ").child(symbol(&parameter.name)))
             .child(td().child(parameter.spoken))
     };
@@ -94,10 +94,10 @@ fn scene() -> Option<HtmlDiv> {
 fn plots(app: App) -> View {
     let decimal_comma = app.language.get_untracked().style().decimal_comma;
     let settings = Settings { decimal_comma, ..PLOT };
-    let shown = app.read(|session| session.plots());
-    let shown = shown.into_iter().filter(|plot| plot.shown && plot.offered && !plot.of_cycles);
+    let shown = app.read(|play| play.plots());
+    let shown = shown.into_iter().filter(|plot| plot.shown && plot.offered && !plot.apart);
     each(shown, |plot| {
-        let svg = app.read(|session| session.plot_svg(plot.index, &settings, &Palette::LIGHT));
+        let svg = app.read(|play| play.plot_svg(plot.id, &settings, &Palette::LIGHT));
         tags::figure().inner_html(svg)
     })
 }
@@ -107,9 +107,9 @@ fn question(app: App, index: usize) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
     let asked =
-        app.read(|session| Some(session.document().program.question_text(language, index).clone())).unwrap_or_default();
-    let unit = app.read(|session| session.question_unit(index));
-    let supposed = app.read(|session| session.question_setup(index)).map(|(values, _)| {
+        app.read_desk(|desk| Some(desk.document().program.question_text(language, index).clone())).unwrap_or_default();
+    let unit = app.read(|play| play.question_unit(index));
+    let supposed = app.read(|play| play.question_setup(index)).map(|(values, _)| {
         p().class("supposed").child(words.supposes).child(" ").child(crate::question::supposed(values))
     });
     section()

@@ -1,11 +1,9 @@
 //! The equation language: from text to a checked system of first-order equations.
 
-mod alphabet;
 mod compile;
 mod diagnostic;
 mod dimensions;
 mod expression;
-mod functions;
 mod lexer;
 mod limits;
 mod lowering;

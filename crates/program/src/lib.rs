@@ -2,6 +2,7 @@
 //! without source text and places in it. It is what runs; [`bundle`] writes and reads it.
 
 pub mod bundle;
+pub mod functions;
 mod graph;
 mod method;
 mod model;

@@ -1,6 +1,7 @@
 //! Physical dimensions and units: parse, convert, print. And what every crate needs to speak: the [languages](Language), and the
 //! one writer of [numbers](number) for people.
 
+pub mod alphabet;
 mod dimension;
 mod exponent;
 mod language;

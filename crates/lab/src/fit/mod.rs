@@ -8,7 +8,7 @@ use crate::app::App;
 use crate::panel::{self, Tab};
 use crate::views::*;
 use crate::{browser, library, measurements};
-use session::{FitProgress, Session};
+use desk::{Desk, FitProgress};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 
@@ -19,7 +19,7 @@ const SLICE: f64 = 8.0;
 pub fn view(app: App) -> View {
     let has_records = memo(move || {
         app.changes.records.track();
-        app.read(|session| !session.records().is_empty())
+        app.read_desk(|desk| !desk.records().is_empty())
     });
     changing(move || if has_records.get() { steps(app) } else { nothing_yet(app) })
 }
@@ -27,7 +27,7 @@ pub fn view(app: App) -> View {
 /// Where there is no record: the way to one.
 fn nothing_yet(app: App) -> View {
     let words = app.words();
-    let names = app.read(|session| session.sample_names().to_vec());
+    let names = app.read_desk(|desk| desk.sample_names().to_vec());
     let choose = |(number, name): (usize, &'static str)| {
         button().class("chip").when(events::click, move |_| measurements::sample(app, number)).child(name)
     };
@@ -52,13 +52,13 @@ fn steps(app: App) -> View {
         ranked.set(rank);
         chosen.set(None);
         let file = app.with(|lab| lab.sources.first().map(|file| file.name.clone())).flatten().unwrap_or_default();
-        refusal.set(app.attempt(|session| {
+        refusal.set(app.attempt_on_desk(|desk| {
             if !rank {
-                return session.begin_fit(&file);
+                return desk.begin_fit(&file);
             }
             let theories = library::theories();
             let theories = theories.into_iter().filter_map(|entry| Some((entry.file().to_owned(), entry.open()?)));
-            session.begin_ranking(theories.collect())
+            desk.begin_ranking(theories.collect())
         }));
         go_on(app);
     };
@@ -111,7 +111,7 @@ fn running(app: App) -> View {
         (all > 1).then(|| done.to_string())
     };
     let cancel = move |_| {
-        app.act(Session::cancel_fit);
+        app.act_on_desk(Desk::cancel_fit);
         progress.set(None);
         browser::focus("fit");
     };
@@ -124,7 +124,7 @@ fn running(app: App) -> View {
 
 /// Works on what is to be fitted, and on what an earlier visit has left to be made again.
 pub fn go_on(app: App) {
-    app.fit_progress.set(app.read(|session| session.fit_progress()));
+    app.fit_progress.set(app.read_desk(|desk| desk.fit_progress()));
     let begins = app.with(|lab| !std::mem::replace(&mut lab.fitting, true)).unwrap_or_default();
     if begins {
         work(app);
@@ -135,15 +135,15 @@ pub fn go_on(app: App) {
 fn work(app: App) {
     let step = Closure::once_into_js(move || {
         let end = js_sys::Date::now() + SLICE;
-        let more = app.read(|session| {
-            let mut more = session.advance_fit();
+        let more = app.read_desk(|desk| {
+            let mut more = desk.advance_fit();
             while more && js_sys::Date::now() < end {
-                more = session.advance_fit();
+                more = desk.advance_fit();
             }
             more
         });
         let asked_for = app.fit_progress.with_untracked(Option::is_some);
-        app.fit_progress.set(app.read(|session| session.fit_progress()));
+        app.fit_progress.set(app.read_desk(|desk| desk.fit_progress()));
         app.publish(false, false);
         if more {
             work(app);

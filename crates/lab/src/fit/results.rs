@@ -5,8 +5,8 @@ use crate::controls::name_and_symbol;
 use crate::panel::Tab;
 use crate::views::*;
 use crate::{browser, opening};
+use desk::{ExportKind, FitDetail, FitView, Imprint};
 use document::page::Source;
-use session::{ExportKind, FitDetail, FitView, Imprint};
 use wasm_bindgen::JsValue;
 
 /// The fits side by side, and one of them in detail: `chosen`, or the best if they were `ranked`, or the last. While
@@ -14,7 +14,7 @@ use wasm_bindgen::JsValue;
 pub fn view(app: App, chosen: Signal<Option<u32>>, ranked: Signal<bool>) -> View {
     let listed = memo(move || {
         app.changes.fits.track();
-        let fits = app.read(|session| session.fits());
+        let fits = app.read_desk(|desk| desk.fits());
         let last = fits.iter().map(|fit| fit.id).max();
         let best = fits.first().map(|fit| fit.id).filter(|_| ranked.get());
         let shown = chosen.get().filter(|id| fits.iter().any(|fit| fit.id == *id)).or(best).or(last);
@@ -63,14 +63,14 @@ fn row(app: App, fit: FitView, shown: Option<u32>, chosen: Signal<Option<u32>>) 
     };
     let use_it = move |_| {
         if !applicable {
-            let texts = app.read(|session| session.fit_texts(id));
+            let texts = app.read_desk(|desk| desk.fit_texts(id));
             opening::change_theory(app, texts.into_iter().map(|(name, text)| Source { name, text }).collect());
         }
-        app.act(|session| session.apply_fit(id));
+        app.act_on_desk(|desk| desk.apply_fit(id));
         app.tab.set(Tab::Fit);
     };
     let forget = move |_| {
-        app.act(|session| session.remove_fit(id));
+        app.act_on_desk(|desk| desk.remove_fit(id));
         browser::focus("fit");
     };
     let pick = button()
@@ -101,8 +101,8 @@ fn exports(app: App, id: u32, several: bool) -> HtmlDiv {
         let date = String::from(now.to_locale_date_string(language, &JsValue::UNDEFINED));
         let math_font = if kind == ExportKind::Report { math_font() } else { String::new() };
         let imprint = Imprint { date: &date, math_font: &math_font };
-        let export = app.read(|session| {
-            if all { session.export_ranking(id, kind, imprint) } else { session.export_fit(id, kind, imprint) }
+        let export = app.read_desk(|desk| {
+            if all { desk.export_ranking(id, kind, imprint) } else { desk.export_fit(id, kind, imprint) }
         });
         if let Some(file) = export {
             browser::save_bytes(&file.name, file.kind, &file.bytes);
@@ -147,7 +147,7 @@ fn estimates(app: App, detail: &FitDetail) -> HtmlTbody {
 
 fn detail(app: App, id: u32, several: bool) -> View {
     let words = app.words();
-    let Some(detail) = app.read(|session| session.fit_detail(id)) else { return View::new() };
+    let Some(detail) = app.read_desk(|desk| desk.fit_detail(id)) else { return View::new() };
     let statistics: Vec<String> = detail.statistics.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     let estimates = table_in("estimates", words.fit_varied, None, estimates(app, &detail));
     let statistics = details()

@@ -4,7 +4,7 @@ use crate::app::App;
 use crate::browser;
 use crate::controls::symbol;
 use crate::views::*;
-use session::{ChoiceView, FitRecordView, KnownView, Session};
+use desk::{ChoiceView, Desk, FitRecordView, KnownView};
 
 /// Why something typed was not taken.
 type Refusal = Signal<Option<String>>;
@@ -17,7 +17,7 @@ pub fn record(app: App, refusal: Refusal) -> View {
     let records = memo(move || {
         app.changes.records.track();
         app.changes.fits.track();
-        app.read(|session| session.fit_records())
+        app.read_desk(|desk| desk.fit_records())
     });
     let line =
         div().class("step-line").child(changing(move || chooser(app, records.get_clone()))).child(ends(app, refusal));
@@ -30,7 +30,7 @@ pub fn varied(app: App, refusal: Refusal) -> View {
         app.changes.parameters.track();
         app.changes.records.track();
         app.changes.fits.track();
-        app.read(|session| session.fit_choices())
+        app.read_desk(|desk| desk.fit_choices())
     });
     // Without the known values, which a person may be typing.
     let rows = memo(move || {
@@ -49,10 +49,10 @@ pub fn options(app: App) -> HtmlDetails {
 /// What residuals cost.
 fn loss(app: App) -> HtmlDiv {
     let words = app.words();
-    let (names, chosen) = app.read(|session| session.fit_losses());
+    let (names, chosen) = app.read_desk(|desk| desk.fit_losses());
     let choose = move |event| {
         if let Ok(place) = value_of(&event).parse() {
-            app.act(|session| session.set_fit_loss(place));
+            app.act_on_desk(|desk| desk.set_fit_loss(place));
         }
     };
     let options = names.into_iter().enumerate();
@@ -71,7 +71,7 @@ fn loss(app: App) -> HtmlDiv {
 fn chooser(app: App, records: Vec<FitRecordView>) -> HtmlSelect {
     let choose = move |event| {
         if let Ok(id) = value_of(&event).parse() {
-            app.act(|session| session.choose_record(id));
+            app.act_on_desk(|desk| desk.choose_record(id));
             browser::focus_later("fit-record".to_owned());
         }
     };
@@ -92,7 +92,7 @@ fn together(app: App, records: Vec<FitRecordView>) -> View {
     let record = |record: FitRecordView| {
         let (id, place) = (record.id, format!("fit-with-{}", record.id));
         let tick =
-            tick(place, record.taking_part, move |takes_part| app.act(|session| session.fit_with(id, takes_part)));
+            tick(place, record.taking_part, move |takes_part| app.act_on_desk(|desk| desk.fit_with(id, takes_part)));
         switch(tick.disabled(record.chosen), record.name)
     };
     View::from((
@@ -112,7 +112,7 @@ fn vary(app: App, refusal: Refusal, choices: Choices, rows: Vec<ChoiceView>) -> 
 fn row(app: App, refusal: Refusal, choices: Choices, choice: ChoiceView, several: bool) -> View {
     let index = choice.index;
     let tick =
-        tick(format!("vary-{index}"), choice.varied, move |varied| app.act(|session| session.vary(index, varied)));
+        tick(format!("vary-{index}"), choice.varied, move |varied| app.act_on_desk(|desk| desk.vary(index, varied)));
     let varied = switch(tick, choice.label.clone()).maybe((!choice.name.is_empty()).then(|| symbol(&choice.name)));
     if !several {
         return varied.into();
@@ -127,7 +127,7 @@ fn row(app: App, refusal: Refusal, choices: Choices, choice: ChoiceView, several
 fn common(app: App, choice: &ChoiceView, same: bool) -> HtmlLabel {
     let words = app.words();
     let index = choice.index;
-    let tick = tick(format!("same-{index}"), same, move |same| app.act(|session| session.set_same(index, same)));
+    let tick = tick(format!("same-{index}"), same, move |same| app.act_on_desk(|desk| desk.set_same(index, same)));
     let tick = tick.attr("aria-label", format!("{}: {}", choice.label, words.fit_same));
     label().class("switch same").child(tick).child(span().child(words.fit_same))
 }
@@ -143,7 +143,7 @@ fn value(app: App, refusal: Refusal, choices: Choices, choice: &ChoiceView, know
     });
     let take = move |event| {
         let typed = value_of(&event);
-        refusal.set(app.attempt(|session| session.set_known(index, record, &typed)));
+        refusal.set(app.attempt_on_desk(|desk| desk.set_known(index, record, &typed)));
     };
     let field = short_field(id.clone())
         .attr("aria-label", format!("{}, {}", choice.label, known.name))
@@ -158,15 +158,15 @@ fn ends(app: App, refusal: Refusal) -> HtmlDiv {
     let words = app.words();
     let window = memo(move || {
         app.changes.fits.track();
-        app.read(|session| session.fit_window())
+        app.read_desk(|desk| desk.fit_window())
     });
-    let unit = app.read(|session| session.measurement_units("")[1].clone());
+    let unit = app.read_desk(|desk| desk.measurement_units("")[1].clone());
     let end = |(end, name): (usize, &'static str)| {
         let value = move || window.with(|window| window.get(end).cloned().unwrap_or_default());
         let id = format!("fit-end-{end}");
         let take = move |event| {
             let typed = value_of(&event);
-            refusal.set(app.attempt(|session| session.set_fit_window(end, &typed)));
+            refusal.set(app.attempt_on_desk(|desk| desk.set_fit_window(end, &typed)));
         };
         field_of(id.clone(), name)
             .child(short_field(id).prop("value", value).when(events::change, take))
@@ -174,9 +174,9 @@ fn ends(app: App, refusal: Refusal) -> HtmlDiv {
     };
     let zoomed = memo(move || {
         app.changes.plots.track();
-        app.read(|session| session.has_part_in_plot())
+        app.read_desk(|desk| desk.has_part_in_plot())
     });
-    let take = move |_| app.act(Session::take_part_in_plot);
+    let take = move |_| app.act_on_desk(Desk::take_part_in_plot);
     let from_plot = button()
         .class("quiet")
         .id("fit-part-in-plot")

@@ -47,7 +47,7 @@ fn chip(app: App, number: usize, theory: Theory) -> HtmlButton {
             let written = memo(move || app.equations.with(|known| known.get(&file).cloned().unwrap_or_default()));
             changing(move || span().class("equation").inner_html(written.get_clone()))
         }
-        None => span().class("equation").inner_html(app.read(|session| equation(session.document()))).into(),
+        None => span().class("equation").inner_html(app.read_desk(|desk| equation(desk.document()))).into(),
     };
     let choose = move |_| {
         if let Some(files) = file.as_deref().and_then(library::find)

@@ -9,7 +9,7 @@ use program::{Block, Section};
 /// The sections of the document in the language of the page, and the level of their headings.
 fn sections(app: App) -> (Vec<Section>, u8) {
     let language = app.language.get_untracked().tag();
-    let mut sections: Vec<Section> = app.read(|session| session.document().program.sections(language).to_vec());
+    let mut sections: Vec<Section> = app.read_desk(|desk| desk.document().program.sections(language).to_vec());
     let top = sections.iter().map(|section| section.level).filter(|&level| level > 0).min().unwrap_or(1);
     sections.retain(|section| section.level > 0 || !section.blocks.is_empty());
     (sections, top)
@@ -96,7 +96,7 @@ fn passage(app: App, section: &Section, top: u8) -> View {
 fn equations(app: App) -> HtmlDiv {
     let words = app.words();
     let language = app.language.get_untracked().tag();
-    let lines = app.read(|session| session.document().program.edition(language).equations.clone());
+    let lines = app.read_desk(|desk| desk.document().program.edition(language).equations.clone());
     let list = ol().each(lines, |math| li().inner_html(math));
     let equations =
         div().class("equations").role("region").tabindex("0").attr("aria-label", words.equations).child(list);

@@ -7,6 +7,7 @@ use crate::app::App;
 use crate::frame;
 use crate::stage::plot::with_plot;
 use figure::{Direction, Point};
+use play::PlotId;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent, PointerEvent, WheelEvent};
 
@@ -53,7 +54,7 @@ fn is_touch(event: &PointerEvent) -> bool {
 }
 
 /// A pointer went down.
-pub fn down(app: App, index: usize, event: &PointerEvent) {
+pub fn down(app: App, id: PlotId, event: &PointerEvent) {
     if event.button() != 0 {
         return;
     }
@@ -62,7 +63,7 @@ pub fn down(app: App, index: usize, event: &PointerEvent) {
     }
     let at = place(event);
     let (rectangle, touch) = (event.shift_key() && !is_touch(event), is_touch(event));
-    with_plot(app, index, |plot| {
+    with_plot(app, id, |plot| {
         plot.gesture.fingers.retain(|finger| finger.0 != event.pointer_id());
         plot.gesture.fingers.push((event.pointer_id(), at.0, at.1));
         plot.gesture.rectangle = rectangle.then_some((at, at));
@@ -73,16 +74,17 @@ pub fn down(app: App, index: usize, event: &PointerEvent) {
 }
 
 /// A pointer moved, whether down or not.
-pub fn moved(app: App, index: usize, event: &PointerEvent) {
-    let (at, id, touch) = (place(event), event.pointer_id(), is_touch(event));
-    let motion = with_plot(app, index, |plot| {
+pub fn moved(app: App, id: PlotId, event: &PointerEvent) {
+    let (at, pointer, touch) = (place(event), event.pointer_id(), is_touch(event));
+    let motion = with_plot(app, id, |plot| {
         let gesture = &mut plot.gesture;
         if let Some((_, end)) = &mut gesture.rectangle {
             *end = at;
             return Motion::Nothing;
         }
-        let others: Vec<(i32, f64, f64)> = gesture.fingers.iter().copied().filter(|finger| finger.0 != id).collect();
-        let Some(finger) = gesture.fingers.iter_mut().find(|finger| finger.0 == id) else {
+        let others: Vec<(i32, f64, f64)> =
+            gesture.fingers.iter().copied().filter(|finger| finger.0 != pointer).collect();
+        let Some(finger) = gesture.fingers.iter_mut().find(|finger| finger.0 == pointer) else {
             plot.pointer = Some(point(at));
             return Motion::Read;
         };
@@ -117,10 +119,10 @@ pub fn moved(app: App, index: usize, event: &PointerEvent) {
         }
     });
     match motion {
-        Some(Motion::Pan(right, down)) => app.act(|session| session.pan_plot(index, right, down)),
-        Some(Motion::Pinch { at, factor, right, down }) => app.act(|session| {
-            session.pan_plot(index, right, down);
-            session.zoom_plot(index, Some(at), factor, Direction::Both);
+        Some(Motion::Pan(right, down)) => app.act(|play| play.pan_plot(id, right, down)),
+        Some(Motion::Pinch { at, factor, right, down }) => app.act(|play| {
+            play.pan_plot(id, right, down);
+            play.zoom_plot(id, Some(at), factor, Direction::Both);
         }),
         Some(Motion::Read | Motion::Nothing) => frame::wake(app),
         None => {}
@@ -128,27 +130,27 @@ pub fn moved(app: App, index: usize, event: &PointerEvent) {
 }
 
 /// A pointer went up: what was read stays.
-pub fn up(app: App, index: usize, event: &PointerEvent) {
-    let ended = with_plot(app, index, |plot| {
+pub fn up(app: App, id: PlotId, event: &PointerEvent) {
+    let ended = with_plot(app, id, |plot| {
         plot.gesture.fingers.retain(|finger| finger.0 != event.pointer_id());
         (plot.gesture.rectangle.take(), plot.gesture.pressed.take())
     });
     let Some((rectangle, pressed)) = ended else { return };
     if pressed.is_some() {
-        pins::press(app, index, point(place(event)));
+        pins::press(app, id, point(place(event)));
     }
     if let Some((from, to)) = rectangle
         && (from.0 - to.0).abs() > SMALLEST
         && (from.1 - to.1).abs() > SMALLEST
     {
-        app.act(|session| session.zoom_plot_to(index, point(from), point(to)));
+        app.act(|play| play.zoom_plot_to(id, point(from), point(to)));
     }
     frame::wake(app);
 }
 
 /// The browser has taken the pointer, to scroll the page.
-pub fn cancelled(app: App, index: usize, event: &PointerEvent) {
-    with_plot(app, index, |plot| {
+pub fn cancelled(app: App, id: PlotId, event: &PointerEvent) {
+    with_plot(app, id, |plot| {
         plot.gesture.fingers.retain(|finger| finger.0 != event.pointer_id());
         (plot.gesture.rectangle, plot.gesture.pressed, plot.pointer) = (None, None, None);
     });
@@ -156,13 +158,13 @@ pub fn cancelled(app: App, index: usize, event: &PointerEvent) {
 }
 
 /// The pointer left the canvas.
-pub fn left(app: App, index: usize) {
-    with_plot(app, index, |plot| plot.pointer = None);
+pub fn left(app: App, id: PlotId) {
+    with_plot(app, id, |plot| plot.pointer = None);
     frame::wake(app);
 }
 
 /// The wheel turned.
-pub fn wheel(app: App, index: usize, event: &WheelEvent) {
+pub fn wheel(app: App, id: PlotId, event: &WheelEvent) {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     let focused = target.is_some() && target == crate::views::document().active_element();
     if !(focused || event.ctrl_key()) {
@@ -173,33 +175,33 @@ pub fn wheel(app: App, index: usize, event: &WheelEvent) {
     let direction = if event.shift_key() { Direction::Horizontal } else { Direction::Both };
     let delta = if event.delta_y() == 0.0 { event.delta_x() } else { event.delta_y() };
     let factor = if delta < 0.0 { 1.25 } else { 0.8 };
-    app.act(|session| session.zoom_plot(index, Some(at), factor, direction));
+    app.act(|play| play.zoom_plot(id, Some(at), factor, direction));
 }
 
 /// A key was pressed on the canvas.
-pub fn key(app: App, index: usize, event: &KeyboardEvent) {
+pub fn key(app: App, id: PlotId, event: &KeyboardEvent) {
     if event.alt_key() || event.meta_key() {
         return;
     }
     let (key, pan) = (event.key(), 30.0);
     let rows = if event.shift_key() { 10 } else { 1 };
     match (key.as_str(), event.ctrl_key()) {
-        ("ArrowLeft", true) => app.act(|session| session.pan_plot(index, pan, 0.0)),
-        ("ArrowRight", true) => app.act(|session| session.pan_plot(index, -pan, 0.0)),
-        ("ArrowUp", true) => app.act(|session| session.pan_plot(index, 0.0, pan)),
-        ("ArrowDown", true) => app.act(|session| session.pan_plot(index, 0.0, -pan)),
-        ("ArrowLeft", false) => read(app, index, -rows),
-        ("ArrowRight", false) => read(app, index, rows),
-        ("+" | "=", false) => app.act(|session| session.zoom_plot(index, None, 1.5, Direction::Both)),
-        ("-" | "_", false) => app.act(|session| session.zoom_plot(index, None, 1.0 / 1.5, Direction::Both)),
+        ("ArrowLeft", true) => app.act(|play| play.pan_plot(id, pan, 0.0)),
+        ("ArrowRight", true) => app.act(|play| play.pan_plot(id, -pan, 0.0)),
+        ("ArrowUp", true) => app.act(|play| play.pan_plot(id, 0.0, pan)),
+        ("ArrowDown", true) => app.act(|play| play.pan_plot(id, 0.0, -pan)),
+        ("ArrowLeft", false) => read(app, id, -rows),
+        ("ArrowRight", false) => read(app, id, rows),
+        ("+" | "=", false) => app.act(|play| play.zoom_plot(id, None, 1.5, Direction::Both)),
+        ("-" | "_", false) => app.act(|play| play.zoom_plot(id, None, 1.0 / 1.5, Direction::Both)),
         ("Enter", false) => {
-            let cursor = with_plot(app, index, |plot| plot.cursor.clone()).flatten();
+            let cursor = with_plot(app, id, |plot| plot.cursor.clone()).flatten();
             if let Some(readout) = cursor {
-                pins::pin(app, index, readout);
+                pins::pin(app, id, readout);
             }
         }
-        ("Escape", false) if pins::clear(app, index) => {}
-        ("0", false) => app.act(|session| session.reset_plot(index)),
+        ("Escape", false) if pins::clear(app, id) => {}
+        ("0", false) => app.act(|play| play.reset_plot(id)),
         _ => return,
     }
     event.prevent_default();
@@ -207,13 +209,13 @@ pub fn key(app: App, index: usize, event: &KeyboardEvent) {
 }
 
 /// Moves the cursor and says what it reads.
-fn read(app: App, index: usize, rows: isize) {
-    let Some(readout) = app.act(|session| session.move_cursor(index, rows)) else { return };
+fn read(app: App, id: PlotId, rows: isize) {
+    let Some(readout) = app.act(|play| play.move_cursor(id, rows)) else { return };
     let mut words = vec![readout.heading.clone()];
     words.extend(readout.samples.iter().map(|sample| sample.text.clone()));
     words.retain(|line| !line.is_empty());
     app.say(words.join(", "));
-    with_plot(app, index, |plot| {
+    with_plot(app, id, |plot| {
         plot.pointer = None;
         plot.cursor = Some(readout);
     });
@@ -221,7 +223,7 @@ fn read(app: App, index: usize, rows: isize) {
 }
 
 /// The focus left the canvas.
-pub fn blurred(app: App, index: usize) {
-    with_plot(app, index, |plot| plot.cursor = None);
+pub fn blurred(app: App, id: PlotId) {
+    with_plot(app, id, |plot| plot.cursor = None);
     frame::wake(app);
 }

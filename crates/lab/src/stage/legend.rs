@@ -3,16 +3,16 @@
 use crate::app::App;
 use crate::views::*;
 use figure::{Dash, Style};
-use session::LegendEntry;
+use play::{LegendEntry, PlotId};
 use sycamore_web::SvgGlobalAttributes;
 
 /// The legend of a plot; nothing where there is but one series.
-pub fn view(app: App, index: usize) -> View {
+pub fn view(app: App, id: PlotId) -> View {
     let entries = memo(move || {
         app.changes.runs.track();
         app.changes.records.track();
         app.changes.plots.track();
-        app.read(|session| session.plot_legend(index))
+        app.read(|play| play.plot_legend(id))
     });
     changing(move || {
         let entries = entries.get_clone();

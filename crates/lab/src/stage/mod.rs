@@ -37,7 +37,7 @@ fn scene(app: App) -> HtmlSection {
     let words = app.words();
     let mut place = div().class("drawing");
     let language = app.language.get_untracked().tag();
-    let scene = app.read(|session| session.document().program.scene(language).cloned());
+    let scene = app.read_desk(|desk| desk.document().program.scene(language).cloned());
     let (exists, draggable) = (scene.is_some(), scene.as_ref().is_some_and(|scene| has_handle(&scene.root)));
     if let Some(scene) = &scene {
         let nodes = SceneNodes::build(app, scene, &place.node(), words.scene);
@@ -56,7 +56,7 @@ fn scene(app: App) -> HtmlSection {
 fn instruments(app: App, has_scene: bool) -> HtmlDiv {
     let words = app.words();
     let (watch, rules) = (create_signal(false), create_signal(false));
-    let measurable = has_scene && app.read(|session| session.scene_length(1.0)).is_some();
+    let measurable = has_scene && app.read(|play| play.scene_length(1.0)).is_some();
     let lay = move |_| {
         let laid = !rules.get_untracked();
         app.with(|lab| {
@@ -89,7 +89,7 @@ fn instruments(app: App, has_scene: bool) -> HtmlDiv {
 /// What the dashed outline in the scene is; nothing while there is none.
 fn outline_legend(app: App) -> View {
     app.changes.records.track();
-    let records = app.read(|session| session.ghost_records());
+    let records = app.read(|play| play.outline().map_or_else(Vec::new, |outline| outline.sources.clone()));
     if records.is_empty() {
         return View::new();
     }

@@ -5,6 +5,7 @@ use crate::app::App;
 use crate::frame;
 use crate::views::*;
 use figure::{Point, Readout};
+use play::PlotId;
 
 /// What the pins are called in the plot.
 pub const LETTERS: [&str; 2] = ["A", "B"];
@@ -22,53 +23,53 @@ pub struct Pinned {
 }
 
 /// Pins what lies at a pixel, or takes away the pin that is there.
-pub fn press(app: App, index: usize, at: Point) {
+pub fn press(app: App, id: PlotId, at: Point) {
     let near = |pin: &Readout| {
-        app.read(|session| {
-            let figure = session.plot_figure(index)?;
+        app.read(|play| {
+            let figure = play.plot_figure(id)?;
             let sample = pin.samples.first()?;
             let place = figure.place(sample.axis, sample.x, sample.y)?;
             Some((place.x - at.x).abs() < NEAR)
         })
         .unwrap_or_default()
     };
-    let pins = with_plot(app, index, |plot| plot.pins.clone()).unwrap_or_default();
+    let pins = with_plot(app, id, |plot| plot.pins.clone()).unwrap_or_default();
     if let Some(place) = pins.iter().position(near) {
-        with_plot(app, index, |plot| plot.pins.remove(place));
-        return tell(app, index);
+        with_plot(app, id, |plot| plot.pins.remove(place));
+        return tell(app, id);
     }
-    if let Some(readout) = app.read(|session| session.hover_plot(index, at)) {
-        pin(app, index, readout);
+    if let Some(readout) = app.read(|play| play.hover_plot(id, at)) {
+        pin(app, id, readout);
     }
 }
 
 /// Pins a read-out; of three the oldest goes.
-pub fn pin(app: App, index: usize, readout: Readout) {
-    let Some(readout) = app.read(|session| Some(session.own_samples(index, readout))) else { return };
+pub fn pin(app: App, id: PlotId, readout: Readout) {
+    let Some(readout) = app.read(|play| Some(play.own_samples(id, readout))) else { return };
     if readout.samples.is_empty() {
         return;
     }
-    with_plot(app, index, |plot| {
+    with_plot(app, id, |plot| {
         if plot.pins.len() == LETTERS.len() {
             plot.pins.remove(0);
         }
         plot.pins.push(readout);
     });
-    tell(app, index);
+    tell(app, id);
 }
 
 /// Takes all pins of a plot away. Whether there were any.
-pub fn clear(app: App, index: usize) -> bool {
-    let any = with_plot(app, index, |plot| !std::mem::take(&mut plot.pins).is_empty()).unwrap_or_default();
+pub fn clear(app: App, id: PlotId) -> bool {
+    let any = with_plot(app, id, |plot| !std::mem::take(&mut plot.pins).is_empty()).unwrap_or_default();
     if any {
-        tell(app, index);
+        tell(app, id);
     }
     any
 }
 
 /// Writes and says what the pins read.
-fn tell(app: App, index: usize) {
-    let Some((pins, pinned)) = with_plot(app, index, |plot| (plot.pins.clone(), plot.pinned)) else { return };
+fn tell(app: App, id: PlotId) {
+    let Some((pins, pinned)) = with_plot(app, id, |plot| (plot.pins.clone(), plot.pinned)) else { return };
     let lines = |pin: &Readout| {
         let samples = pin.samples.iter().map(|sample| sample.text.clone());
         let lines: Vec<String> =
@@ -76,7 +77,7 @@ fn tell(app: App, index: usize) {
         lines.join(", ")
     };
     let difference = match pins.as_slice() {
-        [from, to] => app.read(|session| session.plot_difference(index, from, to)),
+        [from, to] => app.read(|play| play.plot_difference(id, from, to)),
         _ => Vec::new(),
     };
     let now = Pinned { readings: pins.iter().map(lines).collect(), difference: difference.join(", ") };
@@ -92,7 +93,7 @@ fn tell(app: App, index: usize) {
 }
 
 /// The line below a plot with what is pinned in it.
-pub fn view(app: App, index: usize, pinned: Signal<Pinned>) -> View {
+pub fn view(app: App, id: PlotId, pinned: Signal<Pinned>) -> View {
     changing(move || {
         let now = pinned.get_clone();
         if now.readings.is_empty() {
@@ -106,8 +107,8 @@ pub fn view(app: App, index: usize, pinned: Signal<Pinned>) -> View {
         });
         let readings = LETTERS.into_iter().zip(now.readings);
         let clear = cross(words.unpin.to_owned()).when(events::click, move |_| {
-            clear(app, index);
-            crate::browser::focus(&format!("canvas-{index}"));
+            clear(app, id);
+            crate::browser::focus(&format!("canvas-{id}"));
         });
         div().class("pins").child(ul().each(readings, reading).maybe(difference)).child(clear).into()
     })

@@ -8,7 +8,7 @@ use crate::frame;
 use crate::theme::Colours;
 use crate::views::*;
 use figure::{Point, Readout, Settings};
-use session::Session;
+use play::{Play, PlotId};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlElement, IntersectionObserver, ResizeObserver};
@@ -24,9 +24,9 @@ pub struct PlotNodes {
     decimal_comma: bool,
     /// Whether it is in sight; what is not is drawn once, for those who print the page.
     pub visible: bool,
-    /// Whether something other than the session has changed.
+    /// Whether something other than the simulation has changed.
     stale: bool,
-    drawn: Option<session::Revision>,
+    drawn: Option<play::Revision>,
     /// Where the pointer reads.
     pub pointer: Option<Point>,
     /// What the keyboard's cursor reads.
@@ -43,7 +43,7 @@ pub struct PlotNodes {
 }
 
 impl PlotNodes {
-    /// Draws again in the next frame, whether or not the session has changed.
+    /// Draws again in the next frame, whether or not the simulation has changed.
     pub fn invalidate(&mut self) {
         self.stale = true;
     }
@@ -67,30 +67,30 @@ impl PlotNodes {
     }
 
     /// Draws the figure if anything in it has changed. Whether a further frame is to go on with it.
-    pub fn draw(&mut self, index: usize, session: &mut Session, colours: &Colours, font_size: f64) -> bool {
-        let revision = session.revision();
+    pub fn draw(&mut self, id: PlotId, play: &mut Play, colours: &Colours, font_size: f64) -> bool {
+        let revision = play.revision();
         let seen = self.visible || self.drawn.is_none();
         if !seen || self.size.0 < 40.0 || !(self.stale || self.drawn != Some(revision)) {
             return false;
         }
         (self.stale, self.drawn) = (false, Some(revision));
         let settings = self.settings(font_size);
-        let Some(figure) = session.layout_plot(index, &settings) else { return false };
+        let Some(figure) = play.layout_plot(id, &settings) else { return false };
         canvas::paint(&self.context, figure, colours, self.scale);
         self.stale = figure.is_unfinished();
         let readout = match self.pointer {
-            Some(at) => session.hover_plot(index, at),
+            Some(at) => play.hover_plot(id, at),
             None => self.cursor.clone(),
         };
         if let Some((from, to)) = self.gesture.rectangle() {
             canvas::paint_box(&self.context, from, to, colours);
         }
-        if let Some(figure) = session.plot_figure(index) {
+        if let Some(figure) = play.plot_figure(id) {
             for (pin, letter) in self.pins.iter().zip(pins::LETTERS) {
                 canvas::paint_pin(&self.context, pin, letter, figure, colours);
             }
         }
-        if let (Some(readout), Some(figure)) = (&readout, session.plot_figure(index)) {
+        if let (Some(readout), Some(figure)) = (&readout, play.plot_figure(id)) {
             canvas::paint_readout(&self.context, readout, figure, colours);
         }
         self.show_tip(readout.as_ref());
@@ -136,18 +136,18 @@ impl Drop for PlotNodes {
 }
 
 /// Takes a canvas that has come into the page.
-pub fn register(app: App, index: usize, canvas: &HtmlCanvasElement, tip: &HtmlElement, pinned: Signal<Pinned>) {
+pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElement, pinned: Signal<Pinned>) {
     let Some(context) = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok()) else {
         return;
     };
     let resized = Closure::<dyn FnMut(js_sys::Array)>::new(move |_| {
-        with_plot(app, index, PlotNodes::fit);
+        with_plot(app, id, PlotNodes::fit);
         frame::wake(app);
     });
     let seen = Closure::<dyn FnMut(js_sys::Array)>::new(move |entries: js_sys::Array| {
         let entry: Option<web_sys::IntersectionObserverEntry> = entries.pop().dyn_into().ok();
         if let Some(entry) = entry {
-            with_plot(app, index, |plot| plot.visible = entry.is_intersecting());
+            with_plot(app, id, |plot| plot.visible = entry.is_intersecting());
             frame::wake(app);
         }
     });
@@ -175,23 +175,24 @@ pub fn register(app: App, index: usize, canvas: &HtmlCanvasElement, tip: &HtmlEl
     // The observer tells the size when the page has been laid out; asking now would lay it out twice.
     app.with(|lab| {
         let plots = &mut lab.stage.plots;
-        if plots.len() <= index {
-            plots.resize_with(index + 1, || None);
+        let place = id.place();
+        if plots.len() <= place {
+            plots.resize_with(place + 1, || None);
         }
-        plots[index] = Some(nodes);
+        plots[place] = Some(nodes);
     });
     if let Ok((resize, intersection)) = observers {
         resize.observe(canvas);
         intersection.observe(canvas);
-        with_plot(app, index, |plot| plot.observers = Some((resize, intersection)));
+        with_plot(app, id, |plot| plot.observers = Some((resize, intersection)));
     }
     frame::wake(app);
 }
 
 /// Works on a plot's nodes; it is drawn anew afterwards.
-pub fn with_plot<T>(app: App, index: usize, work: impl FnOnce(&mut PlotNodes) -> T) -> Option<T> {
+pub fn with_plot<T>(app: App, id: PlotId, work: impl FnOnce(&mut PlotNodes) -> T) -> Option<T> {
     app.with(|lab| {
-        let plot = lab.stage.plots.get_mut(index)?.as_mut()?;
+        let plot = lab.stage.plots.get_mut(id.place())?.as_mut()?;
         plot.stale = true;
         Some(work(plot))
     })

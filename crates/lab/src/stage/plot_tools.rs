@@ -6,6 +6,7 @@ use crate::theme::Colours;
 use crate::views::*;
 use crate::{browser, icons};
 use figure::Settings;
+use play::PlotId;
 use wasm_bindgen::JsCast;
 use web_sys::{CanvasRenderingContext2d, Element, FocusEvent, HtmlCanvasElement, KeyboardEvent, Node};
 
@@ -15,17 +16,17 @@ const SAVED: Settings = Settings { width: 960.0, height: 540.0, font_size: 16.0,
 const SAVED_SCALE: f64 = 2.0;
 
 /// The toolbar of the plot that `figure` shows.
-pub fn view(app: App, index: usize, figure: Element) -> HtmlDiv {
+pub fn view(app: App, id: PlotId, figure: Element) -> HtmlDiv {
     let words = app.words();
-    let automatic = move || super::plots::now(app, index).is_none_or(|plot| plot.automatic);
-    let zoom = move |factor: f64| app.act(|session| session.zoom_plot(index, None, factor, figure::Direction::Both));
+    let automatic = move || super::plots::now(app, id).is_none_or(|plot| plot.automatic);
+    let zoom = move |factor: f64| app.act(|play| play.zoom_plot(id, None, factor, figure::Direction::Both));
     let tool = |name: &'static str| button().class("icon").called(name);
     let open = create_signal(false);
-    let id = format!("plot-menu-{index}");
+    let menu_id = format!("plot-menu-{id}");
     let more = tool(words.plot_menu)
-        .id(format!("plot-more-{index}"))
+        .id(format!("plot-more-{id}"))
         .attr("aria-expanded", move || open.get().to_string())
-        .attr("aria-controls", id.clone())
+        .attr("aria-controls", menu_id.clone())
         .when(events::click, move |_| open.update(|open| *open = !*open))
         .child(icons::more());
     let mut tools = div().class("tools");
@@ -40,7 +41,7 @@ pub fn view(app: App, index: usize, figure: Element) -> HtmlDiv {
     let escape = move |event: KeyboardEvent| {
         if event.key() == "Escape" && open.get_untracked() {
             open.set(false);
-            browser::focus(&format!("plot-more-{index}"));
+            browser::focus(&format!("plot-more-{id}"));
         }
     };
     tools
@@ -51,20 +52,20 @@ pub fn view(app: App, index: usize, figure: Element) -> HtmlDiv {
         .child(
             tool(words.fit)
                 .attr("aria-disabled", move || automatic().to_string())
-                .when(events::click, move |_| app.act(|session| session.reset_plot(index)))
+                .when(events::click, move |_| app.act(|play| play.reset_plot(id)))
                 .child(icons::fit()),
         )
         .child(more)
-        .child(menu(app, index, id, open, figure))
+        .child(menu(app, id, menu_id, open, figure))
 }
 
-fn menu(app: App, index: usize, id: String, open: Signal<bool>, figure: Element) -> HtmlDiv {
+fn menu(app: App, id: PlotId, menu_id: String, open: Signal<bool>, figure: Element) -> HtmlDiv {
     let words = app.words();
-    let item = |name: &'static str, label: &'static str, save: fn(App, usize)| {
+    let item = |name: &'static str, label: &'static str, save: fn(App, PlotId)| {
         let save = move |_| {
-            save(app, index);
+            save(app, id);
             open.set(false);
-            browser::focus(&format!("plot-more-{index}"));
+            browser::focus(&format!("plot-more-{id}"));
         };
         button().class("text").called(name).when(events::click, save).child(label)
     };
@@ -77,7 +78,7 @@ fn menu(app: App, index: usize, id: String, open: Signal<bool>, figure: Element)
     });
     div()
         .class("menu")
-        .id(id)
+        .id(menu_id)
         .role("group")
         .attr("aria-label", words.plot_menu)
         .hidden(move || !open.get())
@@ -92,26 +93,26 @@ fn saved(app: App) -> Settings {
 }
 
 /// `Phase portrait` as `phase-portrait`.
-fn file_name(app: App, index: usize, ending: &str) -> String {
-    let title = super::plots::now(app, index).map(|plot| plot.title).unwrap_or_default();
+fn file_name(app: App, id: PlotId, ending: &str) -> String {
+    let title = super::plots::now(app, id).map(|plot| plot.title).unwrap_or_default();
     let words: Vec<String> =
         title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_lowercase).collect();
     format!("{}.{ending}", words.join("-"))
 }
 
-fn save_svg(app: App, index: usize) {
+fn save_svg(app: App, id: PlotId) {
     let settings = saved(app);
     // On paper, whatever the theme of the screen is.
-    let svg = app.read(|session| session.plot_svg(index, &settings, &figure::Palette::LIGHT));
-    browser::save_text(&file_name(app, index, "svg"), "image/svg+xml", &svg);
+    let svg = app.read(|play| play.plot_svg(id, &settings, &figure::Palette::LIGHT));
+    browser::save_text(&file_name(app, id, "svg"), "image/svg+xml", &svg);
 }
 
-fn save_csv(app: App, index: usize) {
-    let csv = app.read(|session| session.plot_csv(index));
-    browser::save_text(&file_name(app, index, "csv"), "text/csv", &csv);
+fn save_csv(app: App, id: PlotId) {
+    let csv = app.read(|play| play.plot_csv(id));
+    browser::save_text(&file_name(app, id, "csv"), "text/csv", &csv);
 }
 
-fn save_png(app: App, index: usize) {
+fn save_png(app: App, id: PlotId) {
     let settings = saved(app);
     let Some(canvas) =
         document().create_element("canvas").ok().and_then(|node| node.dyn_into::<HtmlCanvasElement>().ok())
@@ -123,9 +124,9 @@ fn save_png(app: App, index: usize) {
     let context: Option<CanvasRenderingContext2d> =
         canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok());
     let Some(context) = context else { return };
-    if let Some(figure) = app.read(|session| session.titled_figure(index, &settings)) {
+    if let Some(figure) = app.read(|play| play.titled_figure(id, &settings)) {
         canvas::paint(&context, &figure, &Colours::default(), SAVED_SCALE);
     }
     let url = canvas.to_data_url_with_type("image/png").unwrap_or_default();
-    browser::save_url(&file_name(app, index, "png"), &url);
+    browser::save_url(&file_name(app, id, "png"), &url);
 }

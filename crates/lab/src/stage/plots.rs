@@ -4,36 +4,36 @@ use super::pins::{self, Pinned};
 use super::{gestures, legend, plot, plot_tools, runs};
 use crate::app::App;
 use crate::views::*;
-use session::PlotView;
+use play::{PlotId, PlotView};
 use web_sys::Element;
 
 /// All plots, and which of them are shown.
 pub fn view(app: App) -> View {
     let words = app.words();
-    let mut plots = app.read(|session| session.plots());
-    plots.retain(|plot| !plot.of_cycles);
-    let shown = move |index: usize| is_in_sight(app, index);
-    let offered = move |index: usize| now(app, index).is_some_and(|plot| plot.offered);
+    let mut plots = app.read(|play| play.plots());
+    plots.retain(|plot| !plot.apart);
+    let shown = move |id: PlotId| is_in_sight(app, id);
+    let offered = move |id: PlotId| now(app, id).is_some_and(|plot| plot.offered);
     let count = plots.len();
     let switch = |plot: &PlotView| {
-        let index = plot.index;
+        let id = plot.id;
         let turn = move |_| {
-            let shown = now(app, index).is_some_and(|plot| plot.shown);
+            let shown = now(app, id).is_some_and(|plot| plot.shown);
             // Where there is room for one plot alone, the buttons choose which.
             let narrow = app.narrow.get_untracked();
             if narrow {
-                app.front_plot.set(Some(index));
+                app.front_plot.set(Some(id));
             }
-            app.act(|session| session.show_plot(index, narrow || !shown));
+            app.act(|play| play.show_plot(id, narrow || !shown));
         };
         button()
             .class("chip")
-            .attr("aria-pressed", move || shown(index).to_string())
-            .hidden(move || !offered(index))
+            .attr("aria-pressed", move || shown(id).to_string())
+            .hidden(move || !offered(id))
             .when(events::click, turn)
             .child(plot.title.clone())
     };
-    let paper = |index: usize| figure(app, index, Box::new(move || shown(index)));
+    let paper = |id: PlotId| figure(app, id, Box::new(move || shown(id)));
     section()
         .class("plots")
         .attr("aria-labelledby", "plots-title")
@@ -46,38 +46,38 @@ pub fn view(app: App) -> View {
                 .child(runs::keep_button(app)),
         )
         .child(runs::list(app))
-        .child(div().class("figures").each(&plots, |plot| paper(plot.index)))
+        .child(div().class("figures").each(&plots, |plot| paper(plot.id)))
         .child(p().id("plot-keys").hidden(true).child(words.plot_keys))
-        .child(p().class("empty").hidden(move || (0..count).any(shown)).child(words.no_plots))
+        .child(p().class("empty").hidden(move || (0..count).map(PlotId::at).any(shown)).child(words.no_plots))
         .into()
 }
 
 /// Whether a plot is shown. Where there is room for one alone it is the chosen one, or else the first.
-fn is_in_sight(app: App, index: usize) -> bool {
+fn is_in_sight(app: App, id: PlotId) -> bool {
     app.changes.plots.track();
-    let shown = app.read(|session| session.plots());
-    let mut shown = shown.iter().filter(|plot| plot.shown && plot.offered && !plot.of_cycles);
+    let shown = app.read(|play| play.plots());
+    let mut shown = shown.iter().filter(|plot| plot.shown && plot.offered && !plot.apart);
     if !app.narrow.get() {
-        return shown.any(|plot| plot.index == index);
+        return shown.any(|plot| plot.id == id);
     }
-    let front = app.front_plot.get().filter(|front| shown.clone().any(|plot| plot.index == *front));
-    front.or_else(|| shown.next().map(|plot| plot.index)) == Some(index)
+    let front = app.front_plot.get().filter(|front| shown.clone().any(|plot| plot.id == *front));
+    front.or_else(|| shown.next().map(|plot| plot.id)) == Some(id)
 }
 
-/// A plot as the session has it now.
-pub fn now(app: App, index: usize) -> Option<PlotView> {
+/// A plot as it is now.
+pub fn now(app: App, id: PlotId) -> Option<PlotView> {
     app.changes.plots.track();
-    app.read(|session| session.plots().into_iter().nth(index))
+    app.read(|play| play.plots().into_iter().nth(id.place()))
 }
 
 /// A plot with its tools.
-pub fn figure(app: App, index: usize, shown: Box<dyn Fn() -> bool>) -> HtmlFigure {
+pub fn figure(app: App, id: PlotId, shown: Box<dyn Fn() -> bool>) -> HtmlFigure {
     let words = app.words();
-    let mut canvas = canvas().id(format!("canvas-{index}"));
+    let mut canvas = canvas().id(format!("canvas-{id}"));
     let mut tip = div().class("tip").attr("aria-hidden", "true").attr("popover", "manual");
     let pinned = create_signal(Pinned::default());
-    plot::register(app, index, &canvas.node(), &tip.node(), pinned);
-    let title = move || now(app, index).map(|plot| plot.title).unwrap_or_default();
+    plot::register(app, id, &canvas.node(), &tip.node(), pinned);
+    let title = move || now(app, id).map(|plot| plot.title).unwrap_or_default();
     let name = move || format!("{}: {}", words.plot, title());
     let canvas = canvas
         .tabindex("0")
@@ -85,26 +85,26 @@ pub fn figure(app: App, index: usize, shown: Box<dyn Fn() -> bool>) -> HtmlFigur
         .attr("aria-roledescription", words.plot)
         .attr("aria-label", name)
         .attr("aria-describedby", "plot-keys")
-        .when(events::pointerdown, move |event| gestures::down(app, index, &event))
-        .when(events::pointermove, move |event| gestures::moved(app, index, &event))
-        .when(events::pointerup, move |event| gestures::up(app, index, &event))
-        .when(events::pointercancel, move |event| gestures::cancelled(app, index, &event))
-        .when(events::pointerleave, move |_| gestures::left(app, index))
-        .when(events::wheel, move |event| gestures::wheel(app, index, &event))
-        .when(events::dblclick, move |_| app.act(|session| session.reset_plot(index)))
-        .when(events::keydown, move |event| gestures::key(app, index, &event))
-        .when(events::blur, move |_| gestures::blurred(app, index));
+        .when(events::pointerdown, move |event| gestures::down(app, id, &event))
+        .when(events::pointermove, move |event| gestures::moved(app, id, &event))
+        .when(events::pointerup, move |event| gestures::up(app, id, &event))
+        .when(events::pointercancel, move |event| gestures::cancelled(app, id, &event))
+        .when(events::pointerleave, move |_| gestures::left(app, id))
+        .when(events::wheel, move |event| gestures::wheel(app, id, &event))
+        .when(events::dblclick, move |_| app.act(|play| play.reset_plot(id)))
+        .when(events::keydown, move |event| gestures::key(app, id, &event))
+        .when(events::blur, move |_| gestures::blurred(app, id));
     let mut figure = tags::figure();
     let node: Element = figure.node();
     let caption = figcaption()
-        .child(h3().id(format!("plot-{index}")).child(text(title)))
-        .child(legend::view(app, index))
-        .child(plot_tools::view(app, index, node));
+        .child(h3().id(format!("plot-{id}")).child(text(title)))
+        .child(legend::view(app, id))
+        .child(plot_tools::view(app, id, node));
     figure
         .class("plot")
         .hidden(move || !shown())
-        .attr("aria-labelledby", format!("plot-{index}"))
+        .attr("aria-labelledby", format!("plot-{id}"))
         .child(caption)
         .child(div().class("paper").child(canvas).child(tip))
-        .child(pins::view(app, index, pinned))
+        .child(pins::view(app, id, pinned))
 }

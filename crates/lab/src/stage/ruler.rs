@@ -177,7 +177,7 @@ fn shift(app: App, parts: &Rc<RefCell<Parts>>, number: usize, by: (f64, f64), un
 fn length(app: App, parts: &Parts) -> (f64, String) {
     let [(x, y), (to_x, to_y)] = parts.places;
     let length = ((x - to_x) * (x - to_x) + (y - to_y) * (y - to_y)).sqrt();
-    (length, app.read(|session| session.scene_length(length)).unwrap_or_default())
+    (length, app.read(|play| play.scene_length(length)).unwrap_or_default())
 }
 
 fn say(app: App, parts: &Parts) {

@@ -4,13 +4,13 @@ use super::legend;
 use crate::app::App;
 use crate::icons;
 use crate::views::*;
-use session::Session;
+use play::Play;
 
 /// Keeps the run as it is.
 pub fn keep_button(app: App) -> HtmlButton {
     let words = app.words();
     let keep = move |_| {
-        if let Some(refusal) = app.attempt(Session::keep) {
+        if let Some(refusal) = app.attempt(Play::keep) {
             app.complain(refusal)
         }
     };
@@ -21,14 +21,14 @@ pub fn keep_button(app: App) -> HtmlButton {
 pub fn list(app: App) -> View {
     let kept = memo(move || {
         app.changes.runs.track();
-        app.read(|session| session.kept())
+        app.read(|play| play.kept())
     });
     // The list is built anew only where it has another line: who hides a run stays at its box.
     let lines = memo(move || {
         let named =
             kept.with(|kept| kept.iter().map(|run| (run.id, run.name.clone(), run.pattern)).collect::<Vec<_>>());
         app.changes.runs.track();
-        (named, app.read(|session| session.has_ghost()))
+        (named, app.read(|play| play.has_ghost()))
     });
     let shown = move |id: u32| kept.with(|kept| kept.iter().any(|run| run.id == id && run.shown));
     changing(move || {
@@ -40,16 +40,16 @@ pub fn list(app: App) -> View {
         let run = |(id, name, pattern): (u32, String, u8)| {
             let show = move |event| {
                 let shown = is_checked(&event);
-                app.act(|session| session.show_kept(id, shown));
+                app.act(|play| play.show_kept(id, shown));
             };
             let tick = input().r#type("checkbox").prop("checked", move || shown(id)).when(events::change, show);
-            let remove = remove(app, &name, move |session| session.remove_kept(id));
+            let remove = remove(app, &name, move |play| play.remove_kept(id));
             let name = span().class("run-name").title(name.clone()).child(name);
             let line = legend::sample(figure::Style::Run(pattern), pattern);
             li().class("run").child(switch(tick, View::from((line, name)))).child(remove)
         };
         let ghost = ghost.then(|| {
-            let remove = remove(app, words.ghost, Session::remove_ghost);
+            let remove = remove(app, words.ghost, Play::remove_ghost);
             li().class("run ghost").child(span().child(words.ghost)).child(remove)
         });
         ul().class("runs").attr("aria-label", words.runs).each(named, run).maybe(ghost).into()
@@ -57,7 +57,7 @@ pub fn list(app: App) -> View {
 }
 
 /// The button that takes a run away.
-fn remove(app: App, name: &str, remove: impl Fn(&mut Session) + 'static) -> HtmlButton {
+fn remove(app: App, name: &str, remove: impl Fn(&mut Play) + 'static) -> HtmlButton {
     let label = format!("{}: {name}", app.words().remove_run);
     let remove = move |_| {
         app.act(&remove);

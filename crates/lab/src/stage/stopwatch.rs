@@ -3,7 +3,7 @@
 use crate::app::App;
 use crate::icons;
 use crate::views::*;
-use session::Session;
+use play::Play;
 
 /// The time that has been stopped, and since when it goes on.
 #[derive(Clone, Copy, Default, PartialEq)]
@@ -23,14 +23,14 @@ impl Watch {
 pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
     let watch = create_signal(Watch::default());
-    let reading = move |watch: Watch| app.read(|session| session.time_words(watch.elapsed(session.time())));
+    let reading = move |watch: Watch| app.read(|play| play.time_words(watch.elapsed(play.time())));
     let shown = move || {
         app.changes.frame.track();
         reading(watch.get())
     };
     let runs = move || watch.get().since.is_some();
     let press = move |_| {
-        let (now, before) = (app.read(|session: &mut Session| session.time()), watch.get_untracked());
+        let (now, before) = (app.read(|play: &mut Play| play.time()), watch.get_untracked());
         let next = match before.since {
             Some(_) => Watch { held: before.elapsed(now), since: None },
             None => Watch { since: Some(now), ..before },

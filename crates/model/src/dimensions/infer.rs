@@ -3,10 +3,10 @@
 use super::form::{Conflict, Form, Solver};
 use super::mismatch::{Place, Term};
 use super::types::{Type, Types};
-use crate::functions::{Function, Rule};
 use crate::names::{Meaning, Scope};
 use crate::notation::quote;
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span, UnaryOperator};
+use program::functions::{Function, Rule};
 use units::{Exponent, Words, words};
 
 const ARITHMETIC: Words = words("an arithmetic operation", "una operación aritmética");

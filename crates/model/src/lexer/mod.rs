@@ -5,10 +5,10 @@ mod token;
 
 pub(crate) use token::{Keyword, Symbol, Token, TokenKind};
 
-use crate::alphabet::{greek_name, lowered, primes};
 use crate::{Diagnostic, Span, limits};
 use std::ops::Range;
 use token::{FOREIGN, KEYWORDS, SYMBOLS};
+use units::alphabet::{greek_name, lowered, primes};
 use units::words;
 
 /// The tokens of `source[range]`, ending with [`TokenKind::End`]. `range` lies on character boundaries.

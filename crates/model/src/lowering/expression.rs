@@ -1,9 +1,9 @@
 //! From checked expressions to nodes of the graph.
 
-use crate::functions::Function;
 use crate::names::{Meaning, Scope};
 use crate::{BinaryOperator, Expression, ExpressionKind, UnaryOperator, limits};
 use program::along;
+use program::functions::Function;
 use program::{Binary, Graph, Node, NodeId, Unary};
 use std::collections::HashMap;
 

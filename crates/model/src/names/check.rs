@@ -2,10 +2,10 @@
 
 use super::scope::{Meaning, Scope};
 use super::traverse::for_each;
-use crate::functions::Function;
 use crate::limits;
 use crate::notation::{primed, quote};
 use crate::{Diagnostic, Expression, ExpressionKind, Name, Span};
+use program::functions::Function;
 use units::{Words, words};
 
 /// Collects what is wrong with the names of expressions. An unknown name is told once, with all its places.

@@ -2,8 +2,8 @@
 //! reserved names, ranges of parameters.
 
 use super::scope::{Meaning, PI, Scope};
-use crate::functions::Function;
 use crate::{Action, Diagnostic, Expression, Name, ParameterStatement, Span, StatedUnit, Statement, StatementKind};
+use program::functions::Function;
 use std::collections::HashMap;
 use units::{Unit, words};
 

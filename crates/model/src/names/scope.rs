@@ -1,6 +1,6 @@
 //! What each name of a model means.
 
-use crate::functions::FUNCTIONS;
+use program::functions::FUNCTIONS;
 use std::collections::HashMap;
 use units::nearest;
 

@@ -5,10 +5,10 @@ use super::declarations::{Declarations, InitialEntry};
 use super::scope::Meaning;
 use super::traverse::for_each_name;
 use super::{Scope, list};
-use crate::functions::Function;
 use crate::matching::match_equations;
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, Span, limits};
+use program::functions::Function;
 use std::collections::BTreeMap;
 use units::{Words, words};
 

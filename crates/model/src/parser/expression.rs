@@ -3,9 +3,9 @@
 use super::after;
 use super::cursor::{Cursor, Read};
 use super::statement::unread;
-use crate::functions::Function;
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, StatedUnit, UnaryOperator};
+use program::functions::Function;
 use units::{Words, words};
 
 /// Parentheses, prefixes, exponents and branches in one another.

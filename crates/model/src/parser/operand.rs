@@ -3,9 +3,9 @@
 use super::after;
 use super::cursor::{Cursor, Read};
 use super::expression::{DEEPEST, Tree, leaf};
-use crate::functions::Function;
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{Diagnostic, Expression, ExpressionKind, Name, Span};
+use program::functions::Function;
 use units::words;
 
 impl Cursor<'_> {

@@ -267,7 +267,7 @@ impl Cursor<'_> {
             ExpressionKind::InitialValue { name, order } if bare => {
                 let text_end = self.source[left.span.range()].find(['(']).unwrap_or_default();
                 let written = self.source[left.span.start..left.span.start + text_end].trim_end();
-                let name_only = written.trim_end_matches(|c| crate::alphabet::primes(c).is_some());
+                let name_only = written.trim_end_matches(|c| units::alphabet::primes(c).is_some());
                 let span = Span::new(left.span.start, left.span.start + name_only.len());
                 let unit = outcome.and_then(|()| self.stated_unit());
                 let outcome = unit.as_ref().map(|_| ()).map_err(|told| *told);
@@ -276,7 +276,7 @@ impl Cursor<'_> {
             }
             ExpressionKind::Call { ref function, ref arguments } if bare => {
                 if let [Expression { kind: ExpressionKind::Number { .. }, span }] = arguments.as_slice()
-                    && crate::functions::Function::named(&function.text).is_none()
+                    && program::functions::Function::named(&function.text).is_none()
                     && outcome.is_ok()
                 {
                     let name = &function.text;

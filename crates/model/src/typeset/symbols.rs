@@ -1,7 +1,7 @@
 //! Names, numbers, units and texts as MathML.
 
-use crate::alphabet::greek_letter;
 use units::Unit;
+use units::alphabet::greek_letter;
 
 /// Texts may not end the element they stand in.
 pub(super) fn escaped(text: &str) -> String {

@@ -1,0 +1,79 @@
+//! What happened, for screen readers and the line of messages.
+
+use crate::Desk;
+use play::Prominence;
+use std::collections::VecDeque;
+
+/// Something happened that a screen reader should tell.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Announcement {
+    /// What happened to the simulation itself.
+    Play(play::Announcement),
+    /// A record of this name was read.
+    RecordAdded(String),
+    /// A file of this name was given up before it was read.
+    RecordCancelled(String),
+    /// Velocity and acceleration were made of a column of this record.
+    DerivativesMade(String),
+    /// The record of this name was removed.
+    RecordRemoved(String),
+    /// The fit of this theory was removed.
+    FitRemoved(String),
+    /// The fit, or the last of several, is finished.
+    FitFinished,
+    /// Theories that could not be fitted, each with the reason.
+    TheoriesLeftOut(String),
+    /// A fit has found nothing.
+    FitFailed,
+    /// The fit was given up.
+    FitCancelled,
+    /// What a fit has found stands in the sliders; of several records, what belongs to the one of this name.
+    FitApplied(String),
+}
+
+impl Announcement {
+    /// Whether it is shown besides being spoken.
+    pub fn prominence(&self) -> Prominence {
+        match self {
+            Self::Play(announcement) => announcement.prominence(),
+            Self::FitFailed | Self::TheoriesLeftOut(_) => Prominence::Error,
+            _ => Prominence::Shown,
+        }
+    }
+
+    /// Whether [`Desk::undo`] takes it back.
+    pub fn can_be_undone(&self) -> bool {
+        match self {
+            Self::Play(announcement) => announcement.can_be_undone(),
+            other => matches!(other, Self::RecordRemoved(_) | Self::FitRemoved(_)),
+        }
+    }
+}
+
+/// No more wait to be told at once.
+const MOST: usize = 16;
+
+/// Announcements that have not been taken.
+#[derive(Debug, Default)]
+pub(crate) struct Announcements(VecDeque<Announcement>);
+
+impl Desk {
+    /// The next thing to tell: what the simulation tells first.
+    pub fn take_announcement(&mut self) -> Option<Announcement> {
+        let of_play = self.play.take_announcement().map(Announcement::Play);
+        of_play.or_else(|| self.announcements.0.pop_front())
+    }
+
+    pub(crate) fn announce(&mut self, announcement: Announcement) {
+        if self.announcements.0.len() == MOST {
+            self.announcements.0.pop_front();
+        }
+        self.announcements.0.push_back(announcement);
+    }
+
+    /// Forgets what has not been taken.
+    pub(crate) fn forget_announcements(&mut self) {
+        self.announcements.0.clear();
+        while self.play.take_announcement().is_some() {}
+    }
+}

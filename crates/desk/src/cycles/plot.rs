@@ -1,0 +1,208 @@
+//! The plot of the cycles: measured ones with error bars, a constant where the linear theory has one, and the cycles of
+//! the run beside them.
+
+use crate::Desk;
+use crate::cycles::view::{Found, capital};
+use crate::records::recognise::observed;
+use analysis::cycles::{Cycle, Quantity, cycles, mean, well_known};
+use engine::Readings;
+use figure::{Interval, Style};
+use play::{AddedPlot, AddedSeries, Labels, POINTS};
+use units::Language;
+
+/// So many rows of a run are enough for its cycles, unless it has many of these.
+const FEW_ROWS: usize = 2000;
+/// So many rows a period are enough.
+const ROWS_PER_PERIOD: f64 = 32.0;
+
+/// Which of the plot's series is the measured one.
+const MEASURED: usize = 2;
+
+/// What is drawn of the cycles, in the units of the axes.
+#[derive(Debug, Default)]
+pub(crate) struct CyclePlot {
+    measured: Points,
+    /// The mean of all, where the linear theory has the same for all.
+    constant: Vec<f64>,
+    run: Points,
+    limits: Option<Interval>,
+    /// The cycles of the run that is recorded, and which run that is.
+    of_run: Vec<Cycle>,
+    seen: Option<(u64, u64)>,
+}
+
+#[derive(Debug, Default)]
+struct Points {
+    x: Vec<f64>,
+    y: Vec<f64>,
+    errors: Vec<f64>,
+}
+
+impl Points {
+    fn of(cycles: &[Cycle], quantity: Quantity, against_amplitude: bool) -> Self {
+        let across = |cycle: &Cycle| if against_amplitude { cycle.amplitude.value } else { cycle.time.value };
+        let measured: Vec<_> = cycles.iter().map(|cycle| quantity.of(cycle)).collect();
+        Self {
+            x: cycles.iter().map(across).collect(),
+            y: measured.iter().map(|one| one.value).collect(),
+            errors: measured.iter().map(|one| one.error).collect(),
+        }
+    }
+}
+
+impl Desk {
+    /// Takes what is to be drawn from what was found.
+    pub(crate) fn draw_cycles(&mut self) {
+        let (quantity, against) = (self.cycle_view.quantity, self.cycle_view.against_amplitude);
+        let found = self.cycle_view.found.as_ref().and_then(|found| found.cycles.as_ref());
+        let cycles = found.map_or(&[][..], |found| &found.cycles);
+        let plot = &mut self.cycles;
+        plot.measured = Points::of(cycles, quantity, against);
+        plot.run = Points::of(&plot.of_run, quantity, against);
+        let measured: Vec<_> = cycles.iter().map(|cycle| quantity.of(cycle)).collect();
+        // An amplitude falls in every theory with damping; it is shown down to nothing.
+        let falls = quantity == Quantity::Amplitude;
+        plot.limits = well_known(&measured).filter(|_| !falls).map(|(low, high)| {
+            let room = 0.08 * (high - low);
+            Interval::new(low - room, high + room)
+        });
+        let mean = mean(&measured).filter(|_| !falls);
+        plot.constant = mean.map(|mean| vec![mean.value; measured.len()]).unwrap_or_default();
+        // Another run is looked for, within the times of this record.
+        plot.seen = None;
+        self.label_cycles();
+    }
+
+    /// Finds the cycles of the run, once it stands still.
+    pub(crate) fn follow_cycles(&mut self) {
+        if self.cycle_view.found.as_ref().is_none_or(|found| found.cycles.is_none()) {
+            return;
+        }
+        let now = (self.play.revision().parameters, self.play.course().rows() as u64);
+        let plot = &mut self.cycles;
+        if self.play.is_playing() {
+            // A line of another run would be a lie.
+            if plot.seen.is_some_and(|seen| seen.0 != now.0 || now.1 < seen.1) {
+                (plot.of_run, plot.run, plot.seen) = (Vec::new(), Points::default(), None);
+                self.show_cycle_plot();
+            }
+            return;
+        }
+        if plot.seen == Some(now) {
+            return;
+        }
+        let found = self.cycle_view.found.as_ref().and_then(|found| self.cycles_of_run(found)).unwrap_or_default();
+        let plot = &mut self.cycles;
+        plot.run = Points::of(&found, self.cycle_view.quantity, self.cycle_view.against_amplitude);
+        (plot.of_run, plot.seen) = (found, Some(now));
+        self.show_cycle_plot();
+    }
+
+    /// The cycles of the run in the times of the record, of what the column measures.
+    fn cycles_of_run(&self, found: &Found) -> Option<Vec<Cycle>> {
+        let model = self.play.model();
+        let observed = observed(model, &found.name).filter(|_| !found.name.is_empty())?;
+        let (history, time_unit) = (self.play.course().history()?, &model.independent.unit);
+        let clock = |time: f64| time_unit.from_si(time + found.origin);
+        let times = history.times().get(..self.play.course().rows())?;
+        let first = times.partition_point(|time| clock(*time) < found.ends.0);
+        let last = times.partition_point(|time| clock(*time) <= found.ends.1);
+        let periods =
+            (found.ends.1 - found.ends.0) * found.cycles.as_ref()?.estimate.angular_frequency / core::f64::consts::TAU;
+        let most = FEW_ROWS.max((ROWS_PER_PERIOD * periods) as usize);
+        let mut readings = Readings::new(model, &[observed.node]);
+        let rows = (first..last).step_by(last.saturating_sub(first).div_ceil(most).max(1));
+        let (times, values): (Vec<f64>, Vec<f64>) = rows
+            .map(|row| {
+                let value = readings.at_row(history, row).first().copied().unwrap_or(f64::NAN);
+                (clock(history.time(row)), found.unit.from_si(value))
+            })
+            .unzip();
+        Some(cycles(&times, &values)?.cycles)
+    }
+
+    /// Writes the texts of the plot in the chosen language.
+    pub(crate) fn label_cycles(&mut self) {
+        let (quantity, against) = (self.cycle_view.quantity, self.cycle_view.against_amplitude);
+        let units = self.cycle_view.found.as_ref().map(|found| self.cycle_units(found)).unwrap_or_default();
+        let independent = play::symbol(&self.play.model().independent.name);
+        let axis =
+            |quantity: Quantity| (quantity.symbol(self.play.language()).to_owned(), quantity.unit(&units.0, &units.1));
+        let x = if against { axis(Quantity::Amplitude) } else { (independent, units.1.clone()) };
+        let title = cycles_title(self.play.language(), &capital(quantity.name(self.play.language())), against);
+        let description = format!("{title}. {}", cycles_description(self.play.language()));
+        let curves = cycles_legend(self.play.language()).map(str::to_owned).to_vec();
+        let labels = Labels { title, description, x, axes: vec![axis(quantity)], curves };
+        if let Some(plot) = self.play.added_plot(self.cycle_plot) {
+            plot.labels = labels;
+        }
+        self.show_cycle_plot();
+    }
+
+    /// Puts what was found into the plot.
+    fn show_cycle_plot(&mut self) {
+        let drawn = &self.cycles;
+        let constant = AddedSeries {
+            colour: 1,
+            style: Style::Kept(0),
+            in_legend: !drawn.constant.is_empty(),
+            x: drawn.measured.x.clone(),
+            y: drawn.constant.clone(),
+            ..AddedSeries::default()
+        };
+        let run = AddedSeries {
+            in_legend: !drawn.run.x.is_empty(),
+            x: drawn.run.x.clone(),
+            y: drawn.run.y.clone(),
+            ..AddedSeries::default()
+        };
+        let measured = AddedSeries {
+            colour: POINTS,
+            style: Style::Points,
+            in_legend: true,
+            x: drawn.measured.x.clone(),
+            y: drawn.measured.y.clone(),
+            errors: drawn.measured.errors.clone(),
+            ..AddedSeries::default()
+        };
+        // Sizes begin at nothing.
+        let nothing = Interval { low: 0.0, high: 0.0 };
+        let (against, falls) = (self.cycle_view.against_amplitude, self.cycle_view.quantity == Quantity::Amplitude);
+        let limits = drawn.limits;
+        let offered = self.cycle_view.found.as_ref().is_some_and(|found| found.cycles.is_some());
+        if let Some(plot) = self.play.added_plot(self.cycle_plot) {
+            *plot = AddedPlot {
+                labels: std::mem::take(&mut plot.labels),
+                series: vec![constant, run, measured],
+                x_includes: against.then_some(nothing),
+                y_includes: falls.then_some(nothing),
+                y_limits: limits,
+                marks_time: false,
+                ordered: !against,
+                offered,
+                apart: true,
+                cursor: MEASURED,
+            };
+        }
+        self.play.added_plot_changed(self.cycle_plot);
+    }
+}
+
+fn cycles_title(language: Language, quantity: &str, against_amplitude: bool) -> String {
+    match against_amplitude {
+        true => language.pick(format!("{quantity} against amplitude"), format!("{quantity} frente a la amplitud")),
+        false => language.pick(format!("{quantity} against time"), format!("{quantity} frente al tiempo")),
+    }
+}
+
+fn cycles_description(language: Language) -> &'static str {
+    language.pick(
+        "Each point is a turning point with the half-cycles around it; bars are one standard error.",
+        "Cada punto es un punto de retorno con los semiciclos a su alrededor; las barras son un error estándar.",
+    )
+}
+
+/// The names of the constant, of the run's cycles, of the measured ones.
+fn cycles_legend(language: Language) -> [&'static str; 3] {
+    language.pick(["if constant", "simulation", "measured"], ["si es constante", "simulación", "medido"])
+}

@@ -1,0 +1,299 @@
+//! An oscillation cycle by cycle, before any theory: which column is looked at, what was found in it, in numbers and in
+//! words. Nothing is measured before it is looked at.
+
+use crate::records::record::Record;
+use crate::{Desk, Export, ExportKind, number};
+use analysis::cycles::{self, Constancy, Cycles, Measured, Quantity};
+use units::number::Layout;
+use units::{Language, Unit};
+
+/// What the view of cycles shows.
+#[derive(Debug)]
+pub(crate) struct CycleView {
+    /// Whether it is open.
+    open: bool,
+    /// The record's id, and the column.
+    chosen: Option<(u32, usize)>,
+    /// What is drawn.
+    pub quantity: Quantity,
+    /// Whether it is drawn against the amplitude and not against the time.
+    pub against_amplitude: bool,
+    /// What was found.
+    pub found: Option<Found>,
+}
+
+impl Default for CycleView {
+    fn default() -> Self {
+        Self { open: false, chosen: None, quantity: Quantity::Period, against_amplitude: false, found: None }
+    }
+}
+
+/// The cycles of a column, in its unit and that of the independent variable.
+#[derive(Debug)]
+pub(crate) struct Found {
+    /// The first and the last reading of the clock.
+    pub ends: (f64, f64),
+    /// What is said of the column where nothing oscillates in it.
+    pub cycles: Option<Cycles>,
+    /// The column's unit.
+    pub unit: Unit,
+    /// What the column measures; empty if nothing of the document.
+    pub name: String,
+    /// The reading of the clock, SI, at which the model begins.
+    pub origin: f64,
+}
+
+/// A column in which cycles can be looked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CycleColumn {
+    /// Its record.
+    pub record: u32,
+    /// Which of the record's columns.
+    pub column: usize,
+    /// The record's name, and what the column is called.
+    pub label: String,
+    /// Whether it is the one looked at.
+    pub selected: bool,
+}
+
+/// The cycles of a column as they are shown.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CyclesView {
+    /// The heads of the table, with units.
+    pub heads: Vec<String>,
+    /// A row for each turning point: its kind, then its values with their errors.
+    pub rows: Vec<(&'static str, Vec<String>)>,
+    /// What changes from cycle to cycle and what does not, in sentences.
+    pub sentences: Vec<String>,
+}
+
+impl Desk {
+    /// Looks at cycles, or no longer.
+    pub fn open_cycles(&mut self, open: bool) {
+        self.cycle_view.open = open;
+        self.find_cycles();
+    }
+
+    /// Whether anybody looks at cycles.
+    pub fn looks_at_cycles(&self) -> bool {
+        self.cycle_view.open
+    }
+
+    /// The columns in which cycles can be looked for.
+    pub fn cycle_columns(&self) -> Vec<CycleColumn> {
+        let mut found = Vec::new();
+        for (record, view) in self.data.records.iter().zip(self.records()) {
+            for column in self.oscillating_columns(record) {
+                let Some(own) = view.columns.get(column) else { continue };
+                let bare = own.head.split(" [").next().unwrap_or_default();
+                let called = if own.quantity.is_empty() || own.quantity == bare {
+                    own.head.clone()
+                } else {
+                    format!("{} ({})", play::symbol(&own.quantity), own.head)
+                };
+                found.push(CycleColumn {
+                    record: record.id,
+                    column,
+                    label: format!("{}: {called}", record.name),
+                    selected: self.cycle_view.chosen == Some((record.id, column)),
+                });
+            }
+        }
+        found
+    }
+
+    /// The columns of a record that hold something else than a time.
+    fn oscillating_columns(&self, record: &Record) -> Vec<usize> {
+        let independent = &self.play.model().independent.name;
+        let is_time =
+            |column: &usize| record.uses.get(*column).is_some_and(|used| used.meaning.quantity == *independent);
+        record.table.observed_columns().filter(|column| !is_time(column)).collect()
+    }
+
+    /// Looks at another column.
+    pub fn choose_cycles(&mut self, record: u32, column: usize) {
+        self.cycle_view.chosen = Some((record, column));
+        self.find_cycles();
+    }
+
+    /// What can be drawn of the cycles, in the order in which [`Desk::show_cycles`] counts it, and which of it is.
+    pub fn cycle_quantities(&self) -> (Vec<String>, usize) {
+        let names = Quantity::ALL.iter().map(|quantity| capital(quantity.name(self.play.language()))).collect();
+        (names, Quantity::ALL.iter().position(|quantity| *quantity == self.cycle_view.quantity).unwrap_or_default())
+    }
+
+    /// Whether the cycles are drawn against the amplitude and not against the time.
+    pub fn cycles_against_amplitude(&self) -> bool {
+        self.cycle_view.against_amplitude
+    }
+
+    /// Draws another quantity of the cycles, against the time or against the amplitude.
+    pub fn show_cycles(&mut self, quantity: usize, against_amplitude: bool) {
+        if let Some(quantity) = Quantity::ALL.get(quantity) {
+            self.cycle_view.quantity = *quantity;
+        }
+        self.cycle_view.against_amplitude = against_amplitude && self.cycle_view.quantity != Quantity::Amplitude;
+        self.draw_cycles();
+    }
+
+    /// To be called whenever records, or what they are taken for, have changed.
+    pub(crate) fn find_cycles(&mut self) {
+        self.cycle_view.found = None;
+        if self.cycle_view.open {
+            let known = |(id, column): &(u32, usize)| {
+                self.record(*id).is_some_and(|record| self.oscillating_columns(record).contains(column))
+            };
+            self.cycle_view.chosen = self.cycle_view.chosen.filter(known).or_else(|| self.usual_column());
+            self.cycle_view.found = self.cycle_view.chosen.and_then(|(id, column)| self.measure_cycles(id, column));
+        }
+        self.draw_cycles();
+    }
+
+    /// What a fit would follow in the latest record; else its first column that was measured.
+    fn usual_column(&self) -> Option<(u32, usize)> {
+        let record = self.data.records.last()?;
+        let columns = self.oscillating_columns(record);
+        let fitted = |column: &&usize| record.uses.get(**column).is_some_and(|used| used.fitted);
+        let measured = |column: &&usize| record.computed_from(**column).is_none();
+        let column =
+            columns.iter().find(fitted).or_else(|| columns.iter().find(measured)).or_else(|| columns.first())?;
+        Some((record.id, *column))
+    }
+
+    fn measure_cycles(&self, id: u32, column: usize) -> Option<Found> {
+        let independent = &self.play.model().independent;
+        let record = self.record(id)?;
+        let used = record.uses.get(column)?;
+        let (mut times, mut values) = record.series(column, &independent.name)?;
+        times.iter_mut().for_each(|time| *time = independent.unit.from_si(*time));
+        values.iter_mut().for_each(|value| *value = used.meaning.unit.from_si(*value));
+        Some(Found {
+            ends: (*times.first()?, *times.last()?),
+            cycles: cycles::cycles(&times, &values),
+            unit: used.meaning.unit.clone(),
+            name: used.meaning.quantity.clone(),
+            origin: record.origin(&independent.name, self.play.model().is_autonomous()),
+        })
+    }
+
+    /// The units of values and times, for people.
+    pub(crate) fn cycle_units(&self, found: &Found) -> (String, String) {
+        (number::unit_text(&found.unit.text), number::unit_text(&self.play.model().independent.unit.text))
+    }
+
+    /// The cycles that are looked at; none while nobody looks.
+    pub fn cycles(&self) -> Option<CyclesView> {
+        let found = self.cycle_view.found.as_ref()?;
+        let Some(cycles) = &found.cycles else {
+            let sentences = vec![no_cycles(self.play.language()).to_owned()];
+            return Some(CyclesView { sentences, ..CyclesView::default() });
+        };
+        let (own, time) = self.cycle_units(found);
+        let head = |symbol: &str, unit: &str| match unit {
+            "" => symbol.to_owned(),
+            unit => format!("{symbol} [{unit}]"),
+        };
+        let mut heads = vec![head(&play::symbol(&self.play.model().independent.name), &time)];
+        heads.extend(
+            Quantity::ALL.map(|quantity| head(quantity.symbol(self.play.language()), &quantity.unit(&own, &time))),
+        );
+        let text = |measured: Measured| number::with_error(measured.value, Some(measured.error), self.play.style());
+        let column = |of: &dyn Fn(&cycles::Cycle) -> Measured| {
+            let measured: Vec<Measured> = cycles.cycles.iter().map(of).collect();
+            let layout = Layout::of_errors(measured.iter().map(|one| (one.value, one.error)));
+            let write = |one: Measured| match layout {
+                Some(layout) => layout.with_error(one.value, one.error, self.play.style()),
+                None => text(one),
+            };
+            measured.into_iter().map(write).collect::<Vec<String>>()
+        };
+        let mut columns = vec![column(&|cycle| cycle.time)];
+        columns.extend(Quantity::ALL.map(|quantity| column(&|cycle| quantity.of(cycle))));
+        let row = |(place, cycle): (usize, &cycles::Cycle)| {
+            let cells = columns.iter().filter_map(|column| column.get(place).cloned()).collect();
+            (turning_point(self.play.language(), cycle.maximum), cells)
+        };
+        let sentence = |quantity: Quantity| {
+            let unit = quantity.unit(&own, &time);
+            let written = |measured: Measured| number::error_with_unit(&text(measured), &unit);
+            let fixed = |value: f64| number::fixed(value, 1, self.play.style());
+            Some(Constancy::of(&cycles.cycles, quantity)?.text(quantity, self.play.language(), &written, &fixed))
+        };
+        let mut sentences: Vec<String> =
+            [Quantity::AngularFrequency, Quantity::Damping].into_iter().filter_map(sentence).collect();
+        sentences.extend((!cycles.sinusoidal).then(|| another_shape(self.play.language()).to_owned()));
+        let lost = |from: f64| {
+            cycles_lost(self.play.language(), &format!("{} {time}", number::fixed(from, 2, self.play.style())))
+        };
+        sentences.extend(cycles.lost.map(lost));
+        Some(CyclesView { heads, rows: cycles.cycles.iter().enumerate().map(row).collect(), sentences })
+    }
+
+    /// The cycles that are looked at as a file.
+    pub fn export_cycles(&self, kind: ExportKind) -> Option<Export> {
+        let found = self.cycle_view.found.as_ref()?;
+        let record = self.record(self.cycle_view.chosen?.0)?;
+        let cycles = &found.cycles.as_ref()?.cycles;
+        let table = cycles::columns(cycles, &found.unit.text, &self.play.model().independent.unit.text);
+        let heads: Vec<&str> = table.iter().map(|(head, _)| head.as_str()).collect();
+        let columns: Vec<&[f64]> = table.iter().map(|(_, column)| column.as_slice()).collect();
+        let bytes = match kind {
+            ExportKind::Workbook => {
+                let sheet =
+                    analysis::spreadsheet::Sheet::of_columns(cycles_word(self.play.language()), &heads, &columns);
+                analysis::spreadsheet::Workbook { sheets: vec![sheet] }.xlsx()
+            }
+            _ => {
+                analysis::csv::write(&heads, &columns, crate::fits::reporting::dialect(self.play.style())).into_bytes()
+            }
+        };
+        Some(crate::fits::reporting::export(
+            &format!("{} {}", crate::fits::reporting::stem(&record.name), cycles_word(self.play.language())),
+            kind,
+            bytes,
+        ))
+    }
+}
+
+/// `period` as `Period`.
+pub(crate) fn capital(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
+}
+
+/// What cycles are called, also in the names of files.
+fn cycles_word(language: Language) -> &'static str {
+    language.pick("cycles", "ciclos")
+}
+
+fn turning_point(language: Language, maximum: bool) -> &'static str {
+    match maximum {
+        true => language.pick("maximum", "máximo"),
+        false => language.pick("minimum", "mínimo"),
+    }
+}
+
+fn no_cycles(language: Language) -> &'static str {
+    language.pick(
+        "This column does not oscillate so that cycles could be told: a cycle needs three turning points, clear of the \
+         noise, with eight rows about them.",
+        "Esta columna no oscila de modo que se distingan ciclos: un ciclo necesita tres puntos de retorno que destaquen \
+         sobre el ruido, con ocho filas a su alrededor.",
+    )
+}
+
+fn another_shape(language: Language) -> &'static str {
+    language.pick(
+        "The shape is not a damped sinusoid: the period is the time between crossings of the middle level in the same \
+         direction, and the amplitude is half the height between turning points.",
+        "La forma no es una sinusoide amortiguada: el periodo es el tiempo entre pasos por el nivel medio en el mismo sentido, \
+         y la amplitud, la mitad de la altura entre puntos de retorno.",
+    )
+}
+
+fn cycles_lost(language: Language, from: &str) -> String {
+    language.pick(
+        format!("From {from} on the noise hides the oscillation."),
+        format!("A partir de {from} el ruido oculta la oscilación."),
+    )
+}

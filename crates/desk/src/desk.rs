@@ -1,0 +1,119 @@
+//! The laboratory without a screen: a simulation, and what is measured and fitted beside it.
+
+use crate::announcement::Announcements;
+use crate::cycles::plot::CyclePlot;
+use crate::cycles::view::CycleView;
+use crate::fits::queue::Fits;
+use crate::measured::points::Data;
+use crate::records::intake::Intake;
+use crate::undo::Removed;
+use document::Document;
+use play::{Play, PlotId};
+
+/// Counts changes, so that the shell draws only what has changed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Revision {
+    /// What has changed of the simulation.
+    pub play: play::Revision,
+    /// Records and what their columns are taken for.
+    pub records: u64,
+    /// What fits vary, what is being fitted, and what has come of it.
+    pub fits: u64,
+}
+
+/// A laboratory with one document open.
+#[derive(Debug)]
+pub struct Desk {
+    pub(crate) play: Play,
+    /// The document of the simulation, for reports and for fits that come back at the next visit.
+    pub(crate) document: Document,
+    pub(crate) revision: Revision,
+    pub(crate) announcements: Announcements,
+    pub(crate) data: Data,
+    pub(crate) fits: Fits,
+    /// The file that is being read.
+    pub(crate) intake: Option<Intake>,
+    pub(crate) cycle_view: CycleView,
+    pub(crate) cycles: CyclePlot,
+    /// The plots of the residuals and of the cycles.
+    pub(crate) residual_plot: PlotId,
+    pub(crate) cycle_plot: PlotId,
+    /// The last removal and its number.
+    pub(crate) removed: Option<(u32, Removed)>,
+}
+
+impl Desk {
+    /// Opens a document: the first row is drawn and the run stands still at 0.
+    pub fn open(document: Document) -> Self {
+        let mut play = Play::open(document.program.clone());
+        let (residual_plot, cycle_plot) = (play.add_plot(), play.add_plot());
+        let mut desk = Self {
+            play,
+            revision: Revision::default(),
+            announcements: Announcements::default(),
+            data: Data::default(),
+            fits: Fits::default(),
+            intake: None,
+            cycle_view: CycleView::default(),
+            cycles: CyclePlot::default(),
+            residual_plot,
+            cycle_plot,
+            removed: None,
+            document,
+        };
+        let program = &desk.document.program;
+        desk.fits.setup.varied =
+            (0..program.model.parameters.len()).map(|index| program.vary.contains(&index)).collect();
+        desk.records_changed();
+        desk
+    }
+
+    /// The simulation.
+    #[must_use]
+    pub fn play(&self) -> &Play {
+        &self.play
+    }
+
+    /// The simulation, to be played with. What is measured follows it with [`Desk::follow`].
+    pub fn play_mut(&mut self) -> &mut Play {
+        &mut self.play
+    }
+
+    /// The document.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// The plot of the residuals.
+    pub fn residual_plot(&self) -> PlotId {
+        self.residual_plot
+    }
+
+    /// The plot of the cycles.
+    pub fn cycle_plot(&self) -> PlotId {
+        self.cycle_plot
+    }
+
+    /// Chooses the language of everything; any tag.
+    pub fn set_language(&mut self, language: &str) {
+        self.play.set_language(language);
+        self.begin_outline();
+        self.label_residuals();
+        self.label_cycles();
+    }
+
+    /// What has changed how often.
+    pub fn revision(&self) -> Revision {
+        Revision { play: self.play.revision(), ..self.revision }
+    }
+
+    /// Brings what is measured up to the run: to be called before plots are drawn.
+    pub fn follow(&mut self) {
+        if let Some(time) = self.play.take_rewritten() {
+            self.truncate_residuals(time);
+        }
+        self.follow_residuals();
+        self.follow_cycles();
+        self.follow_outline();
+    }
+}

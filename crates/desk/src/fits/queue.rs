@@ -1,0 +1,365 @@
+//! Fits: the work in slices, the theories in a queue.
+
+use crate::fits::results::Fitted;
+use crate::fits::saved::{Found, Waiting};
+use crate::fits::setup::Setup;
+use crate::records::recognise::observed;
+use crate::records::record::{Record, Use};
+use crate::words::fit_error;
+use crate::{Announcement, Desk, Refusal, words};
+use analysis::fit::{Fit, FitError, Loss, Observation, Task, Varied};
+use document::Document;
+use std::collections::VecDeque;
+
+/// How far the fits have come.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FitProgress {
+    /// The title of the theory that is being fitted.
+    pub theory: String,
+    /// How many curves were tried for it.
+    pub trials: usize,
+    /// The part of the scatter that it explains so far.
+    pub explained: f64,
+    /// How many theories are finished, and how many there are.
+    pub finished: (usize, usize),
+}
+
+/// What fits are asked for, and what has come of them.
+#[derive(Debug, Default)]
+pub(crate) struct Fits {
+    pub setup: Setup,
+    pub finished: Vec<Fitted>,
+    /// The fit whose numbers stand in the sliders.
+    pub applied: Option<u32>,
+    /// Fits of an earlier visit, to be made again.
+    pub waiting: VecDeque<Waiting>,
+    /// How many ids fits have been given: none is given twice, because one may still be called by it.
+    pub issued: u32,
+    /// Theories of the queue that could not be fitted, each with the reason.
+    left_out: Vec<String>,
+    queue: Vec<Job>,
+    /// How many there were when the queue began.
+    total: usize,
+    running: Option<Running>,
+}
+
+/// What a fit is made of, besides its theory and the numbers of the records.
+#[derive(Clone, Debug)]
+pub(crate) struct Definition {
+    /// The file of its theory.
+    pub file: String,
+    /// The records, in the order of the task.
+    pub parts: Vec<Part>,
+    pub varied: Vec<Varied>,
+    /// All parameters where they are not varied, SI.
+    pub parameters: Vec<f64>,
+    /// What part of the records is fitted: readings of their clocks, SI.
+    pub window: [Option<f64>; 2],
+    /// What residuals cost.
+    pub loss: Loss,
+}
+
+/// What a fit follows of a record.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Part {
+    pub record: u32,
+    /// The record's name.
+    pub name: String,
+    /// What its columns are taken for.
+    pub uses: Vec<Use>,
+    /// The reading of its clock at which the model begins, SI, if an earlier fit has found it. Otherwise it begins with the
+    /// fitted part, or with the clock where the equations depend on the time.
+    pub origin: Option<f64>,
+    /// Parameters that have a value of their own in it.
+    pub fixed: Vec<(usize, f64)>,
+}
+
+/// A fit to be made.
+#[derive(Debug)]
+pub(crate) struct Job {
+    pub definition: Definition,
+    pub document: Document,
+    /// Whether it is the document that is open: what is found is shown.
+    pub own: bool,
+    /// What an earlier visit has found.
+    pub found: Option<Found>,
+}
+
+/// So many points of a fitted curve are drawn in a report.
+const POINTS_OF_A_CURVE: usize = 600;
+
+#[derive(Debug)]
+struct Running {
+    job: Job,
+    task: Task,
+    fit: Fit,
+}
+
+impl Fits {
+    /// Takes over from a desk that had another document open what does not depend on the document.
+    pub fn adopt(&mut self, other: &mut Self) {
+        self.finished = std::mem::take(&mut other.finished);
+        self.waiting = std::mem::take(&mut other.waiting);
+        self.issued = other.issued;
+        if let Some(Running { job, .. }) = other.running.take() {
+            self.waiting.extend(Waiting::of(job));
+        }
+        let (setup, before) = (&mut self.setup, &mut other.setup);
+        setup.window = before.window;
+        setup.loss = before.loss;
+        setup.chosen = before.chosen;
+        setup.others = std::mem::take(&mut before.others);
+        setup.same = std::mem::take(&mut before.same);
+    }
+}
+
+impl Desk {
+    /// Begins to fit the document that is open, which has this file, to the records that take part.
+    ///
+    /// # Errors
+    /// Nothing to vary or to follow.
+    pub fn begin_fit(&mut self, file: &str) -> Result<(), Refusal> {
+        let varied = self.varied();
+        let definition = Definition {
+            file: file.to_owned(),
+            parts: self.parts(&self.document, &varied, true),
+            varied,
+            parameters: self.play.course().parameters().to_vec(),
+            window: self.fits.setup.window,
+            loss: self.fits.setup.loss,
+        };
+        let job = Job { definition, document: self.document.clone(), own: true, found: None };
+        self.start_queue(vec![job])
+    }
+
+    /// Begins to fit each of these documents, with what it says is varied, to the records that take part. What a person
+    /// has said to be one number for all records, or held at each record's own value, is so in every theory that has it.
+    ///
+    /// # Errors
+    /// Nothing to follow.
+    pub fn begin_ranking(&mut self, theories: Vec<(String, Document)>) -> Result<(), Refusal> {
+        let job = |(file, document): (String, Document)| {
+            let parameters = &document.program.model.parameters;
+            let shared = |index: usize| {
+                parameters.get(index).is_some_and(|parameter| self.fits.setup.is_same(&parameter.name, true))
+            };
+            let varied =
+                document.program.vary.iter().map(|&index| Varied { shared: shared(index), ..Varied::parameter(index) });
+            let varied: Vec<Varied> = varied.collect();
+            let definition = Definition {
+                file,
+                parts: self.parts(&document, &varied, false),
+                varied,
+                parameters: parameters.iter().map(|parameter| parameter.value).collect(),
+                window: self.fits.setup.window,
+                loss: self.fits.setup.loss,
+            };
+            Job { definition, document, own: false, found: None }
+        };
+        let jobs = theories.into_iter().map(job).collect();
+        self.start_queue(jobs)
+    }
+
+    /// What a fit of a document follows of the records that take part.
+    fn parts(&self, document: &Document, varied: &[Varied], own: bool) -> Vec<Part> {
+        let labels = |label: &str| {
+            let languages = document.program.languages();
+            languages.map(|language| document.program.text(language, label).to_lowercase()).collect()
+        };
+        let taking_part = self.taking_part();
+        let part = |record: &Record| {
+            let (uses, origin) = if own {
+                let found = record.origin.filter(|origin| origin.found);
+                (record.uses.clone(), found.map(|origin| origin.reading))
+            } else {
+                let mut record = record.clone();
+                record.take_for(document, &labels);
+                (record.uses, None)
+            };
+            let fixed = match taking_part.len() {
+                1 => Vec::new(),
+                _ => self.fits.setup.fixed(&document.program.model, varied, record),
+            };
+            Part { record: record.id, name: record.name.clone(), uses, origin, fixed }
+        };
+        taking_part.iter().filter_map(|id| self.record(*id)).map(part).collect()
+    }
+
+    fn start_queue(&mut self, mut jobs: Vec<Job>) -> Result<(), Refusal> {
+        self.set_aside();
+        jobs.reverse();
+        self.fits.total = jobs.len();
+        self.fits.queue = jobs;
+        self.fits.left_out.clear();
+        self.revision.fits += 1;
+        self.next_fit()
+    }
+
+    /// Puts back what is being made again, and gives up what is being fitted.
+    fn set_aside(&mut self) {
+        if let Some(Running { job, .. }) = self.fits.running.take()
+            && let Some(waiting) = Waiting::of(job)
+        {
+            self.fits.waiting.push_front(waiting);
+        }
+    }
+
+    /// Takes the next theory of the queue, and after those what an earlier visit has left. Of several, one that cannot be
+    /// fitted is left out, and named when the last one is finished.
+    fn next_fit(&mut self) -> Result<(), Refusal> {
+        let alone = self.fits.total == 1;
+        while let Some(job) = self.fits.queue.pop() {
+            let theory = job.document.program.edition(&self.play.tag()).title.clone();
+            match self.ready(job) {
+                Ok(running) => {
+                    self.fits.running = Some(running);
+                    return Ok(());
+                }
+                Err(refusal) if alone => return Err(refusal),
+                Err(refusal) => self.fits.left_out.push(format!("{theory}: {}", self.refusal_text(&refusal))),
+            }
+        }
+        if !self.fits.left_out.is_empty() {
+            let left_out = std::mem::take(&mut self.fits.left_out).join(" ");
+            self.announce(Announcement::TheoriesLeftOut(left_out));
+        }
+        while let Some(waiting) = self.fits.waiting.pop_front() {
+            // What no longer can be made is no fit any more.
+            let running = waiting.job().and_then(|job| self.ready(job).ok());
+            if running.is_some() {
+                self.fits.running = running;
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn ready(&self, job: Job) -> Result<Running, Refusal> {
+        let task = self.task(&job)?;
+        let model = &job.document.program.model;
+        let fit = match &job.found {
+            Some(found) => Fit::again(model, task.clone(), found.values()),
+            None => Fit::new(model, task.clone()),
+        };
+        match fit {
+            Ok(fit) => Ok(Running { job, task, fit }),
+            Err(error) => Err(Refusal::Fit { why: self.fit_error(&job, &error) }),
+        }
+    }
+
+    /// Makes one trial. Whether there is more to do.
+    pub fn advance_fit(&mut self) -> bool {
+        let Some(running) = &mut self.fits.running else {
+            let _ = self.next_fit();
+            return self.fits.running.is_some();
+        };
+        if !running.fit.advance() {
+            return true;
+        }
+        if let Some(Running { job, task, mut fit }) = self.fits.running.take() {
+            let again = job.found.is_some();
+            match fit.outcome() {
+                Some(mut outcome) => {
+                    if let Some(found) = &job.found {
+                        found.complete(&mut outcome);
+                    }
+                    let traces = fit.traces(POINTS_OF_A_CURVE);
+                    self.take_outcome(job, task, outcome, traces);
+                }
+                None if again => {}
+                None => self.announce(Announcement::FitFailed),
+            }
+            let _ = self.next_fit();
+            if !again && self.fit_progress().is_none() {
+                self.announce(Announcement::FitFinished);
+            }
+        }
+        self.revision.fits += 1;
+        self.fits.running.is_some()
+    }
+
+    /// Gives up what a person has begun to fit.
+    pub fn cancel_fit(&mut self) {
+        if self.fit_progress().is_some() {
+            self.fits.running = None;
+            self.fits.queue.clear();
+            self.revision.fits += 1;
+            self.announce(Announcement::FitCancelled);
+        }
+    }
+
+    /// How far the fits have come that a person has begun; none while nothing is fitted.
+    pub fn fit_progress(&self) -> Option<FitProgress> {
+        let Running { job, fit, .. } = self.fits.running.as_ref().filter(|running| running.job.found.is_none())?;
+        Some(FitProgress {
+            theory: job.document.program.edition(&self.play.tag()).title.clone(),
+            trials: fit.trials(),
+            explained: fit.explained(),
+            finished: (self.fits.total - self.fits.queue.len() - 1, self.fits.total),
+        })
+    }
+
+    /// What is being made again, if anything is.
+    pub(crate) fn being_remade(&self) -> Option<&Job> {
+        self.fits.running.as_ref().map(|running| &running.job).filter(|job| job.found.is_some())
+    }
+
+    /// Why a fit cannot be made, with the record where it is one of several.
+    fn fit_error(&self, job: &Job, error: &FitError) -> String {
+        let why = fit_error(self.play.language(), error);
+        let place = match error {
+            FitError::RecordEmpty(record) | FitError::BadErrors { record, .. } => *record,
+            _ => return why,
+        };
+        job.definition.parts.get(place).map_or_else(|| why.clone(), |part| format!("{}: {why}", part.name))
+    }
+
+    /// The task of a job.
+    fn task(&self, job: &Job) -> Result<Task, Refusal> {
+        let unknown = || Refusal::unknown(words::record(self.play.language()));
+        let (document, definition) = (&job.document, &job.definition);
+        let model = &document.program.model;
+        let mut records = Vec::with_capacity(definition.parts.len());
+        for part in &definition.parts {
+            let record = self.record(part.record).ok_or_else(unknown)?;
+            let observations = observations(record, &part.uses, model);
+            if observations.is_empty() && definition.parts.len() > 1 {
+                let why = format!("{}: {}", record.name, fit_error(self.play.language(), &FitError::NothingObserved));
+                return Err(Refusal::Fit { why });
+            }
+            let (fixed, origin) = (part.fixed.clone(), part.origin);
+            records.push(analysis::fit::Record { name: part.name.clone(), observations, fixed, origin });
+        }
+        Ok(Task {
+            parameters: definition.parameters.clone(),
+            method: document.program.method.unwrap_or_default(),
+            records,
+            varied: definition.varied.clone(),
+            from: definition.window[0],
+            until: definition.window[1],
+            loss: definition.loss,
+        })
+    }
+}
+
+/// The columns that a fit follows.
+fn observations(record: &Record, uses: &[Use], model: &program::Model) -> Vec<Observation> {
+    let independent = &model.independent.name;
+    let mut followed: Vec<usize> = Vec::new();
+    let mut observations = Vec::new();
+    for (column, used) in uses.iter().enumerate().filter(|(_, used)| used.fitted) {
+        let name = &used.meaning.quantity;
+        let Some(observed) = observed(model, name).filter(|_| !name.is_empty() && name != independent) else {
+            continue;
+        };
+        if observed.dimension() != used.meaning.unit.dimension {
+            continue;
+        }
+        let Some((times, values)) = record.series_as(uses, column, independent) else { continue };
+        let derived_from =
+            record.computed_from(column).and_then(|source| followed.iter().position(|&own| own == source));
+        followed.push(column);
+        observations.push(Observation { name: name.clone(), observed, times, values, errors: None, derived_from });
+    }
+    observations
+}

@@ -1,0 +1,145 @@
+//! Reports and spreadsheets of finished fits.
+
+use crate::fits::results::Fitted;
+use crate::number::Style;
+use crate::{Desk, words};
+use analysis::csv::Dialect;
+use report::{Ranking, Report};
+
+/// A file to be saved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Export {
+    /// Its name.
+    pub name: String,
+    /// What it holds.
+    pub bytes: Vec<u8>,
+    /// Its media type.
+    pub kind: &'static str,
+}
+
+/// The names of files are not longer than this, without their ending.
+const LONGEST_NAME: usize = 60;
+
+/// What can be exported of fits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ExportKind {
+    /// A page to be read and printed.
+    Report,
+    /// A workbook of sheets.
+    Workbook,
+    /// Values separated by commas; by semicolons where commas are decimal signs.
+    Csv,
+}
+
+/// What a report has from the shell.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Imprint<'a> {
+    /// When it is made, as it is to be read; may be empty.
+    pub date: &'a str,
+    /// The font of its equations, WOFF2 in base64; empty where there is none.
+    pub math_font: &'a str,
+}
+
+impl Imprint<'_> {
+    /// A page with the font in it.
+    fn page(self, page: &str) -> Vec<u8> {
+        if self.math_font.is_empty() {
+            return page.to_owned().into_bytes();
+        }
+        report::with_math_font(page, self.math_font).into_bytes()
+    }
+}
+
+impl ExportKind {
+    /// Its ending and media type.
+    fn file(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Report => ("html", "text/html"),
+            Self::Workbook => ("xlsx", "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet"),
+            Self::Csv => ("csv", "text/csv"),
+        }
+    }
+}
+
+impl Desk {
+    /// A fit as a file.
+    pub fn export_fit(&self, id: u32, kind: ExportKind, imprint: Imprint<'_>) -> Option<Export> {
+        let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
+        let (command, notes) = (self.how_to_repeat(fit), self.notes(fit));
+        let report = self.report(fit, &notes, command, imprint.date);
+        let bytes = match kind {
+            ExportKind::Report => imprint.page(&report::html(&report)),
+            ExportKind::Workbook => report::workbook(&report),
+            ExportKind::Csv => report::csv(&report, self.play.style().decimal_comma).into_bytes(),
+        };
+        Some(export(&name(fit), kind, bytes))
+    }
+
+    /// All fits of the values of a fit as one file, ranked.
+    pub fn export_ranking(&self, id: u32, kind: ExportKind, imprint: Imprint<'_>) -> Option<Export> {
+        let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
+        let group: Vec<&Fitted> = self.fits.finished.iter().filter(|other| other.same_values(fit)).collect();
+        let (command, notes) = (self.how_to_repeat(fit), self.notes(fit));
+        let date = imprint.date;
+        let theories: Vec<Report<'_>> = group.iter().map(|fit| self.report(fit, &notes, command, date)).collect();
+        let ranking = Ranking { theories: &theories, command };
+        let bytes = match kind {
+            ExportKind::Report => imprint.page(&report::ranking_html(&ranking)),
+            ExportKind::Workbook => report::ranking_workbook(&ranking),
+            ExportKind::Csv => report::ranking_csv(&ranking, self.play.style().decimal_comma).into_bytes(),
+        };
+        Some(export(&name(fit), kind, bytes))
+    }
+
+    fn report<'a>(&'a self, fit: &'a Fitted, notes: &'a [Vec<String>], command: &'a str, date: &'a str) -> Report<'a> {
+        let file = fit.definition.file.rsplit('/').next();
+        Report {
+            document: &fit.document,
+            document_name: file.filter(|name| !name.is_empty()).unwrap_or(&fit.document.program.title),
+            language: self.play.language(),
+            task: &fit.task,
+            outcome: &fit.outcome,
+            traces: &fit.traces,
+            intervals: &[],
+            notes,
+            command,
+            version: env!("CARGO_PKG_VERSION"),
+            date,
+        }
+    }
+
+    fn how_to_repeat(&self, fit: &Fitted) -> &'static str {
+        words::how_to_repeat(self.play.language(), fit.definition.parts.len() > 1)
+    }
+
+    /// What was noticed about the data of a fit, record by record.
+    fn notes(&self, fit: &Fitted) -> Vec<Vec<String>> {
+        let records = self.records();
+        let of = |id: u32| records.iter().find(|record| record.id == id).map(|record| record.findings.clone());
+        fit.definition.parts.iter().map(|part| of(part.record).unwrap_or_default()).collect()
+    }
+}
+
+/// `u3` of a record in `u3.txt`, `u1-u2` of two.
+fn name(fit: &Fitted) -> String {
+    let stems: Vec<&str> = fit.definition.parts.iter().map(|part| stem(&part.name)).collect();
+    stems.join("-").chars().take(LONGEST_NAME).collect()
+}
+
+/// The name of a record without the ending of its file.
+pub(crate) fn stem(record: &str) -> &str {
+    record.rsplit_once('.').map_or(record, |(stem, _)| stem)
+}
+
+/// A file of this name, its letters made plain.
+pub(crate) fn export(name: &str, kind: ExportKind, bytes: Vec<u8>) -> Export {
+    let (ending, kind) = kind.file();
+    let plain: String = name.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
+    let name = if plain.is_empty() { "fit".to_owned() } else { plain.to_lowercase() };
+    Export { name: format!("{name}.{ending}"), bytes, kind }
+}
+
+/// The CSV that a spreadsheet opens correctly where numbers are written in this way.
+pub(crate) fn dialect(style: Style) -> Dialect {
+    if style.decimal_comma { Dialect::Semicolons } else { Dialect::Commas }
+}

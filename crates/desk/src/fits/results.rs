@@ -1,0 +1,335 @@
+//! What has come of fits: kept side by side, ranked, looked at.
+
+use crate::fits::queue::{Definition, Job};
+use crate::undo::Removed;
+use crate::{Announcement, Desk, number, words};
+use analysis::fit::{Estimate, Outcome, Task, Trace};
+use document::Document;
+use units::Unit;
+use units::number::{Group, Style};
+
+/// How many fits are kept.
+pub const MOST_FITS: usize = 40;
+
+/// A finished fit.
+#[derive(Debug)]
+pub(crate) struct Fitted {
+    pub id: u32,
+    pub definition: Definition,
+    /// The theory.
+    pub document: Document,
+    /// What was asked for.
+    pub task: Task,
+    /// The fitted curves.
+    pub traces: Vec<Trace>,
+    pub outcome: Outcome,
+}
+
+/// A fit in the list.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FitView {
+    /// Names it as long as it exists.
+    pub id: u32,
+    /// The title of its theory.
+    pub theory: String,
+    /// The names of its records.
+    pub records: Vec<String>,
+    /// The number of values, and of numbers varied.
+    pub counts: (usize, usize),
+    /// The root of the mean square of the residuals, with its unit.
+    pub rmse: String,
+    /// The same outside the fitted part; empty where everything was fitted.
+    pub predicted: String,
+    /// By how much its AICc exceeds that of the best fit of the same values; a dash where there is none.
+    pub difference: String,
+    /// The weight of evidence among those, in per cent.
+    pub weight: String,
+    /// Whether its parameters are those of the document that is open.
+    pub applicable: bool,
+}
+
+/// A number that was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EstimateView {
+    /// Its name in the document.
+    pub name: String,
+    /// What it is called.
+    pub label: String,
+    /// The name of the record that it belongs to; empty where it holds for all.
+    pub record: String,
+    /// `0.387 ± 0.004`, rounded as the uncertainty asks.
+    pub value: String,
+    /// Its unit.
+    pub unit: String,
+    /// What is to be said of it.
+    pub remark: String,
+    /// Whether it follows from what was varied.
+    pub derived: bool,
+}
+
+/// A fit in detail.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FitDetail {
+    /// The title of its theory.
+    pub theory: String,
+    /// What was varied, and what follows from it: what holds for all records first, then record by record.
+    pub estimates: Vec<EstimateView>,
+    /// What the residuals say, and what the data do not determine, in sentences.
+    pub sentences: Vec<String>,
+    /// Names and values of what else is known of it: R², Durbin-Watson and so on.
+    pub statistics: Vec<(&'static str, String)>,
+}
+
+impl Desk {
+    pub(crate) fn take_outcome(&mut self, job: Job, task: Task, outcome: Outcome, traces: Vec<Trace>) {
+        let id = self.fits.issued;
+        let Job { definition, document, own, found } = job;
+        let fitted = Fitted { id, definition, document, task, traces, outcome };
+        let same = |fit: &Fitted| fit.is_same(&fitted);
+        // What is made again does not replace what has been made meanwhile.
+        if found.is_some() && self.fits.finished.iter().any(same) {
+            return;
+        }
+        self.fits.issued += 1;
+        // The same theory of the same values with the same numbers varied replaces the earlier fit.
+        self.fits.finished.retain(|fit| !same(fit));
+        if self.fits.finished.len() >= MOST_FITS {
+            self.fits.finished.remove(0);
+        }
+        self.fits.finished.push(fitted);
+        self.forget_applied();
+        if own {
+            self.apply_fit(id);
+        }
+    }
+
+    /// The finished fits: those of the same values together, the best of them first.
+    pub fn fits(&self) -> Vec<FitView> {
+        let mut groups: Vec<Vec<&Fitted>> = Vec::new();
+        for fit in &self.fits.finished {
+            match groups.iter_mut().find(|group| group.first().is_some_and(|one| one.same_values(fit))) {
+                Some(group) => group.push(fit),
+                None => groups.push(vec![fit]),
+            }
+        }
+        groups.iter().flat_map(|group| self.ranked(group)).collect()
+    }
+
+    fn ranked(&self, group: &[&Fitted]) -> Vec<FitView> {
+        let outcomes: Vec<&Outcome> = group.iter().map(|fit| &fit.outcome).collect();
+        let known = |value: f64, digits: usize| {
+            if value.is_finite() { number::fixed(value, digits, self.play.style()) } else { number::DASH.to_owned() }
+        };
+        let residuals = residuals(group, self.play.style());
+        let view = |place: analysis::fit::Ranked| {
+            let fit = group.get(place.index)?;
+            let outcome = &fit.outcome;
+            let size = |value: f64| residuals.quantity(value);
+            Some(FitView {
+                id: fit.id,
+                theory: self.title_of(fit),
+                records: fit.record_names(),
+                counts: (outcome.n, outcome.parameters.len()),
+                rmse: size(outcome.rmse),
+                predicted: outcome.predicted().map(size).unwrap_or_default(),
+                difference: known(place.difference, 1),
+                weight: if group.len() > 1 { format!("{} %", known(100.0 * place.weight, 1)) } else { String::new() },
+                applicable: self.is_applicable(fit),
+            })
+        };
+        analysis::fit::rank(&outcomes).into_iter().filter_map(view).collect()
+    }
+
+    fn title_of(&self, fit: &Fitted) -> String {
+        fit.document.program.edition(&self.play.tag()).title.clone()
+    }
+
+    pub(crate) fn is_applicable(&self, fit: &Fitted) -> bool {
+        fit.document.program.title == self.document.program.title
+            && fit.outcome.settings.first().is_some_and(|all| all.len() == self.play.model().parameters.len())
+    }
+
+    /// A fit in detail.
+    pub fn fit_detail(&self, id: u32) -> Option<FitDetail> {
+        let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
+        let outcome = &fit.outcome;
+        let plain = |value: f64, digits: usize| number::plain(value, digits, self.play.style());
+        let mut sentences = vec![outcome.verdict_text(self.play.language())];
+        let independent = &fit.document.program.model.independent;
+        sentences.extend(report::remarks(
+            outcome,
+            &fit.task,
+            (&independent.name, &independent.unit),
+            self.play.language(),
+        ));
+        sentences.extend(outcome.undetermined.iter().map(|one| one.text(self.play.language())));
+        if !outcome.converged {
+            sentences.push(words::not_converged(self.play.language()).to_owned());
+        }
+        sentences.extend(outcome.search_texts(self.play.language()));
+        sentences
+            .extend(outcome.rival_text(self.play.language(), |one, value| self.play.quantity_text(value, &one.unit)));
+        sentences.extend(self.beginnings(fit));
+        Some(FitDetail {
+            theory: self.title_of(fit),
+            estimates: self.estimate_views(fit),
+            sentences,
+            statistics: vec![
+                ("R²", if outcome.reweighted.is_some() { number::DASH.to_owned() } else { plain(outcome.r2, 6) }),
+                ("AICc", outcome.aicc.map_or_else(|| number::DASH.to_owned(), |value| plain(value, 6))),
+                ("BIC", plain(outcome.bic, 6)),
+                ("Durbin-Watson", plain(outcome.durbin_watson, 3)),
+            ],
+        })
+    }
+
+    /// Where the initial values hold in each record, in sentences.
+    fn beginnings(&self, fit: &Fitted) -> Vec<String> {
+        let sentence = |(place, origin): (usize, &f64)| {
+            let at = self.play.quantity_text(*origin, &fit.document.program.model.independent.unit);
+            let of_record = fit.outcome.observations.iter().filter(|one| one.record == place);
+            let text = words::initial_values_hold(self.play.language(), &at, of_record.map(|one| one.early).sum());
+            match fit.definition.parts.get(place).filter(|_| fit.definition.parts.len() > 1) {
+                Some(part) => format!("{}: {text}", part.name),
+                None => text,
+            }
+        };
+        fit.outcome.origins.iter().enumerate().map(sentence).collect()
+    }
+
+    /// What holds for all records first, then record by record; of each what was varied first.
+    fn estimate_views(&self, fit: &Fitted) -> Vec<EstimateView> {
+        let several = fit.task.records.len() > 1;
+        let derived = report::once(&fit.outcome.derived);
+        let all = || {
+            let varied = fit.outcome.parameters.iter().map(|one| (one, false));
+            varied.chain(derived.iter().map(|one| (one, true)))
+        };
+        let place = |one: &Estimate| one.record.filter(|_| several);
+        let groups = std::iter::once(None).chain((0..fit.task.records.len()).map(Some));
+        let of = |group| all().filter(move |(one, _)| place(one) == group);
+        // The same quantity has the same unit and the same decimals in every record.
+        let alike = |name: &str| -> Group {
+            let known: Vec<&Estimate> =
+                all().map(|(one, _)| one).filter(|one| one.name == name && one.determined).collect();
+            let measured: Vec<(f64, f64)> =
+                known.iter().map(|one| (one.value, error(one).map_or(f64::NAN, f64::abs))).collect();
+            let unit = known.first().map_or_else(Unit::dimensionless, |one| one.unit.clone());
+            Group::of_errors(&unit, &measured, self.play.style())
+        };
+        let view = |(one, derived): (&Estimate, bool)| self.estimate_view(fit, one, derived, &alike(&one.name));
+        groups.flat_map(of).map(view).collect()
+    }
+
+    fn estimate_view(&self, fit: &Fitted, one: &Estimate, derived: bool, alike: &Group) -> EstimateView {
+        let error = error(one);
+        let remark = if !one.determined {
+            words::undetermined(self.play.language()).to_owned()
+        } else if one.at_bound {
+            words::at_bound(self.play.language()).to_owned()
+        } else if let Some(value) = self.truth(fit, one) {
+            let off = error.filter(|error| *error > 0.0).map(|error| (one.value - value) / error);
+            let truth = self.play.quantity_text(value, alike.unit());
+            words::truth_is(
+                self.play.language(),
+                &truth,
+                off.map(|off| number::fixed(off, 1, self.play.style())).as_deref(),
+            )
+        } else {
+            String::new()
+        };
+        let record = one.record.filter(|_| fit.task.records.len() > 1).and_then(|record| fit.task.records.get(record));
+        let label = one.label.as_ref().map(|label| fit.document.program.text(&self.play.tag(), label).to_owned());
+        EstimateView {
+            name: one.name.clone(),
+            label: label.unwrap_or_else(|| play::symbol(&one.name)),
+            record: record.map(|record| record.name.clone()).unwrap_or_default(),
+            value: match one.determined {
+                true => alike.with_error(one.value, error.map_or(f64::NAN, f64::abs)),
+                false => number::DASH.to_owned(),
+            },
+            unit: if one.determined { alike.unit_text() } else { number::unit_text(&one.unit.text) },
+            remark,
+            derived,
+        }
+    }
+
+    /// The true value of an estimate, where nobody measured its records and they agree about it.
+    fn truth(&self, fit: &Fitted, one: &Estimate) -> Option<f64> {
+        let of = |place: usize| {
+            let record = self.record(fit.definition.parts.get(place)?.record)?;
+            record.truth.as_ref()?.iter().find(|(name, _)| *name == one.name).map(|(_, value)| *value)
+        };
+        let Some(place) = one.record else {
+            let first = of(0)?;
+            return (1..fit.definition.parts.len()).all(|place| of(place) == Some(first)).then_some(first);
+        };
+        of(place)
+    }
+
+    /// The theory of a fit, to be opened: the document and its translations, each with the name of its file.
+    pub fn fit_texts(&self, id: u32) -> Vec<(String, String)> {
+        let Some(fit) = self.fits.finished.iter().find(|fit| fit.id == id) else { return Vec::new() };
+        let (document, file) = (&fit.document, &fit.definition.file);
+        let stem = file.trim_end_matches(".md");
+        let translations = document.translations.iter().zip(document.program.languages().skip(1));
+        let translations = translations.map(|(text, language)| (format!("{stem}.{language}.md"), text.clone()));
+        std::iter::once((file.clone(), document.source.clone())).chain(translations).collect()
+    }
+
+    /// Forgets a fit.
+    pub fn remove_fit(&mut self, id: u32) {
+        let Some(place) = self.fits.finished.iter().position(|fit| fit.id == id) else { return };
+        let fit = self.fits.finished.remove(place);
+        let theory = self.title_of(&fit);
+        self.can_undo(Removed::Fit(place, Box::new(fit)));
+        self.forget_applied();
+        self.revision.fits += 1;
+        self.announce(Announcement::FitRemoved(theory));
+    }
+
+    /// Forgets which fit is in the sliders where it is no longer in the list.
+    fn forget_applied(&mut self) {
+        let finished = &self.fits.finished;
+        self.fits.applied = self.fits.applied.filter(|id| finished.iter().any(|fit| fit.id == *id));
+    }
+}
+
+/// How the residuals of fits that are ranked together are written.
+fn residuals(group: &[&Fitted], style: Style) -> Group {
+    let unit = group.first().map_or_else(Unit::dimensionless, |fit| fit.outcome.rmse_unit.clone());
+    let sizes = group.iter().flat_map(|fit| [Some(fit.outcome.rmse), fit.outcome.predicted()]).flatten();
+    Group::of_residuals(&unit, &sizes.collect::<Vec<f64>>(), 3, style)
+}
+
+/// The robust error of an estimate, where there is one: residuals of films are correlated.
+fn error(one: &Estimate) -> Option<f64> {
+    one.stderr_hac.or(one.stderr)
+}
+
+impl Fitted {
+    fn is_same(&self, other: &Self) -> bool {
+        let varied = |fit: &Self| {
+            let mut names: Vec<String> = fit.outcome.parameters.iter().map(|one| one.name.clone()).collect();
+            names.sort();
+            names
+        };
+        self.same_values(other)
+            && self.document.program.title == other.document.program.title
+            && varied(self) == varied(other)
+    }
+
+    /// Whether two fits are of the same values with the same loss, so that they can be ranked.
+    pub fn same_values(&self, other: &Self) -> bool {
+        let values = |fit: &Self| {
+            let records: Vec<u32> = fit.definition.parts.iter().map(|part| part.record).collect();
+            let columns = fit.outcome.observations.iter().map(|one| (one.record, one.name.clone()));
+            (records, fit.definition.window, fit.definition.loss, columns.collect::<Vec<_>>())
+        };
+        values(self) == values(other)
+    }
+
+    pub fn record_names(&self) -> Vec<String> {
+        self.definition.parts.iter().map(|part| part.name.clone()).collect()
+    }
+}

@@ -1,0 +1,43 @@
+//! What a measurer does in the laboratory, as plain state and transitions: records beside a simulation, their cycles, fits
+//! of theories to them, reports, and what is kept for the next visit. No DOM, no clock, no storage.
+//!
+//! | folder | what it holds |
+//! |---|---|
+//! | `records` | files that are read, their columns, derivatives, virtual measurements |
+//! | `measured` | points over curves, residuals, the outline in the scene |
+//! | `cycles` | an oscillation cycle by cycle |
+//! | `fits` | what is varied, the queue, the results, the fit in the sliders, reports |
+//!
+//! A [`Refusal`] is the answer to input that cannot be taken; nothing has changed then. Getters that return texts use
+//! the chosen language. No method panics; an index that does not exist is ignored or refused.
+
+mod announcement;
+mod cycles;
+mod desk;
+mod fits;
+mod measured;
+mod records;
+mod refusal;
+mod shelf;
+mod undo;
+mod words;
+mod workbook;
+
+pub use analysis::derivative::Differentiation;
+pub use document;
+pub use play;
+pub use units::number;
+
+pub use announcement::Announcement;
+pub use cycles::{CycleColumn, CyclesView};
+pub use desk::{Desk, Revision};
+pub use fits::{
+    ChoiceView, EstimateView, Export, ExportKind, FitDetail, FitProgress, FitRecordView, FitView, Imprint, KnownView,
+    MOST_FITS,
+};
+pub use records::{
+    ColumnView, LONGEST_RECORD, MEASUREMENT_FIELDS, MOST_RECORDS, MeasurementForm, RecordProgress, RecordView, SAMPLES,
+    Sample,
+};
+pub use refusal::Refusal;
+pub use shelf::{Change, Shelf};

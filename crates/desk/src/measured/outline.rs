@@ -1,0 +1,88 @@
+//! The outline: the scene with the measured values in place of the computed ones.
+
+use crate::Desk;
+use engine::Routine;
+use play::Follows;
+use program::{Graph, Node};
+
+/// What evaluates the scene with measured values.
+#[derive(Debug)]
+pub(crate) struct Outline {
+    routine: Routine,
+    /// Which of the measured columns are put in.
+    columns: Vec<usize>,
+    /// The parameters, and after them the measured values.
+    inputs: Vec<f64>,
+    values: Vec<f64>,
+}
+
+impl Desk {
+    /// Makes the outline of what is measured now. Only positions count: the level is what a film shows.
+    pub(crate) fn begin_outline(&mut self) {
+        self.data.outline = self.make_outline();
+        let outline = self.data.outline.as_ref().map(|(outline, follows)| {
+            let ids = outline.columns.iter().filter_map(|column| Some(self.data.measured.get(*column)?.record));
+            let mut sources: Vec<String> = ids.filter_map(|id| Some(self.record(id)?.name.clone())).collect();
+            sources.dedup();
+            play::Outline { follows: follows.clone(), sources, values: None }
+        });
+        self.play.set_outline(outline);
+    }
+
+    /// Gives the outline what was measured at the time shown; nothing before, after or in a gap of it.
+    pub(crate) fn follow_outline(&mut self) {
+        let Some((outline, _)) = &mut self.data.outline else { return };
+        let course = self.play.course();
+        outline.inputs.clear();
+        outline.inputs.extend_from_slice(course.parameters());
+        let mut there = true;
+        for column in &outline.columns {
+            let value = self.data.measured.get(*column).and_then(|measured| measured.at(course.time()));
+            outline.inputs.push(value.unwrap_or(f64::NAN));
+            there &= value.is_some();
+        }
+        if there {
+            outline.routine.prepare(&outline.inputs, course.initial());
+            outline.routine.evaluate(course.time(), course.state(), &mut outline.values);
+        }
+        let values = there.then_some(&outline.values[..]);
+        self.play.set_outline_values(values);
+    }
+
+    fn make_outline(&self) -> Option<(Outline, Vec<Follows>)> {
+        let model = self.play.model();
+        let scene = self.document.program.scene(&self.play.tag())?;
+        let roots: Vec<_> = scene.values.iter().map(|value| value.node).collect();
+        let (mut columns, mut inputs) = (Vec::new(), Vec::new());
+        for (index, measured) in self.data.measured.iter().enumerate() {
+            let node = measured.observed.node;
+            if !measured.name.ends_with('\'') && inputs.iter().all(|(other, _)| *other != node) {
+                inputs.push((node, Node::Parameter((model.parameters.len() + columns.len()) as u32)));
+                columns.push(index);
+            }
+        }
+        let mut graph = Graph::default();
+        let roots = model.graph.rebuild_from_inputs(&mut graph, &roots, &inputs);
+        let follows = |root| {
+            let reached = graph.reachable(&[root]);
+            let any = |test: &dyn Fn(Node) -> bool| reached.iter().any(|id| test(graph.node(*id)));
+            if any(&|node| matches!(node, Node::State(_))) {
+                Follows::Computed
+            } else if any(&|node| inputs.iter().any(|(_, input)| *input == node)) {
+                Follows::Measured
+            } else {
+                Follows::Nothing
+            }
+        };
+        let follows: Vec<Follows> = roots.iter().map(|root| follows(*root)).collect();
+        follows.contains(&Follows::Measured).then(|| {
+            let outline = Outline {
+                routine: Routine::from_graph(&graph, model.states.len(), &roots),
+                columns,
+                values: vec![0.0; follows.len()],
+                inputs: Vec::new(),
+            };
+            (outline, follows)
+        })
+    }
+}

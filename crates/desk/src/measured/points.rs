@@ -1,0 +1,261 @@
+//! Measured values beside the model's: points over curves, what is left over between them, and the ghost in the scene.
+
+use crate::Desk;
+use crate::measured::outline::Outline;
+use crate::records::recognise::observed;
+use crate::records::record::{Record, Use};
+use engine::Readings;
+use play::{Follows, Points, symbol};
+use program::Curve;
+use program::{Compiled, Node};
+
+/// Longer names of records are shortened in legends, in characters.
+const LONGEST_NAME: usize = 24;
+
+/// The records, and what they are for the document that is open.
+#[derive(Debug, Default)]
+pub(crate) struct Data {
+    /// Oldest first.
+    pub records: Vec<Record>,
+    /// How many ids records have been given: none is given twice, because fits call records by them.
+    pub issued: u32,
+    /// The columns in use of those that are drawn.
+    pub measured: Vec<Measured>,
+    /// How far the residuals of each of them have been computed; they stand in the plot of the residuals.
+    pub residuals: Vec<Residuals>,
+    /// The scene as the measurement has it.
+    pub outline: Option<(Outline, Vec<Follows>)>,
+    /// Raised whenever points or residuals are others, and not only more.
+    pub version: u64,
+}
+
+impl Data {
+    /// The version of a series of points or residuals in its plot, by its number, for [`figure::Series`].
+    pub fn version_of(&self, series: usize) -> u64 {
+        // More series than this have no version of their own, and are gone through for each frame.
+        const MOST: u64 = 64;
+        let series = series as u64 + 1;
+        if series < MOST { self.version * MOST + series } else { 0 }
+    }
+}
+
+/// A column in use, SI.
+#[derive(Clone, Debug)]
+pub(crate) struct Measured {
+    /// The record's id.
+    pub record: u32,
+    /// What it measures.
+    pub name: String,
+    pub observed: Compiled,
+    /// The model's time, ascending; gaps are left out.
+    pub times: Vec<f64>,
+    pub values: Vec<f64>,
+    /// Longer pauses than this are gaps.
+    pause: f64,
+}
+
+/// What computes the residuals of a column.
+#[derive(Debug)]
+pub(crate) struct Residuals {
+    pub readings: Readings,
+    /// How many of the column's values have been passed.
+    pub passed: usize,
+}
+
+impl Desk {
+    /// Whether a measured quantity is drawn.
+    pub fn has_points(&self) -> bool {
+        !self.data.measured.is_empty()
+    }
+
+    /// To be called whenever records, or what they are taken for, have changed.
+    pub(crate) fn records_changed(&mut self) {
+        let model = self.play.model();
+        let independent = &model.independent.name;
+        let autonomous = model.is_autonomous();
+        self.data.records.iter_mut().for_each(|record| record.settle_made(&self.document));
+        let mut measured = Vec::new();
+        for record in self.data.records.iter().filter(|record| record.shown) {
+            let origin = record.origin(independent, autonomous);
+            for (index, used) in record.uses.iter().enumerate() {
+                let name = &used.meaning.quantity;
+                if name.is_empty() || name == independent {
+                    continue;
+                }
+                let Some(observed) = observed(model, name) else { continue };
+                if observed.dimension() == used.meaning.unit.dimension
+                    && let Some((mut times, mut values)) = record.series(index, independent)
+                {
+                    times.iter_mut().for_each(|time| *time -= origin);
+                    values.iter_mut().for_each(|value| *value -= used.offset);
+                    let pause = usual_pause(&times);
+                    let (record, name) = (record.id, name.clone());
+                    measured.push(Measured { record, name, observed, times, values, pause });
+                }
+            }
+        }
+        let mut drawn = Vec::new();
+        for plot in &self.document.program.plots {
+            let name = |id: u32| self.record(id).map_or("", |record| record.name.as_str());
+            drawn.push(points(model, plot, &measured, &name));
+        }
+        self.data.residuals = measured
+            .iter()
+            .map(|measured| Residuals { readings: Readings::new(model, &[measured.observed.node]), passed: 0 })
+            .collect();
+        self.data.measured = measured;
+        self.data.version += 1;
+        for (plot, mut points) in drawn.into_iter().enumerate() {
+            for (number, points) in points.iter_mut().enumerate() {
+                points.version = self.data.version_of(number);
+            }
+            self.play.set_points(plot, points);
+        }
+        self.begin_outline();
+        self.begin_residuals();
+        self.find_cycles();
+        self.revision.records += 1;
+    }
+}
+
+impl Measured {
+    /// The value at a time, between the two neighbours; none in a gap.
+    pub fn at(&self, time: f64) -> Option<f64> {
+        let next = self.times.partition_point(|&at| at < time);
+        let (after, value) = (*self.times.get(next)?, *self.values.get(next)?);
+        if after == time {
+            return Some(value);
+        }
+        let (before, from) = (*self.times.get(next.checked_sub(1)?)?, *self.values.get(next - 1)?);
+        let part = (time - before) / (after - before);
+        (after - before <= self.pause).then_some(from + part * (value - from))
+    }
+}
+
+impl Record {
+    /// The reading of the clock, SI, at which the model begins.
+    pub fn origin(&self, independent: &str, autonomous: bool) -> f64 {
+        self.origin.map_or_else(|| self.beginning(independent, autonomous), |origin| origin.reading)
+    }
+
+    /// The same as it is before any fit.
+    fn beginning(&self, independent: &str, autonomous: bool) -> f64 {
+        let columns = (0..self.uses.len()).filter(|&column| {
+            self.uses.get(column).is_some_and(|used| {
+                let quantity = &used.meaning.quantity;
+                !quantity.is_empty() && quantity != independent
+            })
+        });
+        let first = |column| {
+            let rows = self.rows_as(&self.uses, column, independent)?;
+            Some(rows.map(|(time, _)| time).fold(f64::INFINITY, f64::min))
+        };
+        let first = columns.filter_map(first).fold(f64::INFINITY, f64::min);
+        if autonomous && first.is_finite() { first } else { 0.0 }
+    }
+
+    /// Times and values of a column, SI, without gaps, in the order of time.
+    pub fn series(&self, column: usize, independent: &str) -> Option<(Vec<f64>, Vec<f64>)> {
+        self.series_as(&self.uses, column, independent)
+    }
+
+    /// The same with these uses of its columns.
+    pub fn series_as(&self, uses: &[Use], column: usize, independent: &str) -> Option<(Vec<f64>, Vec<f64>)> {
+        let (times, values): (Vec<f64>, Vec<f64>) = self.rows_as(uses, column, independent)?.unzip();
+        // Most records are in order, and sorting a million rows takes a while.
+        if times.is_sorted() {
+            return (!times.is_empty()).then_some((times, values));
+        }
+        let mut rows: Vec<(f64, f64)> = times.into_iter().zip(values).collect();
+        rows.sort_by(|one, other| one.0.total_cmp(&other.0));
+        Some(rows.into_iter().unzip())
+    }
+
+    /// Time and value in each row that has both, SI.
+    fn rows_as(
+        &self,
+        uses: &[Use],
+        column: usize,
+        independent: &str,
+    ) -> Option<impl Iterator<Item = (f64, f64)> + use<'_>> {
+        let own = self.table.columns.get(column)?;
+        let value_unit = uses.get(column)?.meaning.unit.clone();
+        // A column that was taken for the time by hand counts before the one that the file suggests.
+        let is_time = |index: &usize| uses.get(*index).is_some_and(|used| used.meaning.quantity == independent);
+        let clock = Some(own.independent).filter(is_time).or_else(|| (0..uses.len()).find(is_time))?;
+        if self.asks_for_unit(uses, column) || self.asks_for_unit(uses, clock) {
+            return None;
+        }
+        let (times, time_unit) = (&self.table.columns.get(clock)?.values, uses.get(clock)?.meaning.unit.clone());
+        let rows = times.iter().zip(&own.values).filter(|(time, value)| time.is_finite() && value.is_finite());
+        // Times that are all the same measure nothing.
+        let mut others = rows.clone().map(|(time, _)| *time);
+        let first = others.next()?;
+        if others.next().is_some() && times.iter().all(|time| time.is_nan() || *time == first) {
+            return None;
+        }
+        Some(rows.map(move |(time, value)| (time_unit.to_si(*time), value_unit.to_si(*value))))
+    }
+}
+
+/// The points of a plot.
+fn points<'a>(
+    model: &program::Model,
+    plot: &program::Plot,
+    measured: &[Measured],
+    record_name: &dyn Fn(u32) -> &'a str,
+) -> Vec<Points> {
+    let mut found = Vec::new();
+    let against_time = model.graph.node(plot.x.value.node) == Node::Independent;
+    let of = |curve: &Curve, measured: &&Measured| measured.observed.node == curve.value.node;
+    // Curves of one dimension share the axis, and with it the unit, of the first of them.
+    let unit = |curve: &Curve| {
+        let same = |other: &&Curve| other.value.dimension() == curve.value.dimension();
+        plot.curves.iter().find(same).map_or_else(|| curve.value.unit.clone(), |first| first.value.unit.clone())
+    };
+    for (number, curve) in plot.curves.iter().enumerate() {
+        let unit = unit(curve);
+        for column in measured.iter().filter(|measured| of(curve, measured)) {
+            let (x_unit, y_unit) = (&plot.x.value.unit, &unit);
+            let (x, y): (Vec<f64>, Vec<f64>) = if against_time {
+                let x = column.times.iter().map(|time| x_unit.from_si(*time)).collect();
+                (x, column.values.iter().map(|value| y_unit.from_si(*value)).collect())
+            } else {
+                let Some(other) = measured.iter().find(|other| other.record == column.record && of(&plot.x, other))
+                else {
+                    continue;
+                };
+                let at = |(time, value): (&f64, &f64)| {
+                    let row = other.times.partition_point(|at| at < time);
+                    let other = (other.times.get(row) == Some(time)).then(|| other.values.get(row)).flatten()?;
+                    Some((x_unit.from_si(*other), y_unit.from_si(*value)))
+                };
+                column.times.iter().zip(&column.values).filter_map(at).unzip()
+            };
+            let label = format!("{} ({})", symbol(&curve.expression), shortened(record_name(column.record)));
+            let source = record_name(column.record).to_owned();
+            found.push(Points { curve: number, label, source, x, y, version: 0 });
+        }
+    }
+    found
+}
+
+/// The name of a record as a legend has room for it.
+pub(crate) fn shortened(name: &str) -> String {
+    if name.chars().count() <= LONGEST_NAME {
+        return name.to_owned();
+    }
+    let start: String = name.chars().take(LONGEST_NAME - 1).collect();
+    format!("{}…", start.trim_end())
+}
+
+/// Three times the middle one of the pauses between the times; of a long record, of as many pauses as suffice, all over it.
+fn usual_pause(times: &[f64]) -> f64 {
+    const ENOUGH: usize = 10_000;
+    let pairs = times.windows(2).step_by(1 + times.len() / ENOUGH);
+    let pauses: Vec<f64> = pairs.map(|pair| pair[1] - pair[0]).filter(|pause| *pause > 0.0).collect();
+    if pauses.is_empty() {
+        return f64::INFINITY;
+    }
+    3.0 * analysis::order::nth(&pauses, pauses.len() / 2)
+}

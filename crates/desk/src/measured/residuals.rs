@@ -1,0 +1,147 @@
+//! The plot of the residuals: what measurements leave over beside the run.
+
+use super::points::{Measured, Residuals, shortened};
+use crate::{Desk, number, words};
+use figure::{Interval, Style};
+use play::{AddedPlot, AddedSeries, Labels, POINTS, symbol};
+use units::{Dimension, Unit};
+
+/// So many residuals of a column are computed at once: a fraction of a frame.
+const SLICE: usize = 4000;
+
+impl Desk {
+    /// Empties the plot of the residuals: other columns are measured, or the same as something else.
+    pub(crate) fn begin_residuals(&mut self) {
+        let unit = &self.play.model().independent.unit;
+        let ends = self.data.measured.iter().filter_map(|measured| measured.times.last());
+        let whole = Interval::new(0.0, unit.from_si(ends.fold(0.0, |end, time| time.max(end))));
+        let mut axes: Vec<Dimension> = Vec::new();
+        let mut series = Vec::new();
+        for (number, measured) in self.data.measured.iter().enumerate() {
+            let dimension = measured.observed.dimension();
+            let axis = axes.iter().position(|axis| *axis == dimension).unwrap_or_else(|| {
+                axes.push(dimension);
+                axes.len() - 1
+            });
+            series.push(AddedSeries {
+                axis,
+                colour: POINTS + number as u8,
+                style: Style::Points,
+                in_legend: true,
+                version: self.data.version_of(number),
+                ..AddedSeries::default()
+            });
+        }
+        let offered = self.has_points();
+        if let Some(plot) = self.play.added_plot(self.residual_plot) {
+            let labels = std::mem::take(&mut plot.labels);
+            let x_includes = Some(whole);
+            *plot = AddedPlot {
+                labels,
+                series,
+                x_includes,
+                marks_time: true,
+                ordered: true,
+                offered,
+                ..AddedPlot::default()
+            };
+        }
+        self.label_residuals();
+    }
+
+    /// Computes the next of the residuals of a long record that are still missing. Whether there are more: drawing goes on
+    /// with them.
+    pub fn catch_up(&mut self) -> bool {
+        self.follow_residuals();
+        self.lags()
+    }
+
+    /// Whether residuals of a long record are still to be computed.
+    pub fn lags(&self) -> bool {
+        let front = self.play.course().front();
+        let is_behind = |(residuals, measured): (&Residuals, &Measured)| {
+            measured.times.get(residuals.passed).is_some_and(|time| *time <= front)
+        };
+        self.data.residuals.iter().zip(&self.data.measured).any(is_behind)
+    }
+
+    /// Brings the residuals up to the front of the run, those of a long record in slices.
+    pub(crate) fn follow_residuals(&mut self) {
+        if !self.lags() {
+            return;
+        }
+        let front = self.play.course().front();
+        let unit = self.play.model().independent.unit.clone();
+        let mut state = vec![0.0; self.play.model().states.len()];
+        for (number, (residuals, measured)) in self.data.residuals.iter_mut().zip(&self.data.measured).enumerate() {
+            let rest = measured.times.iter().zip(&measured.values).skip(residuals.passed);
+            let (mut x, mut y) = (Vec::new(), Vec::new());
+            for (&time, &value) in rest.take(SLICE).take_while(|(time, _)| **time <= front) {
+                residuals.passed += 1;
+                let Some(parameters) = self.play.state_at(time, &mut state).filter(|_| time >= 0.0) else { continue };
+                let computed = residuals.readings.at(&parameters, self.play.course().initial(), time, &state);
+                let left = value - computed.first().copied().unwrap_or(f64::NAN);
+                x.push(unit.from_si(time));
+                y.push(measured.observed.unit.from_si(left));
+            }
+            let plot = self.play.added_plot(self.residual_plot);
+            if let Some(series) = plot.and_then(|plot| plot.series.get_mut(number)) {
+                series.x.append(&mut x);
+                series.y.append(&mut y);
+            }
+        }
+        self.play.added_plot_changed(self.residual_plot);
+    }
+
+    /// Forgets the residuals of what the run has given up: those after `time` (SI).
+    pub(crate) fn truncate_residuals(&mut self, time: f64) {
+        self.data.version += 1;
+        let last = self.play.model().independent.unit.from_si(time);
+        for (residuals, measured) in self.data.residuals.iter_mut().zip(&self.data.measured) {
+            residuals.passed = residuals.passed.min(measured.times.partition_point(|&at| at <= time));
+        }
+        let data = &self.data;
+        let Some(plot) = self.play.added_plot(self.residual_plot) else { return };
+        for (number, series) in plot.series.iter_mut().enumerate() {
+            let kept = series.x.partition_point(|&at| at <= last);
+            series.x.truncate(kept);
+            series.y.truncate(kept);
+            series.version = data.version_of(number);
+        }
+    }
+
+    /// Writes the texts of the plot of the residuals.
+    pub(crate) fn label_residuals(&mut self) {
+        let (title, left_over) = words::residuals(self.play.language());
+        let independent = &self.play.model().independent;
+        let names: Vec<String> =
+            self.data.measured.iter().map(|measured| format!("Δ{}", symbol(&measured.name))).collect();
+        let mut axes: Vec<(String, &Unit)> = Vec::new();
+        for (measured, name) in self.data.measured.iter().zip(&names) {
+            let unit = &measured.observed.unit;
+            match axes.iter_mut().find(|(_, axis)| axis.dimension == unit.dimension) {
+                Some((label, _)) if label.split(", ").any(|one| one == name) => {}
+                Some((label, _)) => label.extend([", ", name]),
+                None => axes.push((name.clone(), unit)),
+            }
+        }
+        let first = self.data.measured.first().map(|measured| measured.record);
+        let several = self.data.measured.iter().any(|measured| Some(measured.record) != first);
+        let curves = self.data.measured.iter().zip(names).map(|(measured, name)| {
+            let record = self.record(measured.record).filter(|_| several);
+            record.map_or(name.clone(), |record| format!("{name} ({})", shortened(&record.name)))
+        });
+        let curves = curves.collect();
+        let labels = Labels {
+            title: title.to_owned(),
+            description: format!("{title}: {left_over}"),
+            x: (symbol(&independent.name), number::unit_text(&independent.unit.text)),
+            axes: axes.into_iter().map(|(label, unit)| (label, number::unit_text(&unit.text))).collect(),
+            curves,
+        };
+        if let Some(plot) = self.play.added_plot(self.residual_plot) {
+            plot.labels = labels;
+        }
+        self.play.added_plot_changed(self.residual_plot);
+    }
+}

@@ -1,0 +1,169 @@
+//! Velocities and accelerations that a person has made of a column: columns of the record like others, but known to be
+//! no witnesses of their own.
+
+use crate::records::recognise::{Meaning, observed};
+use crate::records::record::{Record, Use};
+use crate::{Announcement, Desk, Refusal};
+use analysis::derivative::{self, Differentiation};
+use analysis::table::Column;
+use document::Document;
+use units::{Language, Unit};
+
+/// A column that was made of another one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Made {
+    /// What it was made of.
+    pub of: usize,
+    /// Which derivative it is.
+    order: usize,
+    /// How it was made.
+    pub how: Differentiation,
+}
+
+impl Desk {
+    /// Makes velocity and acceleration of a column of a record, as two columns more; earlier ones of the same column give
+    /// way.
+    ///
+    /// # Errors
+    /// A smoothing polynomial that does not exist, and a column that cannot be differentiated.
+    pub fn make_derivatives(&mut self, id: u32, column: usize, how: Differentiation) -> Result<(), Refusal> {
+        if !how.is_possible() {
+            return Err(Refusal::NoSuchPolynomial);
+        }
+        let document = &self.document;
+        let Some(record) = self.data.records.iter_mut().find(|record| record.id == id) else { return Ok(()) };
+        if record.table.columns.get(column).is_none() || column >= record.read_columns() {
+            return Ok(());
+        }
+        let Some(made) = record.differentiate(column, how) else { return Err(Refusal::NoDerivative) };
+        let earlier: Vec<Made> =
+            record.made.iter().copied().filter(|made| made.of != column && made.order == 1).collect();
+        record.forget_made();
+        for other in earlier {
+            if let Some(columns) = record.differentiate(other.of, other.how) {
+                record.take_made(columns, other.of, other.how);
+            }
+        }
+        record.take_made(made, column, how);
+        record.settle_made(document);
+        let name = record.name.clone();
+        self.records_changed();
+        self.announce(Announcement::DerivativesMade(name));
+        Ok(())
+    }
+
+    /// Forgets the derivatives that were made of a record's columns.
+    pub fn forget_derivatives(&mut self, id: u32) {
+        if let Some(record) = self.data.records.iter_mut().find(|record| record.id == id) {
+            record.forget_made();
+            self.records_changed();
+        }
+    }
+}
+
+impl Record {
+    /// How many columns the file has; those that were made follow.
+    pub fn read_columns(&self) -> usize {
+        self.table.columns.len() - self.made.len()
+    }
+
+    /// How a column was made, if it was.
+    pub fn how_made(&self, column: usize) -> Option<Made> {
+        column.checked_sub(self.read_columns()).and_then(|place| self.made.get(place)).copied()
+    }
+
+    /// Velocity and acceleration of a column; `None` where no row has the neighbours for them.
+    fn differentiate(&self, column: usize, how: Differentiation) -> Option<[Vec<f64>; 2]> {
+        let values = &self.table.columns.get(column)?.values;
+        let [_, first, second] = how.derivatives(self.table.times_of(column), values);
+        first.iter().any(|value| value.is_finite()).then_some([first, second])
+    }
+
+    fn take_made(&mut self, columns: [Vec<f64>; 2], of: usize, how: Differentiation) {
+        for (order, values) in (1..).zip(columns) {
+            let Some(source) = self.table.columns.get(of) else { return };
+            let column = Column { unit: None, values, ..source.clone() };
+            self.computed.push((self.table.columns.len(), of));
+            self.table.columns.push(column);
+            self.uses.push(Use {
+                meaning: Meaning::nothing(),
+                fitted: false,
+                offset: 0.0,
+                chosen: false,
+                stated: false,
+            });
+            self.made.push(Made { of, order, how });
+        }
+    }
+
+    fn forget_made(&mut self) {
+        let read = self.read_columns();
+        self.table.columns.truncate(read);
+        self.uses.truncate(read);
+        self.computed.retain(|(column, _)| *column < read);
+        self.made.clear();
+    }
+
+    /// What was made, for the next visit: `1:central`.
+    pub fn saved_made(&self) -> String {
+        let first = self.made.iter().filter(|made| made.order == 1);
+        first.map(|made| format!("{}:{}", made.of, made.how.code())).collect::<Vec<_>>().join(",")
+    }
+
+    /// Makes again what [`Record::saved_made`] has written.
+    pub fn restore_made(&mut self, saved: &str, document: &Document) {
+        for entry in saved.split(',') {
+            let made = entry.split_once(':').and_then(|(of, how)| {
+                let (of, how) = (of.parse().ok()?, Differentiation::from_code(how)?);
+                Some((self.differentiate(of, how).filter(|_| of < self.read_columns())?, of, how))
+            });
+            if let Some((columns, of, how)) = made {
+                self.take_made(columns, of, how);
+            }
+        }
+        self.settle_made(document);
+    }
+
+    /// Takes what was made for the derivatives of what its source is taken for, unless a person has said otherwise.
+    pub fn settle_made(&mut self, document: &Document) {
+        let read = self.read_columns();
+        for (place, Made { of, order, .. }) in self.made.clone().into_iter().enumerate() {
+            let (Some(source), Some(own)) = (self.uses.get(of).cloned(), self.table.columns.get(of)) else { continue };
+            let Some(clock) = self.uses.get(own.independent) else { continue };
+            let unit = derivative::unit(&source.meaning.unit.text, &clock.meaning.unit.text, order);
+            let unit = Unit::parse(&unit).ok();
+            let name = format!("{}{}", source.meaning.quantity, "'".repeat(order));
+            let same = |unit: &Unit| {
+                observed(&document.program.model, &name).is_some_and(|observed| observed.dimension() == unit.dimension)
+            };
+            let known = !source.meaning.quantity.is_empty() && unit.as_ref().is_some_and(same);
+            // Without a name in the file it is called by what it is.
+            let stem = match (own.name.is_empty(), source.meaning.quantity.is_empty()) {
+                (false, _) => own.name.clone(),
+                (true, false) => source.meaning.quantity.clone(),
+                (true, true) => (of + 1).to_string(),
+            };
+            if let Some(column) = self.table.columns.get_mut(read + place) {
+                column.name = stem + &"'".repeat(order);
+                column.unit.clone_from(&unit);
+            }
+            if let Some(used) = self.uses.get_mut(read + place).filter(|used| !used.chosen) {
+                let quantity = if known { name } else { String::new() };
+                used.meaning = Meaning { quantity, unit: unit.unwrap_or_else(Unit::dimensionless) };
+            }
+        }
+    }
+}
+
+/// How a column was made, in a few words.
+pub(crate) fn differentiation(language: Language, how: Differentiation) -> String {
+    match how {
+        Differentiation::Central => language.pick("central differences", "diferencias centrales").to_owned(),
+        Differentiation::Forward => language.pick("forward differences", "diferencias progresivas").to_owned(),
+        Differentiation::Backward => language.pick("backward differences", "diferencias regresivas").to_owned(),
+        Differentiation::Smooth { window, degree } => language.pick(
+            format!("polynomials of degree {degree} over {window} rows"),
+            format!("polinomios de grado {degree} sobre {window} filas"),
+        ),
+    }
+}

@@ -1,0 +1,112 @@
+//! A file on its way to become a record: read and inspected in slices, so that the page never stands still.
+
+use crate::records::record::LONGEST_TEXT;
+use crate::words::sentence;
+use crate::{Announcement, Desk, LONGEST_RECORD, MOST_RECORDS, Refusal};
+use analysis::inspection::{Inspection, Inspector};
+use analysis::reading::{Contents, Reading, ReadingError};
+use units::Language;
+
+/// A file that is being read.
+#[derive(Debug)]
+pub(crate) struct Intake {
+    name: String,
+    stage: Stage,
+}
+
+#[derive(Debug)]
+enum Stage {
+    Reading(Box<Reading>),
+    Inspecting(Box<Contents>, Box<Inspector>),
+    /// All is known. That the record comes among the others takes as long as a slice.
+    Known(Box<Contents>, Box<Inspection>),
+}
+
+/// How far a file has been read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordProgress {
+    /// What it is called.
+    pub name: String,
+    /// The part that has been read, from 0 to 1.
+    pub part: f64,
+}
+
+impl Desk {
+    /// Begins to read a file, text or workbook, as a record; [`Desk::advance_record`] goes on. A file that was being read
+    /// is given up.
+    ///
+    /// # Errors
+    /// A file that is too large, or a workbook that cannot be read, and a record too many.
+    pub fn begin_record(&mut self, name: &str, bytes: Vec<u8>) -> Result<(), Refusal> {
+        self.intake = None;
+        if self.data.records.len() >= MOST_RECORDS {
+            return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
+        }
+        if bytes.len() > LONGEST_RECORD {
+            return Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
+        }
+        let reading =
+            Reading::new(bytes, LONGEST_TEXT).map_err(|error| unreadable(name, &error, self.play.language()))?;
+        self.intake = Some(Intake { name: name.to_owned(), stage: Stage::Reading(Box::new(reading)) });
+        Ok(())
+    }
+
+    /// Reads on for about `budget` bytes. The id of the record, once it is there; `None` also where nothing is being read.
+    ///
+    /// # Errors
+    /// When the file is no table. Nothing is being read then.
+    pub fn advance_record(&mut self, budget: usize) -> Result<Option<u32>, Refusal> {
+        let Some(Intake { name, stage }) = self.intake.take() else { return Ok(None) };
+        let stage = match stage {
+            Stage::Reading(mut reading) => {
+                let finished =
+                    reading.advance(budget).map_err(|error| unreadable(&name, &error, self.play.language()))?;
+                if !finished {
+                    Stage::Reading(reading)
+                } else if let Some(contents) = reading.finish() {
+                    let inspector = Inspector::new(&contents.import.table);
+                    Stage::Inspecting(Box::new(contents), Box::new(inspector))
+                } else {
+                    return Ok(None);
+                }
+            }
+            Stage::Inspecting(contents, mut inspector) => {
+                if inspector.advance(&contents.import.table) {
+                    Stage::Known(contents, Box::new(inspector.finish()))
+                } else {
+                    Stage::Inspecting(contents, inspector)
+                }
+            }
+            Stage::Known(contents, inspection) => {
+                return self.take_contents(&name, *contents, *inspection).map(Some);
+            }
+        };
+        self.intake = Some(Intake { name, stage });
+        Ok(None)
+    }
+
+    /// How far the file has been read that is being read.
+    pub fn record_progress(&self) -> Option<RecordProgress> {
+        let Intake { name, stage } = self.intake.as_ref()?;
+        let part = match stage {
+            Stage::Reading(reading) => 0.9 * reading.progress(),
+            Stage::Inspecting(..) => 0.95,
+            Stage::Known(..) => 0.99,
+        };
+        Some(RecordProgress { name: name.clone(), part })
+    }
+
+    /// Gives up the file that is being read.
+    pub fn cancel_record(&mut self) {
+        if let Some(Intake { name, .. }) = self.intake.take() {
+            self.announce(Announcement::RecordCancelled(name));
+        }
+    }
+}
+
+pub(crate) fn unreadable(name: &str, error: &ReadingError, language: Language) -> Refusal {
+    Refusal::UnreadableRecord {
+        name: name.to_owned(),
+        why: format!("{} {}", sentence(&error.message(language)), sentence(error.hint(language))),
+    }
+}

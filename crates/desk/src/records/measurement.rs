@@ -1,0 +1,180 @@
+//! The virtual measurement: a noisy record of the run that the simulation would make, of which the truth is known.
+
+use crate::records::recognise::observed;
+use crate::{Desk, Refusal, number};
+use analysis::virtual_record::{Camera, tracked_velocities};
+use engine::{Advance, Method, Readings, Run, Setup};
+use std::fmt::Write as _;
+
+/// What is asked for a virtual measurement, as typed: numbers in the units that [`Desk::measurement_units`] gives, or
+/// with units of their own.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MeasurementForm {
+    /// What is filmed: a name such as `y`.
+    pub quantity: String,
+    /// In the order of [`MEASUREMENT_FIELDS`].
+    pub fields: [String; MEASUREMENT_FIELDS],
+}
+
+/// Frame rate, duration, pixel size, noise, jitter of the frames, error of the scale, seed.
+pub const MEASUREMENT_FIELDS: usize = 7;
+
+/// The work of the run behind a measurement, in floating-point operations: a second or two.
+const MOST_WORK: u64 = 500_000_000;
+
+/// Rows of the run between two frames: what lies between them is interpolated, to far less than a pixel.
+const ROWS_PER_FRAME: f64 = 4.0;
+
+impl Desk {
+    /// What a virtual measurement begins with: a camera that suits the run.
+    pub fn measurement_form(&self) -> MeasurementForm {
+        let (Some(state), independent) = (self.play.model().states.first(), &self.play.model().independent) else {
+            return MeasurementForm::default();
+        };
+        let greatest = |index: usize| self.play.greatest(index);
+        let start = self.play.course().initial().first().map_or(0.0, |value| value.abs());
+        let size = [greatest(0), start].into_iter().filter(|size| size.is_finite()).fold(0.0, f64::max);
+        let size = if size > 0.0 { size } else { 1.0 };
+        // A picture has about two hundred pixels for the swing.
+        let pixel = number::roundest(size / 120.0, size / 80.0);
+        let duration = independent.unit.to_si(10.0);
+        let shown = |value: f64| number::plain(value, 6, self.play.style());
+        MeasurementForm {
+            quantity: state.name(),
+            fields: [
+                shown(independent.unit.to_si(30.0)),
+                shown(independent.unit.from_si(self.play.end().max(duration))),
+                shown(fine(&state.unit).from_si(pixel)),
+                shown(fine(&state.unit).from_si(pixel / 2.0)),
+                shown(0.0),
+                shown(0.0),
+                shown(1.0),
+            ],
+        }
+    }
+
+    /// The unit of each field for what is filmed.
+    pub fn measurement_units(&self, quantity: &str) -> [String; MEASUREMENT_FIELDS] {
+        let unit = |unit: &units::Unit| number::unit_text(&unit.text);
+        let time = unit(&self.play.model().independent.unit);
+        let own = observed(self.play.model(), quantity).map(|observed| unit(&fine(&observed.unit))).unwrap_or_default();
+        let rate = if time.is_empty() { String::new() } else { format!("1/{time}") };
+        [rate, time.clone(), own.clone(), own, time, "%".to_owned(), String::new()]
+    }
+
+    /// Makes the measurement and adds the record under this name.
+    ///
+    /// # Errors
+    /// The number of the field that cannot be taken, and why.
+    pub fn measure(&mut self, name: &str, form: &MeasurementForm) -> Result<u32, (usize, Refusal)> {
+        let camera = self.camera(form)?;
+        let text = self.measured_text(&form.quantity, &camera).map_err(|refusal| (0, refusal))?;
+        let model = self.play.model();
+        let truth = model.parameters.iter().zip(self.play.course().parameters());
+        let truth = truth.map(|(parameter, value)| (parameter.name.clone(), *value)).collect();
+        self.insert_record(name, text.as_bytes(), Some(truth)).map_err(|refusal| (0, refusal))
+    }
+
+    fn camera(&self, form: &MeasurementForm) -> Result<Camera, (usize, Refusal)> {
+        let plain = units::Unit::dimensionless();
+        let time = &self.play.model().independent.unit;
+        let observed =
+            observed(self.play.model(), &form.quantity).ok_or_else(|| (0, Refusal::unknown(form.quantity.as_str())))?;
+        let fine = fine(&observed.unit);
+        let [rate, duration, pixel, noise, jitter, scale, seed] = &form.fields;
+        let read = |field: usize, typed: &str, unit: &units::Unit, least: f64| -> Result<f64, (usize, Refusal)> {
+            let typed = typed.trim().trim_end_matches('%');
+            let value = self.play.read_value(typed, unit).map_err(|refusal| (field, refusal.into()))?;
+            if value > least || (field > 1 && value >= 0.0) || field == 5 {
+                Ok(value)
+            } else {
+                Err((field, play::Refusal::NotPositive.into()))
+            }
+        };
+        let per_time = read(0, rate, &plain, 0.0)?;
+        Ok(Camera {
+            rate: time.from_si(per_time),
+            duration: read(1, duration, time, 0.0)?,
+            pixel: read(2, pixel, &fine, 0.0)?,
+            noise: read(3, noise, &fine, 0.0)?,
+            jitter: read(4, jitter, time, 0.0)?,
+            scale: read(5, scale, &plain, f64::NEG_INFINITY)? / 100.0,
+            seed: read(6, seed, &plain, 0.0)? as u64,
+        })
+    }
+
+    /// What a camera would have made of a run with the present parameters and start: a table as tracking programs write
+    /// it, with the velocities that they compute.
+    pub(crate) fn measured_text(&self, quantity: &str, camera: &Camera) -> Result<String, Refusal> {
+        let model = self.play.model();
+        let observed = observed(model, quantity).ok_or_else(|| Refusal::unknown(quantity))?;
+        let setup =
+            Setup { parameters: self.play.course().parameters().to_vec(), ..self.play.course().begun().clone() };
+        let nothing = |_| play::Refusal::NoValue { name: quantity.to_owned() };
+        // As exact as may be; where the equations are not for that method, as the document has it.
+        let step = 1.0 / (camera.rate * ROWS_PER_FRAME);
+        let exact = Setup { method: Method::DormandPrince, tolerance: 1e-10, step, ..setup.clone() };
+        let end = camera.times().last().copied().unwrap_or_default();
+        let mut run = recorded(model, exact, end).or_else(|_| recorded(model, setup, end)).map_err(nothing)?;
+        let mut readings = Readings::new(model, &[observed.node]);
+        let mut state = vec![0.0; model.states.len()];
+        let parameters = self.play.course().parameters();
+        let values = camera.read(|time| {
+            run.interpolate(time, &mut state);
+            readings.at(parameters, run.initial(), time, &state).first().copied().unwrap_or(f64::NAN)
+        });
+        let times = camera.times();
+        let time_unit = &model.independent.unit;
+        let rate = quantity_rate(model, quantity);
+        let velocities = rate.as_ref().map(|_| tracked_velocities(&times, &values)).unwrap_or_default();
+        let head = |name: &str, unit: &units::Unit| {
+            if unit.text.is_empty() { name.to_owned() } else { format!("{name} [{}]", unit.text) }
+        };
+        let mut text = format!("{}\t{}", head(&model.independent.name, time_unit), head(quantity, &observed.unit));
+        if let Some((name, unit)) = &rate {
+            let _ = write!(text, "\t{}", head(name, unit));
+        }
+        text.push('\n');
+        for (row, (time, value)) in times.iter().zip(&values).enumerate() {
+            let _ = write!(text, "{}\t{:.9e}", time_unit.from_si(*time), observed.unit.from_si(*value));
+            if let (Some((_, unit)), Some(velocity)) = (&rate, velocities.get(row)) {
+                let _ = if velocity.is_nan() {
+                    write!(text, "\t")
+                } else {
+                    write!(text, "\t{:.9e}", unit.from_si(*velocity))
+                };
+            }
+            text.push('\n');
+        }
+        Ok(text)
+    }
+}
+
+/// The unit in which errors are told: the thousandth of the quantity's, where that has a name.
+fn fine(unit: &units::Unit) -> units::Unit {
+    let thousandth = units::Unit::parse(&format!("m{}", unit.text)).ok();
+    thousandth.filter(|fine| fine.dimension == unit.dimension).unwrap_or_else(|| unit.clone())
+}
+
+/// Name and unit of the derivative of what is filmed; of a level that is no unknown, the velocity.
+fn quantity_rate(model: &program::Model, quantity: &str) -> Option<(String, units::Unit)> {
+    let name = format!("{quantity}'");
+    if let Some(rate) = observed(model, &name) {
+        return Some((name, rate.unit));
+    }
+    let dimension = observed(model, quantity)?.dimension();
+    let rate = dimension.per(model.independent.unit.dimension)?;
+    (dimension == units::Dimension::LENGTH).then(|| ("v".to_owned(), units::Unit::si(rate)))
+}
+
+/// A run up to `end`.
+fn recorded(model: &program::Model, setup: Setup, end: f64) -> Result<Run, ()> {
+    let mut run = Run::start(model, setup).map_err(|_| ())?;
+    while run.time() < end {
+        let left = MOST_WORK.checked_sub(run.work()).ok_or(())?;
+        if !matches!(run.advance_within(left), Ok(Advance::Step | Advance::Event)) {
+            return Err(());
+        }
+    }
+    Ok(run)
+}

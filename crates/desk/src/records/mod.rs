@@ -1,0 +1,17 @@
+//! Measured data: files that are read, what their columns are taken for, and what is made of them.
+
+mod columns;
+pub(crate) mod derived;
+pub(crate) mod intake;
+mod measurement;
+pub(crate) mod recognise;
+pub(crate) mod record;
+mod runs;
+mod sample;
+pub(crate) mod saved;
+mod understood;
+
+pub use intake::RecordProgress;
+pub use measurement::{MEASUREMENT_FIELDS, MeasurementForm};
+pub use record::{ColumnView, LONGEST_RECORD, MOST_RECORDS, RecordView};
+pub use sample::{SAMPLES, Sample};

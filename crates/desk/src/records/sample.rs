@@ -1,0 +1,76 @@
+//! Sample records: virtual measurements with fixed seeds, of columns whose truth is known.
+
+use crate::{Desk, Refusal};
+use analysis::virtual_record::Camera;
+use document::Document;
+
+/// A sample record.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// The theory that it follows, by its file.
+    pub file: &'static str,
+    /// What it is called, in English and in Spanish.
+    names: [&'static str; 2],
+    /// Values of parameters, SI.
+    settings: &'static [(&'static str, f64)],
+    camera: Camera,
+}
+
+/// A good camera on a tripod: a third of a millimetre by pixel, 30 frames a second.
+const CAMERA: Camera =
+    Camera { rate: 30.0, duration: 8.0, pixel: 3.3e-4, noise: 2e-4, jitter: 0.0, scale: 0.0, seed: 0 };
+
+/// The sample records: three lengths of the column, and one that no linear friction describes.
+pub const SAMPLES: [Sample; 4] = [
+    Sample {
+        file: "theories/linear.md",
+        names: ["Column of 18 cm", "Columna de 18 cm"],
+        settings: &[("L", 0.18), ("gamma", 0.42), ("y_0", 0.045), ("c", 0.002)],
+        camera: Camera { seed: 18, ..CAMERA },
+    },
+    Sample {
+        file: "theories/linear.md",
+        names: ["Column of 24 cm", "Columna de 24 cm"],
+        settings: &[("L", 0.24), ("gamma", 0.42), ("y_0", 0.045), ("c", -0.001)],
+        camera: Camera { seed: 24, ..CAMERA },
+    },
+    Sample {
+        file: "theories/linear.md",
+        names: ["Column of 32 cm", "Columna de 32 cm"],
+        settings: &[("L", 0.32), ("gamma", 0.42), ("y_0", 0.045), ("c", 0.0005)],
+        camera: Camera { seed: 32, ..CAMERA },
+    },
+    Sample {
+        file: "theories/linear-contact-line.md",
+        names: ["Column with a contact line", "Columna con línea de contacto"],
+        settings: &[("L", 0.21), ("gamma", 0.25), ("mu", 0.12), ("s", 0.002), ("y_0", 0.05), ("c", 0.001)],
+        camera: Camera { seed: 21, noise: 3e-4, jitter: 5e-4, ..CAMERA },
+    },
+];
+
+impl Desk {
+    /// What the sample records are called.
+    pub fn sample_names(&self) -> [&'static str; SAMPLES.len()] {
+        SAMPLES.map(|sample| self.play.language().pick(sample.names[0], sample.names[1]))
+    }
+
+    /// Makes a sample record with the theory that it follows and adds it.
+    ///
+    /// # Errors
+    /// As [`Desk::add_record`].
+    pub fn add_sample(&mut self, sample: usize, theory: Document) -> Result<u32, Refusal> {
+        let unknown = || Refusal::unknown(sample);
+        let Sample { names, settings, camera, .. } = SAMPLES.get(sample).ok_or_else(unknown)?;
+        let name = self.play.language().pick(names[0], names[1]);
+        let mut theory = Desk::open(theory);
+        for (parameter, value) in *settings {
+            let index =
+                theory.play.model().parameters.iter().position(|one| one.name == *parameter).ok_or_else(unknown)?;
+            theory.play.set_parameter(index, *value)?;
+        }
+        let text = theory.measured_text("y", camera)?;
+        let truth = theory.play.model().parameters.iter().zip(theory.play.parameter_values());
+        let truth = truth.map(|(parameter, value)| (parameter.name.clone(), *value)).collect();
+        self.insert_record(name, text.as_bytes(), Some(truth))
+    }
+}

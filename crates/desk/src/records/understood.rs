@@ -1,0 +1,52 @@
+//! What the file says of the unit of a column, and what is assumed.
+
+use crate::Desk;
+use crate::records::record::{Record, Use};
+use analysis::origin::UnitOrigin;
+use units::Language;
+
+/// The unit of a column as a person sees it.
+#[derive(Debug, Default)]
+pub(crate) struct Understood {
+    /// Where it comes from, in words.
+    pub origin: String,
+    /// Whether it is that of the quantity, because the file states none.
+    pub assumed: bool,
+    /// Whether the file states one that is not known.
+    pub asked: bool,
+}
+
+impl Desk {
+    pub(crate) fn understood(&self, record: &Record, index: usize) -> Understood {
+        let (Some(column), Some(used)) = (record.table.columns.get(index), record.uses.get(index)) else {
+            return Understood::default();
+        };
+        let asked = record.asks_for_unit(&record.uses, index);
+        let plain = used.meaning.unit.text.is_empty() && !asked;
+        // What was made follows its source.
+        if used.meaning.quantity.is_empty() || plain || record.how_made(index).is_some() {
+            return Understood::default();
+        }
+        if used.stated {
+            return Understood { origin: UnitOrigin::Person.text(self.play.language()), ..Understood::default() };
+        }
+        let assumed = column.unit.is_none() && !asked;
+        let origin = match (assumed, self.play.language()) {
+            (true, Language::English) => "assumed: the file states none".to_owned(),
+            (true, Language::Spanish) => "supuesta: el archivo no la indica".to_owned(),
+            (false, _) => column.origin.unit.text(self.play.language()),
+        };
+        Understood { origin, assumed, asked }
+    }
+}
+
+impl Record {
+    /// Whether the unit of a column must be stated by a person before its numbers mean anything.
+    pub(crate) fn asks_for_unit(&self, uses: &[Use], column: usize) -> bool {
+        let stated = uses.get(column).is_some_and(|used| used.stated);
+        let unknown = |column: &analysis::table::Column| {
+            column.unit.is_none() && matches!(column.origin.unit, UnitOrigin::Unknown(_))
+        };
+        !stated && self.table.columns.get(column).is_some_and(unknown)
+    }
+}

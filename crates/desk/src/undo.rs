@@ -1,0 +1,51 @@
+//! Undo: puts back what was removed or overwritten last, here or in the simulation.
+
+use crate::fits::results::Fitted;
+use crate::records::record::Record;
+use crate::{Announcement, Desk};
+
+/// What the last removal took away, with its place in its list.
+#[derive(Debug)]
+pub(crate) enum Removed {
+    Record(usize, Record),
+    Fit(usize, Box<Fitted>),
+}
+
+impl Desk {
+    /// Names what [`Desk::undo`] would put back; `None` if there is nothing to undo.
+    pub fn undo_number(&self) -> Option<u32> {
+        let own = self.removed.as_ref().map(|(number, _)| *number);
+        self.play.undo_number().or(own.filter(|number| *number == self.play.removals()))
+    }
+
+    /// Puts back what the removal of this number took away. Only the last removal can be undone; returns whether it was
+    /// the one asked for.
+    pub fn undo(&mut self, number: u32) -> bool {
+        if self.undo_number() != Some(number) {
+            return false;
+        }
+        if self.play.undo_number() == Some(number) {
+            return self.play.undo(number);
+        }
+        let Some((_, removed)) = self.removed.take() else { return false };
+        match removed {
+            Removed::Record(place, record) => {
+                let place = place.min(self.data.records.len());
+                self.data.records.insert(place, record);
+                self.records_changed();
+            }
+            Removed::Fit(place, fit) => {
+                let place = place.min(self.fits.finished.len());
+                self.fits.finished.insert(place, *fit);
+                self.revision.fits += 1;
+            }
+        }
+        self.announce(Announcement::Play(play::Announcement::Undone));
+        true
+    }
+
+    /// Remembers a removal, in place of the one before.
+    pub(crate) fn can_undo(&mut self, removed: Removed) {
+        self.removed = Some((self.play.number_removal(), removed));
+    }
+}

@@ -1,0 +1,188 @@
+//! The words of measuring and fitting in every language.
+
+use crate::{Announcement, Desk, Refusal};
+use analysis::fit::FitError;
+use units::Language;
+
+/// What the plot of the residuals is called and what it shows.
+pub(crate) fn residuals(language: Language) -> (&'static str, &'static str) {
+    language.pick(
+        ("Residuals", "measured minus computed, against time."),
+        ("Residuos", "lo medido menos lo calculado, frente al tiempo."),
+    )
+}
+
+/// What the zeros of clock and scale are called.
+pub(crate) fn zeros(language: Language) -> [&'static str; 2] {
+    language.pick(["Zero of the clock", "Zero of the scale"], ["Cero del reloj", "Cero de la escala"])
+}
+
+/// How a fit of the page is made again, of one record or several.
+pub(crate) fn how_to_repeat(language: Language, several: bool) -> &'static str {
+    if several {
+        return language.pick(
+            "Made in the laboratory's page: open the document, drop the records, tick those to be fitted together, press Fit.",
+            "Hecho en la página del laboratorio: abre el documento, suelta los registros, marca los que se ajustan juntos y pulsa Ajustar.",
+        );
+    }
+    language.pick(
+        "Made in the laboratory's page: open the document, drop the record, press Fit.",
+        "Hecho en la página del laboratorio: abre el documento, suelta el registro y pulsa Ajustar.",
+    )
+}
+
+pub(crate) fn record(language: Language) -> &'static str {
+    language.pick("record", "registro")
+}
+
+/// Of a fit that did not come to its end.
+pub(crate) fn not_converged(language: Language) -> &'static str {
+    language.pick("The search did not come to its end.", "La búsqueda no llegó a su fin.")
+}
+
+/// At which reading of a record's clock initial values hold, and how many values lie before it.
+pub(crate) fn initial_values_hold(language: Language, at: &str, early: usize) -> String {
+    let mut text = language.pick(
+        format!("The initial values hold at {at} on the record's clock."),
+        format!("Los valores iniciales corresponden a {at} en el reloj del registro."),
+    );
+    if early > 0 {
+        text += &language.pick(
+            format!(" Nothing is predicted of the {early} values before."),
+            format!(" De los {early} valores anteriores no se predice nada."),
+        );
+    }
+    text
+}
+
+/// Of a number that the data do not determine.
+pub(crate) fn undetermined(language: Language) -> &'static str {
+    language.pick("not determined by the data", "los datos no lo determinan")
+}
+
+/// Of a number that the end of its range has stopped.
+pub(crate) fn at_bound(language: Language) -> &'static str {
+    language.pick("at the end of its range", "en el extremo de su intervalo")
+}
+
+/// The truth behind a virtual measurement, and how many standard errors the answer is off.
+pub(crate) fn truth_is(language: Language, truth: &str, off: Option<&str>) -> String {
+    let off = off.map(|off| language.pick(format!("; off by {off} σ"), format!("; desviación de {off} σ")));
+    let off = off.unwrap_or_default();
+    language.pick(format!("truth: {truth}{off}"), format!("verdad: {truth}{off}"))
+}
+
+pub(crate) fn run(language: Language) -> &'static str {
+    language.pick("run", "serie")
+}
+
+/// Why a fit cannot be made.
+pub(crate) fn fit_error(language: Language, error: &FitError) -> String {
+    let text = match error {
+        FitError::NothingVaried => language.pick("Tick what is to be varied.", "Marca lo que debe variar."),
+        FitError::NothingObserved => language.pick(
+            "No column is ticked for the fit, or none of its values lies between the two times.",
+            "Ninguna columna está marcada para el ajuste, o ninguno de sus valores cae entre los dos tiempos.",
+        ),
+        FitError::TooFew { values, varied } => {
+            return language.pick(
+                format!("{values} values cannot determine {varied} numbers."),
+                format!("{values} valores no pueden determinar {varied} números."),
+            );
+        }
+        FitError::TooLarge => language.pick(
+            "There are too many values or too many varied numbers.",
+            "Hay demasiados valores o demasiados números que varían.",
+        ),
+        FitError::VariedTwice(_) | FitError::BadBounds(_) => {
+            language.pick("The ranges leave no room.", "Los intervalos no dejan sitio.")
+        }
+        FitError::BadStart(_) | FitError::BadValue(_) => language.pick(
+            "The value of a parameter is not a finite number.",
+            "El valor de un parámetro no es un número finito.",
+        ),
+        FitError::BadErrors { count, .. } => {
+            return language.pick(
+                format!("{count} values have a standard error that is missing or not greater than 0."),
+                format!("{count} valores tienen un error típico que falta o no es mayor que 0."),
+            );
+        }
+        FitError::RecordEmpty(_) => language.pick(
+            "None of its values lies between the two times.",
+            "Ninguno de sus valores cae entre los dos tiempos.",
+        ),
+        FitError::Model(message) => return message.text(language).to_owned(),
+    };
+    text.to_owned()
+}
+
+/// With a capital at its beginning and a stop at its end.
+pub(crate) fn sentence(text: &str) -> String {
+    play::words::sentence(text)
+}
+
+impl Desk {
+    /// A refusal in the chosen language.
+    pub fn refusal_text(&self, refusal: &Refusal) -> String {
+        let language = self.play.language();
+        match refusal {
+            Refusal::Play(refusal) => self.play.refusal_text(refusal),
+            Refusal::TooManyRecords { most } => language.pick(
+                format!("{most} records are open already; remove one first."),
+                format!("Ya hay {most} registros abiertos; quita uno primero."),
+            ),
+            Refusal::RecordTooLong { most } => language.pick(
+                format!("The page reads records of up to {most} MiB; the program reads longer ones."),
+                format!("La página lee registros de hasta {most} MiB; el programa lee otros más largos."),
+            ),
+            Refusal::UnreadableRecord { name, why } => {
+                language.pick(format!("{name} could not be read. {why}"), format!("No se pudo leer {name}. {why}"))
+            }
+            Refusal::NoSuchPolynomial => language
+                .pick(
+                    "There is no such polynomial: the window is an odd number of rows up to ROWS, the degree is from 2 to 7 and below it.",
+                    "No existe tal polinomio: la ventana es un número impar de filas hasta ROWS, y el grado va de 2 a 7 y es menor que \
+                     ella.",
+                )
+                .replace("ROWS", &analysis::smoothing::WIDEST.to_string()),
+            Refusal::NoDerivative => language
+                .pick(
+                    "No row has the neighbours that a derivative needs. Times must ascend; uneven ones can be smoothed by polynomials.",
+                    "Ninguna fila tiene los vecinos que necesita una derivada. Los tiempos deben crecer; los irregulares se pueden suavizar con polinomios.",
+                )
+                .to_owned(),
+            Refusal::Fit { why } => why.clone(),
+        }
+    }
+
+    /// An announcement in the chosen language.
+    pub fn announcement_text(&self, announcement: &Announcement) -> String {
+        let say = |english: &str, spanish: &str| self.play.language().pick(english, spanish).to_owned();
+        let with = |english: &str, spanish: &str, value: &str| say(english, spanish).replace("{}", value);
+        match announcement {
+            Announcement::Play(announcement) => self.play.announcement_text(announcement),
+            Announcement::RecordAdded(name) => with("Record read: {}", "Registro leído: {}", name),
+            Announcement::DerivativesMade(name) => {
+                with("Velocity and acceleration made: {}", "Velocidad y aceleración calculadas: {}", name)
+            }
+            Announcement::RecordCancelled(name) => with("Not read: {}", "No se ha leído: {}", name),
+            Announcement::RecordRemoved(name) => with("Record removed: {}", "Registro quitado: {}", name),
+            Announcement::FitRemoved(theory) => with("Fit removed: {}", "Ajuste quitado: {}", theory),
+            Announcement::FitFinished => say("The fit is finished", "El ajuste ha terminado"),
+            Announcement::TheoriesLeftOut(which) => with("Not fitted: {}", "Sin ajustar: {}", which),
+            Announcement::FitFailed => say(
+                "The model has no finite curve at any start: nothing was found",
+                "El modelo no tiene una curva finita desde ningún comienzo: no se encontró nada",
+            ),
+            Announcement::FitCancelled => say("Fit cancelled", "Ajuste cancelado"),
+            Announcement::FitApplied(record) if record.is_empty() => {
+                say("The parameters have the fitted values", "Los parámetros tienen los valores ajustados")
+            }
+            Announcement::FitApplied(record) => with(
+                "The parameters have the fitted values of {}",
+                "Los parámetros tienen los valores ajustados de {}",
+                record,
+            ),
+        }
+    }
+}

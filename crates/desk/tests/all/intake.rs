@@ -1,0 +1,88 @@
+//! Files that become records in slices, and records of very many rows.
+
+use crate::support::followed;
+use crate::support::utube;
+use analysis::spreadsheet::{Sheet, Workbook};
+use desk::{Announcement, Desk, LONGEST_RECORD, Refusal};
+use play::PlotId;
+
+const TABLE: &str = "t [s]\ty [m]\n0\t0.4\n0.5\t0.33\n1\t0.2\n1.5\tword\n2\t-0.1\n";
+
+/// Reads a file to its end. The last progress before that.
+fn read(desk: &mut Desk, name: &str, bytes: &[u8], budget: usize) -> Result<(u32, f64), Refusal> {
+    desk.begin_record(name, bytes.to_vec())?;
+    let mut part = 0.0;
+    loop {
+        if let Some(progress) = desk.record_progress() {
+            assert_eq!(progress.name, name);
+            assert!(progress.part >= part, "{} after {part}", progress.part);
+            part = progress.part;
+        }
+        if let Some(id) = desk.advance_record(budget)? {
+            assert_eq!(desk.record_progress(), None);
+            return Ok((id, part));
+        }
+    }
+}
+
+#[test]
+fn a_record_is_the_same_in_slices_as_at_once() {
+    let sheet = Sheet::of_columns("Film", &["t [s]", "y [cm]"], &[&[0.0, 0.5, 1.0, 1.5], &[40.0, 33.0, 20.0, 1.0]]);
+    let workbook = Workbook { sheets: vec![sheet] }.xlsx();
+    for bytes in [TABLE.as_bytes(), &workbook] {
+        let (mut slices, mut whole) = (utube(), utube());
+        let (id, part) = read(&mut slices, "film", bytes, 7).unwrap();
+        assert!(part > 0.5, "{part}");
+        assert_eq!(whole.add_record("film", bytes).unwrap(), id);
+        assert_eq!(slices.records(), whole.records());
+        assert_eq!(slices.saved_records(), whole.saved_records());
+        // A workbook comes back from its text.
+        let mut later = utube();
+        crate::support::bring_back_records(&mut later, &slices.saved_records());
+        assert_eq!(later.records()[0].columns, slices.records()[0].columns);
+    }
+}
+
+#[test]
+fn a_file_that_is_given_up_leaves_nothing() {
+    let mut desk = utube();
+    desk.begin_record("film", TABLE.as_bytes().to_vec()).unwrap();
+    desk.advance_record(1).unwrap();
+    desk.cancel_record();
+    assert_eq!((desk.record_progress(), desk.records().len()), (None, 0));
+    assert_eq!(desk.take_announcement(), Some(Announcement::RecordCancelled("film".to_owned())));
+    assert_eq!(desk.advance_record(1), Ok(None));
+    // What is no table leaves nothing either, and the next file is read.
+    let refusal = read(&mut desk, "words", b"no numbers\nat all\n", 4).unwrap_err();
+    assert!(matches!(refusal, Refusal::UnreadableRecord { .. }), "{refusal:?}");
+    assert_eq!(desk.record_progress(), None);
+    read(&mut desk, "film", TABLE.as_bytes(), 1 << 20).unwrap();
+    // Nor what is too large.
+    let refusal = desk.begin_record("huge", vec![b'1'; LONGEST_RECORD + 1]).unwrap_err();
+    assert_eq!(refusal, Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
+}
+
+#[test]
+fn residuals_of_a_long_record_follow_in_slices() {
+    let rows: String = (0..30_000).map(|row| format!("{}\t0.1\n", f64::from(row) * 1e-4)).collect();
+    let mut desk = utube();
+    desk.add_record("long", format!("t [s]\ty [m]\n{rows}").as_bytes()).unwrap();
+    desk.play_mut().play();
+    for _ in 0..40 {
+        desk.play_mut().tick(0.1);
+    }
+    desk.play_mut().pause();
+    let settings = figure::Settings::default();
+    let plots = desk.play().plots().len();
+    let mut frames = 0;
+    while desk.lags() {
+        let before = desk.revision();
+        for index in 0..plots {
+            followed(&mut desk).layout_plot(PlotId::at(index), &settings);
+        }
+        assert_ne!(desk.revision(), before, "what lags must be drawn again");
+        frames += 1;
+        assert!(frames < 100);
+    }
+    assert!(frames > 1, "{frames}");
+}

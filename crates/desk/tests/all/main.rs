@@ -1,0 +1,14 @@
+//! Tests of the laboratory without a screen; one program, since linking many takes longer than they do.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
+
+mod anything;
+mod cycles;
+mod derived;
+mod fits;
+mod intake;
+mod reading;
+mod records;
+mod support;
+mod understood;
+mod undo;

@@ -1,0 +1,66 @@
+//! The documents that the tests open.
+use desk::Desk;
+use play::Play;
+
+/// A liquid column in a U-tube, with everything a document can have.
+pub const UTUBE: &str = include_str!("utube.md");
+/// Its Spanish edition.
+pub const UTUBE_ES: &str = include_str!("utube.es.md");
+
+/// Opens a document that must be without faults.
+pub fn open(source: &str, translations: &[&str]) -> Desk {
+    let opened = desk::document::open(source, translations);
+    assert!(opened.diagnostics.is_empty(), "{:#?}", opened.diagnostics);
+    Desk::open(opened.document.expect("a document without faults opens"))
+}
+
+/// The U-tube.
+pub fn utube() -> Desk {
+    open(UTUBE, &[UTUBE_ES])
+}
+
+/// The index of a parameter.
+pub fn parameter(desk: &Desk, name: &str) -> usize {
+    desk.play().model().parameters.iter().position(|parameter| parameter.name == name).expect("the parameter exists")
+}
+
+/// Sets a parameter to an SI value.
+pub fn set(desk: &mut Desk, name: &str, value: f64) {
+    let index = parameter(desk, name);
+    desk.play_mut().set_parameter(index, value).expect("the value is in the range");
+}
+
+/// Lets wall time pass in frames.
+pub fn play(desk: &mut Desk, frames: impl IntoIterator<Item = f64>) {
+    desk.play_mut().play();
+    for seconds in frames {
+        desk.play_mut().tick(seconds);
+    }
+    desk.play_mut().pause();
+}
+
+/// Brings back records as at the next visit.
+pub fn bring_back_records(desk: &mut Desk, saved: &[(String, String)]) {
+    saved.iter().for_each(|(_, text)| desk.restore_records(text));
+}
+
+/// Brings back fits as at the next visit; their records must be there.
+pub fn bring_back_fits(desk: &mut Desk, saved: &[(String, String)]) {
+    saved.iter().for_each(|(_, text)| desk.restore_fits(text));
+}
+
+/// The states shown.
+pub fn state(desk: &Desk) -> Vec<f64> {
+    desk.play().states().into_iter().map(|state| state.value).collect()
+}
+
+/// The value of a readout.
+pub fn readout(desk: &mut Desk, name: &str) -> String {
+    desk.play_mut().readouts().into_iter().find(|readout| readout.name == name).expect("the readout exists").value
+}
+
+/// The simulation, once what is measured has been brought up to it, as before each drawing.
+pub fn followed(desk: &mut Desk) -> &mut Play {
+    desk.follow();
+    desk.play_mut()
+}

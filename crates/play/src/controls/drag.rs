@@ -1,0 +1,257 @@
+//! Dragging a part of the scene: the state follows the pointer; let go, the run begins from there.
+//!
+//! At the start of a run that begins with the document's initial values, the drag changes the parameters that decide the
+//! initial value held, as little as possible ([`Start::solve`]); the other initial values stay those of the document. Where
+//! no parameter decides it, where a range ends, or at any later time, the state itself becomes the start of the run, and
+//! what is held is at rest. It stays the start until another one is set or [`Play::restore_defaults`].
+
+use crate::controls::start::Start;
+use crate::{Announcement, Play, number};
+use engine::Setup;
+use program::{Child, Drag, Element, Piece, Program};
+
+/// A part of the scene that is held.
+#[derive(Clone, Debug)]
+pub(crate) struct Hold {
+    state: usize,
+    /// The state when it was taken hold of; except at the start the variable held is at rest.
+    from: Vec<f64>,
+    /// The parameters when it was taken hold of.
+    parameters: Vec<f64>,
+    /// What decides the value held, at the start of a run.
+    start: Option<Start>,
+    /// What a scene unit to the right and upwards adds.
+    right: f64,
+    up: f64,
+    /// How far the pointer may move, in scene units: the extent of the scene.
+    reach: (f64, f64),
+    /// The values of the scene that shape the drawing, those in attributes.
+    shaping: Vec<usize>,
+    /// Whether the state has been changed.
+    moved: bool,
+    /// Whether the run goes on afterwards.
+    playing: bool,
+}
+
+/// What a run begins with when a handle has been pulled.
+struct Pulled {
+    parameters: Vec<f64>,
+    state: Vec<f64>,
+    /// Whether the state is not the one that the parameters decide.
+    by_hand: bool,
+}
+
+/// How finely the place is found at which the drawing stops following: parts of the way, as a power of two.
+const HALVINGS: u32 = 40;
+
+/// Significant digits of a length in the drawing: those of a ruler.
+const LENGTH_DIGITS: usize = 3;
+
+impl Play {
+    /// Takes hold of a part of the scene; the run stands still meanwhile.
+    pub fn drag_begin(&mut self, drag: &Drag) {
+        if self.hold.is_some() {
+            self.drag_end();
+        }
+        let Some(hold) = self.grip(drag) else { return };
+        self.pause();
+        self.hold = Some(hold);
+    }
+
+    /// The least and the greatest value (SI) that dragging this part can give its state from where it is now: as far as
+    /// the drawing follows.
+    pub fn drag_range(&mut self, drag: &Drag) -> Option<(f64, f64)> {
+        let mut hold = self.grip(drag)?;
+        let now = *hold.from.get(hold.state)?;
+        let way = hold.reach.0 * hold.right.abs() + hold.reach.1 * hold.up.abs();
+        let mut end = |way: f64| self.followed(&mut hold, way)?.state.get(drag.state).copied();
+        let (one, other) = (end(-way).unwrap_or(now), end(way).unwrap_or(now));
+        Some((one.min(other).min(now), one.max(other).max(now)))
+    }
+
+    /// A length in the drawing in words, where a handle says how long a unit of the drawing is; `None` where none does.
+    pub fn scene_length(&mut self, units: f64) -> Option<String> {
+        let scene = self.program.scene(&self.tag)?;
+        let mut drags = Vec::new();
+        collect_drags(&scene.root, &mut drags);
+        let lengths = drags.into_iter().filter_map(|drag| {
+            let state = self.program.model.states.get(drag.state)?;
+            (state.unit.dimension == units::Dimension::LENGTH).then_some((drag.up.or(drag.right)?, state.unit.clone()))
+        });
+        let (factor, unit) = lengths.collect::<Vec<_>>().into_iter().next()?;
+        let factor = self.scene_values().get(factor).copied().filter(|factor| factor.is_finite() && *factor != 0.0)?;
+        let value = unit.from_si(units * factor.abs());
+        let text = number::plain(value, LENGTH_DIGITS, self.style);
+        Some(format!("{text} {}", number::unit_text(&unit.text)))
+    }
+
+    /// What is to be known of a part that is taken hold of; `None` where the state cannot be dragged.
+    fn grip(&mut self, drag: &Drag) -> Option<Hold> {
+        let factor = |values: &[f64], index: Option<usize>| {
+            index.and_then(|index| values.get(index).copied()).filter(|value| value.is_finite()).unwrap_or(0.0)
+        };
+        let values = self.scene_values();
+        let (right, up) = (factor(values, drag.right), factor(values, drag.up));
+        let mut from = self.course.state().to_vec();
+        if drag.state >= from.len() || from.iter().any(|value| !value.is_finite()) {
+            return None;
+        }
+        let at_start = self.course.time() == 0.0 && !self.is_started_by_hand();
+        if !at_start {
+            self.rest(drag.state, &mut from);
+        }
+        let start = if at_start { Start::of(&self.program.model, drag.state) } else { None };
+        let parameters = self.course.parameters().to_vec();
+        let reach = extent(&self.program, &self.tag);
+        let mut shaping = Vec::new();
+        if let Some(scene) = self.program.scene(&self.tag) {
+            collect_shaping(&scene.root, &mut shaping);
+        }
+        let playing = self.playing;
+        Some(Hold { state: drag.state, from, parameters, start, right, up, reach, shaping, moved: false, playing })
+    }
+
+    /// The pointer is now `right` and `up` scene units from where it took hold (up is positive). It pulls the state no
+    /// further than the drawing follows: not past the extent of the scene, not to where a value of the drawing is not
+    /// finite, and not on where nothing moves any more because the author limits it (`min(sum, sum/2 + y)`).
+    pub fn drag_move(&mut self, right: f64, up: f64) {
+        let Some(mut hold) = self.hold.take() else {
+            return;
+        };
+        if right.is_finite() && up.is_finite() {
+            let right = right.clamp(-hold.reach.0, hold.reach.0);
+            let up = up.clamp(-hold.reach.1, hold.reach.1);
+            let way = right * hold.right + up * hold.up;
+            if let Some(Pulled { parameters, state, by_hand }) = self.followed(&mut hold, way) {
+                let start = by_hand.then_some(state);
+                self.restart(Setup { parameters, start, ..self.course.begun().clone() });
+                hold.moved = true;
+            }
+        }
+        self.hold = Some(hold);
+    }
+
+    /// Lets go: the run goes on from there if it was going on before.
+    pub fn drag_end(&mut self) {
+        let Some(hold) = self.hold.take() else { return };
+        if let (true, Some(&value)) = (hold.moved, self.course.state().get(hold.state)) {
+            self.announce(if self.is_started_by_hand() {
+                Announcement::StateSet(hold.state, value)
+            } else {
+                Announcement::StartSet { state: hold.state, value, before: hold.parameters }
+            });
+        }
+        if hold.playing {
+            self.play();
+        }
+    }
+
+    /// Whether a part of the scene is held.
+    pub fn is_dragging(&self) -> bool {
+        self.hold.is_some()
+    }
+
+    /// What is held does not move: the derivatives of its variable are 0.
+    fn rest(&self, held: usize, state: &mut [f64]) {
+        let states = &self.program.model.states;
+        let Some(held) = states.get(held) else { return };
+        for (other, value) in states.iter().zip(state) {
+            if other.variable == held.variable && other.order > held.order {
+                *value = 0.0;
+            }
+        }
+    }
+
+    /// What the run begins with when the value held is pulled by `way` (SI).
+    fn pulled(&mut self, hold: &mut Hold, way: f64) -> Pulled {
+        let mut state = hold.from.clone();
+        let Some(value) = state.get_mut(hold.state) else {
+            return Pulled { parameters: hold.parameters.clone(), state, by_hand: true };
+        };
+        *value += way;
+        match hold.start.as_mut().and_then(|start| start.solve(&hold.parameters, *value)) {
+            Some(parameters) => {
+                let state = self.initial_for(&parameters);
+                Pulled { parameters, state, by_hand: false }
+            }
+            None => Pulled { parameters: hold.parameters.clone(), state, by_hand: true },
+        }
+    }
+
+    /// The start as far along `way` (SI) as the drawing follows; `None` where it cannot be drawn.
+    fn followed(&mut self, hold: &mut Hold, way: f64) -> Option<Pulled> {
+        let there = self.pulled(hold, way);
+        let here = self.pulled(hold, 0.0);
+        let (here, drawn) = (self.drawing(hold, &here), self.drawing(hold, &there));
+        if !way.is_finite() || here.iter().zip(&drawn).any(|(here, there)| here.is_finite() && !there.is_finite()) {
+            return None;
+        }
+        if same(&here, &drawn) {
+            // What is held does not shape the drawing at all, or is beyond its limits already.
+            return Some(there);
+        }
+        let (mut follows, mut stands) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = (follows + stands) / 2.0;
+            let pulled = self.pulled(hold, way * middle);
+            if same(&self.drawing(hold, &pulled), &drawn) {
+                stands = middle;
+            } else {
+                follows = middle;
+            }
+        }
+        Some(self.pulled(hold, way * stands))
+    }
+
+    /// The values that shape the drawing when a run begins like this.
+    fn drawing(&mut self, hold: &Hold, Pulled { parameters, state, .. }: &Pulled) -> Vec<f64> {
+        let values = self.evaluators.scene.at(parameters, state, 0.0, state);
+        hold.shaping.iter().filter_map(|&index| values.get(index).copied()).collect()
+    }
+}
+
+/// Whether two drawings are the same, bit by bit.
+fn same(one: &[f64], other: &[f64]) -> bool {
+    one.iter().map(|value| value.to_bits()).eq(other.iter().map(|value| value.to_bits()))
+}
+
+fn collect_drags<'a>(element: &'a Element, drags: &mut Vec<&'a Drag>) {
+    drags.extend(&element.drag);
+    for child in &element.children {
+        if let Child::Element(child) = child {
+            collect_drags(child, drags);
+        }
+    }
+}
+
+/// Collects the values in the attributes of an element and those below it.
+fn collect_shaping(element: &Element, indices: &mut Vec<usize>) {
+    let pieces = element.attributes.iter().flat_map(|attribute| &attribute.value);
+    indices.extend(pieces.filter_map(|piece| match piece {
+        Piece::Value { index, .. } => Some(*index),
+        Piece::Literal(_) => None,
+    }));
+    for child in &element.children {
+        if let Child::Element(child) = child {
+            collect_shaping(child, indices);
+        }
+    }
+}
+
+/// The width and height of the scene, in its units; without a view box there is no telling.
+fn extent(program: &Program, language: &str) -> (f64, f64) {
+    let unlimited = (f64::MAX, f64::MAX);
+    let Some(scene) = program.scene(language) else {
+        return unlimited;
+    };
+    let view_box = scene.root.attributes.iter().find(|attribute| attribute.name == "viewBox");
+    let Some([Piece::Literal(text)]) = view_box.map(|attribute| attribute.value.as_slice()) else {
+        return unlimited;
+    };
+    let numbers: Vec<f64> =
+        text.split([' ', ',']).filter(|part| !part.is_empty()).filter_map(|part| part.parse().ok()).collect();
+    match numbers.as_slice() {
+        [_, _, width, height] if *width > 0.0 && *height > 0.0 => (*width, *height),
+        _ => unlimited,
+    }
+}

@@ -1,0 +1,89 @@
+//! Method and step, chosen in the laboratory.
+
+use crate::{Announcement, Play, Refusal, number, words};
+use engine::{Cause, Method, Run, RunError, Setup};
+
+/// A method in the list.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MethodView {
+    /// Its name in the engine: `rk4`.
+    pub name: &'static str,
+    /// Its name in the chosen language.
+    pub label: String,
+    /// Whether it is the one in use.
+    pub selected: bool,
+    /// Why it cannot integrate this model, in the chosen language; empty if it can.
+    pub refused: String,
+}
+
+impl Play {
+    /// The methods.
+    pub fn methods(&self) -> Vec<MethodView> {
+        let view = |method: Method| MethodView {
+            name: method.name(),
+            label: words::method_name(self.language, method).to_owned(),
+            selected: method == self.course.begun().method,
+            refused: self.method_refusal(method).map(|refusal| self.refusal_text(&refusal)).unwrap_or_default(),
+        };
+        Method::ALL.into_iter().map(view).collect()
+    }
+
+    /// Chooses a method by its name; the run starts anew from where it began.
+    pub fn set_method(&mut self, name: &str) -> Result<(), Refusal> {
+        let method: Method = name.parse().map_err(|_| Refusal::Unknown { name: name.to_owned() })?;
+        if let Some(refusal) = self.method_refusal(method) {
+            return Err(refusal);
+        }
+        if method != self.course.begun().method || self.course.history().is_none() {
+            let parameters = self.course.parameters().to_vec();
+            self.restart(Setup { method, parameters, ..self.course.begun().clone() });
+            self.announce(Announcement::Method(method));
+        }
+        Ok(())
+    }
+
+    /// The step (SI); with adaptive methods the distance of the rows.
+    pub fn step(&self) -> f64 {
+        self.course.begun().step
+    }
+
+    /// The step in the unit of the independent variable, and that unit for people.
+    pub fn step_text(&self) -> (String, String) {
+        let unit = &self.model().independent.unit;
+        (
+            number::plain(unit.from_si(self.step()), crate::controls::input::DIGITS, self.style),
+            number::unit_text(&unit.text),
+        )
+    }
+
+    /// Sets the step from what was typed; the run starts anew from where it began.
+    pub fn set_step_text(&mut self, text: &str) -> Result<(), Refusal> {
+        if text.trim() == self.step_text().0 {
+            return Ok(());
+        }
+        let step = self.read_value(text, &self.model().independent.unit)?;
+        self.set_step(step)
+    }
+
+    /// Sets the step (SI); the run starts anew from where it began.
+    pub fn set_step(&mut self, step: f64) -> Result<(), Refusal> {
+        if !(step.is_finite() && step > 0.0) {
+            return Err(Refusal::NotPositive);
+        }
+        if step != self.step() {
+            let parameters = self.course.parameters().to_vec();
+            self.restart(Setup { step, parameters, ..self.course.begun().clone() });
+            self.announce(Announcement::Step(step));
+        }
+        Ok(())
+    }
+
+    /// Why a method cannot integrate the model, if it can be integrated at all.
+    fn method_refusal(&self, method: Method) -> Option<Refusal> {
+        let setup = Setup { method, ..self.defaults.clone() };
+        match Run::start(&self.program.model, setup) {
+            Err(RunError { cause: Cause::NotSecondOrder(_), .. }) => Some(Refusal::Method { method }),
+            _ => None,
+        }
+    }
+}

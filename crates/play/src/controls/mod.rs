@@ -1,0 +1,19 @@
+//! What a visitor sets: parameters, presets, states, method and step; by slider, by hand in the scene, or typed.
+
+pub(crate) mod calculator;
+pub(crate) mod drag;
+pub(crate) mod input;
+mod method;
+mod parameter;
+pub(crate) mod preset;
+mod slider;
+mod start;
+mod state;
+pub(crate) mod typed;
+
+pub use input::DIGITS;
+pub use method::MethodView;
+pub use parameter::ParameterView;
+pub use preset::{PresetGroup, PresetView};
+pub use slider::Slider;
+pub use state::StateView;

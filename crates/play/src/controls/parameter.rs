@@ -1,0 +1,177 @@
+//! Parameters: what their controls show, and setting them.
+
+use crate::controls::input::DIGITS;
+use crate::controls::slider::Mapping;
+use crate::undo::Removed;
+use crate::{Announcement, Play, Refusal, Slider, number};
+use engine::Setup;
+use program::Parameter;
+
+/// A parameter as its control shows it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParameterView {
+    /// Which of [`program::Model::parameters`].
+    pub index: usize,
+    /// The ASCII name, `h_l`.
+    pub name: String,
+    /// The label in the chosen language; the name where there is none.
+    pub label: String,
+    /// The unit for people, `kg/m³`; empty for a pure number.
+    pub unit: String,
+    /// The value, SI.
+    pub value: f64,
+    /// The value in the unit, for the field: `0,05`.
+    pub text: String,
+    /// The value with its unit, for `aria-valuetext`: `0,05 m²`.
+    pub spoken: String,
+    /// Least and greatest value for people, without unit: `("2", "9")`.
+    pub range: Option<(String, String)>,
+    /// The slider; `None` without a range.
+    pub slider: Option<Slider>,
+    /// Whether it has its default value.
+    pub is_default: bool,
+    /// Whether changing it starts the run anew.
+    pub restarts: bool,
+}
+
+impl Play {
+    /// All parameters, in the order of the text.
+    pub fn parameters(&self) -> Vec<ParameterView> {
+        (0..self.model().parameters.len()).filter_map(|index| self.parameter(index)).collect()
+    }
+
+    /// One parameter.
+    pub fn parameter(&self, index: usize) -> Option<ParameterView> {
+        let parameter = self.model().parameters.get(index)?;
+        let &value = self.course.parameters().get(index)?;
+        let shown = |value: f64| number::plain(parameter.unit.from_si(value), DIGITS, self.style);
+        Some(ParameterView {
+            index,
+            name: parameter.name.clone(),
+            label: self.parameter_label(index).to_owned(),
+            unit: number::unit_text(&parameter.unit.text),
+            value,
+            text: shown(value),
+            spoken: self.quantity_text(value, &parameter.unit),
+            range: parameter.range.map(|(low, high)| (shown(low), shown(high))),
+            slider: Mapping::of(parameter).map(|mapping| mapping.slider(value)),
+            is_default: value == parameter.value,
+            restarts: parameter.restarts,
+        })
+    }
+
+    /// Sets a parameter to an SI value. One on which an initial value depends starts the run anew; any other takes
+    /// effect from the next step on.
+    pub fn set_parameter(&mut self, index: usize, value: f64) -> Result<(), Refusal> {
+        let value = self.admit(index, value)?;
+        let mut parameters = self.course.parameters().to_vec();
+        let Some(old) = parameters.get_mut(index) else {
+            return Ok(());
+        };
+        if old.to_bits() == value.to_bits() {
+            return Ok(());
+        }
+        *old = value;
+        self.change_parameters(parameters);
+        self.announce(Announcement::ParameterSet(index, value));
+        Ok(())
+    }
+
+    /// Sets a parameter from what was typed: a number in the parameter's unit, or with a unit of the same dimension, or
+    /// an expression that gives its value now. The text that the field shows leaves the value as it is.
+    pub fn set_parameter_text(&mut self, index: usize, text: &str) -> Result<(), Refusal> {
+        let unknown = || Refusal::Unknown { name: index.to_string() };
+        let (view, parameter) = self.parameter(index).zip(self.model().parameters.get(index)).ok_or_else(unknown)?;
+        match self.read_field(text, &view.text, &parameter.unit)? {
+            Some(value) => self.set_parameter(index, value),
+            None => Ok(()),
+        }
+    }
+
+    /// Sets a parameter to the value at a position of its slider.
+    pub fn slide(&mut self, index: usize, position: u32) {
+        let Some(mapping) = self.model().parameters.get(index).and_then(Mapping::of) else {
+            return;
+        };
+        // Values of a slider lie in the range, so this cannot be refused.
+        let _ = self.set_parameter(index, mapping.value(position));
+    }
+
+    /// Sets one parameter to its default.
+    pub fn restore_default(&mut self, index: usize) {
+        if let Some(value) = self.model().parameters.get(index).map(|parameter| parameter.value) {
+            let _ = self.set_parameter(index, value);
+        }
+    }
+
+    /// Sets all parameters to their defaults. A run that began from a state set by hand begins again, with the document's
+    /// initial values.
+    pub fn restore_defaults(&mut self) {
+        let parameters = self.defaults.parameters.clone();
+        if self.is_started_by_hand() {
+            let before = Setup { parameters: self.course.parameters().to_vec(), ..self.course.begun().clone() };
+            self.restart(Setup { parameters, start: None, ..before.clone() });
+            self.can_undo(Removed::Start(before));
+        } else {
+            self.overwrite_parameters(parameters);
+        }
+        self.announce(Announcement::DefaultsRestored);
+    }
+
+    /// The label of a parameter in the chosen language; its name where it has none.
+    pub fn parameter_label(&self, index: usize) -> &str {
+        let Some(parameter) = self.model().parameters.get(index) else {
+            return "";
+        };
+        parameter.label.as_deref().map_or(parameter.name.as_str(), |label| self.text(label))
+    }
+
+    /// The value if the parameter may have it.
+    pub fn admit(&self, index: usize, value: f64) -> Result<f64, Refusal> {
+        let parameter =
+            self.model().parameters.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
+        let name = self.parameter_label(index).to_owned();
+        if !value.is_finite() {
+            return Err(Refusal::NoValue { name });
+        }
+        let Some((low, high)) = parameter.range else {
+            return Ok(value);
+        };
+        // What is typed in another unit may miss the end of the range by a rounding.
+        let slack = (high - low) * 1e-12;
+        if value < low - slack {
+            Err(Refusal::TooSmall { name, least: self.quantity_text(low, &parameter.unit) })
+        } else if value > high + slack {
+            Err(Refusal::TooLarge { name, greatest: self.quantity_text(high, &parameter.unit) })
+        } else {
+            Ok(value.max(low).min(high))
+        }
+    }
+
+    /// Puts other parameters into force. Where the run has to start anew because of them, it does.
+    pub(crate) fn change_parameters(&mut self, parameters: Vec<f64>) {
+        let old = self.course.parameters();
+        if old == parameters {
+            return;
+        }
+        let deciding = |(index, parameter): (usize, &Parameter)| {
+            (parameter.restarts && old.get(index) != parameters.get(index)).then_some(index)
+        };
+        let decides = self.model().parameters.iter().enumerate().find_map(deciding);
+        self.revision.parameters += 1;
+        if decides.is_some() || self.course.history().is_none() {
+            let setup = Setup { parameters, start: None, ..self.course.begun().clone() };
+            let begun = self.course.front() > 0.0 || self.is_started_by_hand();
+            self.restart(setup);
+            if let (Some(index), true) = (decides, begun) {
+                self.announce(Announcement::Restarted(index));
+            }
+        } else {
+            self.branch();
+            self.course.set_parameters(&self.program.model, parameters);
+            self.traces.truncate(self.course.rows().saturating_sub(1));
+            self.revision.transport += 1;
+            self.frame_changed();
+        }
+    }
+}

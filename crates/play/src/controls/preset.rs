@@ -1,0 +1,124 @@
+//! Presets: named sets of parameter values.
+
+use crate::values::symbol::symbol;
+use crate::{Announcement, Play, Refusal};
+use engine::Readings;
+use program::Assignment;
+
+/// Presets that belong together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PresetGroup {
+    /// The group's name in the chosen language; empty for presets without a group.
+    pub name: String,
+    /// Its presets, in the order of the text.
+    pub presets: Vec<PresetView>,
+}
+
+/// A preset as its button shows it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PresetView {
+    /// Which of [`program::Program::presets`].
+    pub index: usize,
+    /// Its name in the chosen language.
+    pub name: String,
+    /// What it sets, for a tooltip: `ρ = 13534 kg/m³`.
+    pub description: String,
+    /// Whether the parameters have its values: applying it would change nothing.
+    pub selected: bool,
+}
+
+/// Values that differ by less than this part are the same: those of expressions are rounded.
+const SAME: f64 = 1e-9;
+
+impl Play {
+    /// The presets by group, in the order of the text.
+    pub fn presets(&mut self) -> Vec<PresetGroup> {
+        let mut groups: Vec<(Option<String>, PresetGroup)> = Vec::new();
+        for index in 0..self.program.presets.len() {
+            let now = self.course.parameters().to_vec();
+            let then = self.preset_parameters(index);
+            let Some(preset) = self.program.presets.get(index) else {
+                continue;
+            };
+            let near = |(now, then): (&f64, &f64)| (now - then).abs() <= SAME * now.abs().max(then.abs());
+            let assigned = self.assigned(&preset.values, &then);
+            let assigned: Vec<String> =
+                assigned.iter().map(|(name, value)| format!("{} = {value}", symbol(name))).collect();
+            let view = PresetView {
+                index,
+                name: self.text(&preset.name).to_owned(),
+                description: assigned.join(", "),
+                selected: now.iter().zip(&then).all(near),
+            };
+            match groups.last_mut() {
+                Some((group, last)) if *group == preset.group => last.presets.push(view),
+                _ => {
+                    let name = preset.group.as_deref().map_or("", |group| self.text(group)).to_owned();
+                    groups.push((preset.group.clone(), PresetGroup { name, presets: vec![view] }));
+                }
+            }
+        }
+        groups.into_iter().map(|(_, group)| group).collect()
+    }
+
+    /// Sets the parameters of a preset, each computed with those before it; all of them or, when one is refused, none.
+    pub fn apply_preset(&mut self, index: usize) -> Result<(), Refusal> {
+        let parameters = self.preset_parameters(index);
+        let preset = self.program.presets.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
+        let parameters = self.admit_assignments(&preset.values, parameters)?;
+        self.overwrite_parameters(parameters);
+        self.announce(Announcement::Preset(index));
+        Ok(())
+    }
+
+    fn preset_parameters(&mut self, index: usize) -> Vec<f64> {
+        let presets = &self.program.presets;
+        let first = presets.iter().take(index).map(|preset| preset.values.len()).sum();
+        let values = presets.get(index).map_or(&[][..], |preset| &preset.values);
+        assign(&mut self.evaluators.presets, first, values, self.course.parameters(), self.course.initial())
+    }
+
+    /// The name of each parameter that is set, and its value for people: `rho` and `13534 kg/m³`.
+    pub(crate) fn assigned(&self, assignments: &[Assignment], parameters: &[f64]) -> Vec<(String, String)> {
+        let assigned = |assignment: &Assignment| {
+            let parameter = self.model().parameters.get(assignment.parameter)?;
+            let value = parameters.get(assignment.parameter)?;
+            Some((parameter.name.clone(), self.quantity_text(*value, &parameter.unit)))
+        };
+        assignments.iter().filter_map(assigned).collect()
+    }
+
+    /// The parameters if each of those assigned may have its value.
+    pub(crate) fn admit_assignments(
+        &self,
+        assignments: &[Assignment],
+        mut parameters: Vec<f64>,
+    ) -> Result<Vec<f64>, Refusal> {
+        for assignment in assignments {
+            if let Some(value) = parameters.get_mut(assignment.parameter) {
+                *value = self.admit(assignment.parameter, *value)?;
+            }
+        }
+        Ok(parameters)
+    }
+}
+
+/// The parameters after `assignments`, whose values are the readings from `first` on; each is computed with the
+/// parameters that those before it have left.
+pub(crate) fn assign(
+    readings: &mut Readings,
+    first: usize,
+    assignments: &[Assignment],
+    parameters: &[f64],
+    initial: &[f64],
+) -> Vec<f64> {
+    let mut parameters = parameters.to_vec();
+    for (offset, assignment) in assignments.iter().enumerate() {
+        let values = readings.at(&parameters, initial, 0.0, initial);
+        let value = values.get(first + offset).copied().unwrap_or(f64::NAN);
+        if let Some(parameter) = parameters.get_mut(assignment.parameter) {
+            *parameter = value;
+        }
+    }
+    parameters
+}

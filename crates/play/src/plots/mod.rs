@@ -1,0 +1,13 @@
+//! Figures: the document's plots with the present run and the kept ones, and what others add to them.
+
+mod added;
+pub(crate) mod kept;
+pub(crate) mod plot;
+mod reading;
+mod series;
+pub(crate) mod traces;
+
+pub use added::{AddedPlot, AddedSeries, POINTS, Points};
+pub use kept::{KeptView, MOST_KEPT};
+pub use plot::{Labels, PlotId, PlotView};
+pub use series::LegendEntry;

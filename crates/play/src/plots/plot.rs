@@ -1,0 +1,409 @@
+//! The plots: figures of what has been recorded, zoomed, panned and read by pointer or keyboard.
+
+use super::added::{AddedPlot, POINTS, Points};
+use crate::values::symbol::symbol;
+use crate::{Play, number, words};
+use figure::{Axis, Direction, Figure, Interval, Palette, Plot, Point, Readout, Series, Settings, Style, View};
+use program::Node;
+use std::fmt;
+
+/// Names a plot as long as the document is open. The document's plots come first, in the order of the text.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct PlotId(pub(crate) usize);
+
+impl PlotId {
+    /// The plot of this place in the list.
+    pub fn at(place: usize) -> Self {
+        Self(place)
+    }
+
+    /// Its place in the list.
+    pub fn place(self) -> usize {
+        self.0
+    }
+}
+
+/// Its place, for names of elements.
+impl fmt::Display for PlotId {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(formatter)
+    }
+}
+
+/// A plot in the list.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlotView {
+    /// Names it.
+    pub id: PlotId,
+    /// The title in the chosen language.
+    pub title: String,
+    /// Whether it is to be shown.
+    pub shown: bool,
+    /// Whether it shows all of the data.
+    pub automatic: bool,
+    /// Whether there is anything for it to show: residuals only where something is measured.
+    pub offered: bool,
+    /// Whether it stands apart from the other plots.
+    pub apart: bool,
+}
+
+/// What is chosen for a plot, and what is kept of it from frame to frame.
+#[derive(Debug)]
+pub struct PlotState {
+    pub shown: bool,
+    pub view: View,
+    figure: Figure,
+    /// The row at which the keyboard reads.
+    cursor: Option<usize>,
+    pub labels: Labels,
+    /// Points over the curves.
+    pub points: Vec<Points>,
+    /// What is drawn, where it is not a plot of the document.
+    pub added: Option<AddedPlot>,
+}
+
+/// The texts of a plot in the chosen language.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Labels {
+    /// The title.
+    pub title: String,
+    /// What it shows, for who does not see it.
+    pub description: String,
+    /// Name and unit of the horizontal axis.
+    pub x: (String, String),
+    /// Name and unit of each axis.
+    pub axes: Vec<(String, String)>,
+    /// The name of each curve.
+    pub curves: Vec<String>,
+}
+
+impl Default for PlotState {
+    fn default() -> Self {
+        Self {
+            shown: true,
+            view: View::default(),
+            figure: Figure::default(),
+            cursor: None,
+            labels: Labels::default(),
+            points: Vec::new(),
+            added: None,
+        }
+    }
+}
+
+impl PlotState {
+    /// An empty plot that is not the document's.
+    pub fn added() -> Self {
+        Self { added: Some(AddedPlot::default()), ..Self::default() }
+    }
+}
+
+/// A plot against the independent variable begins with room for so many steps.
+pub(crate) const STEPS_AT_FIRST: f64 = 200.0;
+
+impl Play {
+    /// The plots, in the order of the text.
+    pub fn plots(&self) -> Vec<PlotView> {
+        let view = |(index, plot): (usize, &PlotState)| PlotView {
+            id: PlotId(index),
+            title: plot.labels.title.clone(),
+            shown: plot.shown,
+            automatic: plot.view.is_automatic(),
+            offered: plot.added.as_ref().is_none_or(|added| added.offered),
+            apart: plot.added.as_ref().is_some_and(|added| added.apart),
+        };
+        self.plots.iter().enumerate().map(view).collect()
+    }
+
+    /// Shows a plot or not.
+    pub fn show_plot(&mut self, PlotId(index): PlotId, shown: bool) {
+        if let Some(plot) = self.plots.get_mut(index) {
+            plot.shown = shown;
+            self.revision.plots += 1;
+        }
+    }
+
+    /// Lays a plot out for the time shown; the figure's buffers are kept from frame to frame. `None` if there is no such
+    /// plot.
+    pub fn layout_plot(&mut self, PlotId(index): PlotId, settings: &Settings) -> Option<&Figure> {
+        self.follow();
+        let mut figure = std::mem::take(&mut self.plots.get_mut(index)?.figure);
+        if let Some(mut plot) = self.figure_of(index) {
+            // On the page title and legend stand above the figure.
+            plot.title = "";
+            plot.series.iter_mut().for_each(|series| series.label = "");
+            figure::layout_into(&mut figure, &plot, settings);
+        }
+        let state = self.plots.get_mut(index)?;
+        state.figure = figure;
+        Some(&state.figure)
+    }
+
+    /// The figure of the last [`Play::layout_plot`].
+    pub fn plot_figure(&self, PlotId(index): PlotId) -> Option<&Figure> {
+        self.plots.get(index).map(|plot| &plot.figure)
+    }
+
+    /// The plot as a figure that stands alone, with its title: what is saved.
+    pub fn titled_figure(&mut self, PlotId(index): PlotId, settings: &Settings) -> Option<Figure> {
+        self.follow();
+        let names = self.series_names(index);
+        let mut plot = self.figure_of(index)?;
+        // One entry stands for all curves of a kept run.
+        for (series, name) in plot.series.iter_mut().zip(&names) {
+            if let (Style::Run(_), 0, Some(run)) = (series.style, series.colour, &name.run) {
+                series.label = run;
+            }
+        }
+        Some(figure::layout(&plot, settings))
+    }
+
+    /// The plot as a standalone SVG file.
+    pub fn plot_svg(&mut self, PlotId(index): PlotId, settings: &Settings, palette: &Palette) -> String {
+        self.titled_figure(PlotId(index), settings).map_or_else(String::new, |figure| figure.svg(palette))
+    }
+
+    /// What lies at a pixel of the last layout, on the present run and the kept ones, and the measured points next to it.
+    /// The keyboard's cursor moves there.
+    pub fn hover_plot(&mut self, PlotId(index): PlotId, at: Point) -> Option<Readout> {
+        let readout = self.plot_figure(PlotId(index))?.hover(&self.readable_plot(index)?, at);
+        let first = self.series_behind(index);
+        let sample = readout.iter().flat_map(|readout| &readout.samples).find(|sample| sample.series >= first);
+        let row = sample.map(|sample| sample.row);
+        if let (Some(row), Some(state)) = (row, self.plots.get_mut(index)) {
+            state.cursor = Some(row);
+        }
+        let readout = readout.map(|readout| self.named(index, readout));
+        self.with_points(index, at, readout)
+    }
+
+    /// Moves the keyboard's cursor by so many rows along the run (from the present row at first) and reads there.
+    pub fn move_cursor(&mut self, PlotId(index): PlotId, rows: isize) -> Option<Readout> {
+        let present = self.course.rows_until_shown().saturating_sub(1);
+        let row = self.plots.get(index)?.cursor.unwrap_or(present);
+        let (mut series, mut plot) = (self.series_behind(index), self.readable_plot(index)?);
+        if let Some(added) = self.added(index) {
+            series = added.cursor;
+        } else if self.course.rows() < 2 && self.points_behind(index) > 0 {
+            // Before the run has gone anywhere the cursor goes along what was measured.
+            (series, plot) = (0, self.figure_of(index)?);
+        }
+        let figure = self.plot_figure(PlotId(index))?;
+        let row = figure.step(&plot, series, row, rows)?;
+        let readout = figure.readout(&plot, series, row)?;
+        if let Some(state) = self.plots.get_mut(index) {
+            state.cursor = Some(row);
+        }
+        let at = readout.samples.iter().find(|sample| sample.series == series).map(|sample| sample.at);
+        let readout = self.named(index, readout);
+        match at {
+            Some(at) => self.with_points(index, at, Some(readout)),
+            None => Some(readout),
+        }
+    }
+
+    /// Zooms by `factor` (2 shows half as much) about a pixel; about the centre without one.
+    pub fn zoom_plot(&mut self, PlotId(index): PlotId, at: Option<Point>, factor: f64, direction: Direction) {
+        if !(factor.is_finite() && factor > 0.0) {
+            return;
+        }
+        self.set_view(index, |figure| match at {
+            Some(at) => figure.zoom(at, factor, direction),
+            None => figure.zoom_centre(factor, direction),
+        });
+    }
+
+    /// Zooms to the rectangle between two pixels.
+    pub fn zoom_plot_to(&mut self, PlotId(index): PlotId, one: Point, other: Point) {
+        self.set_view(index, |figure| figure.zoom_to(one, other));
+    }
+
+    /// Moves what is shown by so many pixels.
+    pub fn pan_plot(&mut self, PlotId(index): PlotId, right: f64, down: f64) {
+        self.set_view(index, |figure| figure.pan(right, down));
+    }
+
+    /// Shows all of the data again.
+    pub fn reset_plot(&mut self, PlotId(index): PlotId) {
+        self.set_view(index, |_| View::default());
+    }
+
+    fn set_view(&mut self, index: usize, change: impl FnOnce(&Figure) -> View) {
+        if let Some(plot) = self.plots.get_mut(index) {
+            plot.view = change(&plot.figure);
+            self.revision.plots += 1;
+        }
+    }
+
+    /// How many series are drawn behind those of the present run.
+    fn series_behind(&self, index: usize) -> usize {
+        self.points_behind(index) + self.runs_behind(index)
+    }
+
+    /// How many series of points are drawn behind all lines.
+    fn points_behind(&self, index: usize) -> usize {
+        self.plots.get(index).map_or(0, |plot| plot.points.len())
+    }
+
+    fn runs_behind(&self, index: usize) -> usize {
+        let curves = self.columns.plot(index).map_or(0, |plot| plot.curves.len());
+        let behind = usize::from(self.ghost.is_some()) + self.kept.iter().filter(|kept| kept.shown).count();
+        curves * behind
+    }
+
+    /// The plot as it is read: the ghost is only looked at.
+    fn readable_plot(&self, index: usize) -> Option<Plot<'_>> {
+        let mut plot = self.figure_of(index)?;
+        if self.added(index).is_some() {
+            return Some(plot);
+        }
+        for series in &mut plot.series {
+            if matches!(series.style, Style::Ghost | Style::Points) {
+                (series.x, series.y) = (&[], &[]);
+            }
+        }
+        Some(plot)
+    }
+
+    /// Says of samples of kept runs which run they are of.
+    fn named(&self, index: usize, mut readout: Readout) -> Readout {
+        if let Some(added) = self.added(index) {
+            return self.with_errors(added, readout);
+        }
+        let (points, first) = (self.points_behind(index), self.series_behind(index));
+        let curves = self.plots.get(index).map_or(&[][..], |plot| &plot.labels.curves);
+        let ghosts = if self.ghost.is_some() { curves.len() } else { 0 };
+        let kept: Vec<String> = self.kept().into_iter().filter(|kept| kept.shown).map(|kept| kept.name).collect();
+        for sample in readout.samples.iter_mut().filter(|sample| sample.series < first) {
+            let Some(place) = sample.series.checked_sub(points + ghosts) else {
+                continue;
+            };
+            let (Some(run), Some(curve)) = (kept.get(place / curves.len()), curves.get(place % curves.len())) else {
+                continue;
+            };
+            let value = sample.text.rsplit(" = ").next().unwrap_or_default();
+            sample.text = format!("{curve} ({run}) = {value}");
+        }
+        readout
+    }
+
+    fn added(&self, index: usize) -> Option<&AddedPlot> {
+        self.plots.get(index)?.added.as_ref()
+    }
+
+    /// What is drawn in a plot.
+    pub(crate) fn figure_of(&self, index: usize) -> Option<Plot<'_>> {
+        let state = self.plots.get(index)?;
+        match &state.added {
+            None => self.figure_plot(index),
+            Some(added) => Some(self.added_figure(added, &state.view)),
+        }
+    }
+
+    /// What is drawn: points, the ghost, then the kept runs, then the present run on top, in the same colours.
+    fn figure_plot(&self, index: usize) -> Option<Plot<'_>> {
+        let state = self.plots.get(index)?;
+        let columns = self.columns.plot(index)?;
+        let labels = &state.labels;
+        let ghosts = self.ghost.iter().map(|ghost| (&ghost.traces, Style::Ghost));
+        let kept = self.kept.iter().filter(|kept| kept.shown);
+        let kept = kept.map(|kept| (&kept.traces, Style::Run(kept.pattern)));
+        let points = state.points.iter().filter_map(|points| {
+            let (_, axis) = *columns.curves.get(points.curve)?;
+            let (colour, style) = (POINTS + points.curve as u8, Style::Points);
+            let (x, y, version) = (&points.x[..], &points.y[..], points.version);
+            let label = points.label.as_str();
+            Some(Series { label, axis, colour, style, x, y, version, ..Series::default() })
+        });
+        let mut series: Vec<Series<'_>> = points.collect();
+        for (traces, style) in ghosts.chain(kept).chain([(&self.traces, Style::Line)]) {
+            let present_run = style == Style::Line;
+            for (number, &(column, axis)) in columns.curves.iter().enumerate() {
+                let present = self.present.get(columns.x).copied().zip(self.present.get(column).copied());
+                let label = match style {
+                    Style::Line => labels.curves.get(number).map_or("", String::as_str),
+                    // One entry stands for all its curves.
+                    Style::Ghost if number == 0 => words::previous_run(self.language),
+                    _ => "",
+                };
+                let (x, y) = (traces.column(columns.x), traces.column(column));
+                let mut curve = Series { label, axis, colour: number as u8, style, x, y, ..Series::default() };
+                curve.breaks = traces.breaks(columns.first + number);
+                curve.present = present.filter(|_| present_run);
+                series.push(curve);
+            }
+        }
+        let independent = self.is_against_independent(index);
+        let unit = &self.model().independent.unit;
+        let first = Interval::new(0.0, unit.from_si(self.step() * STEPS_AT_FIRST));
+        Some(Plot {
+            title: &labels.title,
+            description: &labels.description,
+            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: independent.then_some(first) },
+            y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, include: None }).collect(),
+            series,
+            marker: if independent { self.present.get(columns.x).copied() } else { None },
+            view: state.view.clone(),
+            ordered: independent,
+            equal: self.is_path(index),
+        })
+    }
+
+    /// Whether lengths are drawn against a length.
+    fn is_path(&self, index: usize) -> bool {
+        let plot = self.program.plots.get(index);
+        plot.is_some_and(|plot| {
+            let mut drawn = plot.curves.iter().map(|curve| &curve.value).chain([&plot.x.value]);
+            drawn.all(|value| value.unit.dimension == units::Dimension::LENGTH)
+        })
+    }
+
+    /// What a zoomed plot of the document against the independent variable shows of it; `None` where none is zoomed.
+    pub fn zoomed_part(&self) -> Option<Interval> {
+        let against = (0..self.program.plots.len()).filter(|index| self.is_against_independent(*index));
+        against.filter_map(|index| self.plots.get(index)?.view.x).next()
+    }
+
+    fn is_against_independent(&self, index: usize) -> bool {
+        let node = self.program.plots.get(index).map(|plot| plot.x.value.node);
+        node.is_some_and(|node| self.model().graph.node(node) == Node::Independent)
+    }
+
+    /// Writes the texts of all plots in the chosen language.
+    pub(crate) fn label_plots(&mut self) {
+        for index in 0..self.plots.len() {
+            let Some(labels) = self.labels_of(index) else {
+                continue;
+            };
+            if let Some(state) = self.plots.get_mut(index) {
+                state.labels = labels;
+            }
+        }
+        self.revision.plots += 1;
+    }
+
+    fn labels_of(&self, index: usize) -> Option<Labels> {
+        let plot = self.program.plots.get(index)?;
+        let columns = self.columns.plot(index)?;
+        let title = self.text(&plot.title).to_owned();
+        let named = |curve: &program::Curve| match &curve.label {
+            Some(label) => format!("{} ({})", self.text(label), symbol(&curve.expression)),
+            None => symbol(&curve.expression),
+        };
+        let names: Vec<String> = plot.curves.iter().map(named).collect();
+        let description = words::against(self.language, &names.join(", "), &named(&plot.x));
+        let curves: Vec<String> = plot.curves.iter().map(|curve| symbol(&curve.expression)).collect();
+        let axes = columns.axes.iter().enumerate().map(|(axis, unit)| {
+            let here = columns.curves.iter().zip(&curves).filter(|((_, of), _)| *of == axis);
+            let names: Vec<&str> = here.map(|(_, name)| name.as_str()).collect();
+            (names.join(", "), number::unit_text(&unit.text))
+        });
+        Some(Labels {
+            axes: axes.collect(),
+            description: format!("{title}: {description}"),
+            title,
+            x: (symbol(&plot.x.expression), number::unit_text(&plot.x.value.unit.text)),
+            curves,
+        })
+    }
+}

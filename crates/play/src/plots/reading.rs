@@ -1,0 +1,67 @@
+//! Measured points read off a plot, beside what the pointer or the keyboard's cursor reads of the run.
+
+use super::added::{AddedPlot, POINTS};
+use super::plot::PlotId;
+use crate::{Play, number};
+use figure::{Plot, Point, Readout, Sample, Series, Style};
+
+/// A point further away than this, in pixels, is not the one that is meant.
+const REACH: f32 = 24.0;
+
+impl Play {
+    /// Adds to a read-out the measured points that are nearest to a pixel: of each column in use one where the plot is
+    /// against the independent variable, else the nearest of all.
+    pub(crate) fn with_points(&self, index: usize, at: Point, readout: Option<Readout>) -> Option<Readout> {
+        let mut near = self.points_near(index, at);
+        let Some(mut readout) = readout else {
+            return (!near.is_empty()).then(|| Readout { heading: String::new(), samples: near });
+        };
+        readout.samples.append(&mut near);
+        Some(readout)
+    }
+
+    /// A read-out of a plot that was added, values that have errors with these.
+    pub(super) fn with_errors(&self, added: &AddedPlot, mut readout: Readout) -> Readout {
+        for sample in &mut readout.samples {
+            let Some(series) = added.series.get(sample.series) else { continue };
+            let Some(error) = series.errors.get(sample.row).copied() else { continue };
+            let Some((name, unit)) = added.labels.axes.get(series.axis) else { continue };
+            let value = number::with_error(sample.y, Some(error), self.style);
+            sample.text = format!("{name} = {}", number::error_with_unit(&value, unit));
+        }
+        readout
+    }
+
+    fn points_near(&self, index: usize, at: Point) -> Vec<Sample> {
+        let (Some(figure), Some(plot)) = (self.plot_figure(PlotId(index)), self.figure_of(index)) else {
+            return Vec::new();
+        };
+        let Some(state) = self.plots.get(index) else { return Vec::new() };
+        let curves = &state.labels.curves;
+        let mut found: Vec<Sample> = Vec::new();
+        for (number, points) in state.points.iter().enumerate() {
+            // Alone in its plot: then the heading is that of its own point.
+            let Some(own) = plot.series.get(number) else { continue };
+            let label = curves.get(points.curve).map_or("", String::as_str);
+            let colour = POINTS + points.curve as u8;
+            let series = Series { label, axis: own.axis, colour, style: Style::Points, x: own.x, y: own.y, ..*own };
+            let alone = Plot { series: vec![series], ..plot.clone() };
+            let Some(mut readout) = figure.hover(&alone, at) else { continue };
+            let Some(mut sample) = readout.samples.pop().filter(|sample| (sample.at.x - at.x).abs() <= REACH) else {
+                continue;
+            };
+            sample.text = format!("{}: {}, {}", points.source, readout.heading, sample.text);
+            sample.series = number;
+            // A column that was made anew may hold the very same.
+            if !found.iter().any(|other| other.text == sample.text) {
+                found.push(sample);
+            }
+        }
+        if !plot.ordered {
+            let distance = |sample: &Sample| (sample.at.x - at.x).powi(2) + (sample.at.y - at.y).powi(2);
+            found.sort_by(|one, other| distance(one).total_cmp(&distance(other)));
+            found.truncate(1);
+        }
+        found
+    }
+}

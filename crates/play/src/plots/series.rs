@@ -1,0 +1,133 @@
+//! The series of a plot by name: its legend, its numbers as CSV, and how far two read-outs are apart.
+
+use super::plot::PlotId;
+use crate::{Play, words};
+use engine::csv::Dialect;
+use figure::{Plot, Readout, Series, Style};
+
+/// An entry of a legend.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LegendEntry {
+    /// What it stands for.
+    pub label: String,
+    /// Which colour it has: of the series, or of the kept runs where the style says so.
+    pub colour: u8,
+    /// How it is drawn.
+    pub style: Style,
+}
+
+/// What a series shows.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SeriesName {
+    /// The curve, `y`, or the name of a measurement.
+    pub curve: String,
+    /// The run, if it is not the present one.
+    pub run: Option<String>,
+}
+
+impl Play {
+    /// The legend of a plot; empty where there is but one series.
+    pub fn plot_legend(&self, PlotId(index): PlotId) -> Vec<LegendEntry> {
+        let names = self.series_names(index);
+        let Some(plot) = self.figure_of(index) else { return Vec::new() };
+        let entry = |(series, name): (&Series<'_>, SeriesName)| {
+            // One entry stands for all curves of a kept run.
+            let (label, colour) = match series.style {
+                Style::Run(pattern) if series.colour == 0 => (name.run.unwrap_or_default(), pattern),
+                _ => (series.label.to_owned(), series.colour),
+            };
+            (!label.is_empty()).then_some(LegendEntry { label, colour, style: series.style })
+        };
+        let entries: Vec<LegendEntry> = plot.series.iter().zip(names).filter_map(entry).collect();
+        if entries.len() < 2 { Vec::new() } else { entries }
+    }
+
+    /// What is drawn in a plot as CSV: an abscissa and an ordinate for each series, since each has rows of its own.
+    pub fn plot_csv(&mut self, PlotId(index): PlotId) -> String {
+        self.follow();
+        let names = self.series_names(index);
+        let Some(plot) = self.figure_of(index) else { return String::new() };
+        let dialect = if self.style.decimal_comma { Dialect::Semicolons } else { Dialect::Commas };
+        let mut out = dialect.start().to_owned();
+        let head = |label: &str, unit: &str| {
+            if unit.is_empty() { label.to_owned() } else { format!("{label} [{unit}]") }
+        };
+        let heads = plot.series.iter().zip(&names).flat_map(|(series, name)| {
+            let unit = plot.y.get(series.axis).map_or("", |axis| axis.unit);
+            let run = name.run.as_ref().map(|run| format!(" ({run})")).unwrap_or_default();
+            [head(&format!("{}{run}", plot.x.label), plot.x.unit), head(&format!("{}{run}", name.curve), unit)]
+        });
+        // Writing to a string does not fail.
+        for (place, head) in heads.enumerate() {
+            if place > 0 {
+                out.push(dialect.separator());
+            }
+            let _ = dialect.text(&mut out, &head);
+        }
+        out.push_str(dialect.line_end());
+        // The last row of a run that stands on a row of its grid is there twice.
+        let length = |series: &Series<'_>| match series.x.len().min(series.y.len()) {
+            rows @ 2.. if series.x[rows - 1] == series.x[rows - 2] && series.y[rows - 1] == series.y[rows - 2] => {
+                rows - 1
+            }
+            rows => rows,
+        };
+        for row in 0..plot.series.iter().map(length).max().unwrap_or(0) {
+            for (place, series) in plot.series.iter().enumerate() {
+                if place > 0 {
+                    out.push(dialect.separator());
+                }
+                let cell = |column: &[f64]| column.get(row).copied().filter(|_| row < length(series));
+                if let Some(x) = cell(series.x) {
+                    let _ = dialect.number(&mut out, x);
+                }
+                out.push(dialect.separator());
+                if let Some(y) = cell(series.y) {
+                    let _ = dialect.number(&mut out, y);
+                }
+            }
+            out.push_str(dialect.line_end());
+        }
+        out
+    }
+
+    /// A read-out without the kept runs, unless it is of one of them alone: what is worth keeping.
+    pub fn own_samples(&self, PlotId(index): PlotId, mut readout: Readout) -> Readout {
+        let Some(plot) = self.figure_of(index) else { return readout };
+        let own = |style: Style| !matches!(style, Style::Run(_) | Style::Ghost);
+        let is_own = |number: usize| plot.series.get(number).is_some_and(|series| own(series.style));
+        if readout.samples.iter().any(|sample| is_own(sample.series)) {
+            readout.samples.retain(|sample| is_own(sample.series));
+        }
+        readout
+    }
+
+    /// How far a read-out of a plot is from another one: `Δt = 0.5 s`, `Δy = 0.1 m`.
+    pub fn plot_difference(&self, PlotId(index): PlotId, from: &Readout, to: &Readout) -> Vec<String> {
+        let difference = |figure: &figure::Figure, plot: Plot<'_>| figure.difference(&plot, from, to);
+        self.plot_figure(PlotId(index))
+            .zip(self.figure_of(index))
+            .map(|(figure, plot)| difference(figure, plot))
+            .unwrap_or_default()
+    }
+
+    /// What each series of a plot shows, in their order.
+    pub(crate) fn series_names(&self, index: usize) -> Vec<SeriesName> {
+        let Some(plot) = self.figure_of(index) else { return Vec::new() };
+        let kept = self.kept();
+        let curves = self.plots.get(index).map_or(&[][..], |plot| &plot.labels.curves);
+        let name = |series: &Series<'_>| {
+            let run = match series.style {
+                Style::Run(pattern) => kept.iter().find(|kept| kept.pattern == pattern).map(|kept| kept.name.clone()),
+                Style::Ghost => Some(words::previous_run(self.language).to_owned()),
+                _ => None,
+            };
+            let curve = match run {
+                Some(_) => curves.get(usize::from(series.colour)).map_or("", String::as_str),
+                None => series.label,
+            };
+            SeriesName { curve: curve.to_owned(), run }
+        };
+        plot.series.iter().map(name).collect()
+    }
+}

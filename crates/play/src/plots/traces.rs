@@ -1,0 +1,197 @@
+//! Columns of numbers for the plots: every plotted expression at every row, in the unit of its axis. Rows are added as
+//! the run grows, never computed twice.
+
+use crate::time::course::Course;
+use engine::{History, Readings};
+use program::Plot;
+use program::{Model, NodeId};
+use units::Unit;
+
+/// Which columns there are and where each plot finds its own.
+#[derive(Clone, Debug)]
+pub(crate) struct Columns {
+    readings: Readings,
+    nodes: Vec<NodeId>,
+    units: Vec<Unit>,
+    plots: Vec<PlotColumns>,
+}
+
+/// The columns of one plot.
+#[derive(Clone, Debug)]
+pub(crate) struct PlotColumns {
+    /// The abscissa.
+    pub x: usize,
+    /// The number of its first curve among those of all plots.
+    pub first: usize,
+    /// For each curve its column and the number of its axis.
+    pub curves: Vec<(usize, usize)>,
+    /// The unit of each axis: that of its first curve.
+    pub axes: Vec<Unit>,
+}
+
+impl Columns {
+    /// The columns that the plots need; equal ones once.
+    pub fn new(model: &Model, plots: &[Plot]) -> Self {
+        let mut columns =
+            Self { readings: Readings::new(model, &[]), nodes: Vec::new(), units: Vec::new(), plots: Vec::new() };
+        for plot in plots {
+            let x = columns.add(plot.x.value.node, &plot.x.value.unit);
+            let mut axes: Vec<Unit> = Vec::new();
+            let mut curves = Vec::new();
+            for curve in &plot.curves {
+                let unit = &curve.value.unit;
+                let axis = axes.iter().position(|axis| axis.dimension == unit.dimension).unwrap_or_else(|| {
+                    axes.push(unit.clone());
+                    axes.len() - 1
+                });
+                curves.push((columns.add(curve.value.node, &axes[axis]), axis));
+            }
+            let first = columns.plots.iter().map(|plot| plot.curves.len()).sum();
+            columns.plots.push(PlotColumns { x, first, curves, axes });
+        }
+        columns.readings = Readings::new(model, &columns.nodes);
+        columns
+    }
+
+    fn add(&mut self, node: NodeId, unit: &Unit) -> usize {
+        let known = self.nodes.iter().zip(&self.units).position(|(one, of)| *one == node && of == unit);
+        known.unwrap_or_else(|| {
+            self.nodes.push(node);
+            self.units.push(unit.clone());
+            self.nodes.len() - 1
+        })
+    }
+
+    /// Where plot `index` finds its columns.
+    pub fn plot(&self, index: usize) -> Option<&PlotColumns> {
+        self.plots.get(index)
+    }
+
+    /// How many bytes a row takes in [`Traces`].
+    pub fn bytes_per_row(&self) -> usize {
+        self.nodes.len() * size_of::<f64>()
+    }
+
+    /// The values of all columns at the moment that `course` shows.
+    pub fn present(&mut self, course: &Course, out: &mut Vec<f64>) {
+        let values = self.readings.at(course.parameters(), course.initial(), course.time(), course.state());
+        out.clear();
+        out.extend(values.iter().zip(&self.units).map(|(&value, unit)| unit.from_si(value)));
+    }
+
+    /// Of each column whether its value at a row would be another with other parameters.
+    fn jumping(&mut self, history: &History, row: usize, parameters: &[f64], columns: &[Vec<f64>]) -> Vec<bool> {
+        let mut state = vec![0.0; history.states()];
+        history.state(row, &mut state);
+        let values = self.readings.at(parameters, history.initial(), history.time(row), &state);
+        let columns = columns.iter().zip(values).zip(&self.units);
+        columns.map(|((column, &value), unit)| column[row].to_bits() != unit.from_si(value).to_bits()).collect()
+    }
+
+    fn row(&mut self, history: &History, row: usize, columns: &mut [Vec<f64>]) {
+        let values = self.readings.at_row(history, row);
+        for ((column, &value), unit) in columns.iter_mut().zip(values).zip(&self.units) {
+            column.push(unit.from_si(value));
+        }
+    }
+}
+
+/// The columns of one run.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Traces {
+    columns: Vec<Vec<f64>>,
+    /// For each curve of all plots the rows before which its line is interrupted.
+    breaks: Vec<Vec<usize>>,
+    /// Recorded rows; the columns may have one value more, the tip.
+    rows: usize,
+}
+
+impl Traces {
+    /// Brings the columns up to the front of `course`, and lets them end in the moment of the front when that is shown.
+    pub fn follow(&mut self, course: &Course, columns: &mut Columns, present: &[f64]) {
+        let Some(history) = course.history() else {
+            *self = Self::default();
+            return;
+        };
+        let rows = course.rows();
+        if course.is_scrubbed() && rows == self.rows {
+            return;
+        }
+        self.columns.resize(columns.nodes.len(), Vec::new());
+        self.breaks.resize(columns.plots.iter().map(|plot| plot.curves.len()).sum(), Vec::new());
+        self.truncate(rows);
+        for row in self.rows..rows {
+            if row > 0 && history.segment(row) != history.segment(row - 1) {
+                self.breaks.iter_mut().for_each(|breaks| breaks.push(row));
+            } else if row > 0 {
+                self.interrupt(history, row, history.parameters(row), columns);
+            }
+            columns.row(history, row, &mut self.columns);
+        }
+        self.rows = rows;
+        if !course.is_scrubbed() {
+            if rows > 0 {
+                self.interrupt(history, rows, course.parameters(), columns);
+            }
+            for (column, &value) in self.columns.iter_mut().zip(present) {
+                column.push(value);
+            }
+        }
+    }
+
+    /// Interrupts before `row` the curves that jump because there the parameters change: the energy with the density.
+    fn interrupt(&mut self, history: &History, row: usize, parameters: &[f64], columns: &mut Columns) {
+        if history.parameters(row - 1) == parameters {
+            return;
+        }
+        let jumping = columns.jumping(history, row - 1, parameters, &self.columns);
+        let curves = columns.plots.iter().flat_map(|plot| plot.curves.iter().map(|&(column, _)| (plot.x, column)));
+        for ((x, column), breaks) in curves.zip(&mut self.breaks) {
+            if jumping[x] || jumping[column] {
+                breaks.push(row);
+            }
+        }
+    }
+
+    /// Keeps the first `rows` rows.
+    pub fn truncate(&mut self, rows: usize) {
+        self.rows = self.rows.min(rows);
+        for column in &mut self.columns {
+            column.truncate(self.rows);
+        }
+        for breaks in &mut self.breaks {
+            breaks.retain(|&row| row < self.rows);
+        }
+    }
+
+    /// One column.
+    pub fn column(&self, index: usize) -> &[f64] {
+        self.columns.get(index).map_or(&[], Vec::as_slice)
+    }
+
+    /// Rows before which the line of a curve is interrupted; curves are counted through all plots.
+    pub fn breaks(&self, curve: usize) -> &[usize] {
+        self.breaks.get(curve).map_or(&[], Vec::as_slice)
+    }
+
+    /// How many recorded rows there are.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// The rows from `first` on, about `most` of them at most, evenly thinned: a run that is only looked at.
+    pub fn thinned(&self, first: usize, most: usize) -> Self {
+        let length = self.columns.first().map_or(0, Vec::len);
+        let stride = length.saturating_sub(first).div_ceil(most.max(1)).max(1);
+        let rows: Vec<usize> = (first..length).step_by(stride).collect();
+        let columns = self.columns.iter().map(|column| rows.iter().map(|&row| column[row]).collect()).collect();
+        let thinned = |breaks: &Vec<usize>| {
+            let places = breaks.iter().map(|&row| rows.partition_point(|&kept| kept < row));
+            let mut places: Vec<usize> = places.filter(|&row| row > 0 && row < rows.len()).collect();
+            places.dedup();
+            places
+        };
+        let breaks = self.breaks.iter().map(thinned).collect();
+        Self { columns, breaks, rows: rows.len() }
+    }
+}

@@ -1,0 +1,68 @@
+//! Answers as people type them: a number or arithmetic, with units, perhaps with an error.
+
+use crate::controls::calculator::names;
+use crate::controls::input::shortened;
+use crate::controls::typed::candidates;
+use crate::{Play, Refusal, number};
+use units::Unit;
+
+/// An answer, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Answer {
+    pub value: f64,
+    /// The error that was stated with it, never negative.
+    pub error: Option<f64>,
+}
+
+/// What stands between a value and its error.
+const PLUS_MINUS: [&str; 4] = ["±", "+/-", "+-", "+−"];
+
+impl Play {
+    /// Reads an answer: `3.76`, `15/4 s`, `2*pi/(1.672 1/s)`, `3.76 ± 0.02 s`, `(3.76 ± 0.02) s`, `3.76 s ± 1 %`. Names of the
+    /// document cannot stand in it, or `T_d` would be the answer to what T_d is.
+    pub(crate) fn read_answer(&self, typed: &str, unit: &Unit) -> Result<Answer, Refusal> {
+        let parts = PLUS_MINUS.iter().find_map(|sign| typed.split_once(sign));
+        let Some((value, error)) = parts else {
+            return Ok(Answer { value: self.read_number(typed, unit)?, error: None });
+        };
+        let (mut value, mut error) = (value.trim().to_owned(), error.trim().to_owned());
+        // `(3.76 ± 0.02) s`: the unit holds for both.
+        if let (Some(inner), Some((amount, after))) = (value.strip_prefix('('), error.split_once(')'))
+            && !inner.contains(')')
+        {
+            let [own, its] = [inner, amount].map(|part| [part.trim(), " ", after.trim()].concat());
+            (value, error) = (own, its);
+        } else if let Some((_, after)) = number::parse(&error, self.style).filter(|(_, after)| !after.is_empty()) {
+            // `3.76 ± 0.02 s`, but not `3.76 s ± 0.02 s`.
+            let bare = number::parse(&value, self.style).is_some_and(|(_, after)| after.is_empty());
+            if bare && (after != "%" || unit.text == "%") {
+                value = [&value, " ", after].concat();
+            }
+        }
+        let value = self.read_number(&value, unit)?;
+        let percent = error.strip_suffix('%').filter(|_| unit.text != "%").and_then(|amount| {
+            number::parse(amount, self.style).filter(|(_, after)| after.is_empty()).map(|(amount, _)| amount)
+        });
+        let error = match percent {
+            Some(percent) => value.abs() * percent / 100.0,
+            None => self.read_number(&error, unit)?,
+        };
+        Ok(Answer { value, error: Some(error.abs()) })
+    }
+
+    /// A number or arithmetic, SI.
+    fn read_number(&self, typed: &str, unit: &Unit) -> Result<f64, Refusal> {
+        let refusal = match self.read_value(typed, unit) {
+            Ok(value) => return Ok(value),
+            Err(refusal @ Refusal::OtherFrequency { .. }) => return Err(refusal),
+            Err(refusal) => refusal,
+        };
+        for candidate in candidates(typed, self.style) {
+            let names = names(self.model(), &candidate.expression);
+            if let Some(name) = names.iter().find(|name| self.model().lookup(name, 0).is_some()) {
+                return Err(Refusal::NameInAnswer { name: shortened(name) });
+            }
+        }
+        self.read_expression(typed, unit).map_err(|why| why.unwrap_or(refusal))
+    }
+}

@@ -1,0 +1,6 @@
+//! Links: which document, and which state of it.
+
+mod link;
+mod state;
+
+pub use link::{LONGEST_PACKED, LONGEST_UNPACKED, Link, Subject, packed_length};

@@ -1,0 +1,10 @@
+//! Numbers for people: readouts, the scene's values, the table of rows.
+
+mod outline;
+pub(crate) mod readout;
+pub(crate) mod symbol;
+mod table;
+
+pub use outline::{Follows, Outline};
+pub use readout::{Readout, ReadoutKind};
+pub use symbol::symbol;

@@ -1,0 +1,119 @@
+//! The recorded run as a table.
+
+use crate::values::symbol::symbol;
+use crate::{Play, number, words};
+use engine::table::{Cell, Format, Table};
+use program::Node;
+use std::ops::Range;
+use units::number::Layout;
+
+/// Significant digits of the greatest number of a column.
+const DIGITS: usize = 6;
+
+/// How the cells of a column are written.
+enum ColumnLayout {
+    Number(Layout),
+    Count,
+    /// A question hides them.
+    Hidden,
+}
+
+impl Play {
+    /// `t [s]`, `y [m]`, ...: the heads of the columns.
+    pub fn table_header(&self) -> Vec<String> {
+        let table = Table::new(self.model());
+        let head = |column: &engine::table::Column| {
+            let name = symbol(&column.name);
+            match column.unit.text.as_str() {
+                "" => name,
+                unit => format!("{name} [{}]", number::unit_text(unit)),
+            }
+        };
+        table.columns().iter().map(head).collect()
+    }
+
+    /// How many rows are recorded.
+    pub fn table_length(&self) -> usize {
+        self.course.rows()
+    }
+
+    /// Some rows, their cells in the chosen language. What lies beyond the last row is left out.
+    pub fn table_rows(&self, rows: Range<usize>) -> Vec<Vec<String>> {
+        let Some(history) = self.course.history() else {
+            return Vec::new();
+        };
+        let mut table = Table::new(self.model());
+        let layouts = self.column_layouts(&table);
+        let rows = rows.start..rows.end.min(self.course.rows());
+        let text = |(cell, column): (&Cell, &ColumnLayout)| match (cell, column) {
+            (_, ColumnLayout::Hidden) => words::hidden(self.language).to_owned(),
+            (Cell::Number(value), ColumnLayout::Number(layout)) => layout.number(*value, self.style),
+            _ => self.cell_text(cell),
+        };
+        rows.map(|row| table.row(history, row).iter().zip(&layouts).map(text).collect()).collect()
+    }
+
+    /// How the numbers of each column are written: with the same decimals, which are those of the greatest number that the
+    /// column has had in this run; times with those of the step.
+    fn column_layouts(&self, table: &Table) -> Vec<ColumnLayout> {
+        let model = self.model();
+        let varying = model.quantities.iter().enumerate().filter(|(_, quantity)| quantity.varies);
+        let states = (0..model.states.len()).map(|index| (index, model.graph.find(Node::State(index as u32))));
+        let others = varying.map(|(index, quantity)| (model.states.len() + index, Some(quantity.value.node)));
+        // An event happens between two steps, and an adaptive method ends its steps where it likes.
+        let off_grid = !model.events.is_empty() || self.course.begun().method.adaptive();
+        let time = Layout::of_decimals(self.time_decimals().max(if off_grid { 4 } else { 0 }));
+        let scaled = states.chain(others).zip(table.columns().iter().skip(1)).map(|((place, node), column)| {
+            let scale = self.scales.get(place).copied().unwrap_or_default();
+            if place.checked_sub(model.states.len()).is_some_and(|quantity| self.is_hidden(quantity)) {
+                ColumnLayout::Hidden
+            } else if node.is_some_and(|node| self.is_count(node, &column.unit)) {
+                ColumnLayout::Count
+            } else {
+                ColumnLayout::Number(Layout::of_scale(column.unit.from_si(scale), DIGITS))
+            }
+        });
+        std::iter::once(ColumnLayout::Number(time)).chain(scaled).collect()
+    }
+
+    /// The last row at or before the time shown.
+    pub fn table_row_now(&self) -> usize {
+        self.course.rows_until_shown().saturating_sub(1)
+    }
+
+    /// The whole run as CSV: the same bytes as the command line writes for the same run, or where the language has decimal
+    /// commas, what a spreadsheet opens correctly there. All digits are those of the run in either form.
+    pub fn csv(&self) -> String {
+        let mut out = String::new();
+        let mut table = Table::new(self.model());
+        let format = if self.style.decimal_comma { Format::CsvSemicolons } else { Format::Csv };
+        // Writing to a string does not fail.
+        let _ = table.write_head(format, &mut out);
+        if let Some(history) = self.course.history() {
+            for row in 0..self.course.rows() {
+                let _ = table.write_row(format, history, row, row == 0, &mut out);
+            }
+        }
+        let _ = table.write_end(format, &mut out);
+        out
+    }
+
+    /// The whole run, row by row, with texts in the chosen language.
+    pub fn table_cells(&self) -> Vec<Vec<Cell>> {
+        let mut table = Table::new(self.model());
+        let Some(history) = self.course.history() else { return Vec::new() };
+        let cell = |cell: &Cell| match cell {
+            Cell::Number(value) => Cell::Number(*value),
+            other => Cell::Text(self.cell_text(other).into()),
+        };
+        (0..self.course.rows()).map(|row| table.row(history, row).iter().map(cell).collect()).collect()
+    }
+
+    fn cell_text(&self, cell: &Cell) -> String {
+        match cell {
+            Cell::Number(value) => number::plain(*value, DIGITS, self.style),
+            Cell::Truth(value) => words::truth(self.language, *value).to_owned(),
+            Cell::Text(text) => self.text(text).to_owned(),
+        }
+    }
+}

@@ -1,0 +1,256 @@
+//! The words of playing in every language. What the document says is translated by the document.
+
+use crate::{Announcement, Grade, Play, Refusal, number};
+use engine::Method;
+use units::Language;
+
+/// What a run with the document's own values is called.
+pub fn defaults(language: Language) -> &'static str {
+    language.pick("initial settings", "ajustes iniciales")
+}
+
+/// A truth value.
+pub fn truth(language: Language, value: bool) -> &'static str {
+    if value { language.pick("yes", "sí") } else { language.pick("no", "no") }
+}
+
+/// The name of a method.
+pub fn method_name(language: Language, method: Method) -> &'static str {
+    match method {
+        Method::Euler => "Euler",
+        Method::EulerRichardson => "Euler-Richardson",
+        Method::VelocityVerlet => language.pick("velocity Verlet", "Verlet de velocidades"),
+        Method::RungeKutta4 => language.pick("Runge-Kutta, order 4", "Runge-Kutta, orden 4"),
+        Method::DormandPrince => language.pick("Dormand-Prince 5(4), adaptive", "Dormand-Prince 5(4), adaptativo"),
+        Method::Rosenbrock => language.pick("Rosenbrock (RODAS), stiff", "Rosenbrock (RODAS), rígido"),
+    }
+}
+
+/// What a plot shows.
+pub fn against(language: Language, curves: &str, x: &str) -> String {
+    language.pick(format!("{curves} against {x}."), format!("{curves} frente a {x}."))
+}
+
+/// What the run before the present one is called.
+pub fn previous_run(language: Language) -> &'static str {
+    language.pick("previous run", "serie anterior")
+}
+
+/// Stands in the place of a value that a question hides.
+pub fn hidden(language: Language) -> &'static str {
+    language.pick("hidden", "oculto")
+}
+
+/// Whether the true value lies within the error that was stated with an answer.
+pub fn stated_error(language: Language, correct: bool, within: bool) -> &'static str {
+    match (correct, within) {
+        (true, true) => {
+            language.pick("The true value lies within your error.", "El valor verdadero está dentro de tu error.")
+        }
+        (true, false) => language.pick(
+            "But the true value lies outside your error: it is too small.",
+            "Pero el valor verdadero queda fuera de tu error, que es demasiado pequeño.",
+        ),
+        (false, true) => language.pick(
+            "Your error covers the true value, but the value itself is what counts.",
+            "Tu error abarca el valor verdadero, pero lo que cuenta es el valor mismo.",
+        ),
+        (false, false) => {
+            language.pick("The true value lies outside your error.", "El valor verdadero queda fuera de tu error.")
+        }
+    }
+}
+
+/// What an answer is worth.
+pub fn grade(language: Language, grade: Grade) -> &'static str {
+    match grade {
+        Grade::Correct => language.pick("Correct.", "Correcto."),
+        Grade::Close => {
+            language.pick("Close, but not close enough. Measure again.", "Cerca, pero no lo suficiente. Mide otra vez.")
+        }
+        Grade::WrongSign => {
+            language.pick("The size is right; think about the sign.", "El tamaño es correcto; piensa en el signo.")
+        }
+        Grade::WrongScale => language.pick(
+            "The digits are right, but not the power of ten. Check the unit.",
+            "Las cifras son correctas, pero no la potencia de diez. Revisa la unidad.",
+        ),
+        Grade::Wrong => language.pick("Not yet.", "Todavía no."),
+        Grade::Unreadable => language.pick("This is not a number.", "Esto no es un número."),
+        Grade::Unanswerable => language.pick(
+            "With the present parameters this has no answer.",
+            "Con los parámetros actuales esto no tiene respuesta.",
+        ),
+    }
+}
+
+/// Why input was not taken.
+pub fn refusal_text(language: Language, refusal: &Refusal) -> String {
+    match refusal {
+        Refusal::NotANumber { typed } if typed.is_empty() => {
+            language.pick("Type a number.", "Escribe un número.").to_owned()
+        }
+        Refusal::NotANumber { typed } => {
+            language.pick(format!("“{typed}” is not a number."), format!("«{typed}» no es un número."))
+        }
+        Refusal::UnknownUnit { typed } => {
+            language.pick(format!("“{typed}” is not a known unit."), format!("«{typed}» no es una unidad conocida."))
+        }
+        Refusal::OtherFrequency { typed, meant, angular: true } => language.pick(
+            format!("{typed} is a frequency; the angular frequency is {meant}."),
+            format!("{typed} es una frecuencia; la frecuencia angular es {meant}."),
+        ),
+        Refusal::OtherFrequency { typed, meant, angular: false } => language.pick(
+            format!("{typed} is an angular frequency; the frequency is {meant}."),
+            format!("{typed} es una frecuencia angular; la frecuencia es {meant}."),
+        ),
+        Refusal::NameInAnswer { name } => language.pick(
+            format!("An answer consists of numbers and units; “{name}” is a quantity of the simulation."),
+            format!("Una respuesta consta de números y unidades; «{name}» es una magnitud de la simulación."),
+        ),
+        Refusal::WrongUnit { typed, expected } if expected.is_empty() => language.pick(
+            format!("{typed} measures something else; this is a pure number."),
+            format!("{typed} mide otra cosa; esto es un número puro."),
+        ),
+        Refusal::WrongUnit { typed, expected } => language.pick(
+            format!("{typed} measures something else; a unit such as {expected} is needed."),
+            format!("{typed} mide otra cosa; hace falta una unidad como {expected}."),
+        ),
+        Refusal::TooSmall { name, least } => {
+            language.pick(format!("{name}: at least {least}."), format!("{name}: como mínimo {least}."))
+        }
+        Refusal::TooLarge { name, greatest } => {
+            language.pick(format!("{name}: at most {greatest}."), format!("{name}: como máximo {greatest}."))
+        }
+        Refusal::NoValue { name } => {
+            language.pick(format!("{name} would have no finite value."), format!("{name} no tendría un valor finito."))
+        }
+        Refusal::NotPositive => {
+            language.pick("It must be greater than zero.", "Tiene que ser mayor que cero.").to_owned()
+        }
+        Refusal::NotPaused => {
+            language.pick("Pause first, then set the state.", "Pausa primero y luego cambia el estado.").to_owned()
+        }
+        Refusal::Method { method } => {
+            let name = method_name(language, *method);
+            language.pick(
+                format!("{name} is for equations of second order only."),
+                format!("{name} solo sirve para ecuaciones de segundo orden."),
+            )
+        }
+        Refusal::TooManyRuns { most } => language.pick(
+            format!("{most} runs are kept already; remove one first."),
+            format!("Ya hay {most} series guardadas; quita una primero."),
+        ),
+        Refusal::Unknown { name } => {
+            language.pick(format!("There is no “{name}” here."), format!("Aquí no hay «{name}»."))
+        }
+        Refusal::UnreadableState => language
+            .pick(
+                "The link was not understood; the document opens as it is.",
+                "No se entendió el enlace; el documento se abre tal como es.",
+            )
+            .to_owned(),
+        Refusal::DocumentTooLong => language.pick(
+            "The document in this link is too long. Ask for its file and open that.",
+            "El documento de este enlace es demasiado largo. Pide el archivo y ábrelo.",
+        ).to_owned(),
+        Refusal::DocumentNeeded { name } => language.pick(
+            format!("This link is about the document {name}, which is not in this page. Open that file, and you will see what the link shows."),
+            format!("Este enlace trata del documento {name}, que no está en esta página. Abre ese archivo y verás lo que muestra el enlace."),
+        ),
+        Refusal::PartlyRestored { left_out } => {
+            let parts = left_out.join(", ");
+            language.pick(
+                format!("Parts of the link do not fit this document and were left out: {parts}."),
+                format!("Partes del enlace no encajan en este documento y se omitieron: {parts}."),
+            )
+        }
+    }
+}
+
+impl Play {
+    /// A refusal in the chosen language.
+    pub fn refusal_text(&self, refusal: &Refusal) -> String {
+        refusal_text(self.language, refusal)
+    }
+
+    /// An announcement in the chosen language.
+    pub fn announcement_text(&self, announcement: &Announcement) -> String {
+        let say = |english: &str, spanish: &str| self.language.pick(english, spanish).to_owned();
+        let with = |english: &str, spanish: &str, value: &str| say(english, spanish).replace("{}", value);
+        let time = |time: f64| self.time_words(time);
+        match announcement {
+            Announcement::Playing => say("Playing", "En marcha"),
+            Announcement::Paused(at) => with("Paused at {}", "En pausa en {}", &time(*at)),
+            Announcement::Stepped(at) => with("Step, {}", "Paso, {}", &time(*at)),
+            Announcement::Scrubbed(at) => time(*at),
+            Announcement::BackAtStart if self.is_started_by_hand() => {
+                say("Back at the start that was set by hand", "De vuelta en el inicio fijado a mano")
+            }
+            Announcement::BackAtStart => say("Back at the start", "De vuelta en el inicio"),
+            Announcement::Restarted(index) => with(
+                "The run starts anew: {} changed",
+                "La serie comienza de nuevo: cambió {}",
+                self.parameter_label(*index),
+            ),
+            Announcement::ParameterSet(index, value) => {
+                let unit = self.model().parameters.get(*index).map(|parameter| &parameter.unit);
+                let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
+                format!("{}: {value}", self.parameter_label(*index))
+            }
+            Announcement::DefaultsRestored => say(
+                "Defaults restored: parameters and start are those of the document",
+                "Valores restaurados: los parámetros y el inicio son los del documento",
+            ),
+            Announcement::Preset(index) => {
+                self.program.presets.get(*index).map_or("", |preset| self.text(&preset.name)).to_owned()
+            }
+            Announcement::StateSet(index, value) => {
+                let unit = self.model().states.get(*index).map(|state| &state.unit);
+                let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
+                let label = self.state_label(*index);
+                with("{}; the run starts from there", "{}; la serie parte de ahí", &format!("{label}: {value}"))
+            }
+            Announcement::StartSet { state, value, before } => {
+                let changed = self.parameters().into_iter().zip(before).filter(|(now, before)| now.value != **before);
+                let changed: Vec<String> = changed.map(|(now, _)| format!("{}: {}", now.label, now.spoken)).collect();
+                let unit = self.model().states.get(*state).map(|state| &state.unit);
+                let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
+                format!("{}: {value}; {}", self.state_label(*state), changed.join(", "))
+            }
+            Announcement::Speed(speed) => with("Speed {}", "Velocidad {}", &speed_text(*speed)),
+            Announcement::Kept(name) => with("Run kept: {}", "Serie guardada: {}", name),
+            Announcement::Removed(name) => with("Run removed: {}", "Serie quitada: {}", name),
+            Announcement::Undone => say("Undone", "Deshecho"),
+            Announcement::Full => say("Paused: the recording is full", "En pausa: el registro está lleno"),
+            Announcement::Failed => self.problem().map_or_else(String::new, |problem| problem.message),
+            Announcement::Method(method) => with("Method: {}", "Método: {}", method_name(self.language, *method)),
+            Announcement::Step(step) => {
+                with("Step: {}", "Paso: {}", &self.quantity_text(*step, &self.model().independent.unit))
+            }
+            Announcement::QuestionSetup(_) => {
+                say("Parameters set for the question", "Parámetros ajustados para la pregunta")
+            }
+            Announcement::Restored => say("The saved state is back", "Se recuperó el estado guardado"),
+        }
+    }
+}
+
+/// `1/8×`, `1×`, `8×`
+pub fn speed_text(speed: f64) -> String {
+    if speed > 0.0 && speed < 1.0 {
+        format!("1/{}×", number::plain(1.0 / speed, 3, number::Style::default()))
+    } else {
+        format!("{}×", number::plain(speed, 3, number::Style::default()))
+    }
+}
+
+/// With a capital at its beginning and a stop at its end.
+pub fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
+    // What begins with the name of a column keeps it.
+    let begins_with_word = letters.as_str().starts_with(char::is_alphabetic);
+    if begins_with_word { format!("{first}{}.", letters.as_str()) } else { format!("{text}.") }
+}

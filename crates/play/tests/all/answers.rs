@@ -1,0 +1,233 @@
+//! Answers to questions as people type them, and values that questions hide.
+
+use play::{Grade, Play};
+
+const DOCUMENT: &str = r#"---
+title: A pendulum
+---
+
+```model
+parameter g = 9.8 [m/s^2] in 1..30 "Gravity"
+parameter l = 3.5 [m] in 1..9 "Length"
+parameter w = 1 [rad/s] in 0..50 "Angular frequency"
+x'' = -g/l*x
+x(0) = 0.1
+x'(0) = 0
+omega_0 = sqrt(g/l) in [rad/s] "Angular frequency"
+f_0 = omega_0/(2*pi) in [Hz] "Frequency"
+T_0 = 1/f_0 "Period"
+E = x'^2/2 + g/l*x^2/2 "Energy"
+```
+
+```question
+What is the period?
+hide: T_0, f_0, E
+answer: T_0 in [s] within 1 %
+```
+
+```question
+What is the angular frequency?
+hide: omega_0, f_0
+answer: omega_0 in [rad/s] within 1 %
+```
+
+```question
+What is the frequency?
+answer: f_0 in [Hz] within 1 %
+```
+
+```question
+How many degrees are the sixth part of a half turn?
+answer: pi/6 in [deg] within 1 %
+```
+
+```question
+What is the part in per cent?
+answer: 0.18 in [%] within 1 %
+```
+"#;
+
+fn judged(play: &mut Play, question: usize, typed: &str) -> (Grade, String) {
+    let verdict = play.check_answer(question, typed);
+    (verdict.grade, verdict.text)
+}
+
+/// T = 2 pi sqrt(3.5/9.8) s = 3.7549 s, omega = 1.6733 rad/s, f = 0.26632 Hz.
+#[test]
+fn arithmetic_units_and_errors_are_understood() {
+    use Grade::{Close, Correct, Unreadable, Wrong, WrongScale};
+    let mut play = crate::support::open(DOCUMENT, &[]);
+    for (question, typed, grade, words) in [
+        (0, "15/4", Correct, "Correct."),
+        (0, "15/4 s", Correct, "Correct."),
+        (0, "7.5 s/2", Correct, "Correct."),
+        (0, "3.5 s + 250 ms", Correct, "Correct."),
+        (0, "2*pi/1.672", Correct, "Correct."),
+        (0, "2*pi/1.672 1/s", Correct, "Correct."),
+        (0, "2*pi/(1.672 1/s)", Correct, "Correct."),
+        (0, "2π/(1.672 rad/s)", Correct, "Correct."),
+        (0, "2·π/(1.672 rad/s)", Correct, "Correct."),
+        (0, "2*pi*sqrt(3.5 m/(9.8 m/s^2))", Correct, "Correct."),
+        (0, "1/(0.2663 Hz)", Correct, "Correct."),
+        (0, "15/4 ms", WrongScale, "The digits"),
+        (0, "15/4 m", Unreadable, "m measures something else; a unit such as s is needed."),
+        (0, "T_0", Unreadable, "An answer consists of numbers and units; “T_0” is a quantity of the simulation."),
+        (0, "2*pi/omega_0", Unreadable, "An answer consists of numbers"),
+        (0, "2*", Unreadable, "“2*” is not a number."),
+        (0, "3.76 ± 0.02 s", Correct, "Correct. The true value lies within your error."),
+        (0, "3.76 +- 0.02", Correct, "Correct. The true value lies within your error."),
+        (0, "3.76 +/- 0.02 s", Correct, "Correct. The true value lies within your error."),
+        (0, "(3.76 ± 0.02) s", Correct, "Correct. The true value lies within your error."),
+        (0, "3.76 s ± 20 ms", Correct, "Correct. The true value lies within your error."),
+        (0, "3.76 s ± 1 %", Correct, "Correct. The true value lies within your error."),
+        (0, "3.76 ± 0.001 s", Correct, "Correct. But the true value lies outside your error: it is too small."),
+        (0, "15/4 ± 1/100", Correct, "Correct. The true value lies within your error."),
+        (
+            0,
+            "3.6 ± 0.05 s",
+            Close,
+            "Close, but not close enough. Measure again. The true value lies outside your error.",
+        ),
+        (0, "1 ± 100 s", Wrong, "Not yet. Your error covers the true value, but the value itself is what counts."),
+        (0, "± 0.02 s", Unreadable, "Type a number."),
+        (0, "3.76 ± some s", Unreadable, ""),
+        (1, "1.673 rad/s", Correct, "Correct."),
+        (1, "95.87 deg/s", Correct, "Correct."),
+        (1, "1.673 1/s", Correct, "Correct."),
+        (1, "0.2663 Hz", Unreadable, "0.2663 Hz is a frequency; the angular frequency is 1.67 rad/s."),
+        (1, "1.4 Hz", Unreadable, "1.4 Hz is a frequency; the angular frequency is 8.8 rad/s."),
+        (1, "1.673 Hz", Unreadable, "1.673 Hz is a frequency; the angular frequency is 10.5 rad/s."),
+        (1, "2*pi*0.2663 Hz", Correct, "Correct."),
+        (1, "2.8/2 Hz", Unreadable, "1.4 Hz is a frequency; the angular frequency is 8.8 rad/s."),
+        (1, "0.7 Hz + 0.7 Hz", Unreadable, "1.4 Hz is a frequency; the angular frequency is 8.8 rad/s."),
+        (2, "3.346/2 rad/s", Unreadable, "1.673 rad/s is an angular frequency; the frequency is 0.266 Hz."),
+        (1, "2*pi*(0.2663 Hz)", Correct, "Correct."),
+        (1, "sqrt(2.8)", Correct, "Correct."),
+        (2, "0.2663", Correct, "Correct."),
+        (2, "266.3 mHz", Correct, "Correct."),
+        (2, "1.673 rad/s", Unreadable, "1.673 rad/s is an angular frequency; the frequency is 0.266 Hz."),
+        (2, "95.87 deg/s", Unreadable, "95.87 deg/s is an angular frequency; the frequency is 0.266 Hz."),
+        (3, "30", Correct, "Correct."),
+        (3, "60/2", Correct, "Correct."),
+        (3, "30 deg", Correct, "Correct."),
+        (3, "30°", Correct, "Correct."),
+        (3, "0.5236 rad", Correct, "Correct."),
+        (3, "pi/6", Correct, "Correct."),
+        (4, "18", Correct, "Correct."),
+        (4, "36/2", Correct, "Correct."),
+        (4, "18 % ± 1 %", Correct, "Correct. The true value lies within your error."),
+        (4, "18 ± 1 %", Correct, "Correct. The true value lies within your error."),
+    ] {
+        let (found, text) = judged(&mut play, question, typed);
+        assert_eq!(found, grade, "{question} {typed}: {text}");
+        assert!(text.contains(words), "{question} {typed}: {text}");
+    }
+}
+
+#[test]
+fn answers_in_spanish_have_decimal_commas() {
+    use Grade::{Correct, Unreadable, Wrong};
+    let mut play = crate::support::open(DOCUMENT, &[]);
+    play.set_language("es");
+    for (question, typed, grade, words) in [
+        (0, "3,76 s", Correct, "Correcto."),
+        (0, "2*pi/1,672", Correct, "Correcto."),
+        (0, "2*pi/(1,672 1/s)", Correct, "Correcto."),
+        (0, "hypot(2,25; 3)", Correct, "Correcto."),
+        (0, "3,76 ± 0,02 s", Correct, "Correcto. El valor verdadero está dentro de tu error."),
+        (
+            0,
+            "3,76 ± 0,001 s",
+            Correct,
+            "Correcto. Pero el valor verdadero queda fuera de tu error, que es demasiado pequeño.",
+        ),
+        (
+            0,
+            "1 ± 100 s",
+            Wrong,
+            "Todavía no. Tu error abarca el valor verdadero, pero lo que cuenta es el valor mismo.",
+        ),
+        (0, "T_0", Unreadable, "Una respuesta consta de números y unidades; «T_0» es una magnitud de la simulación."),
+        (1, "1,4 Hz", Unreadable, "1,4 Hz es una frecuencia; la frecuencia angular es 8,8 rad/s."),
+        (2, "1,673 rad/s", Unreadable, "1,673 rad/s es una frecuencia angular; la frecuencia es 0,266 Hz."),
+    ] {
+        let (found, text) = judged(&mut play, question, typed);
+        assert_eq!(found, grade, "{question} {typed}: {text}");
+        assert!(text.contains(words), "{question} {typed}: {text}");
+    }
+}
+
+#[test]
+fn fields_take_arithmetic_and_tell_frequencies_apart() {
+    let mut play = crate::support::open(DOCUMENT, &[]);
+    for (name, typed, expected) in [
+        ("l", "7/2 m", 3.5),
+        ("l", "3 m + 20 cm", 3.2),
+        ("l", "2*l", 6.4),
+        ("w", "2*pi*(2 Hz)", 4.0 * std::f64::consts::PI),
+    ] {
+        let index = crate::support::parameter(&play, name);
+        assert_eq!(play.set_parameter_text(index, typed), Ok(()), "{typed}");
+        let value = play.parameter_values()[index];
+        assert!((value - expected).abs() < 1e-12, "{typed}: {value}");
+    }
+    let index = crate::support::parameter(&play, "w");
+    let refusal = play.set_parameter_text(index, "1.4 Hz").unwrap_err();
+    assert_eq!(play.refusal_text(&refusal), "1.4 Hz is a frequency; the angular frequency is 8.8 rad/s.");
+}
+
+#[test]
+fn values_are_hidden_until_their_questions_are_answered() {
+    let mut play = crate::support::open(DOCUMENT, &[]);
+    let value = |play: &mut Play, name: &str| {
+        let found = play.readouts().into_iter().find(|readout| readout.name == name).unwrap();
+        assert_eq!(found.hidden, found.value == "hidden" || found.value == "oculto", "{found:?}");
+        assert!(!found.hidden || found.unit.is_empty(), "{found:?}");
+        found.value
+    };
+    assert!(play.hides_values());
+    let all = |play: &mut Play| ["T_0", "f_0", "omega_0"].map(|name| value(play, name));
+    assert_eq!(all(&mut play), ["hidden", "hidden", "hidden"]);
+    // Its column in the table, too.
+    let place = play.table_header().iter().position(|head| head.starts_with("E ")).unwrap();
+    assert_eq!(play.table_rows(0..1)[0][place], "hidden");
+    // Wrong answers open nothing; a right one opens what no other open question hides.
+    play.check_answer(0, "1");
+    assert_eq!(all(&mut play), ["hidden", "hidden", "hidden"]);
+    play.check_answer(0, "3.755 s");
+    assert_eq!(all(&mut play), ["3.755", "hidden", "hidden"]);
+    assert_ne!(play.table_rows(0..1)[0][place], "hidden");
+    let link = play.share();
+    // A teacher shows everything, and a link says so.
+    play.show_hidden(true);
+    assert_eq!(all(&mut play), ["3.755", "0.2663", "1.673"]);
+    let open = play.share();
+    play.show_hidden(false);
+    assert_eq!(play.share(), link);
+    assert_eq!(all(&mut play), ["3.755", "hidden", "hidden"]);
+    play.set_language("es");
+    assert_eq!(value(&mut play, "f_0"), "oculto");
+    let mut other = crate::support::open(DOCUMENT, &[]);
+    other.restore(&open).unwrap();
+    assert!(other.shows_hidden());
+    assert_eq!(value(&mut other, "omega_0"), "1.673");
+    // Who asks for the answer sees the value.
+    play.reveal_answer(1);
+    assert_eq!(all(&mut play), ["3,755", "0,2663", "1,673"]);
+}
+
+#[test]
+fn what_cannot_be_hidden_is_reported() {
+    for (hide, message) in [
+        ("T_1", "`T_1` is not a quantity of the model"),
+        ("l", "`l` is not a quantity of the model"),
+        ("x'", "`hide:` names quantities, with a comma between them"),
+        ("T_0 [s]", "only names stand in `hide:`"),
+    ] {
+        let source = DOCUMENT.replace("hide: T_0, f_0, E", &format!("hide: {hide}"));
+        let opened = document::open(&source, &[]);
+        let found: Vec<String> =
+            opened.diagnostics.iter().map(|(_, found)| found.message.english.to_string()).collect();
+        assert_eq!(found, [message], "{hide}");
+    }
+}

@@ -1,0 +1,188 @@
+//! Model time is wall time, whatever the frame rate.
+
+use crate::support::{bits, go_on, open, set, state, utube};
+use play::{Announcement, Play, SPEEDS, Status};
+
+/// Frames that last `seconds` in all.
+fn frames(rate: f64, seconds: f64) -> Vec<f64> {
+    vec![1.0 / rate; (rate * seconds).round() as usize]
+}
+
+/// Frames of uneven length that last 10 s in all.
+fn irregular() -> Vec<f64> {
+    let mut frames = Vec::new();
+    let mut left = 10.0;
+    for length in [0.004, 0.016, 0.033, 0.1, 0.25, 0.0007, 1.1].into_iter().cycle() {
+        if length >= left {
+            frames.push(left);
+            return frames;
+        }
+        frames.push(length);
+        left -= length;
+    }
+    frames
+}
+
+#[test]
+fn model_time_is_wall_time_at_any_frame_rate() {
+    let expected = {
+        let mut play = utube();
+        go_on(&mut play, [10.0]);
+        (bits(&play), state(&play))
+    };
+    for frames in [frames(30.0, 10.0), frames(60.0, 10.0), frames(144.0, 10.0), irregular()] {
+        let mut play = utube();
+        go_on(&mut play, frames);
+        assert!((play.time() - 10.0).abs() < 1e-9, "{}", play.time());
+        // The rows are the same bits; the moment shown lies within the rounding of the sum of the frames.
+        play.scrub(9.99);
+        let mut other = utube();
+        go_on(&mut other, [10.0]);
+        other.scrub(9.99);
+        assert_eq!(state(&play), state(&other));
+        let rows = |csv: &str| csv.lines().take(200).map(str::to_owned).collect::<Vec<_>>();
+        assert_eq!(rows(&bits(&play)), rows(&expected.0));
+    }
+}
+
+#[test]
+fn the_drawing_moves_between_steps() {
+    let mut play = utube();
+    play.play();
+    let mut shown = Vec::new();
+    for _ in 0..12 {
+        play.tick(1.0 / 240.0);
+        shown.push(state(&play)[0]);
+    }
+    assert!(shown.windows(2).all(|pair| pair[1] < pair[0]), "{shown:?}");
+    // y'' = -2 g y / L at the start: y(0.05) = 0.5 - 0.5 * 1.4 * 0.05 * 0.05 in the first approximation.
+    assert!((shown[11] - (0.5 - 0.00175)).abs() < 2e-5, "{shown:?}");
+    assert_eq!(play.table_length(), 1, "the row ahead of the moment shown is not there yet");
+    play.tick(1.0 / 240.0);
+    assert_eq!(play.table_length(), 2);
+}
+
+#[test]
+fn speeds_multiply() {
+    for speed in SPEEDS {
+        let mut play = utube();
+        play.set_speed(speed);
+        assert_eq!(play.speed(), speed);
+        go_on(&mut play, frames(60.0, 2.0));
+        assert!((play.time() - 2.0 * speed).abs() < 1e-9);
+    }
+    let mut play = utube();
+    for nonsense in [f64::NAN, f64::INFINITY] {
+        play.set_speed(nonsense);
+        assert_eq!(play.speed(), 1.0);
+    }
+    play.set_speed(-3.0);
+    assert_eq!(play.speed(), 0.125);
+    play.set_speed(100.0);
+    assert_eq!(play.speed(), 8.0);
+}
+
+#[test]
+fn a_hidden_page_goes_on_and_a_sleeping_machine_does_not() {
+    let mut play = utube();
+    play.play();
+    assert!(play.tick(30.0));
+    assert!((play.time() - 30.0).abs() < 1e-9);
+    assert!(!play.tick(3600.0));
+    assert!((play.time() - 30.0).abs() < 1e-9);
+    assert_eq!(play.slippage(), 0.0);
+    assert!(!play.tick(f64::NAN) && !play.tick(-1.0));
+}
+
+#[test]
+fn what_cannot_be_computed_in_time_is_visible() {
+    let mut play = utube();
+    play.set_step(1e-6).unwrap();
+    play.play();
+    play.tick(0.1);
+    let computed = play.time();
+    assert!((1e-3..0.05).contains(&computed), "{computed}");
+    assert!((play.slippage() - (0.1 - computed)).abs() < 1e-12);
+    // What is missed is not made up for: the next tick is as short as the first.
+    play.tick(0.001);
+    assert!((play.time() - computed - 0.001).abs() < 1e-12);
+}
+
+#[test]
+fn steps_go_from_grid_time_to_grid_time() {
+    let mut play = utube();
+    go_on(&mut play, [0.13]);
+    play.step_forward();
+    assert_eq!(play.time(), 3.0 * 0.05);
+    play.step_forward();
+    assert_eq!(play.time(), 4.0 * 0.05);
+    play.step_back();
+    play.step_back();
+    assert_eq!(play.time(), 2.0 * 0.05);
+    assert!(play.is_scrubbed());
+    for _ in 0..5 {
+        play.step_back();
+    }
+    assert_eq!(play.time(), 0.0);
+    assert_eq!(play.end(), 4.0 * 0.05);
+    assert_eq!(play.time_text(), "0.00 s");
+}
+
+#[test]
+fn a_run_that_fails_says_so_and_shows_the_last_good_moment() {
+    let source = "---\ntitle: Runaway\n---\n```model\nparameter k = 1 [1/s] in 0..100\ny' = k*y^3\ny(0) = 1\n```\n";
+    let mut play = open(source, &[]);
+    go_on(&mut play, [10.0]);
+    assert_eq!(play.status(), Status::Failed);
+    let problem = play.problem().unwrap();
+    assert_eq!(problem.code, "not-finite");
+    assert!(play.time() < 0.7 && state(&play)[0].is_finite());
+    let told: Vec<_> = std::iter::from_fn(|| play.take_announcement()).collect();
+    assert!(told.contains(&Announcement::Failed), "{told:?}");
+    play.set_language("es");
+    assert_eq!(play.problem().unwrap().message, "y deja de ser un número finito después de t = 0,55 s.");
+    // Back, and on with a value that holds.
+    play.scrub(0.2);
+    assert_eq!((play.status(), play.problem()), (Status::Paused, None));
+    set(&mut play, "k", 0.0);
+    go_on(&mut play, [1.0]);
+    assert_eq!(play.status(), Status::Paused);
+    assert!((play.time() - 1.2).abs() < 1e-9);
+}
+
+#[test]
+fn a_full_history_pauses_the_run() {
+    // Many plots, so that a row takes much memory and few rows fill it.
+    let mut source =
+        "---\ntitle: Long\nstep: 1e-3 [s]\n---\n```model\ny' = -y/(1 [s])\ny(0) = 1\n```\n```plots\n".to_owned();
+    for plot in 0..24 {
+        let curves: Vec<String> = (0..12).map(|curve| format!("{}*y", 12 * plot + curve + 2)).collect();
+        source += &format!("\"{plot}\": {} against t\n", curves.join(", "));
+    }
+    source += "```\n";
+    let mut play = open(&source, &[]);
+    play.play();
+    for _ in 0..100 {
+        play.tick(1.0);
+    }
+    assert_eq!(play.status(), Status::Full);
+    let front = play.end();
+    assert!((20.0..40.0).contains(&front), "{front}");
+    play.play();
+    assert_eq!((play.status(), play.end()), (Status::Full, front));
+    play.scrub(1.0);
+    assert_eq!(play.status(), Status::Paused);
+    play.play();
+    play.tick(0.5);
+    assert!(play.is_playing() && play.end() == 1.5);
+}
+
+#[test]
+fn a_closed_form_runs_too() {
+    let source = "---\ntitle: Theory\n---\n```model\nparameter A = 2 [m] in 0..5\ny = A*cos(t*1 [1/s])\n```\n";
+    let mut play: Play = open(source, &[]);
+    go_on(&mut play, [1.0]);
+    assert_eq!(play.table_length(), 21);
+    assert!(state(&play).is_empty());
+    assert_eq!(play.readouts()[1].value, "1.081");
+}

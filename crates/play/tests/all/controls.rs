@@ -1,0 +1,444 @@
+//! Parameters, presets, the state by hand, dragging, method and step.
+
+use crate::support::{bits, go_on, parameter, set, state, utube};
+use play::{Announcement, Play, Refusal};
+
+fn refused(play: &mut Play, name: &str, text: &str) -> String {
+    let index = parameter(play, name);
+    let before = play.parameter_values().to_vec();
+    let refusal = play.set_parameter_text(index, text).expect_err("this is to be refused");
+    assert_eq!(play.parameter_values(), before);
+    play.refusal_text(&refusal)
+}
+
+#[test]
+fn expressions_are_taken_as_presets_have_them() {
+    let mut play = utube();
+    let b = parameter(&play, "b");
+    for (text, expected) in [
+        ("2*m*omega_0", 2.0 * 350.0 * (2.0_f64 * 9.8 / 7.0).sqrt()),
+        ("m*omega_0/2 in [g/s]", 0.5 * 350.0 * (2.0_f64 * 9.8 / 7.0).sqrt()),
+        ("3*50", 150.0),
+        ("0,1 t/s", 0.1e3),
+    ] {
+        play.set_parameter_text(b, text).unwrap();
+        let value = play.parameter(b).unwrap().value;
+        assert!((value - expected).abs() < 1e-9 * expected, "{text}: {value} and not {expected}");
+    }
+    play.set_state_text(0, "-y(0)/2").unwrap();
+    assert_eq!(play.state(0).unwrap().value, -0.25);
+    for text in ["2*m", "b*t", "y'*m", "2*", "regime", "1/0", "nothing"] {
+        assert!(play.set_parameter_text(b, text).is_err(), "{text}");
+    }
+}
+
+#[test]
+fn what_is_typed_is_taken_in_any_unit_or_refused_in_words() {
+    let mut play = utube();
+    for (name, text, expected) in [
+        ("h_l", "2.7", 2.7),
+        ("h_l", "400 cm", 4.0),
+        ("h_l", " 4,5 ", 4.5),
+        ("rho", "13,534", 13534.0),
+        ("rho", "13.5 g/cm³", 13500.0),
+        ("S", "500 cm^2", 0.05),
+        ("b", "2e3", 2000.0),
+        ("v_0", "−18 km/h", -5.0),
+    ] {
+        let index = parameter(&play, name);
+        play.set_parameter_text(index, text).unwrap();
+        assert_eq!(play.parameter_values()[index], expected, "{name} = {text}");
+    }
+    for (name, text, expected) in [
+        ("h_l", "", "Type a number."),
+        ("h_l", "much", "“much” is not a number."),
+        ("h_l", "10", "Left height: at most 9 m."),
+        ("h_l", "1.5", "Left height: at least 2 m."),
+        ("h_l", "150 cm", "Left height: at least 2 m."),
+        ("b", "-500", "Damping: at least 0 kg/s."),
+        ("h_l", "3 kg", "kg measures something else; a unit such as m is needed."),
+        ("h_l", "3 furlongs", "“furlongs” is not a known unit."),
+        ("h_l", "1e999", "“1e999” is not a number."),
+    ] {
+        assert_eq!(refused(&mut play, name, text), expected, "{name} = {text}");
+    }
+    play.set_language("es");
+    assert_eq!(refused(&mut play, "h_l", "1,5"), "Altura izquierda: como mínimo 2 m.");
+    assert_eq!(refused(&mut play, "S", "2,5"), "Sección: como máximo 2 m².");
+    assert!(play.set_parameter(99, 1.0).is_err() && play.set_parameter_text(99, "1").is_err());
+    assert!(play.set_parameter(0, f64::NAN).is_err());
+    play.slide(99, 1);
+    play.restore_default(99);
+}
+
+#[test]
+fn a_field_that_is_left_as_it_is_does_not_round_the_value() {
+    let mut play = utube();
+    let b = parameter(&play, "b");
+    set(&mut play, "b", 1_979.898_987_322_333);
+    let shown = play.parameter(b).unwrap();
+    assert_eq!((shown.text.as_str(), shown.spoken.as_str()), ("1979.9", "1979.9 kg/s"));
+    play.set_parameter_text(b, &shown.text).unwrap();
+    assert_eq!(play.parameter_values()[b], 1_979.898_987_322_333);
+}
+
+#[test]
+fn controls_show_what_they_set() {
+    let mut play = utube();
+    play.set_language("es");
+    let view = play.parameter(parameter(&play, "S")).unwrap();
+    assert_eq!((view.label.as_str(), view.unit.as_str(), view.text.as_str()), ("Sección", "m²", "0,05"));
+    assert_eq!(view.range, Some(("0,01".to_owned(), "2".to_owned())));
+    assert_eq!(view.slider.map(|slider| (slider.position, slider.positions)), Some((4, 199)));
+    assert!(view.is_default && !view.restarts);
+    play.slide(view.index, 9);
+    let view = play.parameter(view.index).unwrap();
+    assert_eq!((view.value, view.is_default), (0.1, false));
+    play.restore_defaults();
+    assert!(play.parameters().iter().all(|parameter| parameter.is_default));
+}
+
+#[test]
+fn the_damping_slider_is_fine_near_zero_and_reaches_critical_damping() {
+    let mut play = utube();
+    let b = parameter(&play, "b");
+    let slider = play.parameter(b).unwrap().slider.unwrap();
+    assert!((10..50).contains(&slider.position), "{slider:?}");
+    play.slide(b, 1);
+    assert!(play.parameter_values()[b] < 0.1);
+    set(&mut play, "rho", 13600.0);
+    play.slide(b, slider.positions);
+    assert_eq!(crate::support::readout(&mut play, "regime"), "overdamped");
+}
+
+#[test]
+fn presets_are_computed_one_after_the_other() {
+    let mut play = utube();
+    let groups = play.presets();
+    let names: Vec<&str> = groups.iter().map(|group| group.name.as_str()).collect();
+    assert_eq!(names, ["Liquid", "Regime"]);
+    let selected = |play: &mut Play| {
+        let presets = play.presets().into_iter().flat_map(|group| group.presets);
+        presets.filter(|preset| preset.selected).map(|preset| preset.name).collect::<Vec<_>>()
+    };
+    assert_eq!(selected(&mut play), ["Water"]);
+    play.apply_preset(3).unwrap();
+    // 2 m omega_0 = 2 * 350 kg * sqrt(2 * 9.8 / 7) s^-1.
+    let b = parameter(&play, "b");
+    assert!((play.parameter_values()[b] - 700.0 * 2.8_f64.sqrt()).abs() < 1e-9);
+    assert_eq!(selected(&mut play), ["Water", "Critical"]);
+    assert_eq!(groups[1].presets[1].description, "b = 1171.32 kg/s");
+    play.apply_preset(4).unwrap();
+    let mercury = 13534.0 * 0.05 * 7.0;
+    assert!((play.parameter_values()[b] - 2.0 * mercury * 2.8_f64.sqrt()).abs() < 1e-6);
+    assert_eq!(selected(&mut play), ["Mercury", "Critical", "Mercury, critical"]);
+    // A value out of the range is refused, and nothing is set.
+    let before = play.parameter_values().to_vec();
+    let refusal = play.apply_preset(5).unwrap_err();
+    assert_eq!(play.refusal_text(&refusal), "Damping: at most 20000 kg/s.");
+    assert_eq!(play.parameter_values(), before);
+    assert!(play.apply_preset(99).is_err());
+    play.set_language("es");
+    assert_eq!(play.presets()[0].presets[1].name, "Mercurio");
+}
+
+#[test]
+fn the_state_is_set_by_hand_while_paused() {
+    let mut play = utube();
+    go_on(&mut play, [1.0]);
+    let velocity = state(&play)[1];
+    play.set_state_text(0, "80 cm").unwrap();
+    assert_eq!((play.time(), state(&play)), (0.0, vec![0.8, velocity]));
+    assert!(play.has_ghost() && play.is_started_by_hand());
+    play.play();
+    assert_eq!(play.set_state(0, 0.1), Err(Refusal::NotPaused));
+    play.tick(0.5);
+    play.pause();
+    // Restarting drops it.
+    set(&mut play, "h_l", 4.0);
+    assert_eq!(state(&play), [1.0, 0.0]);
+    assert!(play.set_state(0, f64::INFINITY).is_err());
+    assert!(play.set_state(7, 1.0).is_err());
+    assert!(play.set_state_text(0, "1 s").is_err());
+}
+
+/// The handle of the test document's scene.
+fn handle(play: &Play) -> play::program::Drag {
+    let scene = play.program().scene("en").unwrap();
+    let mut drags = scene.root.children.iter().filter_map(|child| match child {
+        play::program::Child::Element(element) => element.drag.clone(),
+        play::program::Child::Text(_) => None,
+    });
+    drags.next().expect("the scene has a handle")
+}
+
+#[test]
+fn the_liquid_follows_the_pointer_and_is_let_go() {
+    let mut play = utube();
+    let drag = handle(&play);
+    play.play();
+    play.tick(1.0);
+    let held = state(&play)[0];
+    play.drag_begin(&drag);
+    assert!(!play.is_playing() && play.is_dragging());
+    play.drag_move(500.0, 10.0);
+    assert_eq!(play.time(), 0.0);
+    assert!((state(&play)[0] - (held + 0.25)).abs() < 1e-12);
+    assert_eq!(state(&play)[1], 0.0, "what is held is at rest");
+    play.drag_move(0.0, -4.0);
+    assert!((state(&play)[0] - (held - 0.1)).abs() < 1e-12);
+    // Never further than the scene is high.
+    play.drag_move(0.0, 1e9);
+    assert!((state(&play)[0] - (held + 300.0 * 0.025)).abs() < 1e-9);
+    play.drag_move(f64::NAN, 1.0);
+    play.drag_move(0.0, 8.0);
+    play.drag_end();
+    assert!(play.is_playing() && !play.is_dragging());
+    let from = state(&play);
+    play.tick(0.5);
+    assert!(state(&play)[0] < from[0]);
+    assert!(play.has_ghost());
+    play.drag_move(0.0, 5.0);
+    play.drag_end();
+}
+
+#[test]
+fn the_liquid_goes_no_further_than_the_drawing() {
+    let source = crate::support::UTUBE.replace("{100 - 40*y/(1 [m])}", "{100 - 40*min(y, 2 [m])/(1 [m])}");
+    let mut play = crate::support::open(&source, &[]);
+    let drag = handle(&play);
+    play.drag_begin(&drag);
+    play.drag_move(0.0, 250.0);
+    assert!((state(&play)[0] - 2.0).abs() < 1e-9, "{:?}", state(&play));
+    play.drag_move(0.0, 20.0);
+    assert!((state(&play)[0] - 1.0).abs() < 1e-12);
+    play.drag_move(0.0, -200.0);
+    assert!((state(&play)[0] + 4.5).abs() < 1e-12, "downwards nothing limits it");
+    play.drag_end();
+    let told = std::iter::from_fn(|| play.take_announcement()).last();
+    assert_eq!(told, Some(Announcement::StateSet(0, -4.5)));
+}
+
+/// `y(0) = (h_l - h_r)/2` with room in the ranges: one column rises by as much as the other falls.
+#[test]
+fn a_drag_at_the_start_sets_the_parameters_that_decide_it() {
+    let source = crate::support::UTUBE.replace("in 2..9", "in 0..9");
+    let mut play = crate::support::open(&source, &[]);
+    let drag = handle(&play);
+    let heights = |play: &Play| ["h_l", "h_r"].map(|name| play.parameter_values()[parameter(play, name)]);
+    // 0.025 m for a unit of the scene.
+    for (up, y, h_l, h_r) in
+        [(12.0, 0.8, 3.3, 1.7), (-12.0, 0.5, 3.0, 2.0), (-20.0, 0.0, 2.5, 2.5), (-24.0, -0.6, 1.9, 3.1)]
+    {
+        play.drag_begin(&drag);
+        play.drag_move(0.0, 3.0);
+        play.drag_move(0.0, up);
+        play.drag_end();
+        let near = |value: f64, expected: f64| (value - expected).abs() < 1e-12;
+        let [left, right] = heights(&play);
+        assert!(near(state(&play)[0], y) && near(left, h_l) && near(right, h_r), "{up}: {left} {right}");
+        assert!(!play.is_started_by_hand());
+    }
+    let told = std::iter::from_fn(|| play.take_announcement()).last().unwrap();
+    let text = play.announcement_text(&told);
+    assert_eq!(text, "Displacement: -0.6 m; Left height: 1.9 m, Right height: 3.1 m".replace('-', "−"));
+    // Played and taken back, the run starts there again; the document's values come back on request.
+    go_on(&mut play, [1.0]);
+    play.back_to_start();
+    assert!((state(&play)[0] + 0.6).abs() < 1e-12);
+    play.restore_defaults();
+    assert_eq!((state(&play), heights(&play)), (vec![0.5, 0.0], [3.0, 2.0]));
+}
+
+#[test]
+fn a_drag_at_the_start_leaves_the_other_initial_values() {
+    let mut play = utube();
+    set(&mut play, "v_0", 2.0);
+    let drag = handle(&play);
+    play.drag_begin(&drag);
+    play.drag_move(0.0, -12.0);
+    assert!((state(&play)[0] - 0.2).abs() < 1e-12);
+    play.drag_end();
+    assert_eq!(state(&play)[1], 2.0);
+    // Any other moment is one of the hand, which holds still what it holds.
+    go_on(&mut play, [0.5]);
+    play.drag_begin(&drag);
+    play.drag_move(0.0, -12.0);
+    play.drag_end();
+    assert_eq!(state(&play)[1], 0.0);
+    assert!(play.is_started_by_hand());
+}
+
+/// Where a range ends, or no parameter decides, the state itself is the start: it is played from, gone back to, shared,
+/// and given up with a word.
+#[test]
+fn what_no_parameter_can_follow_is_kept_as_the_start() {
+    let literal = crate::support::UTUBE.replace("y(0)  = (h_l - h_r)/2 ", "y(0)  = 0.5 [m] ");
+    for source in [crate::support::UTUBE, &literal] {
+        let mut play = crate::support::open(source, &[]);
+        let drag = handle(&play);
+        let parameters = play.parameter_values().to_vec();
+        play.drag_begin(&drag);
+        play.drag_move(0.0, 12.0);
+        play.drag_end();
+        assert!(play.is_started_by_hand(), "the right height is at the end of its range");
+        assert_eq!(play.parameter_values(), parameters);
+        assert!((state(&play)[0] - 0.8).abs() < 1e-12);
+        go_on(&mut play, [1.0]);
+        play.back_to_start();
+        assert!(play.is_started_by_hand() && (state(&play)[0] - 0.8).abs() < 1e-12);
+        let told = std::iter::from_fn(|| play.take_announcement()).last().unwrap();
+        assert_eq!(play.announcement_text(&told), "Back at the start that was set by hand");
+        let mut other = crate::support::open(source, &[]);
+        other.restore(&play.share()).unwrap();
+        assert_eq!(state(&other), state(&play));
+        play.restore_defaults();
+        assert!(!play.is_started_by_hand());
+        assert_eq!(state(&play), [0.5, 0.0]);
+        let told = std::iter::from_fn(|| play.take_announcement()).last();
+        assert_eq!(told, Some(Announcement::DefaultsRestored));
+    }
+    // A parameter that decides the start gives it up too, and says so although no time has passed.
+    let mut play = utube();
+    play.set_state(0, 0.7).unwrap();
+    set(&mut play, "h_l", 4.0);
+    let told: Vec<_> = std::iter::from_fn(|| play.take_announcement()).collect();
+    assert!(told.contains(&Announcement::Restarted(parameter(&play, "h_l"))), "{told:?}");
+}
+
+/// A start that is no linear function of its parameters, one without a range among them.
+#[test]
+fn a_curved_start_is_met_exactly() {
+    let source = "---\ntitle: Ball\n---\n```model\nparameter v = 3 [m/s] in 0..20\nparameter c = 2 [s^2/m]\n\
+                  y' = -y/(1 [s])\ny(0) = c*v^2 in [m]\n```\n```scene\n<svg viewBox=\"0 0 100 100\">\
+                  <circle cx=\"5\" cy=\"{y/(1 [m])}\" r=\"5\" drag=\"y\" drag-up=\"1 [m]\"/></svg>\n```\n";
+    let mut play = crate::support::open(source, &[]);
+    let drag = handle(&play);
+    for up in [1.0, 7.0, -15.0, 40.0, -0.001] {
+        let before = state(&play)[0];
+        play.drag_begin(&drag);
+        play.drag_move(0.0, up);
+        play.drag_end();
+        assert!(!play.is_started_by_hand(), "{up}");
+        assert!((state(&play)[0] - (before + up)).abs() < 1e-7 * (before + up).abs(), "{up}: {:?}", state(&play));
+        let [v, c] = play.parameter_values() else { panic!() };
+        assert!((0.0..=20.0).contains(v) && c.is_finite());
+    }
+}
+
+#[test]
+fn a_click_on_the_liquid_changes_nothing() {
+    let mut play = utube();
+    let drag = handle(&play);
+    go_on(&mut play, [1.0]);
+    let before = bits(&play);
+    play.drag_begin(&drag);
+    play.drag_end();
+    assert_eq!(bits(&play), before);
+    assert!(!play.is_playing());
+    play.drag_begin(&play::program::Drag { state: 9, up: None, right: Some(77) });
+    play.drag_move(1.0, 1.0);
+    play.drag_end();
+    assert_eq!(bits(&play), before);
+}
+
+#[test]
+fn methods_and_steps_are_chosen() {
+    let mut play = utube();
+    let methods = play.methods();
+    assert_eq!(methods.len(), 6);
+    assert!(methods.iter().all(|method| method.refused.is_empty()));
+    assert_eq!(methods.iter().find(|method| method.selected).map(|method| method.name), Some("rk4"));
+    for method in methods {
+        play.set_method(method.name).unwrap();
+        go_on(&mut play, [1.0]);
+        // y = 0.5 cos(omega t) but for a little damping and, with Euler's method, a little error.
+        assert!((state(&play)[0] - 0.5 * libm::cos(2.8_f64.sqrt())).abs() < 0.06, "{}", method.name);
+    }
+    assert!(play.set_method("leapfrog").is_err());
+    assert_eq!(play.step_text(), ("0.05".to_owned(), "s".to_owned()));
+    play.set_step_text("10 ms").unwrap();
+    assert_eq!((play.step(), play.time()), (0.01, 0.0));
+    for text in ["0", "-1", "x", "1 m", "nan"] {
+        assert!(play.set_step_text(text).is_err(), "{text}");
+    }
+}
+
+#[test]
+fn verlet_is_refused_for_an_equation_of_first_order() {
+    let source = "---\ntitle: Decay\n---\n```model\ny' = -y/(1 [s])\ny(0) = 1\n```\n";
+    let mut play = crate::support::open(source, &[]);
+    let refusal = play.set_method("velocity-verlet").unwrap_err();
+    assert_eq!(play.refusal_text(&refusal), "velocity Verlet is for equations of second order only.");
+    assert!(play.methods().iter().any(|method| method.refused == play.refusal_text(&refusal)));
+    go_on(&mut play, [1.0]);
+    assert!((state(&play)[0] - libm::exp(-1.0)).abs() < 1e-6);
+}
+
+#[test]
+fn everything_is_announced() {
+    let mut play = utube();
+    play.play();
+    play.tick(1.0);
+    play.pause();
+    play.set_speed(0.25);
+    play.apply_preset(1).unwrap();
+    play.step_forward();
+    play.back_to_start();
+    let mut texts = Vec::new();
+    while let Some(announcement) = play.take_announcement() {
+        texts.push(play.announcement_text(&announcement));
+    }
+    assert_eq!(texts, ["Playing", "Paused at 1.00 s", "Speed 1/4×", "Mercury", "Step, 1.05 s", "Back at the start"]);
+    play.set_language("es");
+    let h_l = parameter(&play, "h_l");
+    for (announcement, expected) in [
+        (Announcement::Restarted(h_l), "La serie comienza de nuevo: cambió Altura izquierda"),
+        (Announcement::ParameterSet(h_l, 2.5), "Altura izquierda: 2,5 m"),
+        (Announcement::Paused(1.25), "En pausa en 1,25 s"),
+        (Announcement::StateSet(0, 0.25), "Desplazamiento: 0,25 m; la serie parte de ahí"),
+        (Announcement::ParameterSet(99, 2.5), ": "),
+    ] {
+        assert_eq!(play.announcement_text(&announcement), expected);
+    }
+}
+
+#[test]
+fn answers_stay_with_their_questions() {
+    let mut play = utube();
+    play.check_answer(0, "123456");
+    play.type_answer(1, "1");
+    play.check_answer(1, "1");
+    play.reveal_answer(1);
+    play.check_answer(99, "1");
+    let saved = play.saved_answers();
+    assert_eq!(saved.len(), 2);
+    play.set_language("es");
+    assert_eq!(play.saved_answers(), saved, "the same in both languages");
+    let answer = play.answer(0);
+    assert_eq!(answer.verdict.map(|verdict| verdict.text).as_deref(), Some("Todavía no."));
+    assert_eq!((answer.typed.as_str(), answer.revealed), ("123456", false));
+    // Another question in front of them, and a later visit in Spanish.
+    let source = crate::support::UTUBE.replacen(
+        "```question\n",
+        "```question\nWhat is g?\nanswer: g within 1 %\n```\n\n```question\n",
+        1,
+    );
+    let mut later = crate::support::open(&source, &[]);
+    later.set_language("es");
+    for (name, text) in &saved {
+        later.restore_answer(name, text);
+    }
+    assert_eq!((later.answer(0), later.answer(1)), (play::AnswerView::default(), play.answer(0)));
+    assert_eq!(later.answer(2), play.answer(1));
+    assert_eq!(later.answer(2).verdict.map(|verdict| verdict.grade), Some(play::Grade::Correct));
+    assert!(later.answer(2).revealed);
+    // Typing takes the verdict away; nonsense in the storage changes nothing.
+    later.type_answer(2, "2\n3");
+    assert_eq!((later.answer(2).typed.as_str(), later.answer(2).verdict), ("2 3", None));
+    let before = later.saved_answers();
+    for (name, text) in [("", ""), (saved[0].0.as_str(), "one line"), ("0000000000000000", "1\nright\n")] {
+        later.restore_answer(name, text);
+    }
+    assert_eq!(later.saved_answers(), before);
+}

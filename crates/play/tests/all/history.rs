@@ -1,0 +1,224 @@
+//! Scrubbing, going on, changing parameters on the way, and what stays behind.
+
+use crate::support::{bits, go_on, open, parameter, set, state, utube};
+use play::{Announcement, MOST_KEPT, PlotId, Refusal};
+
+fn told(play: &mut play::Play) -> Vec<Announcement> {
+    std::iter::from_fn(|| play.take_announcement()).collect()
+}
+
+#[test]
+fn scrubbing_and_going_on_gives_the_same_bits() {
+    let mut straight = utube();
+    go_on(&mut straight, [10.0]);
+    let mut scrubbed = utube();
+    go_on(&mut scrubbed, [8.0]);
+    for moment in [0.0, 3.999, 2.5, 4.0 * 0.05, 0.013] {
+        scrubbed.scrub(moment);
+        assert_eq!(scrubbed.time(), moment);
+        assert_eq!(scrubbed.end(), if moment == 0.0 { 8.0 } else { 10.0 });
+        go_on(&mut scrubbed, [10.0 - moment]);
+        assert!(scrubbed.has_ghost());
+        scrubbed.scrub(10.0);
+        assert_eq!(bits(&scrubbed), bits(&straight), "after going on from {moment}");
+    }
+}
+
+#[test]
+fn a_scrub_alone_changes_nothing() {
+    let mut play = utube();
+    go_on(&mut play, [3.0]);
+    let before = bits(&play);
+    play.scrub(1.0);
+    assert_eq!(bits(&play), before);
+    play.scrub(f64::NAN);
+    assert!(!play.is_scrubbed());
+    play.scrub(-5.0);
+    assert_eq!(play.time(), 0.0);
+    play.scrub(1e300);
+    assert_eq!((play.time(), play.is_scrubbed()), (3.0, false));
+    assert_eq!(bits(&play), before);
+}
+
+#[test]
+fn a_change_of_damping_takes_effect_at_once_without_a_jump() {
+    let mut play = utube();
+    go_on(&mut play, [1.025]);
+    let before = state(&play);
+    set(&mut play, "b", 5000.0);
+    assert_eq!(state(&play), before);
+    assert!(!play.has_ghost(), "the run goes on");
+    let length = play.table_length();
+    // Nothing of the past has changed, and the next steps are those of a strongly damped liquid.
+    let mut other = utube();
+    go_on(&mut other, [1.025]);
+    assert_eq!(bits(&play), bits(&other));
+    go_on(&mut play, [0.3]);
+    go_on(&mut other, [0.3]);
+    let (damped, free) = (state(&play)[1], state(&other)[1]);
+    assert!(damped.abs() < 0.6 * free.abs(), "{damped} {free}");
+    assert_eq!(play.table_length(), length + 6);
+}
+
+#[test]
+fn parameters_then_in_force_come_back() {
+    let mut play = utube();
+    let b = parameter(&play, "b");
+    go_on(&mut play, [1.0]);
+    set(&mut play, "b", 300.0);
+    go_on(&mut play, [1.0]);
+    set(&mut play, "b", 700.0);
+    go_on(&mut play, [1.0]);
+    let straight = bits(&play);
+    let at = |play: &mut play::Play, time: f64| {
+        play.scrub(time);
+        play.parameter_values()[b]
+    };
+    assert_eq!(at(&mut play, 0.5), 50.0);
+    assert_eq!(at(&mut play, 1.5), 300.0);
+    assert_eq!(at(&mut play, 2.5), 700.0);
+    assert_eq!(at(&mut play, 3.0), 700.0);
+    assert_eq!(bits(&play), straight);
+    // Going on from 1.5 goes on with 300.
+    play.scrub(1.5);
+    go_on(&mut play, [1.5]);
+    assert_eq!(play.parameter_values()[b], 300.0);
+    let mut other = utube();
+    go_on(&mut other, [1.0]);
+    set(&mut other, "b", 300.0);
+    go_on(&mut other, [2.0]);
+    assert_eq!(bits(&play), bits(&other));
+}
+
+#[test]
+fn a_change_before_the_first_step_is_as_if_it_had_always_been_so() {
+    let mut play = utube();
+    set(&mut play, "b", 300.0);
+    go_on(&mut play, [2.0]);
+    let source = crate::support::UTUBE.replace("parameter b   = 50 ", "parameter b   = 300");
+    let mut other = open(&source, &[]);
+    go_on(&mut other, [2.0]);
+    assert_eq!(bits(&play), bits(&other));
+}
+
+#[test]
+fn a_parameter_that_decides_an_initial_value_restarts_the_run() {
+    let mut play = utube();
+    let h_l = parameter(&play, "h_l");
+    assert!(play.parameter(h_l).unwrap().restarts);
+    go_on(&mut play, [2.0]);
+    told(&mut play);
+    set(&mut play, "h_l", 4.0);
+    assert_eq!((play.time(), play.end()), (0.0, 0.0));
+    assert_eq!(state(&play), [1.0, 0.0]);
+    assert!(play.has_ghost());
+    let expected = [Announcement::Restarted(h_l), Announcement::ParameterSet(h_l, 4.0)];
+    assert_eq!(told(&mut play), expected);
+    // While it is playing it goes on playing.
+    play.play();
+    play.tick(1.0);
+    set(&mut play, "v_0", 2.0);
+    assert!(play.is_playing() && play.time() == 0.0);
+    assert_eq!(state(&play), [1.0, 2.0]);
+}
+
+#[test]
+fn moving_a_slider_leaves_the_ghost_of_the_real_run() {
+    let mut play = utube();
+    go_on(&mut play, [10.0]);
+    let h_l = parameter(&play, "h_l");
+    play.play();
+    for position in 3..12 {
+        play.slide(h_l, position);
+        play.tick(0.016);
+    }
+    let settings = Default::default();
+    let svg = play.plot_svg(PlotId::at(0), &settings, &play::figure::Palette::LIGHT);
+    assert!(play.has_ghost());
+    assert!(svg.contains("10"), "the axis still has room for the ghost's 10 s");
+    play.back_to_start();
+    assert!(!play.has_ghost());
+}
+
+#[test]
+fn back_to_start_keeps_parameters_and_start_and_restoring_defaults_neither() {
+    let mut play = utube();
+    let b = parameter(&play, "b");
+    set(&mut play, "b", 0.0);
+    go_on(&mut play, [1.0]);
+    play.back_to_start();
+    assert_eq!((play.time(), state(&play), play.parameter_values()[b]), (0.0, vec![0.5, 0.0], 0.0));
+    play.set_state(0, 0.75).unwrap();
+    go_on(&mut play, [1.0]);
+    play.back_to_start();
+    assert!(play.is_started_by_hand() && !play.is_playing());
+    assert_eq!((play.time(), state(&play), play.parameter_values()[b]), (0.0, vec![0.75, 0.0], 0.0));
+    go_on(&mut play, [1.0]);
+    play.restore_defaults();
+    assert!(!play.is_started_by_hand());
+    assert_eq!((play.time(), state(&play), play.parameter_values()[b]), (0.0, vec![0.5, 0.0], 50.0));
+    // Without a start set by hand, a run in progress goes on.
+    set(&mut play, "b", 0.0);
+    go_on(&mut play, [1.0]);
+    play.restore_defaults();
+    assert_eq!((play.time(), play.parameter_values()[b]), (1.0, 50.0));
+}
+
+#[test]
+fn runs_are_kept_by_what_differs() {
+    let mut play = utube();
+    go_on(&mut play, [1.0]);
+    play.keep().unwrap();
+    set(&mut play, "b", 200.0);
+    go_on(&mut play, [1.0]);
+    play.keep().unwrap();
+    play.back_to_start();
+    set(&mut play, "rho", 13534.0);
+    play.set_state(0, 0.3).unwrap();
+    play.set_method("euler").unwrap();
+    play.keep().unwrap();
+    play.keep().unwrap();
+    let names = |play: &play::Play| play.kept().into_iter().map(|kept| kept.name).collect::<Vec<_>>();
+    assert_eq!(
+        names(&play),
+        [
+            "initial settings",
+            "b = 50 kg/s → 200 kg/s",
+            "ρ = 13534 kg/m³, b = 200 kg/s, y(0) = 0.3 m, y′(0) = 0 m/s, Euler",
+            "ρ = 13534 kg/m³, b = 200 kg/s, y(0) = 0.3 m, y′(0) = 0 m/s, Euler (2)",
+        ]
+    );
+    play.set_language("es");
+    assert_eq!(names(&play)[0], "ajustes iniciales");
+    assert!(names(&play)[2].contains("0,3 m"));
+    let patterns: Vec<u8> = play.kept().iter().map(|kept| kept.pattern).collect();
+    assert_eq!(patterns, [0, 1, 2, 3]);
+    let second = play.kept()[1].id;
+    play.remove_kept(second);
+    play.show_kept(play.kept()[0].id, false);
+    assert!(!play.kept()[0].shown);
+    play.keep().unwrap();
+    assert_eq!(play.kept().last().unwrap().pattern, 1, "the free pattern is used again");
+    while play.kept().len() < MOST_KEPT {
+        play.keep().unwrap();
+    }
+    assert_eq!(play.keep(), Err(Refusal::TooManyRuns { most: MOST_KEPT }));
+    play.remove_kept(999);
+    play.show_kept(999, true);
+}
+
+#[test]
+fn events_are_part_of_the_run_and_break_its_line() {
+    let source = "---\ntitle: Ball\n---\n```model\nparameter e = 0.9 in 0..1\ny'' = -9.81 [m/s^2]\ny(0) = 1 [m]\ny'(0) = 0 [m/s]\nwhen y < 0 [m] { y' = -e*y' }\n```\n```plots\n\"Velocity\": y' against t\n```\n";
+    let mut straight = open(source, &[]);
+    go_on(&mut straight, [3.0]);
+    let mut scrubbed = open(source, &[]);
+    go_on(&mut scrubbed, [2.0]);
+    // Just before the first bounce at sqrt(2/9.81) = 0.45152 s, at it, and just after.
+    for moment in [0.44, 0.451, 0.4515236, 0.452, 0.5, 1.2] {
+        scrubbed.scrub(moment);
+        go_on(&mut scrubbed, [3.0 - moment]);
+        scrubbed.scrub(3.0);
+        assert_eq!(bits(&scrubbed), bits(&straight), "after going on from {moment}");
+    }
+}

@@ -1,0 +1,35 @@
+//! Kept runs beside the present one: in legends, in CSV, in figures; and lengths in the drawing.
+
+use crate::support::{go_on, utube};
+use figure::{Point, Settings};
+use play::PlotId;
+
+#[test]
+fn kept_runs_are_named_in_legend_csv_and_figure_and_left_out_of_pins() {
+    let mut play = utube();
+    go_on(&mut play, [1.0]);
+    play.keep().unwrap();
+    go_on(&mut play, [1.0]);
+    let legend = play.plot_legend(PlotId::at(0));
+    let labels: Vec<&str> = legend.iter().map(|entry| entry.label.as_str()).collect();
+    assert_eq!(labels, ["initial settings", "y", "y′"]);
+    assert_eq!(legend[0].style, figure::Style::Run(0));
+    let csv = play.plot_csv(PlotId::at(0));
+    let head = csv.lines().next().unwrap();
+    assert!(head.starts_with("t (initial settings) [s],y (initial settings) [m],"), "{head}");
+    assert!(head.ends_with(",t [s],y [m],t [s],y′ [m/s]"), "{head}");
+    // The kept run is the shorter one; the last row has the present one alone.
+    assert!(csv.trim_end().lines().last().unwrap().starts_with(",,,,"), "{csv}");
+    assert!(play.plot_svg(PlotId::at(0), &Settings::default(), &figure::Palette::LIGHT).contains(">initial settings<"));
+    let panel = play.layout_plot(PlotId::at(0), &Settings::default()).unwrap().panel;
+    let at = Point { x: panel.x + panel.width / 20.0, y: panel.y + panel.height / 2.0 };
+    let hovered = play.hover_plot(PlotId::at(0), at).unwrap();
+    assert_eq!(hovered.samples.len(), 4);
+    assert_eq!(play.own_samples(PlotId::at(0), hovered).samples.len(), 2);
+}
+
+#[test]
+fn a_length_in_the_drawing_is_that_of_its_handles() {
+    // 40 units of the drawing are a metre.
+    assert_eq!(utube().scene_length(40.0).as_deref(), Some("1 m"));
+}

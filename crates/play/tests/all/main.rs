@@ -1,0 +1,12 @@
+//! Tests of playing without a screen; one program, since linking many takes longer than they do.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
+
+mod answers;
+mod clock;
+mod controls;
+mod history;
+mod legends;
+mod sharing;
+mod simulations;
+mod support;

@@ -1,0 +1,193 @@
+//! Links and saved states.
+
+use crate::support::{bits, go_on, set, utube};
+use figure::{Direction, Palette, Point, Settings};
+use play::{Play, PlotId, Refusal};
+
+/// Opens the document anew and restores what `play` shares.
+fn reopened(play: &Play) -> Play {
+    let fragment = play.share();
+    let allowed = |character: char| character.is_ascii_alphanumeric() || "-._~!$&'()*+,;=:@/?".contains(character);
+    assert!(fragment.chars().all(allowed), "{fragment}");
+    let mut other = utube();
+    other.restore(&fragment).unwrap_or_else(|refusal| panic!("{fragment}: {refusal:?}"));
+    assert_eq!(other.share(), fragment);
+    other
+}
+
+#[test]
+fn nothing_is_shared_of_a_fresh_document() {
+    let mut play = utube();
+    assert_eq!(play.share(), "");
+    play.restore("").unwrap();
+    play.restore("#").unwrap();
+    assert_eq!(play.share(), "");
+}
+
+#[test]
+fn a_link_is_short_and_says_what_differs() {
+    let mut play = utube();
+    set(&mut play, "b", 200.0);
+    set(&mut play, "h_l", 3.5);
+    play.set_speed(2.0);
+    play.show_plot(PlotId::at(2), false);
+    go_on(&mut play, [5.0]);
+    assert_eq!(play.share(), "1&p=b:200,h_l:3.5&t=10&x=2&v=2");
+    let other = reopened(&play);
+    assert_eq!(bits(&other), bits(&play));
+    assert_eq!((other.speed(), other.plots()[2].shown), (2.0, false));
+    assert!(!other.is_playing());
+}
+
+#[test]
+fn what_plots_are_zoomed_to_comes_back() {
+    let mut play = utube();
+    go_on(&mut play, [5.0]);
+    let settings = Settings::default();
+    for plot in 0..3 {
+        play.layout_plot(PlotId::at(plot), &settings);
+    }
+    let drawn = |play: &mut Play, plot| play.plot_svg(PlotId::at(plot), &settings, &Palette::LIGHT);
+    let everything = drawn(&mut play, 1);
+    play.zoom_plot(PlotId::at(0), None, 2.0, Direction::Horizontal);
+    play.zoom_plot(PlotId::at(1), Some(Point { x: 200.0, y: 90.0 }), 3.0, Direction::Both);
+    play.pan_plot(PlotId::at(2), 0.0, 17.0);
+    let mut other = reopened(&play);
+    for plot in 0..3 {
+        assert!(!other.plots()[plot].automatic);
+        assert_eq!(drawn(&mut other, plot), drawn(&mut play, plot));
+    }
+    assert_ne!(drawn(&mut other, 1), everything);
+    other.restore("1&t=5").unwrap();
+    assert!(other.plots().iter().all(|plot| plot.automatic));
+    assert_eq!(drawn(&mut other, 1), everything);
+}
+
+#[test]
+fn everything_comes_back_with_the_same_bits() {
+    let mut play = utube();
+    play.set_state(0, 0.123_456_789).unwrap();
+    play.set_method("dormand-prince").unwrap();
+    play.set_step(0.03).unwrap();
+    go_on(&mut play, [1.0 / 3.0]);
+    set(&mut play, "b", 1e-7);
+    go_on(&mut play, [1.0]);
+    set(&mut play, "rho", 2000.0);
+    set(&mut play, "g", 1.62);
+    go_on(&mut play, [1.0]);
+    play.keep().unwrap();
+    set(&mut play, "h_l", 5.0);
+    go_on(&mut play, [2.0]);
+    set(&mut play, "b", 0.0);
+    go_on(&mut play, [2.0]);
+    play.scrub(1.0 / 7.0);
+    let other = reopened(&play);
+    assert_eq!(bits(&other), bits(&play));
+    assert_eq!((other.time(), other.end()), (play.time(), play.end()));
+    assert_eq!(crate::support::state(&other), crate::support::state(&play));
+    assert_eq!(other.parameter_values(), play.parameter_values());
+    assert_eq!(other.kept(), play.kept());
+}
+
+/// What an adaptive method does next depends on the steps behind it, also where the run went on from an earlier moment.
+#[test]
+fn a_run_that_goes_on_from_an_earlier_moment_comes_back_with_the_same_bits() {
+    for method in ["rk4", "dormand-prince", "rosenbrock"] {
+        for back in [0.0, 0.32, 0.5] {
+            let mut play = utube();
+            play.set_method(method).unwrap();
+            go_on(&mut play, [0.7]);
+            play.scrub(back);
+            play.step_forward();
+            set(&mut play, "b", 80.0);
+            play.step_forward();
+            play.step_forward();
+            play.scrub(back);
+            go_on(&mut play, [0.4]);
+            assert_eq!(bits(&reopened(&play)), bits(&play), "{method} from {back}");
+        }
+    }
+}
+
+#[test]
+fn a_change_that_has_not_acted_yet_is_shared() {
+    let mut play = utube();
+    go_on(&mut play, [1.0]);
+    set(&mut play, "b", 300.0);
+    let mut other = reopened(&play);
+    assert_eq!(other.parameter_values(), play.parameter_values());
+    go_on(&mut play, [1.0]);
+    go_on(&mut other, [1.0]);
+    assert_eq!(bits(&other), bits(&play));
+}
+
+#[test]
+fn more_changes_than_a_link_holds_leave_the_state() {
+    let mut play = utube();
+    play.play();
+    for change in 0..1000 {
+        set(&mut play, "b", f64::from(change));
+        play.tick(0.05);
+    }
+    play.pause();
+    let fragment = play.share();
+    assert!(fragment.len() < 200, "{fragment}");
+    let mut other = utube();
+    other.restore(&fragment).unwrap();
+    assert_eq!(crate::support::state(&other), crate::support::state(&play));
+    assert_eq!(other.parameter_values(), play.parameter_values());
+}
+
+#[test]
+fn what_does_not_fit_is_left_out_and_named() {
+    for (fragment, left_out) in [
+        ("1&p=b:200,q:3", "q:3"),
+        ("1&p=b:1e9&t=1", "b:1e9"),
+        ("1&p=b:nan", "b:nan"),
+        ("1&p", "p"),
+        ("1&y=1", "y=1"),
+        ("1&y=1,inf", "y=1,inf"),
+        ("1&m=leapfrog", "m=leapfrog"),
+        ("1&h=0", "h=0"),
+        ("1&h=-1&t=3", "h=-1"),
+        ("1&t=-1", "t=-1"),
+        ("1&t=1e300", "t=1e300"),
+        ("1&c=0,b:3", "c=0,b:3"),
+        ("1&c=10,b:3&c=5,b:3&t=3", "c=5,b:3"),
+        ("1&c=99999999,b:3", "c"),
+        ("1&v=7", "v=7"),
+        ("1&z=7,0:1", "z=7,0:1"),
+        ("1&z=0", "z=0"),
+        ("1&z=0,1:1", "z=0,1:1"),
+        ("1&z=0,2:1", "z=0,2:1"),
+        ("1&z=1,0:1,2:3,4:5", "z=1,0:1,2:3,4:5"),
+        ("1&z=1,0:NaN", "z=1,0:NaN"),
+        ("1&zzz=1", "zzz=1"),
+        ("1&&", ""),
+        ("1&k&k&k&k&k&k&k", "k"),
+    ] {
+        let mut play = utube();
+        let refusal = play.restore(fragment).expect_err(fragment);
+        let Refusal::PartlyRestored { left_out: parts } = &refusal else { panic!("{fragment}: {refusal:?}") };
+        assert!(parts.iter().any(|part| part.starts_with(left_out)), "{fragment}: {parts:?}");
+        play.play();
+        play.tick(0.1);
+    }
+    for fragment in ["2&p=b:1", "hello", "%31", "p=b:200", "1;p=b:200", "é"] {
+        let mut play = utube();
+        assert_eq!(play.restore(fragment), Err(Refusal::UnreadableState), "{fragment}");
+        assert_eq!(play.share(), "");
+    }
+}
+
+#[test]
+fn restoring_replaces_what_was_there() {
+    let mut play = utube();
+    go_on(&mut play, [3.0]);
+    play.keep().unwrap();
+    play.show_plot(PlotId::at(0), false);
+    play.play();
+    play.restore("1&p=b:7&t=2").unwrap();
+    assert!(!play.is_playing() && play.kept().is_empty() && !play.has_ghost());
+    assert_eq!(play.share(), "1&p=b:7&t=2");
+}

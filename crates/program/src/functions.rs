@@ -1,0 +1,119 @@
+//! The functions an author can call: their arguments, their dimensions, and what they become in the graph.
+
+use crate::{Binary, Graph, NodeId, Unary};
+use units::{Words, words};
+
+/// A function of the language.
+#[derive(Debug)]
+pub struct Function {
+    /// What the author writes before the parenthesis.
+    pub name: &'static str,
+    /// The least number of arguments.
+    pub least: usize,
+    /// The greatest number of arguments.
+    pub most: usize,
+    /// What it does with dimensions.
+    pub dimensions: Rule,
+    build: Build,
+}
+
+/// How a function treats the dimensions of its arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// A pure number in, a pure number out.
+    Pure,
+    /// A pure number in, as it depends on the unit whether a number is whole.
+    Whole,
+    /// The root of this degree.
+    Root(i8),
+    /// Arguments of one dimension, which is also the result's.
+    Same,
+    /// Arguments of one dimension; the result is a pure number.
+    Ratio,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Build {
+    Unary(Unary),
+    /// Two arguments, or more from left to right.
+    Binary(Binary),
+    Hypotenuse,
+}
+
+const MANY: usize = 32;
+
+const fn one(name: &'static str, dimensions: Rule, function: Unary) -> Function {
+    Function { name, least: 1, most: 1, dimensions, build: Build::Unary(function) }
+}
+
+const fn two(name: &'static str, most: usize, dimensions: Rule, function: Binary) -> Function {
+    Function { name, least: 2, most, dimensions, build: Build::Binary(function) }
+}
+
+/// All functions, in the order of the language reference.
+pub const FUNCTIONS: &[Function] = &[
+    one("sqrt", Rule::Root(2), Unary::SquareRoot),
+    one("cbrt", Rule::Root(3), Unary::CubeRoot),
+    one("abs", Rule::Same, Unary::Absolute),
+    one("sign", Rule::Ratio, Unary::Sign),
+    one("exp", Rule::Pure, Unary::Exp),
+    one("ln", Rule::Pure, Unary::Ln),
+    one("log10", Rule::Pure, Unary::Log10),
+    one("sin", Rule::Pure, Unary::Sin),
+    one("cos", Rule::Pure, Unary::Cos),
+    one("tan", Rule::Pure, Unary::Tan),
+    one("asin", Rule::Pure, Unary::Asin),
+    one("acos", Rule::Pure, Unary::Acos),
+    one("atan", Rule::Pure, Unary::Atan),
+    two("atan2", 2, Rule::Ratio, Binary::Atan2),
+    one("sinh", Rule::Pure, Unary::Sinh),
+    one("cosh", Rule::Pure, Unary::Cosh),
+    one("tanh", Rule::Pure, Unary::Tanh),
+    one("asinh", Rule::Pure, Unary::Asinh),
+    one("acosh", Rule::Pure, Unary::Acosh),
+    one("atanh", Rule::Pure, Unary::Atanh),
+    one("floor", Rule::Whole, Unary::Floor),
+    one("ceil", Rule::Whole, Unary::Ceil),
+    one("round", Rule::Whole, Unary::Round),
+    two("min", MANY, Rule::Same, Binary::Minimum),
+    two("max", MANY, Rule::Same, Binary::Maximum),
+    two("mod", 2, Rule::Same, Binary::Modulo),
+    Function { name: "hypot", least: 2, most: 2, dimensions: Rule::Same, build: Build::Hypotenuse },
+];
+
+impl Function {
+    /// The function of that name.
+    pub fn named(name: &str) -> Option<&'static Self> {
+        FUNCTIONS.iter().find(|function| function.name == name)
+    }
+
+    /// Whether it can be called with so many arguments.
+    pub fn takes(&self, arguments: usize) -> bool {
+        (self.least..=self.most).contains(&arguments)
+    }
+
+    /// `1 argument`, `2 arguments`, `2 or more arguments`
+    pub fn arity(&self) -> Words {
+        match (self.least, self.most) {
+            (1, 1) => words("1 argument", "1 argumento"),
+            (least, most) if least == most => words!("{least} arguments", "{least} argumentos"),
+            (least, _) => words!("{least} or more arguments", "{least} o más argumentos"),
+        }
+    }
+
+    /// Its value; 0 without arguments, which a check has refused before.
+    pub fn build(&self, graph: &mut Graph, arguments: &[NodeId]) -> NodeId {
+        let Some((&first, rest)) = arguments.split_first() else {
+            return graph.constant(0.0);
+        };
+        match self.build {
+            Build::Unary(function) => graph.unary(function, first),
+            Build::Binary(function) => rest.iter().fold(first, |value, &next| graph.binary(function, value, next)),
+            Build::Hypotenuse => {
+                let squares = arguments.iter().map(|&side| graph.multiply(side, side)).collect::<Vec<_>>();
+                let sum = squares.into_iter().reduce(|sum, square| graph.add(sum, square)).unwrap_or(first);
+                graph.unary(Unary::SquareRoot, sum)
+            }
+        }
+    }
+}

@@ -12,7 +12,7 @@ import { chromium } from "playwright-core";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
 const program = process.env.MENISCUS ?? join(root, "target", "debug", "meniscus");
-const labPage = process.env.PAGE ?? join(root, "target", "page", "meniscus.html");
+export const labPage = process.env.PAGE ?? join(root, "target", "page", "meniscus.html");
 
 const SWITCHES = [
   "--no-sandbox",
@@ -27,11 +27,16 @@ const SWITCHES = [
 let browser;
 let directory;
 
-before(async () => {
-  assert.ok(process.env.CHROME, "CHROME must name the browser; `cargo xtask test` finds it");
-  browser = await chromium.launch({ executablePath: process.env.CHROME, args: SWITCHES });
+before(() => {
   directory = mkdtempSync(join(tmpdir(), "meniscus-"));
 });
+
+/** Chromium, started by the first visit: the tests in Firefox use this file without it. */
+async function started() {
+  assert.ok(process.env.CHROME, "CHROME must name the browser; `cargo xtask test` finds it");
+  browser ??= await chromium.launch({ executablePath: process.env.CHROME, args: SWITCHES });
+  return browser;
+}
 
 after(async () => {
   await browser?.close();
@@ -78,7 +83,7 @@ export async function eventually(check, seconds = 10) {
 export class Lab {
   /** Opens a page file: `file`, `language`, `theme`, `width`, `height`, `touch`, `motion`. */
   static async open({ file = labPage, language = "en-GB", theme = "light", width = 1440, height = 900, touch = false, motion = "no-preference" } = {}) {
-    const context = await browser.newContext({
+    const context = await (await started()).newContext({
       viewport: { width, height },
       locale: language,
       colorScheme: theme,

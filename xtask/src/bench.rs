@@ -15,7 +15,7 @@ pub fn all() -> Result<()> {
     let page = step("the page", page::build)?;
     let page = std::fs::read(&page).with_context(|| format!("cannot read {}", page.display()))?;
     let native = step("the pace of the engine, of fits and of the import natively", native)?;
-    let browser = tools::chromium();
+    let browser = tools::CHROMIUM.path();
     if let Err(missing) = &browser {
         println!("{missing:#}");
     }

@@ -12,7 +12,7 @@ pub fn all() -> Result<()> {
     // With the page built, the program of the tests has it inside and can export and serve.
     step("unit and integration tests", tests)?;
     step("golden runs in WebAssembly", golden::compare)?;
-    step("the page in a browser", browser)
+    step("the page in Chromium and Firefox", browsers)
 }
 
 fn tests() -> Result<()> {
@@ -30,13 +30,16 @@ fn lints() -> Result<()> {
     run(cargo(&browser).args(["--target", wasm::TARGET]).args(STRICT))
 }
 
-fn browser() -> Result<()> {
+fn browsers() -> Result<()> {
     let node = tools::node()?;
     tools::browser_packages()?;
     let program = steps::target().join("debug").join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
     let directory = steps::root().join("tests").join("page");
     let mut tests = std::process::Command::new(node);
     tests.args(["--test", "--test-reporter=spec"]).current_dir(directory);
-    tests.env("CHROME", tools::chromium()?).env("MENISCUS", program).env("PAGE", steps::page());
+    for browser in [tools::CHROMIUM, tools::FIREFOX] {
+        tests.env(browser.variable, browser.path()?);
+    }
+    tests.env("MENISCUS", program).env("PAGE", steps::page());
     run(&mut tests)
 }

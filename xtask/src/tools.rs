@@ -43,37 +43,74 @@ pub fn browser_packages() -> Result<()> {
     std::fs::write(&stamp, lock).with_context(|| format!("cannot write {}", stamp.display()))
 }
 
-/// Chromium or Chrome: `CHROME`, what is in `PATH`, the usual places, or installed with apt where this runs as root.
-pub fn chromium() -> Result<PathBuf> {
-    if let Some(path) = std::env::var_os("CHROME").map(PathBuf::from) {
-        return if path.is_file() {
-            Ok(path)
-        } else {
-            bail!("CHROME is {}, and there is no such file", path.display())
-        };
-    }
-    if let Some(path) = installed_chromium() {
-        return Ok(path);
-    }
-    const HOW: &str =
-        "the browser tests need Chromium or Chrome: install it, or say where it is with CHROME=/path/to/chrome";
-    let apt = find("apt-get").context(HOW)?;
-    steps::run(Command::new(&apt).arg("update")).context(HOW)?;
-    let arguments = ["install", "--yes", "--no-install-recommends", "chromium", "fonts-dejavu-core"];
-    steps::run(Command::new(&apt).args(arguments).env("DEBIAN_FRONTEND", "noninteractive")).context(HOW)?;
-    installed_chromium().context(HOW)
+/// A browser that the tests drive.
+pub struct Browser {
+    name: &'static str,
+    /// The environment variable with its path.
+    pub variable: &'static str,
+    programs: &'static [&'static str],
+    places: &'static [&'static str],
+    /// What apt installs.
+    packages: &'static [&'static str],
 }
 
-fn installed_chromium() -> Option<PathBuf> {
-    const NAMES: [&str; 5] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
-    const PLACES: [&str; 4] = [
+pub const CHROMIUM: Browser = Browser {
+    name: "Chromium or Chrome",
+    variable: "CHROME",
+    programs: &["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"],
+    places: &[
         "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
         "/Applications/Chromium.app/Contents/MacOS/Chromium",
         r"C:\Program Files\Google\Chrome\Application\chrome.exe",
         r"C:\Program Files (x86)\Google\Chrome\Application\chrome.exe",
-    ];
-    let in_path = NAMES.iter().find_map(|name| find(name));
-    in_path.or_else(|| PLACES.iter().map(PathBuf::from).find(|path| path.is_file()))
+    ],
+    packages: &["chromium", "fonts-dejavu-core"],
+};
+
+pub const FIREFOX: Browser = Browser {
+    name: "Firefox",
+    variable: "FIREFOX",
+    programs: &["firefox-esr", "firefox"],
+    places: &[
+        "/Applications/Firefox.app/Contents/MacOS/firefox",
+        r"C:\Program Files\Mozilla Firefox\firefox.exe",
+        r"C:\Program Files (x86)\Mozilla Firefox\firefox.exe",
+    ],
+    packages: &["firefox-esr", "fonts-dejavu-core"],
+};
+
+impl Browser {
+    /// The path in the environment variable, else the program in `PATH` or in the usual places, else installed with apt
+    /// where this runs as root.
+    pub fn path(&self) -> Result<PathBuf> {
+        let Self { name, variable, .. } = self;
+        if let Some(path) = std::env::var_os(variable).map(PathBuf::from) {
+            return if path.is_file() {
+                Ok(path)
+            } else {
+                bail!("{variable} is {}, and there is no such file", path.display())
+            };
+        }
+        if let Some(path) = self.installed() {
+            return Ok(path);
+        }
+        self.install()
+            .with_context(|| format!("the browser tests need {name}: install it, or set {variable} to its path"))
+    }
+
+    fn install(&self) -> Result<PathBuf> {
+        let apt = find("apt-get").context("there is no apt-get to install it")?;
+        steps::run(Command::new(&apt).arg("update"))?;
+        let mut install = Command::new(&apt);
+        install.args(["install", "--yes", "--no-install-recommends"]).args(self.packages);
+        steps::run(install.env("DEBIAN_FRONTEND", "noninteractive"))?;
+        self.installed().context("apt-get has installed no program of this name")
+    }
+
+    fn installed(&self) -> Option<PathBuf> {
+        let in_path = self.programs.iter().find_map(|name| find(name));
+        in_path.or_else(|| self.places.iter().map(PathBuf::from).find(|path| path.is_file()))
+    }
 }
 
 /// A program in `PATH`.

@@ -124,7 +124,7 @@ fn widest(data: &Measured) -> Result<usize, Failure> {
 
 fn as_json(record: &Record) -> String {
     let measured = |measured: cycles::Measured| json!({ "value": measured.value, "stderr": measured.error });
-    let cycles: Vec<serde_json::Value> = record
+    let cycles: serde_json::Value = record
         .found
         .cycles
         .iter()
@@ -155,8 +155,7 @@ fn as_json(record: &Record) -> String {
         "lost_from": record.found.lost,
         "sinusoidal": record.found.sinusoidal,
     });
-    // Texts and numbers only: there is nothing in it that could not be written.
-    serde_json::to_string_pretty(&object).unwrap_or_default() + "\n"
+    format!("{object:#}\n")
 }
 
 fn as_csv(record: &Record) -> String {

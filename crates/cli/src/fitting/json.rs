@@ -3,7 +3,7 @@
 use super::fit::Fitted;
 use crate::columns;
 use crate::data::Measured;
-use analysis::fit::{Estimate, Interval, ObservationFit, Outcome, Outlier};
+use analysis::fit::{Estimate, Interval, ObservationFit, Outcome, Outlier, Record};
 use serde_json::{Map, Value, json};
 use units::Language;
 use units::Unit;
@@ -52,14 +52,10 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
         "undetermined": outcome.undetermined.iter().flat_map(|one| one.names.clone()).collect::<Vec<_>>(),
         "determined_combinations":
             outcome.undetermined.iter().filter_map(|one| one.combination.clone()).collect::<Vec<_>>(),
-        "observations": observations(outcome, None),
         "data": data.iter().map(file).collect::<Vec<_>>(),
     });
-    if !several {
-        object["initial_values_at"] = initial_values_at(fitted, 0);
-    }
-    if several && let Some(object) = object.as_object_mut() {
-        let runs = fitted.task.records.iter().enumerate().map(|(record, one)| {
+    if several {
+        let run = |(record, one): (usize, &Record)| {
             json!({
                 "name": one.name,
                 "parameters": estimates(&outcome.parameters, &fitted.intervals, least_squares, Some(record)),
@@ -67,10 +63,11 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
                 "observations": observations(outcome, Some(record)),
                 "initial_values_at": initial_values_at(fitted, record),
             })
-        });
-        object.insert("runs".to_owned(), Value::Array(runs.collect()));
-        // Those of each run stand with it.
-        object.remove("observations");
+        };
+        object["runs"] = fitted.task.records.iter().enumerate().map(run).collect();
+    } else {
+        object["observations"] = observations(outcome, None);
+        object["initial_values_at"] = initial_values_at(fitted, 0);
     }
     object
 }
@@ -147,13 +144,11 @@ fn correlation(fitted: &Fitted) -> Value {
             None => one.name.clone(),
         })
         .collect();
-    let mut object = Map::new();
-    for (row, name) in names.iter().enumerate() {
+    let row = |row: usize| -> Value {
         let cells = outcome.correlation.iter().skip(row * names.len());
-        let entry: Map<String, Value> = names.iter().cloned().zip(cells.map(|value| json!(value))).collect();
-        object.insert(name.clone(), Value::Object(entry));
-    }
-    Value::Object(object)
+        names.iter().cloned().zip(cells.copied()).collect()
+    };
+    names.iter().cloned().zip((0..).map(row)).collect()
 }
 
 /// The values far beyond the scatter of the others; times in the unit of the document's clock.

@@ -116,7 +116,7 @@ visit("kept runs have colours of their own, in the list and in what is saved", a
 });
 
 visit("the presenter's size is remembered", async (lab) => {
-  const size = () => lab.page.locator(".parameter label").first().evaluate((label) => label.getBoundingClientRect().height);
+  const size = () => lab.page.locator("#parameter-0").evaluate((field) => field.getBoundingClientRect().height);
   const before = await size();
   await lab.press("Presenter's size");
   assert.ok((await size()) > 1.2 * before);

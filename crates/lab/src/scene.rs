@@ -166,6 +166,9 @@ impl SceneNodes {
         }
         std::mem::swap(&mut self.values, &mut self.drawn);
         self.outline.draw(play);
+        if let Some(ruler) = &self.ruler {
+            ruler.draw(play);
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 
 use crate::app::App;
 use crate::views::document;
+use play::Play;
 use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen::JsCast;
@@ -16,7 +17,17 @@ const KEY_STEP: f64 = 0.005;
 /// The ruler in a scene.
 pub struct Ruler {
     node: SvgElement,
+    parts: Rc<RefCell<Parts>>,
     _listeners: Vec<Closure<dyn FnMut(Event)>>,
+}
+
+impl Ruler {
+    /// Shows what it reads now: the scale of a drawing may follow its parameters.
+    pub fn draw(&self, play: &mut Play) {
+        if let Ok(mut parts) = self.parts.try_borrow_mut() {
+            parts.read(play);
+        }
+    }
 }
 
 impl Drop for Ruler {
@@ -31,6 +42,43 @@ struct Parts {
     ends: Vec<SvgElement>,
     label: SvgElement,
     places: [(f64, f64); 2],
+    /// What it reads.
+    reading: String,
+    /// A pixel in units of the drawing, when the ruler was laid.
+    pixel: f64,
+}
+
+impl Parts {
+    /// The length between the ends in units of the drawing.
+    fn length(&self) -> f64 {
+        let [(x, y), (to_x, to_y)] = self.places;
+        ((x - to_x) * (x - to_x) + (y - to_y) * (y - to_y)).sqrt()
+    }
+
+    /// Moves the nodes to their places.
+    fn place(&self) {
+        let [(x, y), (to_x, to_y)] = self.places;
+        let _ = self.line.set_attribute("d", &format!("M{x:.2} {y:.2}L{to_x:.2} {to_y:.2}"));
+        for (end, (x, y)) in self.ends.iter().zip(self.places) {
+            let _ = end.set_attribute("cx", &format!("{x:.2}"));
+            let _ = end.set_attribute("cy", &format!("{y:.2}"));
+            let _ = end.set_attribute("aria-valuenow", &format!("{:.1}", self.length()));
+        }
+        let _ = self.label.set_attribute("x", &format!("{:.2}", (x + to_x) / 2.0 + 8.0 * self.pixel));
+        let _ = self.label.set_attribute("y", &format!("{:.2}", (y + to_y) / 2.0));
+    }
+
+    /// Writes the length in words, where it differs.
+    fn read(&mut self, play: &mut Play) {
+        let reading = play.scene_length(self.length()).unwrap_or_default();
+        if reading != self.reading {
+            self.label.set_text_content(Some(&reading));
+            for end in &self.ends {
+                let _ = end.set_attribute("aria-valuetext", &reading);
+            }
+            self.reading = reading;
+        }
+    }
 }
 
 /// Lays a ruler on the drawing.
@@ -41,9 +89,9 @@ pub fn lay(app: App, root: &SvgGraphicsElement) -> Option<Ruler> {
     let group = make("g", &[("part", "ruler")])?;
     let line = make("path", &[("fill", "none"), ("stroke", "currentColor"), ("stroke-width", "2")])?;
     // As large as a finger needs it, whatever the units of the drawing are.
-    let unit = root.get_screen_ctm().map_or(1.0, |matrix| f64::from(matrix.d()).max(1e-6));
+    let pixel = 1.0 / root.get_screen_ctm().map_or(1.0, |matrix| f64::from(matrix.d()).max(1e-6));
     let label = make("text", &[("fill", "currentColor"), ("font-weight", "600"), ("part", "ruler-label")])?;
-    let _ = label.set_attribute("font-size", &format!("{:.2}", 14.0 / unit));
+    let _ = label.set_attribute("font-size", &format!("{:.2}", 14.0 * pixel));
     let _ = line.set_attribute("vector-effect", "non-scaling-stroke");
     let _ = group.append_child(&line);
     let _ = group.append_child(&label);
@@ -61,7 +109,7 @@ pub fn lay(app: App, root: &SvgGraphicsElement) -> Option<Ruler> {
                 ("cursor", "move"),
             ],
         )?;
-        let _ = end.set_attribute("r", &format!("{:.2}", 11.0 / unit));
+        let _ = end.set_attribute("r", &format!("{:.2}", 11.0 * pixel));
         let _ = end.set_attribute("vector-effect", "non-scaling-stroke");
         let _ = group.append_child(&end);
         ends.push(end);
@@ -69,13 +117,17 @@ pub fn lay(app: App, root: &SvgGraphicsElement) -> Option<Ruler> {
     let _ = root.append_child(&group);
     let x = left + 0.82 * width;
     let places = [(x, top + 0.75 * height), (x, top + 0.35 * height)];
-    let parts = Rc::new(RefCell::new(Parts { line, ends: ends.clone(), label, places }));
-    show(app, &parts.borrow(), unit);
+    for (number, end) in ends.iter().enumerate() {
+        let _ = end.set_attribute("aria-label", &format!("{} {}", app.words().ruler_end, number + 1));
+    }
+    let parts = Parts { line, ends: ends.clone(), label, places, reading: String::new(), pixel };
+    let parts = Rc::new(RefCell::new(parts));
+    shift(app, &parts, 0, (0.0, 0.0));
     let mut listeners = Vec::new();
     for (number, end) in ends.iter().enumerate() {
-        follow(app, &parts, number, end, root, (unit, height), &mut listeners);
+        follow(app, &parts, number, end, root, height, &mut listeners);
     }
-    Some(Ruler { node: group, _listeners: listeners })
+    Some(Ruler { node: group, parts, _listeners: listeners })
 }
 
 fn make(name: &str, attributes: &[(&str, &str)]) -> Option<SvgElement> {
@@ -93,7 +145,7 @@ fn follow(
     number: usize,
     end: &SvgElement,
     root: &SvgGraphicsElement,
-    (unit, height): (f64, f64),
+    height: f64,
     listeners: &mut Vec<Closure<dyn FnMut(Event)>>,
 ) {
     let mut listen = |kind: &str, react: Box<dyn FnMut(Event)>| {
@@ -131,7 +183,7 @@ fn follow(
             let now = (f64::from(event.client_x()), f64::from(event.client_y()));
             *moves.borrow_mut() = Some(now);
             let scale = drawing.get_screen_ctm().map_or(1.0, |matrix| f64::from(matrix.d()).max(1e-6));
-            shift(app, &moved, number, ((now.0 - before.0) / scale, (now.1 - before.1) / scale), unit);
+            shift(app, &moved, number, ((now.0 - before.0) / scale, (now.1 - before.1) / scale));
         }),
     );
     let (lifts, lifted) = (held.clone(), parts.clone());
@@ -159,43 +211,21 @@ fn follow(
             };
             event.prevent_default();
             event.stop_propagation();
-            shift(app, &keyed, number, by, unit);
+            shift(app, &keyed, number, by);
         }),
     );
 }
 
 /// Moves an end on.
-fn shift(app: App, parts: &Rc<RefCell<Parts>>, number: usize, by: (f64, f64), unit: f64) {
+fn shift(app: App, parts: &Rc<RefCell<Parts>>, number: usize, by: (f64, f64)) {
     let mut parts = parts.borrow_mut();
     if let Some(place) = parts.places.get_mut(number) {
         (place.0, place.1) = (place.0 + by.0, place.1 + by.1);
     }
-    show(app, &parts, unit);
-}
-
-/// The length between the ends in units of the drawing, and in words.
-fn length(app: App, parts: &Parts) -> (f64, String) {
-    let [(x, y), (to_x, to_y)] = parts.places;
-    let length = ((x - to_x) * (x - to_x) + (y - to_y) * (y - to_y)).sqrt();
-    (length, app.read(|play| play.scene_length(length)).unwrap_or_default())
+    parts.place();
+    app.read(|play| parts.read(play));
 }
 
 fn say(app: App, parts: &Parts) {
-    app.say(format!("{}: {}", app.words().ruler, length(app, parts).1));
-}
-
-fn show(app: App, parts: &Parts, unit: f64) {
-    let [(x, y), (to_x, to_y)] = parts.places;
-    let (units, reading) = length(app, parts);
-    let _ = parts.line.set_attribute("d", &format!("M{x:.2} {y:.2}L{to_x:.2} {to_y:.2}"));
-    for (number, (end, (x, y))) in parts.ends.iter().zip(parts.places).enumerate() {
-        let _ = end.set_attribute("cx", &format!("{x:.2}"));
-        let _ = end.set_attribute("cy", &format!("{y:.2}"));
-        let _ = end.set_attribute("aria-label", &format!("{} {}", app.words().ruler_end, number + 1));
-        let _ = end.set_attribute("aria-valuenow", &format!("{units:.1}"));
-        let _ = end.set_attribute("aria-valuetext", &reading);
-    }
-    let _ = parts.label.set_attribute("x", &format!("{:.2}", (x + to_x) / 2.0 + 8.0 / unit));
-    let _ = parts.label.set_attribute("y", &format!("{:.2}", (y + to_y) / 2.0));
-    parts.label.set_text_content(Some(&reading));
+    app.say(format!("{}: {}", app.words().ruler, parts.reading));
 }

@@ -102,7 +102,9 @@ fn native() -> Result<Numbers> {
 
 fn in_wasm(browser: Option<std::path::PathBuf>) -> Result<Numbers> {
     let probe = steps::target().join("probe").join("page");
-    wasm::bind(&wasm::build("probe")?, Host::Page("wasm_bindgen"), &probe)?;
+    for module in wasm::build(&["probe"])? {
+        wasm::bind(&module, Host::Page("wasm_bindgen"), &probe)?;
+    }
     let script = steps::root().join("tests").join("page").join("measure.mjs");
     let mut measure = steps::program(tools::node()?, &[]);
     measure.arg(script).env("PROBE", probe).env("PAGE", steps::page());

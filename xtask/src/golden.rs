@@ -7,7 +7,9 @@ use anyhow::{Context, Result, bail};
 /// Runs `probe` in Node and compares every line of its `golden()` with `crates/probe/golden.txt`.
 pub fn compare() -> Result<()> {
     let directory = steps::target().join("probe").join("node");
-    wasm::bind(&wasm::build("probe")?, wasm::Host::Node, &directory)?;
+    for module in wasm::build(&["probe"])? {
+        wasm::bind(&module, wasm::Host::Node, &directory)?;
+    }
     let script = format!("process.stdout.write(require({:?}).golden())", directory.join("probe.js"));
     let found = steps::output(&mut steps::program(tools::node()?, &["--eval", &script]))?;
     let expected = std::fs::read_to_string(steps::root().join("crates").join("probe").join("golden.txt"))

@@ -1,4 +1,4 @@
-//! Builds the laboratory into one HTML file: template, styles, JavaScript glue, and the WebAssembly module, gzipped,
+//! Builds the laboratory and the player into one HTML file each: template, styles, JavaScript glue, and the WebAssembly module, gzipped,
 //! as base64. Nothing is fetched when the file is opened, so that it works from a disk, from any host and inside a frame.
 
 use crate::steps;
@@ -20,25 +20,69 @@ const LIBRARY: [&str; 2] = ["theories", ""];
 /// How often zopfli looks for a better way; more make the page no smaller.
 const SEARCHES: NonZeroU64 = NonZeroU64::MIN.saturating_add(14);
 
-/// Builds the page and returns where it is.
+/// A page that is built.
+struct Kind {
+    /// Its package.
+    package: &'static str,
+    /// Its style sheets, below `crates`, in their order.
+    styles: &'static [&'static str],
+    /// Whether it carries the documents that ship.
+    has_library: bool,
+    /// Where it goes.
+    path: fn() -> PathBuf,
+}
+
+/// The laboratory, and the player that `meniscus export` fills with a simulation.
+const KINDS: [Kind; 2] = [
+    Kind {
+        package: "lab",
+        styles: &[
+            "view/page/style.css",
+            "view/page/stage.css",
+            "view/page/panel.css",
+            "lab/page/measure.css",
+            "view/page/narrow.css",
+            "view/page/print.css",
+        ],
+        has_library: true,
+        path: steps::page,
+    },
+    Kind {
+        package: "player",
+        styles: &[
+            "view/page/style.css",
+            "view/page/stage.css",
+            "view/page/panel.css",
+            "view/page/narrow.css",
+            "view/page/print.css",
+        ],
+        has_library: false,
+        path: steps::player,
+    },
+];
+
+/// Builds the pages and returns where the laboratory is.
 pub fn build() -> Result<PathBuf> {
-    let directory = steps::target().join("page").join("parts");
-    wasm::bind(&wasm::build("lab")?, Host::Page("wasm_bindgen"), &directory)?;
-    let glue = read(&directory.join("lab.js"))?;
-    let module = directory.join("lab_bg.wasm");
-    let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
-    let packed = pack(&module)?;
-    let page = assemble(&glue, &packed)?;
-    let path = steps::page();
-    write_whole(&path, page.as_bytes()).with_context(|| format!("cannot write {}", path.display()))?;
-    for (name, bytes, sent) in [
-        ("page", page.len(), gzip(page.as_bytes())?.len()),
-        ("glue", glue.len(), gzip(glue.as_bytes())?.len()),
-        ("module", module.len(), packed.len()),
-    ] {
-        println!("{name:10}{:8.1} kB, gzipped {:6.1} kB", bytes as f64 / 1000.0, sent as f64 / 1000.0);
+    for (kind, module) in KINDS.iter().zip(wasm::build(KINDS.map(|kind| kind.package).as_slice())?) {
+        let directory = steps::target().join("page").join("parts");
+        wasm::bind(&module, Host::Page("wasm_bindgen"), &directory)?;
+        let glue = read(&directory.join(format!("{}.js", kind.package)))?;
+        let module = directory.join(format!("{}_bg.wasm", kind.package));
+        let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
+        let packed = pack(&module)?;
+        let page = assemble(kind, &glue, &packed)?;
+        let path = (kind.path)();
+        write_whole(&path, page.as_bytes()).with_context(|| format!("cannot write {}", path.display()))?;
+        println!("{}", kind.package);
+        for (name, bytes, sent) in [
+            ("page", page.len(), gzip(page.as_bytes())?.len()),
+            ("glue", glue.len(), gzip(glue.as_bytes())?.len()),
+            ("module", module.len(), packed.len()),
+        ] {
+            println!("  {name:10}{:8.1} kB, gzipped {:6.1} kB", bytes as f64 / 1000.0, sent as f64 / 1000.0);
+        }
     }
-    Ok(path)
+    Ok(steps::page())
 }
 
 /// The module as gzip, which the browser inflates.
@@ -50,17 +94,18 @@ fn pack(module: &[u8]) -> Result<Vec<u8>> {
 }
 
 /// Puts the parts into the template's places.
-fn assemble(glue: &str, packed: &[u8]) -> Result<String> {
-    let source = steps::root().join("crates").join("lab").join("page");
+fn assemble(kind: &Kind, glue: &str, packed: &[u8]) -> Result<String> {
+    let crates = steps::root().join("crates");
+    let source = crates.join("view").join("page");
     let base64 = |bytes: &[u8]| base64::engine::general_purpose::STANDARD.encode(bytes);
     let font = source.join("math.woff2");
     let font = std::fs::read(&font).with_context(|| format!("cannot read {}", font.display()))?;
-    let style = read(&source.join("style.css"))?.replace("/*math-font*/", &base64(&font));
-    let style = ["stage.css", "panel.css", "measure.css", "narrow.css", "print.css"]
-        .iter()
-        .try_fold(style, |style, part| Ok::<_, anyhow::Error>(style + &read(&source.join(part))?))?;
+    let styles = kind.styles.iter().map(|name| read(&crates.join(name))).collect::<Result<String>>()?;
+    let style = styles.replace("/*math-font*/", &base64(&font));
     let boot = read(&source.join("boot.js"))?;
     let module = format!("<script type=\"application/octet-stream\" id=\"module\">{}</script>", base64(packed));
+    let list = || Ok(format!("<script type=\"application/json\" id=\"library\">{}</script>", library()?));
+    let library: Result<String> = if kind.has_library { list() } else { Ok(String::new()) };
     let mut html = read(&source.join("index.html"))?;
     let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">", page::POLICY);
     for (marker, text) in [
@@ -68,17 +113,18 @@ fn assemble(glue: &str, packed: &[u8]) -> Result<String> {
         ("<!--style-->", format!("<style>\n{style}</style>")),
         ("<!--glue-->", script(glue)),
         ("<!--module-->", module),
-        ("<!--library-->", format!("<script type=\"application/json\" id=\"library\">{}</script>", library()?)),
+        ("<!--library-->", library?),
         ("<!--boot-->", script(&boot)),
     ] {
         if html.matches(marker).count() != 1 {
-            bail!("crates/lab/page/index.html must contain {marker} once");
+            bail!("crates/view/page/index.html must contain {marker} once");
         }
         html = html.replace(marker, &text);
     }
-    // Its place stays empty: `meniscus export` puts documents there. Without any, the first of the library opens.
+    // Its place stays empty: `meniscus export` puts documents and the simulation there. Without any, the laboratory opens
+    // the first document of its library.
     if html.matches(page::MARKER).count() != 1 {
-        bail!("crates/lab/page/index.html must contain {} once", page::MARKER);
+        bail!("crates/view/page/index.html must contain {} once", page::MARKER);
     }
     Ok(html)
 }

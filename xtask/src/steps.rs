@@ -33,6 +33,11 @@ pub fn page() -> PathBuf {
     root().join("target").join("page").join("meniscus.html")
 }
 
+/// The player without a simulation, beside the page.
+pub fn player() -> PathBuf {
+    page().with_file_name("player.html")
+}
+
 /// The `cargo` that runs this, at the root of the workspace.
 pub fn cargo(arguments: &[&str]) -> Command {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());

@@ -19,11 +19,14 @@ pub enum Host {
     Page(&'static str),
 }
 
-/// Builds a package of the workspace and returns where its module is.
-pub fn build(package: &str) -> Result<PathBuf> {
+/// Builds packages of the workspace and returns where their modules are.
+pub fn build(packages: &[&str]) -> Result<Vec<PathBuf>> {
     tools::wasm_target()?;
-    steps::run(&mut steps::cargo(&["build", "--package", package, "--target", TARGET, "--profile", "page"]))?;
-    Ok(steps::target().join(TARGET).join("page").join(format!("{package}.wasm")))
+    let mut build = steps::cargo(&["build", "--target", TARGET, "--profile", "page"]);
+    build.args(packages.iter().flat_map(|package| ["--package", package]));
+    steps::run(&mut build)?;
+    let directory = steps::target().join(TARGET).join("page");
+    Ok(packages.iter().map(|package| directory.join(format!("{package}.wasm"))).collect())
 }
 
 /// Writes `NAME.js` and `NAME_bg.wasm` of a built module into a directory.

@@ -330,7 +330,8 @@ pub enum CyclesFormat {
 
 const EXPORT_EXAMPLES: &str = "\
 Examples:
-  meniscus export simulations/utube.md --output utube.html
+  meniscus export simulations/utube.md --output utube.html         a page that plays the document
+  meniscus export simulations/utube.md --output lab.html --lab     the whole laboratory with it
 
 The page needs nothing else: it opens from a file, from any web server and inside a course page, and works offline.
 Its source is inside: `serve`, `run`, `check` and `export` take an exported page wherever they take a document.";
@@ -345,6 +346,10 @@ pub struct Export {
     /// The page, which appears whole or not at all; `-` is the standard output
     #[arg(long, short, value_name = "FILE.html")]
     pub output: PathBuf,
+
+    /// The whole laboratory with this document, to measure and to fit, and not only a page that plays it
+    #[arg(long)]
+    pub lab: bool,
 }
 
 #[cfg(test)]

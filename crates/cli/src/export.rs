@@ -1,4 +1,4 @@
-//! `meniscus export`: one offline page with the document inside.
+//! `meniscus export`: one offline page that plays the document, or the whole laboratory with it.
 
 use crate::arguments::Export;
 use crate::failure::Failure;
@@ -16,7 +16,10 @@ pub fn export(arguments: &Export, terminal: Terminal) -> Result<(), Failure> {
     let Some(document) = loaded.opened.document.as_ref().filter(|_| !loaded.opened.has_errors()) else {
         return Err(Failure::Document);
     };
-    let page = page::with(&loaded.sources, Some(document))?;
+    let page = match arguments.lab {
+        true => page::with(&loaded.sources, Some(document))?,
+        false => page::player(&loaded.sources, document)?,
+    };
     let mut output = Output::to(&arguments.output, &loaded.sources)?;
     output.write_all(page.as_bytes()).map_err(|error| output.failure(&error))?;
     output.finish()

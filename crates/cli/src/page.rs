@@ -1,31 +1,62 @@
-//! The laboratory's page, which is inside the program where it was built before the program.
+//! The pages of the laboratory and of a single simulation, which are inside the program where they were built before it.
 
 use crate::failure::Failure;
 use crate::load::Sources;
+use base64::Engine as _;
 use document::Document;
 use document::page::{Options, embed};
+use flate2::{Compression, write::GzEncoder};
+use program::bundle;
+use std::io::Write as _;
 
 #[cfg(page_inside)]
 const PAGE: Option<&str> = Some(include_str!(env!("MENISCUS_PAGE")));
 #[cfg(not(page_inside))]
 const PAGE: Option<&str> = None;
 
-/// The page with the document it comes with.
+#[cfg(page_inside)]
+const PLAYER: Option<&str> = Some(include_str!(env!("MENISCUS_PLAYER")));
+#[cfg(not(page_inside))]
+const PLAYER: Option<&str> = None;
+
+/// The laboratory with the document it comes with.
 pub fn own() -> Result<&'static str, Failure> {
-    PAGE.ok_or_else(|| {
-        Failure::with_hint(
-            "this program was built without the laboratory's page",
-            "run `cargo xtask page`, then build the program again with `cargo build --release`",
-        )
-    })
+    PAGE.ok_or_else(missing)
 }
 
-/// The page with these sources instead. `document` is what they say, where they could be read.
+fn missing() -> Failure {
+    Failure::with_hint(
+        "this program was built without the laboratory's page",
+        "run `cargo xtask page`, then build the program again with `cargo build --release`",
+    )
+}
+
+/// The page that plays a document, which stands beside the simulation in it.
+pub fn player(sources: &Sources, document: &Document) -> Result<String, Failure> {
+    let page = PLAYER.ok_or_else(missing)?;
+    let bundle = bundle::write(&document.program)
+        .map_err(|_| Failure::request("this document is too large for a page that plays it; try `--lab`"))?;
+    let mut gzip = GzEncoder::new(Vec::new(), Compression::best());
+    let packed = gzip.write_all(&bundle).and_then(|()| gzip.finish());
+    let packed = packed.map_err(|error| Failure::request(format!("the simulation cannot be packed: {error}")))?;
+    let bundle = Some(base64::engine::general_purpose::STANDARD.encode(packed));
+    filled(page, sources, Options { bundle, ..options(Some(document)) })
+}
+
+/// The laboratory with these sources instead. `document` is what they say, where they could be read.
 pub fn with(sources: &Sources, document: Option<&Document>) -> Result<String, Failure> {
-    let options = Options {
+    filled(own()?, sources, options(document))
+}
+
+fn options(document: Option<&Document>) -> Options {
+    Options {
         title: document.map(|document| document.program.title.clone()),
         language: document.map(|document| document.program.language.clone()),
-    };
-    embed(own()?, &sources.embedded(), &options)
+        bundle: None,
+    }
+}
+
+fn filled(page: &str, sources: &Sources, options: Options) -> Result<String, Failure> {
+    embed(page, &sources.embedded(), &options)
         .ok_or_else(|| Failure::request("the page inside this program has no place for documents"))
 }

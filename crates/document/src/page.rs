@@ -16,6 +16,8 @@ pub struct Options {
     pub title: Option<String>,
     /// The `lang` of `<html>`.
     pub language: Option<String>,
+    /// The simulation of a page that plays one: its bundle, gzipped, in base64.
+    pub bundle: Option<String>,
 }
 
 /// The page's content security policy: it asks nobody for anything, and what is not in the file does not exist for it.
@@ -27,6 +29,7 @@ pub const MARKER: &str = "<!--documents-->";
 
 const OPENING: &str = "<script type=\"application/json\" id=\"documents\">";
 const CLOSING: &str = "</script>";
+const BUNDLE: &str = "<script type=\"application/octet-stream\" id=\"bundle\">";
 
 /// Puts `documents` into `template`, in the place of [`MARKER`] or of the documents it has already. None where the
 /// template has no such place.
@@ -45,7 +48,13 @@ pub fn embed(template: &str, documents: &[Source], options: &Options) -> Option<
     if let Some(language) = options.language.as_ref().filter(|language| crate::settings::is_language(language)) {
         replace_between(&mut head, "<html lang=\"", "\"", language);
     }
-    Some(format!("{head}{OPENING}{}{CLOSING}{after}", write_list(documents)))
+    let bundle = options.bundle.as_ref().filter(|bundle| bundle.bytes().all(is_base64));
+    let bundle = bundle.map_or_else(String::new, |bundle| format!("{BUNDLE}{bundle}{CLOSING}"));
+    Some(format!("{head}{bundle}{OPENING}{}{CLOSING}{after}", write_list(documents)))
+}
+
+fn is_base64(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || b"+/=".contains(&byte)
 }
 
 /// Documents as a list in JSON that can stand in a `script` element.
@@ -210,7 +219,7 @@ mod tests {
 
     #[test]
     fn an_exported_page_can_be_given_other_documents() {
-        let options = Options { title: Some("A < B".into()), language: Some("es".into()) };
+        let options = Options { title: Some("A < B".into()), language: Some("es".into()), bundle: None };
         let page = embed(TEMPLATE, &[source("1")], &options).unwrap();
         let again = embed(&page, &[source("2")], &Options::default()).unwrap();
         assert_eq!(read(&again).unwrap(), [source("2")]);

@@ -1,9 +1,10 @@
 //! The text of a document that does not run, to be corrected where its errors are shown.
 
 use crate::app::App;
-use crate::views::*;
-use crate::{browser, opening};
+use crate::opening;
 use document::page::Source;
+use view::browser;
+use view::views::*;
 use web_sys::HtmlTextAreaElement;
 
 /// A field for each file, and the button that checks them again. What has been typed stays, in another language too.

@@ -1,16 +1,16 @@
 //! An oscillation cycle by cycle: a choice of plots, the table, the words. Nothing is computed while it is closed.
 
 use crate::app::App;
-use crate::browser;
-use crate::stage::plots;
-use crate::views::*;
 use desk::{CycleColumn, CyclesView, ExportKind};
+use view::browser;
+use view::stage::plots;
+use view::views::*;
 use web_sys::HtmlDetailsElement;
 
 /// The section; nothing while there is no record.
 pub fn view(app: App) -> View {
     let any = memo(move || {
-        app.changes.records.track();
+        app.records.track();
         app.read_desk(|desk| !desk.records().is_empty())
     });
     changing(move || if any.get() { card(app) } else { View::new() })
@@ -43,10 +43,10 @@ fn card(app: App) -> View {
 fn content(app: App, looked: Signal<u32>) -> View {
     let words = app.words();
     let index = app.read_desk(|desk| desk.cycle_plot());
-    let shown = move || plots::now(app, index).is_some_and(|plot| plot.offered);
+    let shown = move || plots::now(app.page, index).is_some_and(|plot| plot.offered);
     let found = memo(move || {
         looked.track();
-        app.changes.records.track();
+        app.records.track();
         app.read_desk(|desk| desk.cycles())
     });
     let sentences = move || {
@@ -61,7 +61,7 @@ fn content(app: App, looked: Signal<u32>) -> View {
         note(words.cycles_intro),
         choices(app, looked),
         div().class("verdicts").child(changing(sentences)),
-        plots::figure(app, index, Box::new(shown)),
+        plots::figure(app.page, index, Box::new(shown)),
         changing(found),
     ))
 }
@@ -71,7 +71,7 @@ fn choices(app: App, looked: Signal<u32>) -> HtmlDiv {
     let words = app.words();
     let columns = move || {
         looked.track();
-        app.changes.records.track();
+        app.records.track();
         let columns = app.read_desk(|desk| desk.cycle_columns());
         let choose = |column: CycleColumn| {
             let value = format!("{}-{}", column.record, column.column);

@@ -1,98 +1,15 @@
-//! The recorded run as a table, a window of rows at a time, and as CSV.
+//! The recorded run and the records as a workbook.
 
 use crate::app::App;
-use crate::panel::Tab;
-use crate::views::*;
-use crate::{browser, panel};
+use view::browser;
+use view::views::*;
 
-/// Rows in the window.
-const ROWS: usize = 20;
-
-/// The table and its tools. While they are folded, or another tab is open, they cost nothing.
-pub fn view(app: App) -> HtmlDiv {
-    let words = app.words();
-    let head = app.read(|play| play.table_header());
-    let start = create_signal(0_usize);
-    let follow = create_signal(true);
-    let length = move || {
-        app.changes.values.track();
-        app.read(|play| play.table_length())
+/// The button that saves it.
+pub fn workbook_button(app: App) -> HtmlButton {
+    let save = move |_| {
+        let kind = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
+        let workbook = app.read_desk(|desk| desk.workbook());
+        browser::save_bytes(&format!("{}.xlsx", app.host().stem()), kind, &workbook);
     };
-    let last_start = move || length().saturating_sub(ROWS);
-    let open = memo(move || app.tab.get() == Tab::Play && app.table_open.get());
-    let body = move || {
-        if !open.get() {
-            return View::new();
-        }
-        app.changes.values.track();
-        let now = app.read(|play| play.table_row_now());
-        if follow.get() {
-            start.set(now.saturating_sub(ROWS - 1));
-        }
-        let from = start.get().min(last_start());
-        let rows = app.read(|play| play.table_rows(from..from + ROWS));
-        let row = |(number, cells): (usize, Vec<String>)| {
-            let present = from + number == now;
-            let mut cells = cells.into_iter();
-            tr().attr("aria-current", present.then_some("true"))
-                .child(th().scope("row").maybe(cells.next()))
-                .each(cells, |cell| td().child(cell))
-        };
-        each(rows.into_iter().enumerate(), row)
-    };
-    let go = move |to: usize| {
-        follow.set(false);
-        start.set(to.min(last_start()));
-    };
-    let at = move || start.get().min(last_start());
-    let range = move || format!("{}–{} / {} {}", at() + 1, (at() + ROWS).min(length()), length(), words.rows);
-    let turn = |name: &'static str, arrow: &'static str, to: fn(usize) -> usize| {
-        button().class("icon").called(name).when(events::click, move |_| go(to(at()))).child(arrow)
-    };
-    let pager = div()
-        .class("pager")
-        .role("group")
-        .attr("aria-label", words.rows)
-        .child(turn(words.row_first, "⇤", |_| 0))
-        .child(turn(words.row_previous, "←", |at| at.saturating_sub(ROWS)))
-        .child(span().class("range").child(text(range)))
-        .child(turn(words.row_next, "→", |at| at + ROWS))
-        .child(turn(words.row_last, "⇥", |_| usize::MAX));
-    let tick = input()
-        .r#type("checkbox")
-        .prop("checked", move || follow.get())
-        .when(events::change, move |event| follow.set(is_checked(&event)));
-    let take = |id: &'static str, name: &'static str, take: fn(App)| {
-        button().class("quiet").id(id).when(events::click, move |_| take(app)).child(name)
-    };
-    let actions = div()
-        .class("actions")
-        .child(take("copy-csv", words.copy_csv, copy))
-        .child(take("save-csv", words.save_csv, save))
-        .child(take("save-xlsx", words.save_xlsx, save_workbook));
-    let bar = div().class("data-bar").child(pager).child(switch(tick, words.follow)).child(actions);
-    let head = tr().each(head, column_head);
-    let table = table_in("table", words.table, Some(head), tbody().child(changing(body)));
-    div().class("data").child(bar).child(table)
-}
-
-/// The text alone: a byte-order mark is for files.
-fn copy(app: App) {
-    panel::reading::copy(app, app.read(|play| play.csv()).trim_start_matches('\u{feff}'));
-}
-
-fn save(app: App) {
-    browser::save_text(&format!("{}.csv", stem(app)), "text/csv", &app.read(|play| play.csv()));
-}
-
-fn save_workbook(app: App) {
-    let kind = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
-    browser::save_bytes(&format!("{}.xlsx", stem(app)), kind, &app.read_desk(|desk| desk.workbook()));
-}
-
-/// The name of the document's file without its ending.
-fn stem(app: App) -> String {
-    let name = app.with(|lab| lab.sources.first().map(|file| file.name.clone())).flatten().unwrap_or_default();
-    let name = name.rsplit('/').next().unwrap_or_default().trim_end_matches(".md");
-    if name.is_empty() { "run".to_owned() } else { name.to_owned() }
+    button().class("quiet").id("save-xlsx").when(events::click, save).child(app.words().save_xlsx)
 }

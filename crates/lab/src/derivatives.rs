@@ -1,9 +1,9 @@
 //! Velocity and acceleration of a record's column, made anew: which column, by which method.
 
 use crate::app::App;
-use crate::browser;
-use crate::views::*;
 use desk::{ColumnView, Differentiation, RecordView};
+use view::browser;
+use view::views::*;
 use web_sys::HtmlDetailsElement;
 
 /// What was chosen last: the same for all records, as long as the page is open.

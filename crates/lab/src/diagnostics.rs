@@ -1,11 +1,11 @@
 //! What was found in a document, with its places in the text.
 
 use crate::app::App;
-use crate::views::*;
 use crate::{correction, library, opening, titles};
 use document::page::Source;
 use model::{Diagnostic, Label, Severity};
 use units::{Language, Words};
+use view::views::*;
 
 /// In place of the apparatus, for a document that does not run: what is wrong, the text to correct it, and the ways back.
 pub fn view(app: App) -> View {

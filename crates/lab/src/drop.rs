@@ -1,8 +1,9 @@
 //! Files that are dropped anywhere on the page, and the sign that they can be while they are dragged over it.
 
 use crate::app::App;
-use crate::views::*;
-use crate::{browser, opening};
+use crate::opening;
+use view::browser;
+use view::views::*;
 use web_sys::{DragEvent, Event};
 
 /// Whether what is dragged are files. Text that is dragged into a field is left to the browser.

@@ -2,10 +2,11 @@
 //! out.
 
 use crate::app::App;
-use crate::panel::Tab;
-use crate::views::*;
-use crate::{browser, measurements};
+use crate::measurements;
+use crate::panel;
 use desk::{Desk, LONGEST_RECORD, RecordProgress, Refusal};
+use view::browser;
+use view::views::*;
 use web_sys::File;
 
 /// A slice of work takes so many milliseconds.
@@ -54,7 +55,7 @@ pub fn read(app: App, files: Vec<File>) {
                 let refusal = read_file(app, &file).await;
                 app.record_progress.set(None);
                 measurements::refuse(app, refusal);
-                app.tab.set(Tab::Measure);
+                app.tab.set(panel::MEASURE);
             }
             app.with(|lab| lab.reading = false);
         });
@@ -70,7 +71,7 @@ async fn read_file(app: App, file: &File) -> Option<String> {
     }
     measurements::refuse(app, None);
     app.record_progress.set(Some(RecordProgress { name: name.clone(), part: 0.0 }));
-    app.tab.set(Tab::Measure);
+    app.tab.set(panel::MEASURE);
     app.say(format!("{} {name}", app.words().reading_record));
     let Ok(buffer) = browser::wait(file.array_buffer()).await else {
         return Some(format!("{} {name}", app.words().file_not_read));

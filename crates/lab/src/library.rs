@@ -2,11 +2,12 @@
 //! damped liquid column.
 
 use crate::app::App;
-use crate::views::*;
-use crate::{browser, opening, views};
+use crate::opening;
 use document::Document;
 use document::page::{self, Source};
 use play::Subject;
+use view::views::*;
+use view::{browser, views};
 use web_sys::HtmlDialogElement;
 
 /// Where the theories stand.
@@ -72,7 +73,7 @@ pub fn theories() -> Vec<Entry> {
 
 /// What the page opens with: the document it was exported with, else the first of the library.
 pub fn home() -> Vec<Source> {
-    let element = crate::views::document().get_element_by_id("documents");
+    let element = view::views::document().get_element_by_id("documents");
     let exported = element.and_then(|element| page::read(&element.outer_html()));
     exported.unwrap_or_else(|| entries().into_iter().next().map_or_else(Vec::new, |entry| entry.files))
 }
@@ -93,7 +94,7 @@ pub fn subject(files: &[Source]) -> Subject {
 }
 
 fn document_text(id: &str) -> String {
-    crate::views::document().get_element_by_id(id).and_then(|element| element.text_content()).unwrap_or_default()
+    view::views::document().get_element_by_id(id).and_then(|element| element.text_content()).unwrap_or_default()
 }
 
 /// Opens the entry of this file. Whether there is one.

@@ -1,10 +1,10 @@
 //! Links: what the address asks for, and the link that reopens what is seen.
 
 use crate::app::App;
-use crate::views::window;
-use crate::{browser, library, packing, visited};
+use crate::{library, packing, visited};
 use document::page::{self, Source};
 use play::{LONGEST_PACKED, LONGEST_UNPACKED, Link, Refusal, Subject, packed_length};
+use view::browser::{self, address, fragment, is_heading};
 
 /// What a link leads to.
 pub struct Arrival {
@@ -16,23 +16,6 @@ pub struct Arrival {
     pub refusal: Option<Refusal>,
     /// The file that the link needs, and the state of that document.
     pub awaited: Option<(String, String)>,
-}
-
-/// The fragment of the address, without `#`.
-pub fn fragment() -> String {
-    window().location().hash().unwrap_or_default().trim_start_matches('#').to_owned()
-}
-
-/// The address of this page with another fragment.
-pub fn address(fragment: &str) -> String {
-    let address = window().location().href().unwrap_or_default();
-    let base = address.split('#').next().unwrap_or_default();
-    if fragment.is_empty() { base.to_owned() } else { format!("{base}#{fragment}") }
-}
-
-/// Whether a fragment leads to a heading and not to a state.
-pub fn is_heading(fragment: &str) -> bool {
-    !fragment.contains(['&', '='])
 }
 
 /// What the page opens with: the document of this step of the history, else what its address says.

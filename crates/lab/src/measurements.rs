@@ -1,9 +1,10 @@
 //! The tab of measured data: records come in and are looked at, cycle by cycle too.
 
 use crate::app::App;
-use crate::panel::Tab;
-use crate::views::*;
-use crate::{browser, cycles, icons, intake, library, records, virtual_form};
+use crate::panel;
+use crate::{cycles, intake, library, records, virtual_form};
+use view::views::*;
+use view::{browser, icons};
 use web_sys::{HtmlInputElement, HtmlTextAreaElement};
 
 /// The tab.
@@ -86,7 +87,7 @@ fn add(app: App, name: &str, bytes: &[u8]) -> bool {
     let refusal = app.attempt_on_desk(|desk| desk.add_record(name, bytes).map(|_| ()));
     let added = refusal.is_none();
     refuse(app, refusal);
-    app.tab.set(Tab::Measure);
+    app.tab.set(panel::MEASURE);
     added
 }
 

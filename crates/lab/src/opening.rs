@@ -3,10 +3,11 @@
 
 use crate::app::App;
 use crate::links::Arrival;
-use crate::{browser, fit, frame, intake, messages, saved, visited};
+use crate::{fit, intake, saved, visited};
 use desk::Desk;
 use document::page::{self, Source};
 use model::Diagnostic;
+use view::{browser, frame, messages};
 use web_sys::{Event, File, FileList};
 
 /// What was found in the files, each with the number of its file.
@@ -73,7 +74,7 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
         let refusal = if state.is_empty() { None } else { desk.play_mut().restore(state).err() };
         refusal.map(|refusal| desk.play().refusal_text(&refusal))
     });
-    messages::leave_document(app);
+    messages::leave_document(app.page);
     app.rebuild();
     if let Some(refusal) = refusal {
         app.complain(refusal);
@@ -134,7 +135,7 @@ pub fn save_when_left(app: App) {
     browser::listen("visibilitychange", move |_: &Event| {
         saved::now(app);
         // Back in sight, the frames go on.
-        frame::wake(app);
+        frame::wake(app.page);
     });
 }
 

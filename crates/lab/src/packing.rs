@@ -1,7 +1,7 @@
 //! Texts deflated and inflated by the browser, for documents inside links.
 
-use crate::browser;
 use js_sys::{Array, Function, Reflect, Uint8Array};
+use view::browser;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{ReadableStream, ReadableStreamDefaultReader, WritableStream, WritableStreamDefaultWriter};
 

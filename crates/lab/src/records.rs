@@ -1,9 +1,10 @@
 //! The records: what is drawn of them, what their columns are taken for, what they hide.
 
 use crate::app::App;
-use crate::views::*;
-use crate::{browser, derivatives, measurements};
+use crate::{derivatives, measurements};
 use desk::{ColumnView, RecordView};
+use view::browser;
+use view::views::*;
 
 /// How many values of a column are shown.
 const ROWS: usize = 3;
@@ -15,7 +16,7 @@ type Records = ReadSignal<Vec<RecordView>>;
 pub fn view(app: App) -> View {
     let choice = derivatives::Choice::new();
     let records = memo(move || {
-        app.changes.records.track();
+        app.records.track();
         app.read_desk(|desk| desk.records())
     });
     // Without the units, which a person may be typing.

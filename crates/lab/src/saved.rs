@@ -2,12 +2,12 @@
 //! the storage: see [`desk::Shelf`].
 
 use crate::app::{App, Lab};
-use crate::browser;
 use crate::library;
-use crate::views::window;
 use desk::{Change, Desk, Shelf};
 use document::page::Source;
 use play::Subject;
+use view::browser;
+use view::views::window;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 

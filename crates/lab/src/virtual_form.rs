@@ -1,8 +1,8 @@
 //! The form of the virtual measurement.
 
 use crate::app::App;
-use crate::views::*;
 use desk::{MEASUREMENT_FIELDS, MeasurementForm};
+use view::views::*;
 
 /// The form, closed at first.
 pub fn view(app: App) -> HtmlDetails {

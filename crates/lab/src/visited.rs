@@ -2,10 +2,11 @@
 //! the buttons Back and Forward show it again.
 
 use crate::app::App;
-use crate::views::window;
-use crate::{browser, library, links, opening};
+use crate::{library, links, opening};
 use document::page::{self, Source};
 use play::{Link, Subject};
+use view::browser;
+use view::views::window;
 use wasm_bindgen::JsValue;
 use web_sys::{Event, History};
 
@@ -33,7 +34,7 @@ pub fn step(app: App) {
     let fragment = Link { subject, state: String::new() }.write();
     if let Some(history) = history() {
         // Refused inside some frames: there Back leaves the laboratory.
-        let _ = history.push_state_with_url(&state(app), "", Some(&links::address(&fragment)));
+        let _ = history.push_state_with_url(&state(app), "", Some(&browser::address(&fragment)));
     }
 }
 
@@ -60,8 +61,8 @@ pub fn listen(app: App) {
             // Back or forward: the document is open already.
             return;
         }
-        let fragment = links::fragment();
-        if links::is_heading(&fragment) {
+        let fragment = browser::fragment();
+        if browser::is_heading(&fragment) {
             return note(app, None);
         }
         wasm_bindgen_futures::spawn_local(async move {

@@ -1,187 +1,21 @@
-//! The words of the interface in every language it speaks. What the document says is translated by the document, and
-//! what playing and measuring say by `play` and `desk`.
+//! The words of measuring, fitting and opening documents in every language; those around a simulation are in `view`, what
+//! measuring says is in `desk`.
 
-use units::Language;
+use view::{table_of_words, words as around};
 
-/// The words in one language.
-pub fn words_in(language: Language) -> &'static Words {
-    language.pick(&ENGLISH, &SPANISH)
-}
-
-/// Declares [`Words`] and its two tables from one: a word that lacks a language does not compile.
-macro_rules! words {
-    ($($name:ident: $english:literal, $spanish:literal;)*) => {
-        /// The words of the interface in one language. Each is named after its English text.
-        #[derive(Debug)]
-        #[allow(missing_docs, reason = "each says itself")]
-        pub struct Words { $(pub $name: &'static str,)* }
-        static ENGLISH: Words = Words { $($name: $english,)* };
-        static SPANISH: Words = Words { $($name: $spanish,)* };
-    };
-}
-
-words! {
+table_of_words! {
+    @beside around;
     // The page.
-    skip: "Skip to the apparatus", "Ir al aparato";
-    language: "Language", "Idioma";
-    theme_system: "Colours: as the system", "Colores: como el sistema";
-    theme_light: "Colours: light", "Colores: claros";
-    theme_dark: "Colours: dark", "Colores: oscuros";
-    presenter: "Presenter's size", "Tamaño para proyectar";
-    share: "Copy link", "Copiar enlace";
-    share_title: "Copy a link that reopens this state", "Copiar un enlace que reabre este estado";
-    link_copied: "Link copied", "Enlace copiado";
-    link_not_copied: "The link could not be copied; it is in the address bar", "No se pudo copiar el enlace; está en la barra de direcciones";
-    link_without: "Not in the link", "No están en el enlace";
     link_without_translations: "The translations are too long for a link", "Las traducciones son demasiado largas para un enlace";
     link_needs_file: "The document is too long for a link; whoever opens it also needs the file", "El documento es demasiado largo para un enlace; quien lo abra necesita también el archivo";
     not_saved: "The browser does not let this page store anything (storage full or forbidden): records, fits and answers will be lost when the page is closed", "El navegador no deja que esta página guarde nada (almacenamiento lleno o prohibido): los registros, los ajustes y las respuestas se perderán al cerrar la página";
     records_closed: "More records are stored than can be open at once. Remove one and load the page again to see the others", "Hay más registros guardados de los que pueden estar abiertos a la vez. Quita uno y vuelve a cargar la página para ver los demás";
     open: "Open", "Abrir";
     open_title: "Open a simulation document or an exported page", "Abrir un documento de simulación o una página exportada";
-    close: "Close", "Cerrar";
-    messages: "Messages", "Mensajes";
-    undo: "Undo", "Deshacer";
-    show: "Show", "Mostrar";
-    dismiss: "Dismiss", "Descartar";
     file_not_read: "The browser could not read this file:", "El navegador no pudo leer este archivo:";
-    footer: "Made with Meniscus. This page is one file: it works offline and sends nothing to anyone.", "Hecho con Meniscus. Esta página es un solo archivo: funciona sin conexión y no envía nada a nadie.";
 
     drop_title: "Drop a document or measured data", "Suelta un documento o datos medidos";
     drop_what: "A simulation document, an exported page, or a table from a film or a sensor", "Un documento de simulación, una página exportada o una tabla de un vídeo o un sensor";
-
-    // The apparatus.
-    apparatus: "Apparatus", "Aparato";
-    scene: "Scene", "Escena";
-    no_scene: "This document draws no scene.", "Este documento no dibuja ninguna escena.";
-    outline: "Dashed: measured", "A trazos: lo medido";
-    drag_hint: "Drag in the scene, or use the arrow keys.", "Arrastra en la escena, o usa las flechas.";
-    drag_hint_touch: "Drag in the scene with a finger.", "Arrastra en la escena con un dedo.";
-    drag_role: "handle", "asa";
-
-    instruments: "Instruments", "Instrumentos";
-    stopwatch: "Stopwatch", "Cronómetro";
-    stopwatch_start: "Start the stopwatch", "Poner en marcha el cronómetro";
-    stopwatch_started: "Stopwatch started", "Cronómetro en marcha";
-    stopwatch_stop: "Stop the stopwatch", "Parar el cronómetro";
-    stopwatch_reset: "Reset the stopwatch", "Poner el cronómetro a cero";
-    ruler: "Ruler", "Regla";
-    ruler_end: "End of the ruler", "Extremo de la regla";
-
-    // Transport.
-    transport: "Transport", "Reproducción";
-    play: "Play", "Reproducir";
-    pause: "Pause", "Pausar";
-    step_back: "Step back", "Paso atrás";
-    step_forward: "Step forward", "Paso adelante";
-    back_to_start: "Back to start", "Volver al inicio";
-    speed: "Speed", "Velocidad";
-    time: "Time", "Tiempo";
-    time_line: "Time line", "Línea de tiempo";
-    fill_screen: "Stage in full screen", "Escenario a pantalla completa";
-    sound: "Sound", "Sonido";
-    sound_title: "Hear the displacement as a pitch", "Oír el desplazamiento como un tono";
-    slow: "The computation cannot keep up with the clock at this speed.", "El cálculo no alcanza al reloj a esta velocidad.";
-    full: "The recording is full. Go back to the start, or scrub back and continue from there.", "El registro está lleno. Vuelve al inicio, o retrocede y continúa desde ahí.";
-
-    // Keys.
-    keys_title: "Keyboard shortcuts", "Atajos de teclado";
-    keys_switch: "Single-key shortcuts", "Atajos de una sola tecla";
-    keys_where: "They act while the focus is in the apparatus or nowhere, never while you type.", "Actúan cuando el foco está en el aparato o en ninguna parte, nunca mientras escribes.";
-    keys_anywhere: "Apparatus", "Aparato";
-    keys_plot: "In a plot", "En una gráfica";
-    keys_scene: "On a handle of the scene", "En un asa de la escena";
-    key_space: "Space", "Espacio";
-    key_play: "Play or pause", "Reproducir o pausar";
-    key_step: "Step back, step forward", "Paso atrás, paso adelante";
-    key_speed: "Slower, faster", "Más lento, más rápido";
-    key_keep: "Keep this run", "Guardar esta serie";
-    key_undo: "Undo the last removal or reset of parameters", "Deshacer lo último que se quitó o se restableció";
-    key_help: "This list", "Esta lista";
-    key_cursor: "Move the read-out (with Shift: ten rows)", "Mover la lectura (con Mayús: diez filas)";
-    key_zoom: "Zoom in, zoom out", "Acercar, alejar";
-    key_pan: "Pan (with Ctrl)", "Desplazar (con Ctrl)";
-    key_pin: "Pin the reading, unpin all", "Fijar la lectura, soltarlas todas";
-    key_fit: "Show all of the data", "Mostrar todos los datos";
-    key_handle: "Move it (with Shift: five times as far)", "Moverla (con Mayús: cinco veces más)";
-
-    // Controls.
-    controls: "Controls", "Controles";
-    parameters: "Parameters", "Parámetros";
-    presets: "Presets", "Ajustes";
-    restore_defaults: "Restore defaults", "Restaurar valores";
-    restore_defaults_title: "Give all parameters and the start of the run the values of the document", "Dar a todos los parámetros y al inicio de la serie los valores del documento";
-    restarts: "Changing it starts the run anew", "Al cambiarlo, la serie comienza de nuevo";
-    state: "State", "Estado";
-    state_hint: "Pause to edit; the run then begins from there.", "Pausa para editar; la serie parte entonces de ahí.";
-    started_by_hand: "The run starts from a state that was set by hand. Restore defaults brings the document's start back.", "La serie parte de un estado fijado a mano. Restaurar valores recupera el del documento.";
-    method: "Method", "Método";
-    step: "Step", "Paso";
-    settings: "State and method", "Estado y método";
-    numerics: "Numerical method", "Método numérico";
-
-    // Readouts.
-    readouts: "Values", "Valores";
-    constants: "Derived quantities", "Magnitudes derivadas";
-    changing: "Changing with time", "Cambian con el tiempo";
-    hidden_why: "Hidden until the question about it is answered", "Oculto hasta que se responda la pregunta sobre él";
-    show_hidden: "Show the values that questions ask for", "Mostrar los valores por los que se pregunta";
-
-    // Plots.
-    plots: "Plots", "Gráficas";
-    plot: "plot", "gráfica";
-    plots_shown: "Plots shown", "Gráficas visibles";
-    no_plots: "All plots are hidden.", "Todas las gráficas están ocultas.";
-    plot_keys: "Arrow keys read values, Enter pins a reading, plus and minus zoom, 0 shows everything.", "Las flechas leen valores, Intro fija una lectura, más y menos acercan y alejan, 0 muestra todo.";
-    zoom_in: "Zoom in", "Acercar";
-    zoom_out: "Zoom out", "Alejar";
-    fit: "Show all", "Mostrar todo";
-    save_svg: "Download SVG", "Descargar SVG";
-    save_png: "Download PNG", "Descargar PNG";
-
-    save_plot_csv: "Download CSV of this plot", "Descargar CSV de esta gráfica";
-    plot_menu: "Download and full screen", "Descargas y pantalla completa";
-    full_screen: "Full screen", "Pantalla completa";
-    legend: "Legend", "Leyenda";
-    pinned: "Pinned", "Fijado";
-    unpin: "Unpin the readings", "Soltar las lecturas";
-    unpinned: "Reading removed", "Lectura quitada";
-    difference: "Difference", "Diferencia";
-    difference_sign: "B − A", "B − A";
-
-    // Runs.
-    runs: "Kept runs", "Series guardadas";
-    keep: "Keep run", "Guardar serie";
-    keep_title: "Keep this run and draw the next one over it", "Guardar esta serie y dibujar la siguiente encima";
-    remove_run: "Remove", "Quitar";
-    ghost: "Previous run", "Serie anterior";
-
-    // The panel.
-    panel: "Panel", "Panel";
-    tab_play: "Play", "Explorar";
-    tab_activities: "Activities", "Actividades";
-    tab_measure: "Measure", "Medir";
-    tab_fit: "Fit", "Ajustar";
-    tab_theory: "Theory", "Teoría";
-    contents: "Contents", "Contenido";
-    equations: "Model", "Modelo";
-    equations_intro: "The equations as the document states them; the program solves exactly these.", "Las ecuaciones tal como las enuncia el documento; el programa resuelve exactamente estas.";
-    source: "Source", "Fuente";
-    source_intro: "The whole simulation is this text. Save it, change it, and open it again.", "Toda la simulación es este texto. Guárdalo, cámbialo y ábrelo de nuevo.";
-    save_source: "Download", "Descargar";
-    copy: "Copy", "Copiar";
-    copied: "Copied", "Copiado";
-    not_copied: "The browser did not allow copying", "El navegador no permitió copiar";
-    table: "Recorded values", "Valores registrados";
-    rows: "rows", "filas";
-    follow: "Follow the present", "Seguir el presente";
-    row_first: "First rows", "Primeras filas";
-    row_previous: "Earlier rows", "Filas anteriores";
-    row_next: "Later rows", "Filas siguientes";
-    row_last: "Last rows", "Últimas filas";
-    save_csv: "Download CSV", "Descargar CSV";
-    save_xlsx: "Download XLSX", "Descargar XLSX";
-    copy_csv: "Copy CSV", "Copiar CSV";
 
     // Measurements.
     measurements_intro: "Bring a record of a film or a sensor: a table of times and values as text, XLSX or ODS, as the tracking program or spreadsheet wrote it. Drop the file anywhere on this page, choose it, or paste it. It stays in your browser.", "Trae un registro de un vídeo o de un sensor: una tabla de tiempos y valores como texto, XLSX u ODS, tal como la escribió el programa de seguimiento o la hoja de cálculo. Suelta el archivo en cualquier parte de esta página, elígelo o pégalo. No sale de tu navegador.";
@@ -291,23 +125,6 @@ words! {
     save_report: "Report", "Informe";
     fit_all: "All of them", "Todos";
     fit_errors: "The standard errors allow for autocorrelated residuals.", "Los errores típicos tienen en cuenta que los residuos pueden estar autocorrelacionados.";
-
-    // The worksheet.
-    sheet_name: "Name", "Nombre";
-    sheet_date: "Date", "Fecha";
-    sheet_answer: "Answer", "Respuesta";
-    sheet_made: "Made with Meniscus.", "Hecho con Meniscus.";
-
-    // Questions.
-    question: "Question", "Pregunta";
-    answer: "Your answer", "Tu respuesta";
-    check: "Check", "Comprobar";
-    hint: "Hint", "Pista";
-    reveal: "Show the answer", "Mostrar la respuesta";
-    right_answer: "Answer", "Respuesta";
-    supposes: "This question supposes", "Esta pregunta supone";
-    set_up: "Set these values", "Fijar estos valores";
-    is_set_up: "set", "fijados";
 
     // Diagnostics.
     broken: "This document does not run yet", "Este documento aún no funciona";

@@ -21,4 +21,4 @@ pub use expression::Compiler;
 pub use parser::{Assignment, parse, parse_assignments, parse_expression};
 pub use places::Places;
 pub use syntax::*;
-pub use typeset::{typeset, typeset_expression, typeset_name};
+pub use typeset::{typeset, typeset_expression};

@@ -23,7 +23,11 @@ pub fn symbol(name: &str) -> String {
     let base = name.trim_end_matches('\'');
     let simple = base.starts_with(|c: char| c.is_ascii_alphabetic())
         && base.chars().all(|character| character.is_ascii_alphanumeric() || character == '_');
-    if simple { model::typeset_name(name) } else { ["<i>", &escaped(&name.replace('\'', "′")), "</i>"].concat() }
+    if simple {
+        units::mathml::typeset_name(name)
+    } else {
+        ["<i>", &escaped(&name.replace('\'', "′")), "</i>"].concat()
+    }
 }
 
 /// A name as plain text, for the axes of a figure: `ω0`, `y′`.

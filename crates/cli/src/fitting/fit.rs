@@ -210,7 +210,7 @@ fn write(path: &Path, kind: FileKind, data: &[PathBuf], report: &Report) -> Resu
 
 /// A report with the laboratory's mathematical font in it: the machine on which it is read may have none.
 pub fn with_font(page: &str) -> Vec<u8> {
-    const FONT: &[u8] = include_bytes!("../../../lab/page/math.woff2");
+    const FONT: &[u8] = include_bytes!("../../../view/page/math.woff2");
     report::with_math_font(page, &base64::engine::general_purpose::STANDARD.encode(FONT)).into_bytes()
 }
 

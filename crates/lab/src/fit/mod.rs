@@ -5,10 +5,11 @@ mod setup;
 mod theories;
 
 use crate::app::App;
-use crate::panel::{self, Tab};
-use crate::views::*;
-use crate::{browser, library, measurements};
+use crate::panel;
+use crate::{library, measurements};
 use desk::{Desk, FitProgress};
+use view::browser;
+use view::views::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 
@@ -18,7 +19,7 @@ const SLICE: f64 = 8.0;
 /// The tab: which record, which theory, the fit.
 pub fn view(app: App) -> View {
     let has_records = memo(move || {
-        app.changes.records.track();
+        app.records.track();
         app.read_desk(|desk| !desk.records().is_empty())
     });
     changing(move || if has_records.get() { steps(app) } else { nothing_yet(app) })
@@ -36,8 +37,10 @@ fn nothing_yet(app: App) -> View {
         .role("group")
         .attr("aria-label", words.sample_records)
         .each(names.into_iter().enumerate(), choose);
-    let measure =
-        button().class("primary").when(events::click, move |_| panel::show(app, Tab::Measure)).child(words.add_record);
+    let measure = button()
+        .class("primary")
+        .when(events::click, move |_| view::panel::show(app.page, panel::MEASURE))
+        .child(words.add_record);
     let card = section().class("card step").attr("aria-label", words.tab_fit);
     card.child(p().child(words.fit_none)).child(samples).child(measure).into()
 }
@@ -150,10 +153,10 @@ fn work(app: App) {
         } else {
             app.with(|lab| lab.fitting = false);
             // What has come of it stands below the button.
-            if asked_for && app.tab.get_untracked() == Tab::Fit {
+            if asked_for && app.tab.get_untracked() == panel::FIT {
                 browser::bring_to_top("fit-step");
             }
-            crate::frame::wake(app);
+            view::frame::wake(app.page);
         }
     });
     let _ = window().set_timeout_with_callback(step.unchecked_ref());

@@ -1,19 +1,20 @@
 //! What has come of fits: side by side, one of them in detail, and the files that can be saved of them.
 
 use crate::app::App;
-use crate::controls::name_and_symbol;
-use crate::panel::Tab;
-use crate::views::*;
-use crate::{browser, opening};
+use crate::opening;
+use crate::panel;
 use desk::{ExportKind, FitDetail, FitView, Imprint};
 use document::page::Source;
+use view::browser;
+use view::controls::name_and_symbol;
+use view::views::*;
 use wasm_bindgen::JsValue;
 
 /// The fits side by side, and one of them in detail: `chosen`, or the best if they were `ranked`, or the last. While
 /// others are being made, nobody loses the place in what has not changed.
 pub fn view(app: App, chosen: Signal<Option<u32>>, ranked: Signal<bool>) -> View {
     let listed = memo(move || {
-        app.changes.fits.track();
+        app.fits.track();
         let fits = app.read_desk(|desk| desk.fits());
         let last = fits.iter().map(|fit| fit.id).max();
         let best = fits.first().map(|fit| fit.id).filter(|_| ranked.get());
@@ -67,7 +68,7 @@ fn row(app: App, fit: FitView, shown: Option<u32>, chosen: Signal<Option<u32>>) 
             opening::change_theory(app, texts.into_iter().map(|(name, text)| Source { name, text }).collect());
         }
         app.act_on_desk(|desk| desk.apply_fit(id));
-        app.tab.set(Tab::Fit);
+        app.tab.set(panel::FIT);
     };
     let forget = move |_| {
         app.act_on_desk(|desk| desk.remove_fit(id));

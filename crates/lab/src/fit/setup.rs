@@ -1,10 +1,10 @@
 //! What a fit is asked for: records, what is varied and what records have in common, the part that counts.
 
 use crate::app::App;
-use crate::browser;
-use crate::controls::symbol;
-use crate::views::*;
 use desk::{ChoiceView, Desk, FitRecordView, KnownView};
+use view::browser;
+use view::controls::symbol;
+use view::views::*;
 
 /// Why something typed was not taken.
 type Refusal = Signal<Option<String>>;
@@ -15,8 +15,8 @@ type Choices = ReadSignal<Vec<ChoiceView>>;
 /// The records and the part of them that counts.
 pub fn record(app: App, refusal: Refusal) -> View {
     let records = memo(move || {
-        app.changes.records.track();
-        app.changes.fits.track();
+        app.records.track();
+        app.fits.track();
         app.read_desk(|desk| desk.fit_records())
     });
     let line =
@@ -28,8 +28,8 @@ pub fn record(app: App, refusal: Refusal) -> View {
 pub fn varied(app: App, refusal: Refusal) -> View {
     let choices = memo(move || {
         app.changes.parameters.track();
-        app.changes.records.track();
-        app.changes.fits.track();
+        app.records.track();
+        app.fits.track();
         app.read_desk(|desk| desk.fit_choices())
     });
     // Without the known values, which a person may be typing.
@@ -157,7 +157,7 @@ fn value(app: App, refusal: Refusal, choices: Choices, choice: &ChoiceView, know
 fn ends(app: App, refusal: Refusal) -> HtmlDiv {
     let words = app.words();
     let window = memo(move || {
-        app.changes.fits.track();
+        app.fits.track();
         app.read_desk(|desk| desk.fit_window())
     });
     let unit = app.read_desk(|desk| desk.measurement_units("")[1].clone());

@@ -1,9 +1,10 @@
 //! The theories to choose from, each with its equation. Choosing one opens it, and the reader stays where the choice was made.
 
 use crate::app::App;
-use crate::views::*;
-use crate::{browser, header, library, opening};
+use crate::{library, opening};
 use document::Document;
+use view::browser;
+use view::views::*;
 
 /// A theory in the list.
 #[derive(Clone, PartialEq)]
@@ -33,7 +34,7 @@ fn theories(app: App) -> Vec<Theory> {
         theories.push(Theory { file: Some(file), title, chosen });
     }
     if theories.iter().all(|theory| !theory.chosen) {
-        theories.insert(0, Theory { file: None, title: header::title(app), chosen: true });
+        theories.insert(0, Theory { file: None, title: view::title(app.page), chosen: true });
     }
     theories
 }

@@ -2,12 +2,12 @@
 
 mod cases;
 mod expression;
-mod symbols;
 #[cfg(test)]
 mod tests;
 
 use crate::{Action, Expression, Statement, StatementKind};
 use expression::{Typesetter, initial_value};
+use units::mathml;
 
 /// Each displayed statement as a `<math display="block">` element, in the order of the text: definitions, equations,
 /// initial values and events. Parameters are controls and not shown here. `translate` is given the texts that are values
@@ -22,19 +22,12 @@ pub fn typeset_expression(expression: &Expression) -> String {
     format!("<math>{}</math>", Typesetter { translate: &str::to_owned }.expression(expression))
 }
 
-/// A name, with the primes that follow it (`omega_0`, `y'`), as a `<math>` element for a line of text.
-pub fn typeset_name(name: &str) -> String {
-    let plain = name.trim_end_matches('\'');
-    let order = u32::try_from(name.len() - plain.len()).unwrap_or(u32::MAX);
-    format!("<math>{}</math>", symbols::name(plain, order, None))
-}
-
 impl Typesetter<'_> {
     fn statement(&self, statement: &Statement) -> Option<String> {
         let equals = |left: String, right: &Expression| format!("{left}<mo>=</mo>{}", self.expression(right));
         let row = match &statement.kind {
             StatementKind::Parameter(_) | StatementKind::Independent { .. } => return None,
-            StatementKind::Definition { name, value, .. } => equals(symbols::name(&name.text, 0, None), value),
+            StatementKind::Definition { name, value, .. } => equals(mathml::name(&name.text, 0, None), value),
             StatementKind::InitialValue { name, order, value, .. } => equals(initial_value(&name.text, *order), value),
             StatementKind::Equation { left, right } => equals(self.expression(left), right),
             StatementKind::Event { condition, actions } => {
@@ -48,7 +41,7 @@ impl Typesetter<'_> {
 
     /// The value after an event, from those before it.
     fn action(&self, action: &Action) -> String {
-        let target = symbols::name(&action.name.text, action.order, None);
+        let target = mathml::name(&action.name.text, action.order, None);
         format!("<mrow>{target}<mo>←</mo>{}</mrow>", self.expression(&action.value))
     }
 }

@@ -1,8 +1,9 @@
 //! What is set, in a short notation that reads like TeX. Reading it back also checks that every element is closed.
 
 use super::expression::Typesetter;
-use super::{typeset_expression, typeset_name};
+use super::typeset_expression;
 use crate::{parse, parse_expression};
+use units::mathml::typeset_name;
 
 /// The children of an element up to its end tag, in the short notation.
 fn children(text: &mut &str, end: &str) -> Vec<String> {

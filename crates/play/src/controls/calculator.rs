@@ -31,7 +31,7 @@ pub(crate) fn calculate(model: &mut Model, text: &str) -> Option<Calculation> {
         Some(unit) => Unit::parse(unit?).is_ok_and(|unit| value.dimension.is_none_or(|own| own == unit.dimension)),
         None => reader.rest.is_empty(),
     };
-    ends.then(|| Calculation { node: value.node, dimension, names: reader.names })
+    ends.then_some(Calculation { node: value.node, dimension, names: reader.names })
 }
 
 /// The names in an expression, `pi` among them, whether or not its dimensions match.

@@ -18,10 +18,10 @@ const stopped = (error) => {
 };
 addEventListener("error", (event) => stopped(event.error));
 addEventListener("unhandledrejection", (event) => stopped(event.reason));
-// Inflates the module that stands in this page and starts it. From a disk nothing can be fetched, hence the detour over
+// Inflates the module that stands in this page, and the simulation of a page that has one, and starts it. From a disk nothing can be fetched, hence the detour over
 // text.
-const inflated = async () => {
-  const text = document.getElementById("module").textContent;
+const inflated = async (id) => {
+  const text = document.getElementById(id).textContent;
   const bytes = Uint8Array.fromBase64?.(text) ?? Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
   // Written to directly: the stream of a blob makes the way through the browser's other processes.
   const inflater = new DecompressionStream("gzip");
@@ -32,14 +32,17 @@ const inflated = async () => {
   return new Response(inflater.readable).arrayBuffer();
 };
 (async () => {
-  const module = await inflated().catch((error) => {
+  const parts = ["module", "bundle"].filter((id) => document.getElementById(id));
+  const [module, bundle] = await Promise.all(parts.map(inflated)).catch((error) => {
     // The browser knows no DecompressionStream.
     if (error instanceof ReferenceError) throw error;
+    return [];
   });
   if (!module) {
     tell("This file is damaged. Download it again.", "Este archivo está dañado. Vuelve a descargarlo.");
     return;
   }
+  globalThis.bundle = bundle && new Uint8Array(bundle);
   await wasm_bindgen({ module_or_path: module });
 })().catch((error) => {
   if (globalThis.WebAssembly && error instanceof WebAssembly.RuntimeError) throw error;

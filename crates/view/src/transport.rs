@@ -64,7 +64,7 @@ pub fn view(app: App) -> HtmlSection {
         input().r#type("range").class("line").id("time-line").min("0").max(POSITIONS.to_string()).step("any");
     let nodes =
         TransportNodes { clock: clock.node(), line: line.node(), shown: String::new(), parts: (f64::NAN, f64::NAN) };
-    app.with(|lab| lab.stage.transport = Some(nodes));
+    app.nodes(|all| all.transport = Some(nodes));
     frame::wake(app);
     let step = |id: &'static str, name: &'static str, key: char, icon: SvgSvg, act: fn(&mut Play)| {
         button()
@@ -161,10 +161,10 @@ fn speed(app: App) -> HtmlLabel {
 
 fn sound(app: App) -> HtmlButton {
     let words = app.words();
-    let on = create_signal(app.with(|lab| lab.sound.is_on()).unwrap_or_default());
+    let on = create_signal(app.nodes(|nodes| nodes.sound.is_on()).unwrap_or_default());
     let toggle = move |_| {
-        app.with(|lab| lab.sound.turn(!on.get_untracked()));
-        on.set(app.with(|lab| lab.sound.is_on()).unwrap_or_default());
+        app.nodes(|nodes| nodes.sound.turn(!on.get_untracked()));
+        on.set(app.nodes(|nodes| nodes.sound.is_on()).unwrap_or_default());
         frame::wake(app);
     };
     button()

@@ -2,13 +2,14 @@
 //! moves; a page that stands still costs nothing. The browser asks for none while the page is hidden, and the simulation
 //! says what a long pause means; losing the focus does not stop the run.
 
-use crate::app::{App, Lab};
+use crate::app::App;
 use crate::scene::SceneNodes;
+use crate::sound::Sound;
 use crate::stage::plot::PlotNodes;
 use crate::theme::Colours;
 use crate::transport::TransportNodes;
 use crate::views::window;
-use play::PlotId;
+use play::{Play, PlotId};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 
@@ -17,7 +18,7 @@ const VALUES_PER_SECOND: f64 = 10.0;
 
 /// Everything that is redrawn in a frame, and the clock of the frames.
 #[derive(Default)]
-pub struct Stage {
+pub struct Nodes {
     /// The scene's nodes.
     pub scene: Option<SceneNodes>,
     /// Each plot's canvas, in the order of the document.
@@ -28,6 +29,8 @@ pub struct Stage {
     pub font_size: f64,
     /// The colours of the theme in use.
     pub colours: Colours,
+    /// What is heard.
+    pub sound: Sound,
     callback: Option<Closure<dyn FnMut(f64)>>,
     asked: bool,
     /// When the run moved last, in milliseconds; none while it stands still.
@@ -36,7 +39,7 @@ pub struct Stage {
     shown: f64,
 }
 
-impl Stage {
+impl Nodes {
     /// Forgets the nodes, which are about to be replaced.
     pub fn clear(&mut self) {
         self.scene = None;
@@ -48,58 +51,55 @@ impl Stage {
 /// Makes the callback of the frames.
 pub fn start(app: App) {
     let callback = Closure::new(move |now| draw(app, now));
-    app.with(|lab| lab.stage.callback = Some(callback));
+    app.nodes(|nodes| nodes.callback = Some(callback));
     wake(app);
 }
 
 /// Asks for a frame, once.
 pub fn wake(app: App) {
-    app.with(|lab| {
-        let stage = &mut lab.stage;
-        if !stage.asked
-            && let Some(callback) = &stage.callback
+    app.nodes(|nodes| {
+        if !nodes.asked
+            && let Some(callback) = &nodes.callback
         {
-            stage.asked = window().request_animation_frame(callback.as_ref().unchecked_ref()).is_ok();
+            nodes.asked = window().request_animation_frame(callback.as_ref().unchecked_ref()).is_ok();
         }
     });
 }
 
 fn draw(app: App, now: f64) {
-    let Some((goes_on, values)) = app.with(|lab| advance(lab, now)) else { return };
+    let more = app.host().follow();
+    let Some((goes_on, values)) = app.nodes(|nodes| app.read(|play| advance(nodes, play, now))) else { return };
     app.publish(values, false);
-    if goes_on || app.read_desk(desk::Desk::catch_up) {
+    if goes_on || more {
         wake(app);
     }
 }
 
 /// One frame. Whether the run or a long figure goes on, and whether it is time to show changing values.
-fn advance(lab: &mut Lab, now: f64) -> (bool, bool) {
-    let Lab { desk: Some(desk), stage, sound, .. } = lab else { return (false, false) };
-    stage.asked = false;
-    let seconds = stage.moved.map_or(0.0, |moved| (now - moved) / 1000.0);
-    if desk.play().is_playing() && seconds > 0.0 {
-        desk.play_mut().tick(seconds);
+fn advance(nodes: &mut Nodes, play: &mut Play, now: f64) -> (bool, bool) {
+    nodes.asked = false;
+    let seconds = nodes.moved.map_or(0.0, |moved| (now - moved) / 1000.0);
+    if play.is_playing() && seconds > 0.0 {
+        play.tick(seconds);
     }
-    desk.follow();
-    let play = desk.play_mut();
     let playing = play.is_playing();
-    stage.moved = playing.then_some(now);
-    let values = !playing || now - stage.shown >= 1000.0 / VALUES_PER_SECOND;
+    nodes.moved = playing.then_some(now);
+    let values = !playing || now - nodes.shown >= 1000.0 / VALUES_PER_SECOND;
     if values {
-        stage.shown = now;
+        nodes.shown = now;
     }
-    if let Some(transport) = &mut stage.transport {
+    if let Some(transport) = &mut nodes.transport {
         transport.draw(play);
     }
-    if let Some(scene) = &mut stage.scene {
+    if let Some(scene) = &mut nodes.scene {
         scene.draw(play);
     }
     let mut unfinished = false;
-    for (place, plot) in stage.plots.iter_mut().enumerate() {
+    for (place, plot) in nodes.plots.iter_mut().enumerate() {
         if let Some(plot) = plot {
-            unfinished |= plot.draw(PlotId::at(place), play, &stage.colours, stage.font_size);
+            unfinished |= plot.draw(PlotId::at(place), play, &nodes.colours, nodes.font_size);
         }
     }
-    sound.follow(play);
+    nodes.sound.follow(play);
     (playing || unfinished, values)
 }

@@ -226,3 +226,20 @@ pub async fn breathe() {
     });
     let _ = wait(promise).await;
 }
+
+/// The fragment of the address, without `#`.
+pub fn fragment() -> String {
+    window().location().hash().unwrap_or_default().trim_start_matches('#').to_owned()
+}
+
+/// The address of this page with another fragment.
+pub fn address(fragment: &str) -> String {
+    let address = window().location().href().unwrap_or_default();
+    let base = address.split('#').next().unwrap_or_default();
+    if fragment.is_empty() { base.to_owned() } else { format!("{base}#{fragment}") }
+}
+
+/// Whether a fragment leads to a heading and not to a state.
+pub fn is_heading(fragment: &str) -> bool {
+    !fragment.contains(['&', '='])
+}

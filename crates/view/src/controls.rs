@@ -8,7 +8,7 @@ use web_sys::HtmlDetailsElement;
 
 /// A name typeset: `h_l` as MathML. Labels say the same in words, so readers of the screen need not hear it.
 pub fn symbol(name: &str) -> HtmlSpan {
-    span().class("symbol").attr("aria-hidden", "true").inner_html(model::typeset_name(name))
+    span().class("symbol").attr("aria-hidden", "true").inner_html(units::mathml::typeset_name(name))
 }
 
 /// What a quantity is called, and its symbol beside the last word, from which no line break parts it.

@@ -42,7 +42,8 @@ fn row(now: ReadSignal<Vec<Readout>>, index: usize, readout: &Readout, why: &'st
     let hidden = move || now.with(|list| list.get(index).is_some_and(|readout| readout.hidden));
     let get =
         move |part: fn(&Readout) -> &String| now.with(|list| list.get(index).map(part).cloned().unwrap_or_default());
-    let symbol = readout.has_symbol.then(|| span().class("symbol").inner_html(model::typeset_name(&readout.name)));
+    let symbol =
+        readout.has_symbol.then(|| span().class("symbol").inner_html(units::mathml::typeset_name(&readout.name)));
     div().child(dt().child(span().class("label").child(readout.label.clone())).maybe(symbol)).child(
         dd().attr("title", move || hidden().then_some(why))
             .attr("data-hidden", move || hidden().then_some("true"))

@@ -3,9 +3,9 @@
 //! page itself, with its buttons and its canvases of screen size, is not printed.
 
 use crate::app::App;
+use crate::browser;
 use crate::controls::symbol;
 use crate::views::*;
-use crate::{browser, header};
 use figure::{Palette, Settings};
 use program::{Block, Section};
 use web_sys::{Element, Event, ShadowRootInit, ShadowRootMode};
@@ -32,7 +32,7 @@ pub fn view(app: App) -> View {
 fn sheet(app: App) -> HtmlArticle {
     let words = app.words();
     let language = app.language.get_untracked().tag();
-    let sections: Vec<Section> = app.read_desk(|desk| desk.document().program.sections(language).to_vec());
+    let sections: Vec<Section> = app.read(|play| play.program().sections(language).to_vec());
     let asks = |section: &&Section| section.blocks.iter().any(|block| matches!(block, Block::Question(_)));
     let first = sections.iter().position(|section| asks(&section)).unwrap_or(sections.len());
     // What stands before the first heading leads to the apparatus; the rest of the text follows it.
@@ -42,7 +42,7 @@ fn sheet(app: App) -> HtmlArticle {
     let person = p().class("person").child(blank(words.sheet_name)).child(blank(words.sheet_date));
     article()
         .class("worksheet")
-        .child(h1().child(header::title(app)))
+        .child(h1().child(crate::title(app)))
         .child(person)
         .each(lead, |section| passage(app, section))
         .child(apparatus(app))
@@ -106,8 +106,7 @@ fn plots(app: App) -> View {
 fn question(app: App, index: usize) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
-    let asked =
-        app.read_desk(|desk| Some(desk.document().program.question_text(language, index).clone())).unwrap_or_default();
+    let asked = app.read(|play| Some(play.program().question_text(language, index).clone())).unwrap_or_default();
     let unit = app.read(|play| play.question_unit(index));
     let supposed = app.read(|play| play.question_setup(index)).map(|(values, _)| {
         p().class("supposed").child(words.supposes).child(" ").child(crate::question::supposed(values))

@@ -2,10 +2,8 @@
 //! has been spoken once, through the live region; the line itself is none.
 
 use crate::app::App;
-use crate::panel::Tab;
 use crate::views::*;
 use crate::{browser, icons};
-use desk::{Announcement, Desk};
 use play::Prominence;
 
 /// More errors are not shown at once; the oldest go.
@@ -16,8 +14,8 @@ const MOST_ERRORS: usize = 3;
 pub enum Action {
     /// Puts back what the removal of this number took away.
     Undo(u32),
-    /// Goes to the element of this id in a tab.
-    Show(Tab, String),
+    /// Goes to the element of this id.
+    Show(String),
 }
 
 /// A line.
@@ -40,21 +38,23 @@ impl Message {
         Self { text, is_error: true, action: None }
     }
 
-    /// What is shown of an announcement; `text` is the announcement in words.
-    pub fn of(desk: &Desk, announcement: &Announcement, text: &str) -> Option<Self> {
-        let action = match announcement {
-            Announcement::RecordAdded(_) => {
-                desk.newest_record().map(|id| Action::Show(Tab::Measure, format!("record-{id}")))
-            }
-            Announcement::FitFinished => Some(Action::Show(Tab::Fit, "fit-results".to_owned())),
-            other if other.can_be_undone() => desk.undo_number().map(Action::Undo),
-            _ => None,
-        };
-        match announcement.prominence() {
+    /// Words as they are shown; nothing of what is only spoken.
+    pub fn new(prominence: Prominence, words: &str) -> Option<Self> {
+        match prominence {
             Prominence::Spoken => None,
-            Prominence::Shown => Some(Self { action, ..Self::notice(text.to_owned()) }),
-            Prominence::Error => Some(Self::error(text.to_owned())),
+            Prominence::Shown => Some(Self::notice(words.to_owned())),
+            Prominence::Error => Some(Self::error(words.to_owned())),
         }
+    }
+
+    /// The message with a button that puts back what was removed, where there is a number of that removal.
+    pub fn undone_by(self, number: Option<u32>) -> Self {
+        Self { action: number.map(Action::Undo).or(self.action), ..self }
+    }
+
+    /// The message with a button that goes to the element of this id.
+    pub fn leading_to(self, place: String) -> Self {
+        Self { action: Some(Action::Show(place)), ..self }
     }
 }
 
@@ -82,7 +82,11 @@ pub fn undo(app: App) -> bool {
             _ => None,
         })
     });
-    offered.is_some_and(|number| app.act_on_desk(|desk| desk.undo(number)))
+    offered.is_some_and(|number| {
+        let undone = app.host().undo(number);
+        app.acted(false);
+        undone
+    })
 }
 
 /// The lines, newest last.
@@ -108,7 +112,7 @@ fn line(app: App, message: Message) -> HtmlLi {
     let act = message.action.clone().map(|action| {
         let name = match action {
             Action::Undo(_) => words.undo,
-            Action::Show(..) => words.show,
+            Action::Show(_) => words.show,
         };
         button().class("quiet").when(events::click, move |_| perform(app, &action)).child(name)
     });
@@ -132,10 +136,7 @@ fn perform(app: App, action: &Action) {
             undo(app);
             browser::focus_in_place("apparatus");
         }
-        Action::Show(tab, place) => {
-            app.tab.set(*tab);
-            browser::reveal_later(place.clone());
-        }
+        Action::Show(place) => app.host().show(place),
     }
 }
 

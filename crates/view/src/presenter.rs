@@ -16,9 +16,9 @@ fn apply(app: App, large: bool) {
     if let Some(root) = document().document_element() {
         let _ = if large { root.set_attribute("data-size", "large") } else { root.remove_attribute("data-size") };
     }
-    app.with(|lab| {
-        lab.stage.font_size = FONT_SIZES[usize::from(large)];
-        for plot in lab.stage.plots.iter_mut().flatten() {
+    app.nodes(|nodes| {
+        nodes.font_size = FONT_SIZES[usize::from(large)];
+        for plot in nodes.plots.iter_mut().flatten() {
             plot.invalidate();
         }
     });

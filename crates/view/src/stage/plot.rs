@@ -173,8 +173,8 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
         _callbacks: [resized, seen],
     };
     // The observer tells the size when the page has been laid out; asking now would lay it out twice.
-    app.with(|lab| {
-        let plots = &mut lab.stage.plots;
+    app.nodes(|all| {
+        let plots = &mut all.plots;
         let place = id.place();
         if plots.len() <= place {
             plots.resize_with(place + 1, || None);
@@ -191,8 +191,8 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
 
 /// Works on a plot's nodes; it is drawn anew afterwards.
 pub fn with_plot<T>(app: App, id: PlotId, work: impl FnOnce(&mut PlotNodes) -> T) -> Option<T> {
-    app.with(|lab| {
-        let plot = lab.stage.plots.get_mut(id.place())?.as_mut()?;
+    app.nodes(|nodes| {
+        let plot = nodes.plots.get_mut(id.place())?.as_mut()?;
         plot.stale = true;
         Some(work(plot))
     })

@@ -1,10 +1,10 @@
 //! Names, numbers, units and texts as MathML.
 
-use units::Unit;
-use units::alphabet::greek_letter;
+use crate::Unit;
+use crate::alphabet::greek_letter;
 
 /// Texts may not end the element they stand in.
-pub(super) fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
@@ -74,7 +74,7 @@ fn order_sign(order: u32) -> Option<String> {
 }
 
 /// A name with its primes and an exponent, each in its place: y′² has one superscript, not one upon the other.
-pub(super) fn name(name: &str, order: u32, exponent: Option<String>) -> String {
+pub fn name(name: &str, order: u32, exponent: Option<String>) -> String {
     let NameParts { base, subscript } = name_parts(name);
     let above = match (order_sign(order), exponent) {
         (None, None) => None,
@@ -90,18 +90,18 @@ pub(super) fn name(name: &str, order: u32, exponent: Option<String>) -> String {
 }
 
 /// Whether a name is set as a word and not as a letter, so that its neighbours need a space.
-pub(super) fn is_word(name: &str) -> bool {
+pub fn is_word(name: &str) -> bool {
     let base = name.split('_').next().unwrap_or(name).trim_end_matches(|c: char| c.is_ascii_digit());
     base.chars().count() > 1 && greek_letter(base).is_none() && !base.starts_with("Delta")
 }
 
 /// Whether [`number`] writes `value` with a power of ten, which is a product.
-pub(super) fn has_power_of_ten(value: f64) -> bool {
+pub fn has_power_of_ten(value: f64) -> bool {
     value != 0.0 && !(1e-4..1e6).contains(&value.abs())
 }
 
 /// A number as it was written, the very large and small ones with a power of ten.
-pub(super) fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     let (sign, size) = if value < 0.0 { ("<mo>−</mo>", -value) } else { ("", value) };
     if !has_power_of_ten(size) {
         return if sign.is_empty() {
@@ -124,7 +124,7 @@ pub(super) fn number(value: f64) -> String {
 }
 
 /// A unit after its number, upright. An angle's degree sign stands close to the number.
-pub(super) fn unit_after_number(unit: &Unit) -> String {
+pub fn unit_after_number(unit: &Unit) -> String {
     match unit.text.as_str() {
         "" => String::new(),
         "°" | "deg" => "<mi mathvariant=\"normal\">°</mi>".to_owned(),
@@ -174,4 +174,11 @@ fn exponent_row(text: &str) -> String {
     let numbers: Vec<String> = unsigned.unwrap_or(text).split('/').map(|number| format!("<mn>{number}</mn>")).collect();
     let sign = if unsigned.is_some() { "<mo>−</mo>" } else { "" };
     format!("<mrow>{sign}{}</mrow>", numbers.join("<mo lspace=\"0\" rspace=\"0\">/</mo>"))
+}
+
+/// A name, with the primes that follow it (`omega_0`, `y'`), as a `<math>` element for a line of text.
+pub fn typeset_name(text: &str) -> String {
+    let plain = text.trim_end_matches('\'');
+    let order = u32::try_from(text.len() - plain.len()).unwrap_or(u32::MAX);
+    format!("<math>{}</math>", name(plain, order, None))
 }

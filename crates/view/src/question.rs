@@ -9,8 +9,7 @@ use web_sys::{HtmlInputElement, SubmitEvent};
 pub fn view(app: App, index: usize) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
-    let asked =
-        app.read_desk(|desk| Some(desk.document().program.question_text(language, index).clone())).unwrap_or_default();
+    let asked = app.read(|play| Some(play.program().question_text(language, index).clone())).unwrap_or_default();
     let unit = app.read(|play| play.question_unit(index));
     let given = app.read(|play| play.answer(index));
     let verdict = create_signal(given.verdict);
@@ -108,7 +107,11 @@ fn setup(app: App, index: usize) -> View {
 pub fn supposed(values: Vec<(String, String)>) -> View {
     let one = |(place, (name, value)): (usize, (String, String))| {
         let before = if place == 0 { "" } else { ", " };
-        View::from((before, span().class("symbol").inner_html(model::typeset_name(&name)), format!(" = {value}")))
+        View::from((
+            before,
+            span().class("symbol").inner_html(units::mathml::typeset_name(&name)),
+            format!(" = {value}"),
+        ))
     };
     each(values.into_iter().enumerate(), one)
 }

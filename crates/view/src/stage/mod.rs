@@ -37,11 +37,11 @@ fn scene(app: App) -> HtmlSection {
     let words = app.words();
     let mut place = div().class("drawing");
     let language = app.language.get_untracked().tag();
-    let scene = app.read_desk(|desk| desk.document().program.scene(language).cloned());
+    let scene = app.read(|play| play.program().scene(language).cloned());
     let (exists, draggable) = (scene.is_some(), scene.as_ref().is_some_and(|scene| has_handle(&scene.root)));
     if let Some(scene) = &scene {
-        let nodes = SceneNodes::build(app, scene, &place.node(), words.scene);
-        app.with(|lab| lab.stage.scene = nodes);
+        let drawn = SceneNodes::build(app, scene, &place.node(), words.scene);
+        app.nodes(|nodes| nodes.scene = drawn);
         frame::wake(app);
     }
     part("scene", "scene card", words.scene)
@@ -59,16 +59,16 @@ fn instruments(app: App, has_scene: bool) -> HtmlDiv {
     let measurable = has_scene && app.read(|play| play.scene_length(1.0)).is_some();
     let lay = move |_| {
         let laid = !rules.get_untracked();
-        app.with(|lab| {
-            if let Some(scene) = &mut lab.stage.scene {
+        app.nodes(|nodes| {
+            if let Some(scene) = &mut nodes.scene {
                 scene.ruler = None;
             }
         });
-        let root = app.with(|lab| lab.stage.scene.as_ref().and_then(SceneNodes::root)).flatten();
+        let root = app.nodes(|nodes| nodes.scene.as_ref().and_then(SceneNodes::root)).flatten();
         let ruler = root.filter(|_| laid).and_then(|root| ruler::lay(app, &root));
         rules.set(ruler.is_some());
-        app.with(|lab| {
-            if let Some(scene) = &mut lab.stage.scene {
+        app.nodes(|nodes| {
+            if let Some(scene) = &mut nodes.scene {
                 scene.ruler = ruler;
             }
         });
@@ -88,7 +88,7 @@ fn instruments(app: App, has_scene: bool) -> HtmlDiv {
 
 /// What the dashed outline in the scene is; nothing while there is none.
 fn outline_legend(app: App) -> View {
-    app.changes.records.track();
+    app.changes.plots.track();
     let records = app.read(|play| play.outline().map_or_else(Vec::new, |outline| outline.sources.clone()));
     if records.is_empty() {
         return View::new();

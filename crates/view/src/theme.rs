@@ -60,9 +60,9 @@ impl Theme {
             }
             let _ = root.set_attribute("data-theme", if dark { Self::Dark } else { Self::Light }.name());
         }
-        app.with(|lab| {
-            lab.stage.colours = Colours::new(if dark { &Palette::DARK } else { &Palette::LIGHT });
-            for plot in lab.stage.plots.iter_mut().flatten() {
+        app.nodes(|nodes| {
+            nodes.colours = Colours::new(if dark { &Palette::DARK } else { &Palette::LIGHT });
+            for plot in nodes.plots.iter_mut().flatten() {
                 plot.invalidate();
             }
         });

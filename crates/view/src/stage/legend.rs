@@ -10,7 +10,6 @@ use sycamore_web::SvgGlobalAttributes;
 pub fn view(app: App, id: PlotId) -> View {
     let entries = memo(move || {
         app.changes.runs.track();
-        app.changes.records.track();
         app.changes.plots.track();
         app.read(|play| play.plot_legend(id))
     });

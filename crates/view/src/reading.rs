@@ -1,15 +1,14 @@
-//! What is read: the prose of the document with its questions, its equations, its source.
+//! What is read: the prose of the document with its questions, and its equations.
 
 use crate::app::App;
 use crate::views::*;
-use crate::{browser, diagnostics, question};
-use document::page::Source;
+use crate::{browser, question};
 use program::{Block, Section};
 
 /// The sections of the document in the language of the page, and the level of their headings.
 fn sections(app: App) -> (Vec<Section>, u8) {
     let language = app.language.get_untracked().tag();
-    let mut sections: Vec<Section> = app.read_desk(|desk| desk.document().program.sections(language).to_vec());
+    let mut sections: Vec<Section> = app.read(|play| play.program().sections(language).to_vec());
     let top = sections.iter().map(|section| section.level).filter(|&level| level > 0).min().unwrap_or(1);
     sections.retain(|section| section.level > 0 || !section.blocks.is_empty());
     (sections, top)
@@ -44,17 +43,15 @@ pub fn activities(app: App) -> HtmlDiv {
     prose(app, &sections, top)
 }
 
-/// The tab of prose and equations, and of the text that they are made from.
-pub fn theory(app: App) -> HtmlDiv {
+/// The tab of prose and equations, and what the page has to say besides.
+pub fn theory(app: App, besides: View) -> HtmlDiv {
     let (sections, top) = chapters(app, false);
-    let words = app.words();
-    let fold = details().class("card fold").id("source").child(summary().child(h3().child(words.source)));
     div()
         .class("theory")
         .child(contents(app, &sections, top))
         .child(prose(app, &sections, top))
         .child(equations(app))
-        .child(fold.child(source(app)))
+        .child(besides)
 }
 
 fn prose(app: App, sections: &[Section], top: u8) -> HtmlDiv {
@@ -96,37 +93,12 @@ fn passage(app: App, section: &Section, top: u8) -> View {
 fn equations(app: App) -> HtmlDiv {
     let words = app.words();
     let language = app.language.get_untracked().tag();
-    let lines = app.read_desk(|desk| desk.document().program.edition(language).equations.clone());
+    let lines = app.read(|play| play.program().edition(language).equations.clone());
     let list = ol().each(lines, |math| li().inner_html(math));
     let equations =
         div().class("equations").role("region").tabindex("0").attr("aria-label", words.equations).child(list);
     let heading = h3().id("equations").child(words.equations);
     div().class("model").child(heading).child(note(words.equations_intro)).child(equations)
-}
-
-/// The text of the document.
-fn source(app: App) -> HtmlDiv {
-    let words = app.words();
-    let sources = app.with(|lab| lab.sources.clone()).unwrap_or_default();
-    let file = |file: Source| {
-        let (name, text, copied) = (file.name.clone(), file.text.clone(), file.text.clone());
-        let copy = button()
-            .class("quiet")
-            .attr("aria-label", format!("{}: {}", words.copy, file.name))
-            .when(events::click, move |_| copy(app, &copied))
-            .child(words.copy);
-        let save = button()
-            .class("quiet")
-            .attr("aria-label", format!("{}: {}", words.save_source, file.name))
-            .when(events::click, move |_| browser::save_text(&name, "text/markdown", &text))
-            .child(words.save_source);
-        let actions = div().class("actions").child(copy).child(save);
-        div()
-            .class("file")
-            .child(div().class("block-head").child(h3().child(file.name.clone())).child(actions))
-            .child(pre().tabindex("0").attr("aria-label", file.name).child(code().child(file.text)))
-    };
-    div().class("source").child(note(words.source_intro)).child(diagnostics::remarks(app)).each(sources, file)
 }
 
 /// Copies a text and says whether that worked.

@@ -1,0 +1,27 @@
+//! Answers to the questions of the page, kept for the next visit.
+
+use play::name_of;
+use view::{App, browser};
+
+/// The keys of the answers to this simulation begin so.
+fn prefix(app: App) -> String {
+    let program = app.read(|play| Some((play.program().title.clone(), play.program().language.clone())));
+    let (title, language) = program.unwrap_or_default();
+    format!("played:{}:", name_of(&[&title, &language]))
+}
+
+/// Brings back what was answered at the last visit.
+pub fn restore(app: App) {
+    let prefix = prefix(app);
+    for (key, text) in browser::all_remembered(&prefix) {
+        let name = key.strip_prefix(&prefix).unwrap_or_default();
+        app.read(|play| play.restore_answer(name, &text));
+    }
+}
+
+/// Saves what has been answered so far. Whether the browser allowed it.
+pub fn save(app: App) -> bool {
+    let prefix = prefix(app);
+    let answers = app.read(|play| play.saved_answers());
+    answers.into_iter().all(|(name, text)| browser::remember(&format!("{prefix}{name}"), &text))
+}

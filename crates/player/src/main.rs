@@ -1,0 +1,10 @@
+//! The page of one simulation: it plays the program that stands in it, and holds no parser of the language.
+
+mod answers;
+mod page;
+mod simulation;
+mod source;
+
+fn main() {
+    page::start();
+}

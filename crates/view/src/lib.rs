@@ -1,0 +1,33 @@
+//! What a page shows of a simulation: scene, plots, transport, controls, values, questions and text. The page of one
+//! simulation and that of the laboratory are built from these views; what else a page does is its own ([`Host`]).
+
+mod app;
+pub mod browser;
+pub mod controls;
+mod data;
+mod drag;
+pub mod frame;
+mod grip;
+pub mod header;
+pub mod icons;
+pub mod keys;
+pub mod messages;
+pub mod panel;
+mod parameters;
+pub mod pieces;
+pub mod playing;
+pub mod presenter;
+pub mod question;
+pub mod reading;
+mod readouts;
+mod scene;
+pub mod shell;
+mod sound;
+pub mod stage;
+pub mod theme;
+mod transport;
+pub mod views;
+pub mod words;
+pub mod worksheet;
+
+pub use app::{App, Changes, Host, News, Page, title};

@@ -1,0 +1,119 @@
+//! The panel beside the stage: what a person sets, answers and reads, and whatever else the page offers, one tab for each.
+
+use crate::app::App;
+use crate::views::*;
+use crate::{browser, playing, reading};
+use sycamore_reactive::untrack;
+use web_sys::KeyboardEvent;
+
+/// The tab of parameters, presets and values.
+pub const PLAY: &str = "play";
+/// The tab of the questions.
+pub const ACTIVITIES: &str = "activities";
+/// The tab of prose and equations.
+pub const THEORY: &str = "theory";
+
+/// A tab of the panel.
+#[derive(Clone)]
+pub struct Tab {
+    /// Its name in ids: `tab-play` belongs to `panel-play`.
+    pub id: &'static str,
+    /// Its title.
+    pub title: &'static str,
+    /// What it shows; built when it is first looked at.
+    pub content: std::rc::Rc<dyn Fn() -> View>,
+}
+
+impl Tab {
+    /// A tab.
+    pub fn new(id: &'static str, title: &'static str, content: impl Fn() -> View + 'static) -> Self {
+        Self { id, title, content: std::rc::Rc::new(content) }
+    }
+
+    /// Parameters, presets and values.
+    pub fn play(app: App) -> Self {
+        Self::new(PLAY, app.words().tab_play, move || playing::view(app).into())
+    }
+
+    /// The questions; nothing where the document asks none.
+    pub fn activities(app: App) -> Option<Self> {
+        let tab = || Self::new(ACTIVITIES, app.words().tab_activities, move || reading::activities(app).into());
+        reading::asks(app).then(tab)
+    }
+
+    /// Prose and equations, and what the page has to say besides.
+    pub fn theory(app: App, besides: impl Fn() -> View + 'static) -> Self {
+        Self::new(THEORY, app.words().tab_theory, move || reading::theory(app, besides()).into())
+    }
+}
+
+/// The panel.
+pub fn view(app: App, tabs: Vec<Tab>) -> HtmlSection {
+    let words = app.words();
+    let all: Vec<&'static str> = tabs.iter().map(|tab| tab.id).collect();
+    if !all.contains(&app.tab.get_untracked()) {
+        app.tab.set(all.first().copied().unwrap_or(PLAY));
+    }
+    let turn = move |event: KeyboardEvent| turn(app, &all, &event);
+    let buttons = div().class("tabs").role("tablist").attr("aria-label", words.panel).when(events::keydown, turn);
+    let buttons = buttons.each(&tabs, |tab| head(app, tab));
+    part("panel", "panel", words.panel)
+        .child(buttons)
+        .each(tabs, |tab| body(app, tab))
+        .child(footer().child(p().child(words.footer)))
+}
+
+fn head(app: App, tab: &Tab) -> HtmlButton {
+    let id = tab.id;
+    let selected = move || app.tab.get() == id;
+    button()
+        .role("tab")
+        .id(format!("tab-{id}"))
+        .attr("aria-controls", format!("panel-{id}"))
+        .attr("aria-selected", move || selected().to_string())
+        .tabindex(move || if selected() { "0" } else { "-1" })
+        .when(events::click, move |_| show(app, id))
+        .child(tab.title)
+}
+
+/// Built when it is first looked at.
+fn body(app: App, tab: Tab) -> HtmlDiv {
+    let (id, content) = (tab.id, tab.content);
+    let selected = move || app.tab.get() == id;
+    let mut seen = false;
+    let seen = memo(move || {
+        seen = seen || selected();
+        seen
+    });
+    let built = move || if seen.get() { untrack(|| content()) } else { View::new() };
+    div()
+        .role("tabpanel")
+        .id(format!("panel-{id}"))
+        .attr("aria-labelledby", format!("tab-{id}"))
+        .tabindex("0")
+        .hidden(move || !selected())
+        .child(changing(built))
+}
+
+/// Shows a tab from its top: another one may have been scrolled.
+pub fn show(app: App, tab: &'static str) {
+    app.tab.set(tab);
+    browser::scroll_back_to("panel");
+}
+
+/// Arrow keys go from tab to tab, around the ends.
+fn turn(app: App, tabs: &[&'static str], event: &KeyboardEvent) {
+    let now = tabs.iter().position(|tab| *tab == app.tab.get_untracked()).unwrap_or(0);
+    let next = match event.key().as_str() {
+        "ArrowRight" => (now + 1) % tabs.len(),
+        "ArrowLeft" => (now + tabs.len() - 1) % tabs.len(),
+        "Home" => 0,
+        "End" => tabs.len() - 1,
+        _ => return,
+    };
+    event.prevent_default();
+    if let Some(&tab) = tabs.get(next) {
+        show(app, tab);
+        browser::focus(&format!("tab-{tab}"));
+    }
+}

@@ -1,0 +1,42 @@
+//! What every page has around its content: colours, keys, the worksheet for the printer, and what is said to those who do
+//! not see it.
+
+use crate::app::{App, title};
+use crate::theme::Theme;
+use crate::views::*;
+use crate::{browser, frame, keys, messages, presenter, stage, worksheet};
+
+/// Listens to what concerns the page as a whole, for as long as it is open.
+pub fn prepare(app: App) {
+    Theme::remembered().apply(app);
+    presenter::remembered(app);
+    browser::on_match_change("(prefers-color-scheme: dark)", move || Theme::remembered().apply(app));
+    browser::on_match_change(stage::NARROW, move || app.narrow.set(browser::matches(stage::NARROW)));
+    frame::start(app);
+    worksheet::listen(app);
+    keys::listen(app);
+}
+
+/// The page, whose content is built again for another document or language.
+pub fn view(app: App, mut content: impl FnMut() -> View + 'static) -> View {
+    let build = move || {
+        app.changes.document.track();
+        app.nodes(|nodes| nodes.clear());
+        if let Some(root) = document().document_element() {
+            let _ = root.set_attribute("lang", app.language.get_untracked().tag());
+        }
+        let title = title(app);
+        document().set_title(&if title == "Meniscus" { title } else { format!("{title} · Meniscus") });
+        View::from((a().class("skip").href("#apparatus").child(app.words().skip), content(), keys::dialog(app)))
+    };
+    View::from((
+        changing(build),
+        p().class("visually-hidden")
+            .role("status")
+            .attr("aria-live", "polite")
+            .id("spoken")
+            .child(text(move || app.spoken.get_clone())),
+        messages::view(app),
+        worksheet::view(app),
+    ))
+}

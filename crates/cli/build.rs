@@ -12,7 +12,7 @@ fn main() {
         println!("cargo::rustc-env=MENISCUS_PAGE={}", page.display());
         println!("cargo::rerun-if-changed={}", page.display());
     } else {
-        // Cargo takes a missing path for a changed one and would build the program anew each time; a directory that
+        // Cargo takes a missing path for a changed one and would build the program again each time; a directory that
         // exists changes when the page appears in it. Where it cannot be made, the only loss is that time.
         let _ = std::fs::create_dir_all(&directory);
         println!("cargo::rerun-if-changed={}", directory.display());

@@ -1,4 +1,4 @@
-//! The handle that every view holds: it leads to the one desk and its simulation, and tells the views which part of them
+//! The handle that every view holds: it leads to the one desk and its simulation, and signals to the views which part of them
 //! has changed.
 
 use crate::browser;
@@ -52,9 +52,9 @@ pub struct Lab {
     pub files: VecDeque<File>,
     /// See `files`.
     pub reading: bool,
-    /// What the views have been told of.
+    /// The revision that the views show.
     seen: Revision,
-    /// The frame that the values have been told of.
+    /// The frame that the values show.
     seen_frame: u64,
 }
 
@@ -175,7 +175,7 @@ impl App {
         Self(Box::leak(Box::new(page)))
     }
 
-    /// The words of the interface, without tracking: whatever shows words is built anew for another language.
+    /// The words of the interface, without tracking: every view with words is rebuilt for another language.
     pub fn words(self) -> &'static Words {
         words_in(self.language.get_untracked())
     }
@@ -237,8 +237,8 @@ impl App {
         frame::wake(self);
     }
 
-    /// Raises the counters of what has changed and says what is to be told. `values` says whether it is time to show
-    /// changing values anew.
+    /// Raises the counters of what has changed and speaks the announcements. `values` says whether it is time to show
+    /// changing values again.
     pub fn publish(self, values: bool, by_slider: bool) {
         let news = self.with(|lab| {
             let desk = lab.desk.as_mut()?;
@@ -292,7 +292,7 @@ impl App {
         let focused = browser::focused();
         // What reads several of them is built once.
         self.scope.run_in(|| batch(|| changed.into_iter().for_each(raise)));
-        // What had the focus and has been built anew has it again.
+        // An element that had the focus and was rebuilt gets it again.
         if browser::focused() != focused {
             browser::focus(&focused);
         }
@@ -327,7 +327,7 @@ impl App {
         self.spoken.set(words);
     }
 
-    /// Everything is built anew: for another document or language.
+    /// Rebuilds everything, for another document or language.
     pub fn rebuild(self) {
         self.changes.document.update(|count| *count += 1);
         self.acted(false);

@@ -10,7 +10,7 @@ use document::page::Source;
 use wasm_bindgen::JsValue;
 
 /// The fits side by side, and one of them in detail: `chosen`, or the best if they were `ranked`, or the last. While
-/// others are being made, nobody loses the place in what has not changed.
+/// others are being made, what has not changed keeps its place.
 pub fn view(app: App, chosen: Signal<Option<u32>>, ranked: Signal<bool>) -> View {
     let listed = memo(move || {
         app.changes.fits.track();

@@ -1,4 +1,4 @@
-// A record looked at before any theory: cycle by cycle, differentiated anew, read off the plots.
+// A record without a theory: cycle by cycle, differentiated, read off the plots.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";

@@ -79,7 +79,7 @@ visit("a virtual measurement is fitted, and the truth is found", async (lab) => 
   await lab.press("Measure");
   await records(lab).waitFor();
   assert.equal(await records(lab).locator(".tag").innerText(), "synthetic");
-  // Somewhere else, as if nobody knew.
+  // Somewhere else, as if the answer were unknown.
   await lab.tab("Play");
   await lab.press("Restore defaults");
   const found = await fit(lab);

@@ -1,4 +1,4 @@
-// Documents from strangers: whatever stands in them, nothing runs and nobody is asked for anything.
+// Documents from strangers: whatever stands in them, nothing runs and no request is made.
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";

@@ -1,4 +1,4 @@
-//! Steps with headings and times, and the programs they run. No shell is involved, so that it works alike everywhere.
+//! Steps with headings and times, and the programs they run. No shell is involved, so that it works the same way everywhere.
 
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! Velocity and acceleration of a measured column, made anew.
+//! Velocity and acceleration computed from a measured column.
 
 use crate::smoothing::{WIDEST, savitzky_golay};
 use crate::stencil::{Stencil, differentiate};

@@ -1,4 +1,4 @@
-//! Measured data meet a model: tables and their import, what a measurement hides, derivatives, cycles, least squares
+//! Measured data meet a model: tables and their import, data quality, derivatives, cycles, least squares
 //! with honest uncertainties, and the ranking of models.
 
 pub mod csv;

@@ -60,7 +60,7 @@ pub struct Gap {
     pub before: f64,
 }
 
-/// Beyond this part of a step the distances are uneven, and no frame can be told to be missing.
+/// Beyond this part of a step the distances are uneven, and missing frames cannot be found.
 const UNEVEN: f64 = 0.2;
 
 /// Beyond so many frames doubles do not count them one by one, and no clock has run so long.

@@ -55,7 +55,7 @@ pub enum Command {
     /// Measure an oscillation cycle by cycle: period, amplitude, damping
     #[command(after_help = CYCLES_EXAMPLES)]
     Cycles(Cycles),
-    /// Make velocity and acceleration of a measured column anew
+    /// Compute velocity and acceleration from a measured column
     #[command(after_help = DERIVATIVES_EXAMPLES)]
     Derivatives(Derivatives),
     /// Fit a document to measured data

@@ -239,7 +239,7 @@ impl Measured {
         Ok(())
     }
 
-    /// Refuses a column whose unit the file states but nobody knows; a fit would take it for another one.
+    /// Refuses a column whose unit the file states but Meniscus does not have; a fit would take it for another one.
     pub fn check_unit(&self, column: usize) -> Result<(), Failure> {
         let found =
             self.table.columns.get(column).filter(|column| column.unit.is_none()).map(|column| &column.origin.unit);

@@ -1,4 +1,4 @@
-//! `meniscus derivatives`: velocity and acceleration of a measured column, made anew.
+//! `meniscus derivatives`: velocity and acceleration computed from a measured column.
 
 use crate::arguments::{Derivatives, Difference};
 use crate::columns;
@@ -42,7 +42,7 @@ pub fn run(arguments: &Derivatives, terminal: Terminal) -> Result<(), Failure> {
     let unit =
         |unit: &Option<Unit>, fallback: &str| unit.as_ref().map_or(fallback.to_owned(), |unit| unit.text.clone());
     let (of_time, of_level) = (unit(&time.unit, "s"), unit(&table.columns[column].unit, ""));
-    // Without a unit of its own nobody knows that of its derivatives.
+    // Without a unit of its own its derivatives have none.
     let head = |name: &str, order: usize| match derivative::unit(&of_level, &of_time, order).as_str() {
         "" => name.to_owned(),
         unit => format!("{name} [{unit}]"),

@@ -55,7 +55,7 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
 pub struct Reader<'a> {
     /// The document's model.
     pub model: &'a mut Model,
-    /// Where errors of expressions are told.
+    /// Where errors of expressions are reported.
     pub terminal: Terminal,
 }
 
@@ -135,7 +135,7 @@ impl Reader<'_> {
         finite(what, value.unwrap_or(f64::NAN))
     }
 
-    /// An expression of the document, compiled; what is wrong with it is told.
+    /// An expression of the document, compiled; errors in it are reported.
     pub fn expression(&mut self, what: &str, text: &str) -> Result<Compiled, Failure> {
         let (expression, unit, mut diagnostics) = model::parse_expression(text, 0..text.len());
         if diagnostics.is_empty() {

@@ -50,7 +50,7 @@ impl Announcement {
     }
 }
 
-/// No more wait to be told at once.
+/// No more announcements than this wait at once.
 const MOST: usize = 16;
 
 /// Announcements that have not been taken.

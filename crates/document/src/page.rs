@@ -20,7 +20,7 @@ pub struct Options {
     pub bundle: Option<String>,
 }
 
-/// The page's content security policy: it asks nobody for anything, and what is not in the file does not exist for it.
+/// The page's content security policy: it makes no request, and what is not in the file does not exist for it.
 pub const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; \
                           img-src data: blob:; font-src data:; base-uri 'none'; form-action 'none'";
 

@@ -1,4 +1,4 @@
-//! `vary: b, v_0`: the parameters that a fit of the document varies unless it is told otherwise.
+//! `vary: b, v_0`: the parameters that a fit of the document varies unless another choice is made.
 
 use crate::expressions::Expressions;
 use crate::front_matter::Value;

@@ -116,7 +116,7 @@ impl Adaptive {
         self.below_peak = 1.0;
     }
 
-    /// Begins anew at `time` with `state`, after a jump of the state or the parameters.
+    /// Begins again at `time` with `state`, after a jump of the state or the parameters.
     pub fn restart(&mut self, time: f64, state: &[f64]) {
         self.last.start = time;
         self.last.size = 0.0;

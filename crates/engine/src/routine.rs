@@ -207,7 +207,7 @@ impl<'a> Compiler<'a> {
         if in_body { Stage::Body } else { Stage::Prologue }
     }
 
-    /// The operand of a sum or difference that is a product nobody else reads, and the other operand.
+    /// The operand of a sum or difference that is a product without other readers, and the other operand.
     fn product(&self, node: Node, stage: Stage) -> Option<(NodeId, NodeId)> {
         let (Node::Binary(Binary::Add, a, b) | Node::Binary(Binary::Subtract, a, b)) = node else {
             return None;

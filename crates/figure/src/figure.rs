@@ -60,7 +60,7 @@ pub enum Ink {
     Band(u8),
 }
 
-/// The dashes of a line, so that lines can be told apart without colour.
+/// The dashes of a line, so that lines can be distinguished without colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dash {
     /// No gaps.

@@ -1,6 +1,6 @@
 //! What is to be drawn: a plot with its axes and series, borrowed from whoever has the data.
 
-/// A plot. Columns and texts are borrowed; the few axes and series are listed anew for each layout.
+/// A plot. Columns and texts are borrowed; the few axes and series are listed again for each layout.
 #[derive(Clone, Debug, Default)]
 pub struct Plot<'a> {
     /// The title above the plot; nothing is drawn when it is empty.

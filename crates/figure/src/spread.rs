@@ -9,7 +9,7 @@ use crate::series::visible_rows;
 
 /// Half the length of the line across the end of an error bar, in pixels.
 const CAP: f32 = 2.0;
-/// With more bars than this in a panel none could be told from another, and none is drawn.
+/// More bars than this in a panel could not be distinguished, and none is drawn.
 const MOST_BARS: usize = 1000;
 
 /// What the ordinates may reach, with their uncertainties.

@@ -1,5 +1,5 @@
-//! From rows of values to polylines in pixels: broken at jumps, clipped to the panel, and without the points that nobody
-//! could see.
+//! From rows of values to polylines in pixels: broken at jumps, clipped to the panel, and without the points that could
+//! not be seen.
 //!
 //! Two things are left out. Of the many points that share one column of pixels in dense data that go forward, the first,
 //! the lowest, the highest and the last are kept (the M4 aggregation of Jugel and others, 2014). And of a run of points

@@ -1,4 +1,4 @@
-//! Velocity and acceleration of a record's column, made anew: which column, by which method.
+//! Velocity and acceleration computed from a record's column: which column, by which method.
 
 use crate::app::App;
 use desk::{ColumnView, Differentiation, RecordView};

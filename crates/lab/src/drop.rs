@@ -40,7 +40,7 @@ pub fn listen(app: App) {
             opening::open_files(app, &files);
         }
     });
-    // A drag that ends elsewhere, or with Escape, may not be told; a pointer that moves again has let go.
+    // A drag that ends elsewhere, or with Escape, may cause no event; a pointer that moves again has let go.
     browser::listen("pointermove", move |_: &Event| {
         if app.dragging_files.get_untracked() {
             app.dragging_files.set(false);

@@ -16,7 +16,7 @@ pub(crate) const NODES: usize = 50_000;
 
 /// Coefficients of highest derivatives in all expressions that contain such.
 pub(crate) const COEFFICIENTS: usize = 1_000_000;
-/// Errors of one kind that are told; an author reads no more of them.
+/// Errors of one kind that are reported; an author reads no more of them.
 pub(crate) const TOLD: usize = 50;
 /// Further places that one diagnostic shows.
 pub(crate) const PLACES: usize = 3;

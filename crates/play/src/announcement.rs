@@ -16,7 +16,7 @@ pub enum Announcement {
     Scrubbed(f64),
     /// Back at time 0, with the parameters and the start as they are.
     BackAtStart,
-    /// The run began anew because this parameter decides an initial value.
+    /// The run restarted because an initial value depends on this parameter.
     Restarted(usize),
     /// A parameter has this SI value now.
     ParameterSet(usize, f64),
@@ -108,7 +108,7 @@ impl Announcement {
 #[derive(Debug, Default)]
 pub(crate) struct Announcements(VecDeque<Announcement>);
 
-/// Nobody listens to more at once.
+/// More of them at once would not be listened to.
 const MOST: usize = 16;
 
 impl Announcements {

@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::golden::{UTUBE, setup};
 
-/// A run is begun anew after so many steps: much later the damped motion would be made of subnormal numbers, which are slow
+/// A run begins again after so many steps: much later the damped motion would be made of subnormal numbers, which are slow
 /// on some processors.
 const STEPS_OF_A_RUN: u32 = 20_000;
 

@@ -10,7 +10,7 @@ pub struct Question {
     /// Parameter values that the question supposes. Its answer is computed with these in place of the present ones,
     /// and the laboratory offers to set them.
     pub setup: Vec<Assignment>,
-    /// Which of [`program::Model::quantities`] would give the answer away: their values are hidden until it is given.
+    /// Which of [`crate::Model::quantities`] would give the answer away: their values are hidden until it is given.
     pub hides: Vec<usize>,
     /// The answer, in terms of parameters only; always a number.
     pub answer: Compiled,

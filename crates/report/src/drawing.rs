@@ -111,7 +111,7 @@ pub fn residuals(report: &Report<'_>, fit: &ObservationFit, title: &str, reach: 
     draw(report, fit, &columns(report, fit, reach), title, SLIM, WIDTH - width, Some(reach)).svg(&Palette::LIGHT)
 }
 
-/// One of the panels, told apart by its height, so much narrower than the page.
+/// One of the panels, identified by its height, so much narrower than the page.
 fn draw(
     report: &Report<'_>,
     fit: &ObservationFit,

@@ -1,7 +1,7 @@
 //! What is handed in after a fit: one HTML page that prints well, a workbook, CSV and figures, in English and Spanish.
 //!
-//! Everything is made from a finished [`analysis::fit::Outcome`] and its document; nothing is computed anew, and nothing
-//! is read from or written to a disk. The page holds no script and asks nobody for anything.
+//! Everything is made from a finished [`analysis::fit::Outcome`] and its document; nothing more is computed, and nothing
+//! is read from or written to a disk. The page holds no script and makes no request.
 
 mod drawing;
 mod export;

@@ -18,7 +18,7 @@ pub struct Ranking<'a> {
     pub command: &'a str,
 }
 
-/// A difference of AICc, in values that count, within which theories cannot be told apart, and one beyond which a theory is
+/// A difference of AICc, in values that count, within which theories are equally good, and one beyond which a theory is
 /// ruled out (Burnham & Anderson, Model Selection, 2002, section 2.6).
 const ALIKE: f64 = 2.0;
 const RULED_OUT: f64 = 10.0;

@@ -74,7 +74,7 @@ fn the_page_says_what_was_found() {
     assert!(page.contains("<mfrac>") && page.contains("<msqrt>"), "equations are typeset");
     assert_eq!(page.matches("<svg").count(), 3, "two panels in one drawing");
     assert!(!page.contains("<script"));
-    // Names of XML vocabularies, which nobody asks for.
+    // Names of XML vocabularies, which are never requested.
     assert_eq!(
         page.matches("http").count(),
         page.matches("http://www.w3.org/").count() + page.matches("http-equiv").count()

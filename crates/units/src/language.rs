@@ -56,7 +56,7 @@ impl Language {
     }
 }
 
-/// A text in every language: of a message that is made where nobody knows yet who will read it.
+/// A text in every language: of a message that is made before the language of its reader is known.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Words {
     /// The English text.

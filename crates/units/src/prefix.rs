@@ -9,7 +9,7 @@ const USUAL: [(&str, i32); 7] = [("p", -12), ("n", -9), ("µ", -6), ("m", -3), (
 const SMALL: f64 = 1e-3;
 const LARGE: f64 = 1e6;
 
-/// Residuals and errors, whose unit nobody has chosen, are readable from this size on.
+/// Residuals and errors, whose unit was not chosen, are readable from this size on.
 const SMALL_RESIDUAL: f64 = 1e-2;
 
 impl Unit {

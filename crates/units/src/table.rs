@@ -201,7 +201,7 @@ fn together(text: &str) -> Option<String> {
     })
 }
 
-/// How a dimension's SI unit is written where nobody stated one: with a unit of its own name, if that is what people
+/// How a dimension's SI unit is written where none is stated: with a unit of its own name, if that is what people
 /// say.
 pub(crate) const PREFERRED: &[&str] = &[
     "N", "Pa", "J", "W", "C", "V", "ohm", "F", "Wb", "T", "H", "Pa s", "N/m", "V/m", "J/K", "W/m^2", "J/(kg K)",

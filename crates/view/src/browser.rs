@@ -27,7 +27,7 @@ pub fn focus(id: &str) {
     }
 }
 
-/// The same once what is being built anew is there.
+/// The same in the next frame, when the views have been rebuilt.
 pub fn focus_later(id: String) {
     let focus = Closure::once_into_js(move || focus(&id));
     let _ = window().request_animation_frame(focus.unchecked_ref());

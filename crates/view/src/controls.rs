@@ -176,7 +176,7 @@ fn numerics(app: App) -> HtmlDetails {
     let summary = summary().child(h3().child(words.numerics));
     let mut details = details();
     let node: HtmlDetailsElement = details.node();
-    // They stay open where all is built anew, in another language.
+    // They stay open when the page is rebuilt in another language.
     details
         .class("block numerics")
         .open(app.numerics_open.get_untracked())

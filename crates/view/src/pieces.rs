@@ -57,7 +57,7 @@ pub fn short_field(id: String) -> HtmlInput {
     input().r#type("text").class("number").id(id).autocomplete("off").attr("spellcheck", "false")
 }
 
-/// A box to tick. What is built anew by ticking it gives the focus back to its place.
+/// A box to tick. A view that is rebuilt by ticking it gives the focus back to its place.
 pub fn tick(id: String, ticked: bool, act: impl Fn(bool) + 'static) -> HtmlInput {
     let place = id.clone();
     let ticking = move |event| {

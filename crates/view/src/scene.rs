@@ -223,7 +223,7 @@ impl Outline {
         if let Some(node) = self.copy(&scene.root, &follows, "g") {
             let _ = node.set_attribute("aria-hidden", "true");
             let _ = node.set_attribute("pointer-events", "none");
-            // The handles stay on top, or nobody could take hold of them.
+            // The handles stay on top, so that they can be grabbed.
             let _ = root.append_child(&node);
             self.node = Some(node);
         }

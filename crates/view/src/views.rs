@@ -79,13 +79,13 @@ pub fn text(read: impl FnMut() -> String + 'static) -> View {
     memo(read).into()
 }
 
-/// A part that is built anew whenever something has changed that it reads.
+/// A part that is rebuilt whenever something that it reads has changed.
 pub fn changing<V: Into<View>>(mut build: impl FnMut() -> V + 'static) -> View {
     let build: Box<dyn FnMut() -> View> = Box::new(move || build().into());
     View::from_dynamic(build)
 }
 
-/// A value that is computed anew whenever something has changed that it reads, and tells only when it differs.
+/// A value that is computed again whenever something that it reads has changed. It notifies its readers only when it differs.
 pub fn memo<T: PartialEq>(compute: impl FnMut() -> T + 'static) -> ReadSignal<T> {
     let compute: Box<dyn FnMut() -> T> = Box::new(compute);
     create_selector(compute)

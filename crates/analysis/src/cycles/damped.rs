@@ -129,7 +129,7 @@ impl Damped {
     }
 
     /// The covariance of cosine, sine, offset, frequency and damping, from the scatter of the residuals; `basis` is its
-    /// own. `None` with no more points than parameters, or where they cannot be told apart.
+    /// own. `None` with no more points than parameters, or where the data cannot determine all of them.
     pub fn covariance(&self, points: Points, basis: &[(f64, f64)]) -> Option<[[f64; 5]; 5]> {
         let freedom = points.values.len().checked_sub(5).filter(|freedom| *freedom > 0)?;
         let variance = self.squares / freedom as f64;

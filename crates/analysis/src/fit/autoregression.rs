@@ -10,7 +10,7 @@ use super::statistics;
 
 /// The correlation of neighbours in fewer values than this is not asked for.
 const LONG: usize = 12;
-/// The greatest correlation that is told from a random walk.
+/// The greatest correlation that is distinguished from a random walk.
 pub(crate) const MOST: f64 = 0.99;
 /// The step of the numerical derivative by rho.
 const STEP: f64 = 0.005;

@@ -106,7 +106,7 @@ impl Covariance {
         self.errors.iter().map(Errors::independent).sum()
     }
 
-    /// Whether the residuals of a series cannot be told from a random walk.
+    /// Whether the residuals of a series cannot be distinguished from a random walk.
     pub fn wanders(&self) -> bool {
         self.errors.iter().any(|errors| errors.rho >= MOST)
     }
@@ -129,7 +129,7 @@ fn quadratic(matrix: &[f64], gradient: &[f64]) -> f64 {
     (0..size).fold(0.0, |sum, row| sum + gradient[row] * dot(&matrix[row * size..(row + 1) * size], gradient))
 }
 
-/// The places of the values of each observation of each record, in the order of time; `wanted` is told whether it was measured.
+/// The places of the values of each observation of each record, in the order of time; `wanted` gets whether it was measured.
 pub(crate) fn series(plans: &[Plan], wanted: impl Fn(bool) -> bool) -> Vec<Vec<usize>> {
     let mut series = Vec::new();
     let mut base = 0;

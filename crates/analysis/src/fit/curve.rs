@@ -87,7 +87,7 @@ impl Curve {
         }
         let rates = match targets.contains(&Target::Origin) {
             true => extended.rates_of(observed),
-            // Nobody asks for them.
+            // They are not needed.
             false => vec![extended.graph.constant(0.0); observed.len()],
         };
         let mut roots = Vec::new();

@@ -79,7 +79,7 @@ impl Fit {
     const BETTER: f64 = 1e-6;
     /// What explains this part of the scatter is not searched further.
     const EXPLAINED: f64 = 0.9;
-    /// How often several observations are weighed anew by their own scatter, at most.
+    /// How often several observations are weighted again by their own scatter, at most.
     const WEIGHINGS: usize = 12;
 
     /// Checks a task and begins.
@@ -270,7 +270,7 @@ impl Fit {
             self.remember_end(&search);
         }
         let better = match &self.best {
-            // Refined or weighed anew, sums of squares cannot be compared; what is searched then goes on from the best.
+            // Refined or weighted again, sums of squares cannot be compared; what is searched then goes on from the best.
             Some(_) if self.refined => search.sum.is_finite(),
             Some(best) => search.sum < best.sum * (1.0 - Self::BETTER),
             None => search.sum.is_finite(),
@@ -303,7 +303,7 @@ impl Fit {
     }
 
     /// Where to search once more: from the best itself where equations are now integrated more exactly, or several
-    /// observations weighed anew by their own scatter, until that no longer changes; or from its like among those that fit
+    /// observations weighted again by their own scatter, until that no longer changes; or from its like among those that fit
     /// as well.
     fn continuation(&mut self, best: &Search) -> Option<Vec<f64>> {
         let first = !std::mem::replace(&mut self.refined, true);

@@ -54,7 +54,7 @@ impl Outside {
 
 impl ObservationFit {
     /// How many values the model has in a part of the rows, and the root of the mean square of measured minus fitted there;
-    /// `wanted` is told the time of a row, and whether it was in the fitted part.
+    /// `wanted` gets the time of a row, and whether it was in the fitted part.
     pub fn error_where(&self, wanted: impl Fn(f64, bool) -> bool) -> Outside {
         let part = self.residuals_where(wanted);
         let squares = part.iter().fold(0.0, |sum, residual| sum + residual * residual);
@@ -85,7 +85,7 @@ impl ObservationFit {
         }
     }
 
-    /// Computes from the columns what is told of them.
+    /// Computes the summary of the columns.
     pub(super) fn summarise(&mut self) {
         let residuals = self.inside_residuals();
         let squares = residuals.iter().fold(0.0, |sum, residual| sum + residual * residual);

@@ -65,7 +65,7 @@ pub struct Outcome {
     /// How many independent values would tell as much about a slow change as all measured values do, by the correlation of
     /// their errors.
     pub independent: f64,
-    /// Whether the errors cannot be told from a random walk: the record is too short for any correlation to be found.
+    /// Whether the errors cannot be distinguished from a random walk: the record is too short for any correlation to be found.
     pub wanders: bool,
     /// What was varied, in the order of the search.
     pub parameters: Vec<Estimate>,

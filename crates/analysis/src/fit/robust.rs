@@ -3,7 +3,7 @@
 //!
 //! It is least squares with weights that follow the residuals. The scale of these is their median absolute value, made that
 //! of a normal distribution. First Huber's loss with the scale that least squares leaves; its minimum is the only one
-//! where the curve is linear in what is varied, and from there the chosen loss, with the scale taken anew in every round,
+//! where the curve is linear in what is varied, and from there the chosen loss, with the scale computed again in every round,
 //! until neither changes. Tukey's loss has several minima: so it begins where Huber's ends.
 
 use super::covariance::series;

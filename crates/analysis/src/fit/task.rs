@@ -17,8 +17,8 @@ pub struct Observation {
     pub values: Vec<f64>,
     /// The standard error of each value, where it is known.
     pub errors: Option<Vec<f64>>,
-    /// Which observation of the same record this one was computed from (a velocity by finite differences): it is no second
-    /// witness.
+    /// Which observation of the same record this one was computed from (a velocity by finite differences): it adds no
+    /// independent information.
     pub derived_from: Option<usize>,
 }
 

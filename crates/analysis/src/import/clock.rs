@@ -117,7 +117,7 @@ pub(super) fn times(readings: &[Reading], stated: Option<Form>) -> Times {
     times
 }
 
-/// Days since 1 January 1970 of the date at the beginning, and what follows. Where nobody can know which number is the
+/// Days since 1 January 1970 of the date at the beginning, and what follows. Where it is ambiguous which number is the
 /// month (`1/2/2026`) there are no days, and the date does not count.
 fn date(text: &str) -> Option<(Option<f64>, &str)> {
     let end = text.find(['T', ' ', ',']).unwrap_or(text.len());

@@ -193,7 +193,7 @@ fn named(line: &str, delimiter: Delimiter, columns: usize) -> Vec<Head> {
             None => label::read(cell),
         });
     }
-    // `y [cm] (left)` and `y [cm] (right)` are told apart by what stands behind.
+    // `y [cm] (left)` and `y [cm] (right)` are distinguished by what stands behind.
     let full: Vec<(String, Option<String>)> =
         labels.iter().map(|label| (label.name.clone(), label.run.clone())).collect();
     let mut heads: Vec<Head> = Vec::with_capacity(columns.max(labels.len()));

@@ -50,7 +50,7 @@ pub struct Import {
     pub format: Format,
 }
 
-/// Nobody reads more about columns.
+/// The most findings about columns that are reported.
 const FINDINGS: usize = 20;
 
 /// No table of measured data has more columns.
@@ -59,7 +59,7 @@ const COLUMNS: usize = 10_000;
 /// Reads delimited text.
 ///
 /// # Errors
-/// When the bytes are no text, or the text is no table of at least two columns and rows of numbers, or nobody can know what
+/// When the bytes are no text, or the text is no table of at least two columns and rows of numbers, or it is ambiguous what
 /// its numbers or its times are.
 pub fn text(bytes: &[u8]) -> Result<Import, ImportError> {
     let mut importer = Importer::new(decode::decode(bytes)?)?;
@@ -278,7 +278,7 @@ fn refuse_unread_times(heads: &[Head], rows: &Rows) -> Result<(), ImportError> {
     }
 }
 
-/// Two names over four numbers, all commas: nobody can tell which commas are decimal signs.
+/// Two names over four numbers, all commas: it is ambiguous which commas are decimal signs.
 fn refuse_double_commas(heads: &[Head], rows: &Rows, format: &Format) -> Result<(), ImportError> {
     let names = heads.iter().take_while(|head| !head.name.is_empty()).count();
     let whole = |values: &Vec<f64>| values.iter().all(|value| value.is_nan() || value.fract() == 0.0);

@@ -8,7 +8,7 @@ use super::refusal::{ImportError, Refusal};
 use super::{COLUMNS, header};
 use crate::finding::Finding;
 
-/// So many words are told one by one.
+/// So many words are reported one by one.
 const TOLD: usize = 5;
 /// So many cells, or as many as the file has bytes: then a longer row makes no new columns. Otherwise a small file could
 /// ask for any amount of memory.

@@ -33,7 +33,7 @@ struct Column {
 /// form `1,295`, a column of those alone has a decimal sign, as programs write that always give three decimals. A
 /// column that also has whole numbers without it contradicts itself. Then the reading counts by which the values follow each other
 /// far more smoothly, or the one with groups if it is smoother at all and one of the numbers ends with a zero. Otherwise
-/// nobody can know.
+/// the column is ambiguous.
 ///
 /// # Errors
 /// When both readings are possible.

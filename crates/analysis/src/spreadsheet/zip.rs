@@ -1,4 +1,4 @@
-//! A ZIP archive whose files are stored as they are (PKWARE, APPNOTE.TXT 6.3.3). Made anew it has the same bytes: the time
+//! A ZIP archive whose files are stored as they are (PKWARE, APPNOTE.TXT 6.3.3). Made again it has the same bytes: the time
 //! in it is the first that the format has.
 
 /// The first of January 1980.

@@ -59,7 +59,7 @@ pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     output::print(&shown)
 }
 
-/// Reads the data; what was understood of their columns is told where the result has no place for it.
+/// Reads the data. What was understood of their columns is printed where the result has no place for it.
 pub fn read(paths: &[PathBuf], arguments: &Common, terminal: Terminal) -> Result<Vec<Measured>, Failure> {
     let data: Vec<Measured> = paths.iter().map(|path| data::read(path, &arguments.unit)).collect::<Result<_, _>>()?;
     if arguments.format == Form::Text {

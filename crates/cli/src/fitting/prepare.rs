@@ -21,7 +21,7 @@ pub struct Theory {
     pub document: Document,
 }
 
-/// Opens a document as a theory; what is wrong with it is told.
+/// Opens a document as a theory; errors in it are reported.
 pub fn theory(path: &Path, terminal: Terminal) -> Result<Theory, Failure> {
     let loaded = Loaded::open(load::sources(path)?);
     terminal.report(&loaded);

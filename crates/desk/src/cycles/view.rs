@@ -181,7 +181,7 @@ impl Desk {
         (number::unit_text(&found.unit.text), number::unit_text(&self.play.model().independent.unit.text))
     }
 
-    /// The cycles that are looked at; none while nobody looks.
+    /// The cycles, while they are shown; otherwise none.
     pub fn cycles(&self) -> Option<CyclesView> {
         let found = self.cycle_view.found.as_ref()?;
         let Some(cycles) = &found.cycles else {

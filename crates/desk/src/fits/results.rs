@@ -254,7 +254,7 @@ impl Desk {
         }
     }
 
-    /// The true value of an estimate, where nobody measured its records and they agree about it.
+    /// The true value of an estimate, where its records are simulated and agree about it.
     fn truth(&self, fit: &Fitted, one: &Estimate) -> Option<f64> {
         let of = |place: usize| {
             let record = self.record(fit.definition.parts.get(place)?.record)?;

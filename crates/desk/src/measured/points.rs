@@ -1,4 +1,4 @@
-//! Measured values beside the model's: points over curves, what is left over between them, and the ghost in the scene.
+//! Measured values beside the model's: points over curves, the residuals between them, and the outline in the scene.
 
 use crate::Desk;
 use crate::measured::outline::Outline;

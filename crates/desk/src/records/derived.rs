@@ -1,5 +1,5 @@
-//! Velocities and accelerations that a person has made of a column: columns of the record like others, but known to be
-//! no witnesses of their own.
+//! Velocities and accelerations that a person has made of a column: columns of the record like others, but marked as not
+//! independent of their source.
 
 use crate::records::recognise::{Meaning, observed};
 use crate::records::record::{Record, Use};

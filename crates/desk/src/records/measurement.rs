@@ -150,7 +150,7 @@ impl Desk {
     }
 }
 
-/// The unit in which errors are told: the thousandth of the quantity's, where that has a name.
+/// The unit in which errors are written: the thousandth of the quantity's, where that has a name.
 fn fine(unit: &units::Unit) -> units::Unit {
     let thousandth = units::Unit::parse(&format!("m{}", unit.text)).ok();
     thousandth.filter(|fine| fine.dimension == unit.dimension).unwrap_or_else(|| unit.clone())

@@ -1,5 +1,5 @@
 //! Records: measured data beside the model. A record belongs to no document; which of the document's quantities its
-//! columns measure is recognised anew for each.
+//! columns measure is recognised for each document.
 
 use crate::records::derived::{Made, differentiation};
 use crate::records::recognise::{Meaning, recognise};
@@ -48,7 +48,7 @@ pub(crate) struct Record {
     pub origin: Option<Origin>,
     /// Values that parameters have in this record, by name and SI, for fits of several.
     pub known: BTreeMap<String, f64>,
-    /// The true values of parameters, by name and SI, if nobody measured it.
+    /// The true values of parameters, by name and SI, if the data are simulated.
     pub truth: Option<Vec<(String, f64)>>,
 }
 
@@ -69,7 +69,7 @@ pub(crate) struct Use {
     pub fitted: bool,
     /// The zero of its scale, SI, as a fit has found it.
     pub offset: f64,
-    /// Whether a person has said so: then it is not recognised anew.
+    /// Whether a person has chosen it: then it is not recognised again.
     pub chosen: bool,
     /// Whether a person has stated the unit.
     pub stated: bool,
@@ -86,7 +86,7 @@ pub struct RecordView {
     pub rows: usize,
     /// Whether it is drawn.
     pub shown: bool,
-    /// Whether nobody measured it.
+    /// Whether its data are simulated.
     pub synthetic: bool,
     /// Whether it will be there at the next visit; the longest are not.
     pub lasting: bool,
@@ -308,7 +308,7 @@ impl Desk {
         self.recognise_records();
     }
 
-    /// Recognises all columns anew that nobody has chosen.
+    /// Recognises again all columns whose quantity no person has chosen.
     pub(crate) fn recognise_records(&mut self) {
         let mut records = std::mem::take(&mut self.data.records);
         for record in &mut records {
@@ -347,7 +347,7 @@ impl Record {
         let made = self.table.columns.split_off(self.read_columns());
         let mut meanings = recognise(&self.table, document, labels);
         self.table.columns.extend(made);
-        // The first column that is a witness of its own is what a fit follows.
+        // A fit follows the first column that was not computed from another one.
         let witness = |(column, meaning): (usize, &Meaning)| {
             !meaning.quantity.is_empty()
                 && meaning.quantity != model.independent.name

@@ -154,7 +154,7 @@ pub(crate) fn read_values(text: &str) -> impl Iterator<Item = (&str, f64)> {
     })
 }
 
-/// What columns are taken for: `1,1,y,cm;2,0,y',~cm/s`; the tilde is before a unit that nobody has stated.
+/// What columns are taken for: `1,1,y,cm;2,0,y',~cm/s`; the tilde is before a unit that no person has stated.
 pub(crate) fn write_uses<'a>(uses: impl Iterator<Item = (usize, &'a Use)>) -> String {
     let entry = |(column, Use { meaning, fitted, stated, .. }): (usize, &Use)| {
         let sign = if *stated { "" } else { "~" };

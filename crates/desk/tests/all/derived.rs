@@ -1,4 +1,4 @@
-//! What a person makes of a record and reads off it: derivatives made anew, measured points under the pointer.
+//! What a person makes of a record and reads off it: derivatives of a column, measured points under the pointer.
 
 use crate::support::followed;
 use crate::support::{play, utube};

@@ -63,7 +63,7 @@ fn columns_are_taken_for_what_a_person_says() {
     desk.set_column_quantity(id, 2, "");
     desk.set_column_fitted(id, 1, false);
     assert_eq!(meanings(&desk, 0), owned(&[("t", "s", false), ("y", "cm", false), ("", "m/s", false)]));
-    // What was said holds where the next document has the quantity too, and what was not is recognised anew.
+    // A chosen quantity stays where the next document has it too; all others are recognised again.
     let mut linear = Desk::open(theory("linear"));
     linear.adopt_records(&mut desk);
     assert_eq!(meanings(&linear, 0), owned(&[("t", "s", false), ("y", "cm", false), ("", "m/s", false)]));

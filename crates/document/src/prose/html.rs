@@ -150,7 +150,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Told once for each paragraph.
+    /// Reported once for each paragraph.
     fn raw_html(&mut self, text: &str, span: Span) {
         if !self.told_of_html {
             self.told_of_html = true;

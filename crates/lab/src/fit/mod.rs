@@ -108,7 +108,7 @@ fn running(app: App) -> View {
             format!("{place}{theory}, {trials} {}", words.fit_trials)
         })
     };
-    // Where there is but one fit, nobody knows how much of it is done.
+    // How much of a single fit is done is unknown.
     let part = move || {
         let (done, all) = finished();
         (all > 1).then(|| done.to_string())

@@ -11,7 +11,7 @@ use view::views::*;
 use wasm_bindgen::JsValue;
 
 /// The fits side by side, and one of them in detail: `chosen`, or the best if they were `ranked`, or the last. While
-/// others are being made, nobody loses the place in what has not changed.
+/// others are being made, what has not changed keeps its place.
 pub fn view(app: App, chosen: Signal<Option<u32>>, ranked: Signal<bool>) -> View {
     let listed = memo(move || {
         app.fits.track();

@@ -24,7 +24,7 @@ pub fn record(app: App, refusal: Refusal) -> View {
     View::from((line, changing(move || together(app, records.get_clone()))))
 }
 
-/// What is varied. It is built anew only where it has changed, so that nobody is interrupted while typing.
+/// What is varied. It is rebuilt only where it has changed, so that typing is not interrupted.
 pub fn varied(app: App, refusal: Refusal) -> View {
     let choices = memo(move || {
         app.changes.parameters.track();

@@ -2,7 +2,7 @@
 //!
 //! What the author states counts before what follows from it: first stated units, then definitions without one, initial
 //! values, equations, and at last the values of definitions with a stated unit, which are only checked against it. So a
-//! slip in a definition is told there, and not in the equations that use it. An initial value that is a bare number comes
+//! slip in a definition is reported there, and not in the equations that use it. An initial value that is a bare number comes
 //! after the equations: its unit was likely forgotten.
 
 use super::describe::with_article;

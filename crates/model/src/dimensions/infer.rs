@@ -100,7 +100,7 @@ impl Inference<'_> {
         }
     }
 
-    /// The dimension of what must be a number; `None` if it is not, which is told.
+    /// The dimension of what must be a number; `None` if it is not, which is reported.
     fn number(&mut self, expression: &Expression, user: &Words) -> Option<Form> {
         let found = match self.expression(expression) {
             Type::Number(form) => return Some(form),

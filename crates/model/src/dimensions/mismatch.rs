@@ -54,7 +54,7 @@ impl Place {
 }
 
 impl Inference<'_> {
-    /// Requires one dimension of all terms, and answers it. If they differ, those that differ from the most are told, and
+    /// Requires one dimension of all terms, and returns it. If they differ, those that differ from most terms are reported, and
     /// nothing more is said about what is computed from them.
     pub fn alike(&mut self, terms: &[Term], place: Place) -> Type {
         let usable: Vec<(usize, &Term, &Form)> = terms

@@ -12,7 +12,7 @@ pub(crate) enum Type {
     Truth,
     /// A text.
     Text,
-    /// Something is wrong with it and has been told; nothing more is said about what depends on it.
+    /// Something is wrong with it and has been reported; nothing more is said about what depends on it.
     Unknown,
 }
 

@@ -34,7 +34,7 @@ struct Lexer<'a> {
     end: usize,
     tokens: Vec<Token>,
     diagnostics: Vec<Diagnostic>,
-    /// The characters of this line that mean nothing; each is told once.
+    /// The characters of this line that mean nothing; each is reported once.
     strange: Vec<char>,
 }
 

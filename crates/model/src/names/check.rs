@@ -8,18 +8,18 @@ use crate::{Diagnostic, Expression, ExpressionKind, Name, Span};
 use program::functions::Function;
 use units::{Words, words};
 
-/// Collects what is wrong with the names of expressions. An unknown name is told once, with all its places.
+/// Collects what is wrong with the names of expressions. An unknown name is reported once, with all its places.
 #[derive(Debug)]
 pub(crate) struct NameCheck<'a> {
     scope: &'a Scope,
-    /// Names that have no meaning, which was told elsewhere.
+    /// Names without a meaning that have been reported elsewhere.
     told: Vec<&'a str>,
     unknown: Vec<(&'a str, u32, Vec<Span>)>,
     diagnostics: Vec<Diagnostic>,
 }
 
 impl<'a> NameCheck<'a> {
-    /// Nothing looked at yet. About the names `told`, nothing more is said.
+    /// An empty check. The names in `told` are not reported again.
     pub fn new(scope: &'a Scope, told: Vec<&'a str>) -> Self {
         Self { scope, told, unknown: Vec::new(), diagnostics: Vec::new() }
     }

@@ -7,8 +7,8 @@ use crate::Diagnostic;
 use crate::matching::blocks;
 use units::{Words, words};
 
-/// Indices of definitions, each after those it uses. Members of circles, and what uses them, are left out; each circle
-/// is told.
+/// Indices of definitions, each after those it uses. Members of circles, and what uses them, are left out. Each circle
+/// is reported.
 pub(crate) fn definition_order(declarations: &Declarations, diagnostics: &mut Vec<Diagnostic>) -> Vec<usize> {
     let uses = uses(declarations);
     let order = sorted(&uses);

@@ -178,7 +178,7 @@ fn check_counts(
             diagnostic.with_hint(words("leave one of them out", "omite una de ellas"))
         });
     }
-    // If an equation is left over and the number is right, that equation was meant for the unknown: it was told.
+    // If an equation is left over and the number is right, that equation was meant for the unknown and has been reported.
     let paired = equation_of.iter().flatten().count();
     let too_few = unknowns.len() > declarations.equations.len() || paired == declarations.equations.len();
     for (index, unknown) in unknowns.iter().enumerate() {

@@ -9,7 +9,7 @@ use units::{Unit, Words, words};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Told;
 
-/// What reading something gives, or that the reason why not has been told.
+/// The result of reading something; an error has already been reported.
 pub(super) type Read<T> = Result<T, Told>;
 
 /// Reads tokens one after the other.
@@ -140,7 +140,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The unit that stands in brackets at `inside`; what is wrong with it is told.
+    /// The unit that stands in brackets at `inside`; errors in it are reported.
     pub(super) fn unit(&mut self, inside: Range<usize>) -> Read<Unit> {
         let text = &self.source[inside.clone()];
         Unit::parse(text).map_err(|error| {
@@ -154,7 +154,7 @@ impl<'a> Cursor<'a> {
         })
     }
 
-    /// Reads `in [unit]` if it comes next. A unit that is wrong is told and left out.
+    /// Reads `in [unit]` if it comes next. A wrong unit is reported and left out.
     pub(super) fn stated_unit(&mut self) -> Read<Option<StatedUnit>> {
         let Some(keyword) = self.take_keyword(Keyword::In) else {
             return Ok(None);

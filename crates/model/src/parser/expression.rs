@@ -149,7 +149,7 @@ impl Cursor<'_> {
                 continue;
             }
             let Some((operator, strength)) = operator(self.peek()) else {
-                // `2 g`, `(a)(b)`: told, and then read as the product that was meant.
+                // `2 g`, `(a)(b)`: reported, and then read as the product that was meant.
                 if weakest <= Strength::Product && self.begins_operand() {
                     self.missing_operator(&left);
                     let right = self.climb(right_of(Strength::Product))?;

@@ -31,7 +31,7 @@
 //! characters such as ²; PRIMES follow their name without a blank.
 //!
 //! The parser cannot fail: it returns what it could read, with [`ExpressionKind::Error`] in the place of what it could
-//! not, and says why in diagnostics. After an error it goes on with the next statement, so that each mistake is told
+//! not, and says why in diagnostics. After an error it goes on with the next statement, so that each mistake is reported
 //! once. Nesting is bounded, so that no text can exhaust the stack, here or in what walks the tree later.
 
 mod cursor;

@@ -28,7 +28,7 @@ impl Play {
         Method::ALL.into_iter().map(view).collect()
     }
 
-    /// Chooses a method by its name; the run starts anew from where it began.
+    /// Chooses a method by its name; the run restarts from where it began.
     pub fn set_method(&mut self, name: &str) -> Result<(), Refusal> {
         let method: Method = name.parse().map_err(|_| Refusal::Unknown { name: name.to_owned() })?;
         if let Some(refusal) = self.method_refusal(method) {
@@ -56,7 +56,7 @@ impl Play {
         )
     }
 
-    /// Sets the step from what was typed; the run starts anew from where it began.
+    /// Sets the step from what was typed; the run restarts from where it began.
     pub fn set_step_text(&mut self, text: &str) -> Result<(), Refusal> {
         if text.trim() == self.step_text().0 {
             return Ok(());
@@ -65,7 +65,7 @@ impl Play {
         self.set_step(step)
     }
 
-    /// Sets the step (SI); the run starts anew from where it began.
+    /// Sets the step (SI); the run restarts from where it began.
     pub fn set_step(&mut self, step: f64) -> Result<(), Refusal> {
         if !(step.is_finite() && step > 0.0) {
             return Err(Refusal::NotPositive);

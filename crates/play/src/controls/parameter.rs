@@ -30,7 +30,7 @@ pub struct ParameterView {
     pub slider: Option<Slider>,
     /// Whether it has its default value.
     pub is_default: bool,
-    /// Whether changing it starts the run anew.
+    /// Whether changing it restarts the run.
     pub restarts: bool,
 }
 
@@ -60,7 +60,7 @@ impl Play {
         })
     }
 
-    /// Sets a parameter to an SI value. One on which an initial value depends starts the run anew; any other takes
+    /// Sets a parameter to an SI value. One on which an initial value depends restarts the run; any other takes
     /// effect from the next step on.
     pub fn set_parameter(&mut self, index: usize, value: f64) -> Result<(), Refusal> {
         let value = self.admit(index, value)?;
@@ -148,7 +148,7 @@ impl Play {
         }
     }
 
-    /// Puts other parameters into force. Where the run has to start anew because of them, it does.
+    /// Puts other parameters into force, and restarts the run if an initial value depends on one of them.
     pub(crate) fn change_parameters(&mut self, parameters: Vec<f64>) {
         let old = self.course.parameters();
         if old == parameters {

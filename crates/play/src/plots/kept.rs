@@ -6,7 +6,7 @@ use crate::undo::Removed;
 use crate::values::symbol::symbol;
 use crate::{Announcement, Play, Refusal, words};
 
-/// How many runs can be kept: no more can be told apart in a plot.
+/// How many runs can be kept: no more can be distinguished in a plot.
 pub const MOST_KEPT: usize = 5;
 
 /// The most rows that are kept of a run that is only looked at.

@@ -52,7 +52,7 @@ impl Play {
             };
             sample.text = format!("{}: {}, {}", points.source, readout.heading, sample.text);
             sample.series = number;
-            // A column that was made anew may hold the very same.
+            // A column computed from another one may hold the same values.
             if !found.iter().any(|other| other.text == sample.text) {
                 found.push(sample);
             }

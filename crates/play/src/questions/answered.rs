@@ -105,7 +105,7 @@ impl Play {
     }
 
     /// Names of the questions by their words in the document's own language, so that an answer stays with its question when
-    /// others are put before it; the same words asked again are told apart by their order.
+    /// others are put before it; questions with the same words are distinguished by their order.
     fn question_names(&self) -> Vec<String> {
         let mut names: Vec<String> = Vec::new();
         for index in 0..self.program.questions.len() {

@@ -1,7 +1,7 @@
 //! The course of one run: what is computed, what of it has been reached, and which moment of it is shown.
 //!
 //! The run is computed a little ahead: the time shown lies inside the last step or on its end. What lies behind the
-//! *front*, the greatest time reached, can be shown again; what lies before it is nobody's business yet.
+//! *front*, the greatest time reached, can be shown again; what lies before it is not shown yet.
 
 use engine::{Advance, CAPACITY, History, Run, RunError, Setup};
 use program::Model;

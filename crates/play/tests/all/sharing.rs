@@ -4,7 +4,7 @@ use crate::support::{bits, go_on, set, utube};
 use figure::{Direction, Palette, Point, Settings};
 use play::{Play, PlotId, Refusal};
 
-/// Opens the document anew and restores what `play` shares.
+/// Opens the document again and restores what `play` shares.
 fn reopened(play: &Play) -> Play {
     let fragment = play.share();
     let allowed = |character: char| character.is_ascii_alphanumeric() || "-._~!$&'()*+,;=:@/?".contains(character);

@@ -68,7 +68,7 @@ pub enum Piece {
 /// How dragging an element changes a state. Distances are in user units of the `svg` element's viewBox.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Drag {
-    /// Which of [`program::Model::states`].
+    /// Which of [`crate::Model::states`].
     pub state: usize,
     /// What one unit upwards adds to the state, SI: an index into [`Scene::values`].
     pub up: Option<usize>,

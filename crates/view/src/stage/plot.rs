@@ -189,7 +189,7 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
     frame::wake(app);
 }
 
-/// Works on a plot's nodes; it is drawn anew afterwards.
+/// Works on a plot's nodes; it is drawn again afterwards.
 pub fn with_plot<T>(app: App, id: PlotId, work: impl FnOnce(&mut PlotNodes) -> T) -> Option<T> {
     app.nodes(|nodes| {
         let plot = nodes.plots.get_mut(id.place())?.as_mut()?;

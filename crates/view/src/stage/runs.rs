@@ -23,7 +23,7 @@ pub fn list(app: App) -> View {
         app.changes.runs.track();
         app.read(|play| play.kept())
     });
-    // The list is built anew only where it has another line: who hides a run stays at its box.
+    // The list is rebuilt only where a line was added or removed: hiding a run keeps the focus on its box.
     let lines = memo(move || {
         let named =
             kept.with(|kept| kept.iter().map(|run| (run.id, run.name.clone(), run.pattern)).collect::<Vec<_>>());

@@ -83,7 +83,7 @@ fn what_changes_nothing_is_named_and_left_alone() {
     assert!((outcome.aicc.unwrap() - without.aicc.unwrap()).abs() < 1e-6);
 }
 
-/// Heights of a ball that is dropped and bounces; restitution and gravity are told apart by the bounces alone.
+/// Heights of a ball that is dropped and bounces; only the bounces distinguish restitution from gravity.
 #[test]
 fn a_bouncing_ball_tells_gravity_and_restitution() {
     let ball = model(

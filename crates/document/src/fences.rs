@@ -1,62 +1,10 @@
-//! The fenced blocks of a document that are more than prose, and the prose between them.
+//! Where the blocks of a document begin and end.
 
+use crate::outline::{Block, BlockKind, Fence};
 use crate::source::{Line, lines};
 use model::{Diagnostic, Span};
 use std::ops::Range;
 use units::{nearest, words};
-
-/// What a fenced block holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FenceKind {
-    /// Statements of the equation language.
-    Model,
-    /// An SVG drawing.
-    Scene,
-    /// Descriptions of figures.
-    Plots,
-    /// Named sets of parameter values.
-    Presets,
-    /// A question.
-    Question,
-    /// Texts and their translations.
-    Translations,
-}
-
-const KINDS: [(&str, FenceKind); 6] = [
-    ("model", FenceKind::Model),
-    ("scene", FenceKind::Scene),
-    ("plots", FenceKind::Plots),
-    ("presets", FenceKind::Presets),
-    ("question", FenceKind::Question),
-    ("translations", FenceKind::Translations),
-];
-
-impl FenceKind {
-    /// The word after the backquotes.
-    pub fn word(self) -> &'static str {
-        KINDS.iter().find(|(_, kind)| *kind == self).map_or("", |(word, _)| word)
-    }
-}
-
-/// A part of a document's body.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Part {
-    /// Markdown.
-    Prose(Range<usize>),
-    /// A fenced block of a kind that means something here.
-    Fence(Fence),
-}
-
-/// A fenced block.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fence {
-    /// What it holds.
-    pub kind: FenceKind,
-    /// The opening line.
-    pub opening: Span,
-    /// What stands inside.
-    pub content: Range<usize>,
-}
 
 /// The opening line of any fence.
 struct Opening<'a> {
@@ -81,8 +29,8 @@ impl<'a> Opening<'a> {
         Some(Self { mark, length, word: info.split_whitespace().next().unwrap_or("") })
     }
 
-    fn kind(&self) -> Option<FenceKind> {
-        KINDS.iter().find(|(word, _)| *word == self.word).map(|(_, kind)| *kind)
+    fn kind(&self) -> Option<BlockKind> {
+        BlockKind::FENCED.into_iter().find(|kind| kind.word() == self.word)
     }
 
     fn is_closed_by(&self, line: &str) -> bool {
@@ -91,9 +39,9 @@ impl<'a> Opening<'a> {
     }
 }
 
-/// Splits `range` of `source` into prose and fences.
-pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Part> {
-    let mut parts = Vec::new();
+/// Splits `range` of `source` into blocks; the statements of models are not parsed.
+pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> Vec<Block> {
+    let mut blocks = Vec::new();
     let mut prose = range.start;
     let mut rest = lines(source, range.clone()).peekable();
     while let Some(line) = rest.next() {
@@ -109,24 +57,29 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
             continue;
         };
         if prose < line.start {
-            parts.push(Part::Prose(prose..line.start));
+            blocks.push(Block::prose(Span::new(prose, line.start)));
         }
-        let content_start = line.next;
-        let mut content_end = line.next;
+        let mut content = Span::new(line.next, line.next);
         while let Some(inner) = rest.next_if(|inner| !ends_inside(source, &opening, inner)) {
-            content_end = inner.next;
+            content.end = inner.next;
         }
-        parts.push(Part::Fence(Fence { kind, opening: span, content: content_start..content_end }));
-        prose = content_end;
-        match rest.next_if(|closing| opening.is_closed_by(closing.text(source))) {
-            Some(closing) => prose = closing.next,
-            None => diagnostics.push(unclosed(&opening, span, rest.peek())),
+        let closing = rest.next_if(|closing| opening.is_closed_by(closing.text(source)));
+        if closing.is_none() {
+            diagnostics.push(unclosed(&opening, span, rest.peek()));
         }
+        prose = closing.map_or(content.end, |closing| closing.next);
+        blocks.push(Block {
+            kind,
+            span: Span::new(line.start, prose),
+            content,
+            fence: Some(Fence { opening: span, closing: closing.map(|line| Span::new(line.start, line.end)) }),
+            statements: Vec::new(),
+        });
     }
     if prose < range.end {
-        parts.push(Part::Prose(prose..range.end));
+        blocks.push(Block::prose(Span::new(prose, range.end)));
     }
-    parts
+    blocks
 }
 
 /// Whether a fence cannot go on with this line: it closes, or the next one begins because it was forgotten to close.
@@ -152,7 +105,7 @@ fn unclosed(opening: &Opening, span: Span, next: Option<&Line>) -> Diagnostic {
 }
 
 fn warn_of_near_kind(opening: &Opening, span: Span, diagnostics: &mut Vec<Diagnostic>) {
-    let known = KINDS.iter().map(|(word, _)| *word);
+    let known = BlockKind::FENCED.map(BlockKind::word);
     if let Some(near) = nearest(opening.word, known) {
         diagnostics.push(
             Diagnostic::warning(
@@ -175,20 +128,17 @@ mod tests {
 
     fn summary(source: &str) -> (Vec<String>, Vec<String>) {
         let mut diagnostics = Vec::new();
-        let parts = split(source, 0..source.len(), &mut diagnostics)
+        let blocks = split(source, 0..source.len(), &mut diagnostics)
             .into_iter()
-            .map(|part| match part {
-                Part::Prose(range) => format!("prose {:?}", &source[range]),
-                Part::Fence(fence) => format!("{} {:?}", fence.kind.word(), &source[fence.content]),
-            })
+            .map(|block| format!("{} {:?}", block.kind.word(), &source[block.content.range()]))
             .collect();
-        (parts, diagnostics.into_iter().map(|d| d.message.english.into_owned()).collect())
+        (blocks, diagnostics.into_iter().map(|d| d.message.english.into_owned()).collect())
     }
 
     #[test]
     fn prose_and_fences_alternate() {
-        let (parts, messages) = summary("A\n```model\nx = 1\n```\nB\n~~~plots\n~~~\n```model\n```");
-        assert_eq!(parts, ["prose \"A\\n\"", "model \"x = 1\\n\"", "prose \"B\\n\"", "plots \"\"", "model \"\""]);
+        let (blocks, messages) = summary("A\n```model\nx = 1\n```\nB\n~~~plots\n~~~\n```model\n```");
+        assert_eq!(blocks, ["prose \"A\\n\"", "model \"x = 1\\n\"", "prose \"B\\n\"", "plots \"\"", "model \"\""]);
         assert_eq!(messages, [""; 0]);
     }
 
@@ -200,11 +150,11 @@ mod tests {
 
     #[test]
     fn an_open_fence_ends_where_the_next_begins() {
-        let (parts, messages) = summary("```model\nx = 1\n```plots\ny\n```\nB");
-        assert_eq!(parts, ["model \"x = 1\\n\"", "plots \"y\\n\"", "prose \"B\""]);
+        let (blocks, messages) = summary("```model\nx = 1\n```plots\ny\n```\nB");
+        assert_eq!(blocks, ["model \"x = 1\\n\"", "plots \"y\\n\"", "prose \"B\""]);
         assert_eq!(messages, ["the `model` block is not closed"]);
-        let (parts, messages) = summary("```model\nx = 1");
-        assert_eq!(parts, ["model \"x = 1\""]);
+        let (blocks, messages) = summary("```model\nx = 1");
+        assert_eq!(blocks, ["model \"x = 1\""]);
         assert_eq!(messages, ["the `model` block is not closed"]);
     }
 

@@ -2,6 +2,7 @@
 
 use crate::source::{Line, lines};
 use model::{Diagnostic, Span};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use units::{nearest, words};
 
@@ -13,52 +14,75 @@ const KEYS: [&str; 8] = ["title", "language", "translates", "method", "step", "u
 pub struct Value {
     /// The text, without quotation marks around it.
     pub text: String,
-    /// Where it stands.
+    /// Where it stands, with its quotation marks. Empty, after the colon, if the key has no value.
     pub span: Span,
 }
 
-/// What the front matter says.
+/// A line `key: value`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// The key as written; it may be unknown, or given before.
+    pub key: String,
+    /// Where the key stands.
+    pub key_span: Span,
+    /// The value.
+    pub value: Value,
+}
+
+/// The lines between `---` at the beginning of a document.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FrontMatter {
-    entries: Vec<(&'static str, Value)>,
-    /// Where the document goes on.
-    pub end: usize,
+    /// All entries in the order of the text.
+    pub entries: Vec<Entry>,
+    /// From the opening line to the closing line, line ends included. Empty if the document has no front matter.
+    pub span: Span,
+    /// The closing line, without its line end. None if it is missing.
+    pub closing: Option<Span>,
 }
 
 impl FrontMatter {
-    /// The value of `key`, if it is there and not empty.
+    /// The value of `key`, if it is there and not empty. Of several values the first counts.
     pub fn get(&self, key: &str) -> Option<&Value> {
-        self.entries.iter().find(|(name, _)| *name == key).map(|(_, value)| value)
+        let mut values = self.entries.iter().filter(|entry| entry.key == key).map(|entry| &entry.value);
+        values.find(|value| !value.text.is_empty())
     }
 }
 
 /// Reads the front matter of `source`; a document may have none.
-pub fn read(source: &str, diagnostics: &mut Vec<Diagnostic>) -> FrontMatter {
+pub(crate) fn read(source: &str, diagnostics: &mut Vec<Diagnostic>) -> FrontMatter {
     let start = source.len() - source.trim_start_matches('\u{feff}').len();
-    let mut matter = FrontMatter { entries: Vec::new(), end: start };
+    let mut matter = FrontMatter { span: Span::new(start, start), ..FrontMatter::default() };
     let mut rest = lines(source, start..source.len());
-    let Some(opening) = rest.next().filter(|line| line.text(source).trim_end() == "---") else {
+    let Some(opening) = rest.next().filter(|line| is_mark(line.text(source))) else {
         return matter;
     };
+    matter.span.end = source.len();
+    let mut given = BTreeMap::new();
     for line in rest {
         let text = line.text(source);
-        if text.trim_end() == "---" {
-            matter.end = line.next;
+        if is_mark(text) {
+            matter.span.end = line.next;
+            matter.closing = Some(Span::new(line.start, line.end));
             return matter;
         }
         if text.trim().is_empty() || text.trim_start().starts_with('#') {
             continue;
         }
-        if !matter.entry(source, &line, diagnostics) {
+        let Some(entry) = entry(source, &line) else {
             // Prose has begun: the closing line is missing, and everything from here on is the document.
-            matter.end = line.start;
-            diagnostics.push(unclosed(opening.range()));
-            return matter;
-        }
+            matter.span.end = line.start;
+            break;
+        };
+        report(&entry, &mut given, diagnostics);
+        matter.entries.push(entry);
     }
-    matter.end = source.len();
     diagnostics.push(unclosed(opening.range()));
     matter
+}
+
+/// Whether a line opens or closes a front matter.
+fn is_mark(line: &str) -> bool {
+    line.trim_end() == "---"
 }
 
 fn unclosed(opening: Range<usize>) -> Diagnostic {
@@ -74,57 +98,61 @@ fn unclosed(opening: Range<usize>) -> Diagnostic {
     ))
 }
 
-impl FrontMatter {
-    /// Reads one `key: value`. False if the line is nothing of the kind.
-    fn entry(&mut self, source: &str, line: &Line, diagnostics: &mut Vec<Diagnostic>) -> bool {
-        let text = line.text(source);
-        let Some((key, value)) = text.split_once(':') else {
-            return false;
-        };
-        let name = key.trim();
-        if name.is_empty() || !name.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_') {
-            return false;
-        }
-        let key_start = line.start + key.len() - key.trim_start().len();
-        let key_span = Span::new(key_start, key_start + name.len());
-        let value = trimmed(value, line.start + key.len() + 1);
-        let Some(known) = KEYS.iter().find(|known| **known == name) else {
-            let mut unknown = Diagnostic::warning(
-                "unknown-key",
-                words!("the front matter has no key `{name}`", "la cabecera no tiene ninguna clave `{name}`"),
-                key_span,
-            );
-            unknown = match nearest(name, KEYS) {
-                Some(near) => unknown.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
-                None => unknown.with_hint(words!("the keys are {}", "las claves son {}", KEYS.join(", "))),
-            };
-            diagnostics.push(unknown);
-            return true;
-        };
-        if let Some(first) = self.get(name) {
-            diagnostics.push(
-                Diagnostic::error(
-                    "duplicate-key",
-                    words!("`{name}` is given twice", "`{name}` se da dos veces"),
-                    key_span,
-                )
-                .with_label(first.span, words("given here first", "se da aquí primero")),
-            );
-        } else if value.text.is_empty() {
-            diagnostics.push(Diagnostic::error(
-                "empty-key",
-                words!("`{name}` has no value", "`{name}` no tiene valor"),
-                key_span,
-            ));
-        } else {
-            self.entries.push((known, value));
-        }
-        true
+/// Reads one `key: value`. None if the line is nothing of the kind.
+fn entry(source: &str, line: &Line) -> Option<Entry> {
+    let (before, value) = line.text(source).split_once(':')?;
+    let key = before.trim();
+    if !is_key(key) {
+        return None;
+    }
+    let start = line.start + before.len() - before.trim_start().len();
+    let value = trimmed(value, line.start + before.len() + 1);
+    Some(Entry { key: key.to_owned(), key_span: Span::new(start, start + key.len()), value })
+}
+
+/// Whether a text can stand before the colon.
+pub(crate) fn is_key(text: &str) -> bool {
+    !text.is_empty() && text.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_')
+}
+
+/// Reports what is wrong with an entry. `given` holds where the entries before it give known keys a value; looking for
+/// them among all entries would take quadratic time.
+fn report(entry: &Entry, given: &mut BTreeMap<&'static str, Span>, diagnostics: &mut Vec<Diagnostic>) {
+    let Entry { key: name, key_span, value } = entry;
+    let Some(known) = KEYS.into_iter().find(|known| known == name) else {
+        let unknown = Diagnostic::warning(
+            "unknown-key",
+            words!("the front matter has no key `{name}`", "la cabecera no tiene ninguna clave `{name}`"),
+            *key_span,
+        );
+        diagnostics.push(match nearest(name, KEYS) {
+            Some(near) => unknown.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
+            None => unknown.with_hint(words!("the keys are {}", "las claves son {}", KEYS.join(", "))),
+        });
+        return;
+    };
+    if let Some(first) = given.get(known) {
+        diagnostics.push(
+            Diagnostic::error(
+                "duplicate-key",
+                words!("`{name}` is given twice", "`{name}` se da dos veces"),
+                *key_span,
+            )
+            .with_label(*first, words("given here first", "se da aquí primero")),
+        );
+    } else if value.text.is_empty() {
+        diagnostics.push(Diagnostic::error(
+            "empty-key",
+            words!("`{name}` has no value", "`{name}` no tiene valor"),
+            *key_span,
+        ));
+    } else {
+        given.insert(known, value.span);
     }
 }
 
 /// `text`, which begins at `offset`, without blanks and without quotation marks around it.
-fn trimmed(text: &str, offset: usize) -> Value {
+pub(crate) fn trimmed(text: &str, offset: usize) -> Value {
     let start = offset + text.len() - text.trim_start().len();
     let text = text.trim();
     let span = Span::new(start, start + text.len());
@@ -168,13 +196,13 @@ mod tests {
         assert_eq!(matter.get("title").unwrap().text, "A: B");
         let step = matter.get("step").unwrap();
         assert_eq!(&source[step.span.range()], "0.05 [s]");
-        assert_eq!(&source[matter.end..], "Prose");
+        assert_eq!(&source[matter.span.end..], "Prose");
     }
 
     #[test]
     fn without_front_matter_everything_is_prose() {
-        assert_eq!(messages("Prose\n---\n").0.end, 0);
-        assert_eq!(messages("").0.end, 0);
+        assert_eq!(messages("Prose\n---\n").0.span.end, 0);
+        assert_eq!(messages("").0.span.end, 0);
     }
 
     #[test]
@@ -191,6 +219,6 @@ mod tests {
         );
         let (matter, messages) = messages("---\ntitle: x\n\nA liquid swings.\n");
         assert_eq!(messages, ["the front matter is not closed; end it with a line that holds `---` and nothing else"]);
-        assert_eq!(matter.end, 14);
+        assert_eq!(matter.span.end, 14);
     }
 }

@@ -1,11 +1,17 @@
 //! The simulation document: one Markdown file with prose, equations, scene, plots, presets and questions, and further
-//! files that translate it. Opening one never fails: what cannot be read is a [`model::Diagnostic`] with its place.
+//! files that translate it.
+//!
+//! [`read`] gives the structure of a text, whatever is wrong in it. [`open`] also checks it and gives a program if the
+//! model has no errors. Neither fails: what cannot be read is a [`model::Diagnostic`] with its place.
 
 mod document;
+mod edition;
 mod expressions;
 mod fences;
+mod findings;
 mod front_matter;
 mod open;
+mod outline;
 pub mod page;
 mod plots;
 mod presets;
@@ -19,5 +25,6 @@ mod translation;
 mod vary;
 
 pub use document::{Document, Opened};
-pub use front_matter::translates;
+pub use front_matter::{Entry, FrontMatter, Value, translates};
 pub use open::open;
+pub use outline::{Block, BlockKind, Fence, Outline, read};

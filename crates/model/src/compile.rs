@@ -22,17 +22,31 @@ pub struct Checked {
 /// Compiles the model that stands in `parts` of a document's `source`, which may be several fences. Places in the
 /// diagnostics count bytes of `source`. There is no model if there are errors; there may be warnings beside one.
 pub fn compile(source: &str, parts: &[Range<usize>]) -> (Option<Checked>, Vec<Diagnostic>) {
-    let length: usize = parts.iter().map(Range::len).sum();
-    if length > limits::SOURCE {
-        let start = parts.first().map_or(0, |part| part.start);
-        let message = words!(
-            "the model has {length} bytes; {} are the most",
-            "el modelo tiene {length} bytes; el máximo son {}",
-            limits::SOURCE
-        );
-        return (None, vec![Diagnostic::error("model-too-large", message, Span::new(start, start))]);
+    if let Some(refusal) = refuse_length(parts) {
+        return (None, vec![refusal]);
     }
-    let (statements, mut diagnostics) = parse(source, parts);
+    let (statements, diagnostics) = parse(source, parts);
+    check(statements, diagnostics)
+}
+
+/// The error of a model that is too long to be parsed; its text stands in `parts` of a document.
+pub fn refuse_length(parts: &[Range<usize>]) -> Option<Diagnostic> {
+    let length: usize = parts.iter().map(Range::len).sum();
+    if length <= limits::SOURCE {
+        return None;
+    }
+    let start = parts.first().map_or(0, |part| part.start);
+    let message = words!(
+        "the model has {length} bytes; {} are the most",
+        "el modelo tiene {length} bytes; el máximo son {}",
+        limits::SOURCE
+    );
+    Some(Diagnostic::error("model-too-large", message, Span::new(start, start)))
+}
+
+/// Checks the statements of a model, of which [`parse`] found `diagnostics`, and compiles them. All diagnostics, in the
+/// order of their places. There is no model if there are errors.
+pub fn check(statements: Vec<Statement>, mut diagnostics: Vec<Diagnostic>) -> (Option<Checked>, Vec<Diagnostic>) {
     // What could not be read leaves gaps; telling their consequences would hide the cause.
     let model = if has_errors(&diagnostics) { None } else { checked(statements, &mut diagnostics) };
     diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);

@@ -15,7 +15,7 @@ mod places;
 mod syntax;
 mod typeset;
 
-pub use compile::{Checked, compile};
+pub use compile::{Checked, check, compile, refuse_length};
 pub use diagnostic::{Diagnostic, Label, Severity, Span, has_errors};
 pub use expression::Compiler;
 pub use parser::{Assignment, parse, parse_assignments, parse_expression};

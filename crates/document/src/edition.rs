@@ -1,0 +1,118 @@
+//! A translation: the words of a document in another language.
+
+use crate::open::{File, Read};
+use crate::outline::BlockKind;
+use crate::translation::Texts;
+use crate::{questions, scene, settings};
+use model::{Diagnostic, Span};
+use program::Edition;
+use std::collections::BTreeMap;
+use units::words;
+
+impl File<'_> {
+    /// Adds this file to a document as its edition in another language.
+    pub(crate) fn translate(&mut self, read: &mut Read) {
+        let Read { document, statements, questions: numbers, scene_words } = read;
+        let program = &mut document.program;
+        document.translations.push(self.outline.source().to_owned());
+        let Some(language) = self.outline.front_matter().get("language").cloned() else {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    "translation",
+                    words("the translation does not say its language", "la traducción no dice su idioma"),
+                    Span::new(0, 0),
+                )
+                .with_hint(words(
+                    "its front matter must have a line such as `language: es`",
+                    "su cabecera debe tener una línea como `language: es`",
+                )),
+            );
+            return;
+        };
+        if !settings::is_language(&language.text) {
+            self.diagnostics.push(settings::no_language(&language));
+            return;
+        }
+        if program.languages().any(|known| known == language.text) {
+            let message =
+                words!("the document exists in `{}` already", "el documento ya existe en `{}`", language.text);
+            self.diagnostics.push(Diagnostic::error("translation", message, language.span));
+            return;
+        }
+        let mut found = Vec::new();
+        self.check_kinds(&mut found);
+        let mut texts = Texts::default();
+        for block in self.outline.blocks_of(BlockKind::Translations) {
+            texts.read(self.outline.source(), block.content.range());
+        }
+        let mut written = 0;
+        let mut surplus = Vec::new();
+        let mut warnings = Vec::new();
+        let (sections, questions, _) = self.prose(&mut found, |raw| {
+            questions::check_translation(raw, &mut warnings);
+            written += 1;
+            if written > numbers.len() {
+                surplus.push(Span::new(raw.place.start, raw.place.end));
+            }
+            numbers.get(written - 1).copied().flatten()
+        });
+        found.extend(warnings);
+        found.extend(surplus.into_iter().map(|span| {
+            Diagnostic::error(
+                "translation",
+                words!("the original has {} questions only", "el original solo tiene {} preguntas", numbers.len()),
+                span,
+            )
+        }));
+        if written < numbers.len() {
+            let message = match numbers.len() - written {
+                1 => words("a question has no translation", "una pregunta no tiene traducción"),
+                missing => {
+                    words!("{missing} questions have no translation", "{missing} preguntas no tienen traducción")
+                }
+            };
+            found.push(Diagnostic::warning("untranslated", message, language.span));
+        }
+        let original = program.editions.first().and_then(|original| original.scene.as_ref());
+        let scene = original.map(|scene| scene::translated(scene, scene_words, &mut texts));
+        let mut table = BTreeMap::new();
+        for original in program.translatable() {
+            if let Some((text, _)) = texts.translate(original, scene::has_word(original)) {
+                table.insert(original.to_owned(), text);
+            }
+        }
+        found.extend(texts.finish(language.span));
+        let title =
+            self.outline.front_matter().get("title").map_or_else(|| program.title.clone(), |title| title.text.clone());
+        let translated = |text: &str| table.get(text).map_or(text, String::as_str).to_owned();
+        let equations = model::typeset(statements, &translated);
+        let language = language.text;
+        let edition = Edition { language, title, sections, equations, questions, scene, texts: table };
+        program.editions.push(edition);
+        self.diagnostics.extend(found);
+    }
+
+    /// What belongs to the original only.
+    fn check_kinds(&self, found: &mut Vec<Diagnostic>) {
+        for kind in [BlockKind::Model, BlockKind::Scene, BlockKind::Plots, BlockKind::Presets] {
+            for block in self.outline.blocks_of(kind) {
+                let message =
+                    words!("a translation has no `{}` of its own", "una traducción no tiene `{}` propio", kind.word());
+                found.push(
+                    Diagnostic::error("translation", message, block.head())
+                        .with_hint(words("the original's is used", "se usa el del original")),
+                );
+            }
+        }
+        for key in ["method", "step", "until", "tolerance", "vary"] {
+            if let Some(value) = self.outline.front_matter().get(key) {
+                let message =
+                    words!("`{key}` in a translation means nothing", "`{key}` no significa nada en una traducción");
+                found.push(
+                    Diagnostic::warning("translation", message, value.span)
+                        .with_hint(words("the original's is used", "se usa el del original")),
+                );
+            }
+        }
+    }
+}

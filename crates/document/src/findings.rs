@@ -1,0 +1,22 @@
+//! How many findings about one file are kept.
+
+use model::Diagnostic;
+use units::words;
+
+/// More findings of one file are not read by anybody.
+const FINDINGS: usize = 100;
+
+/// The findings in the order of their places; if there are too many, errors go before warnings.
+pub fn limited(mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let more = found.len().saturating_sub(FINDINGS);
+    if more > 0 {
+        found.sort_by_key(|diagnostic| std::cmp::Reverse(diagnostic.severity));
+        found.truncate(FINDINGS);
+    }
+    found.sort_by_key(|diagnostic| diagnostic.span().start);
+    if let Some(last) = found.last().filter(|_| more > 0) {
+        let message = words!("{more} more findings are not listed", "otros {more} hallazgos no se muestran");
+        found.push(Diagnostic::warning("more-findings", message, last.span()));
+    }
+    found
+}

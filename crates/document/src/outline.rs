@@ -1,0 +1,177 @@
+//! The structure of a document's text: its front matter and its blocks, with their places. The text need not make sense:
+//! names, units and values are not checked, so that an author sees the structure while there are errors in it.
+
+use crate::findings::limited;
+use crate::{FrontMatter, fences, front_matter};
+use model::{Diagnostic, Span, Statement};
+use std::ops::Range;
+use units::words;
+
+/// How long a document may be, in bytes.
+pub(crate) const LENGTH: usize = 1 << 20;
+
+/// What a block of a document holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BlockKind {
+    /// Markdown between the fenced blocks. Fenced code of other kinds belongs to it.
+    Prose,
+    /// Statements of the equation language.
+    Model,
+    /// An SVG drawing.
+    Scene,
+    /// Descriptions of figures.
+    Plots,
+    /// Named sets of parameter values.
+    Presets,
+    /// A question.
+    Question,
+    /// Texts and their translations.
+    Translations,
+}
+
+impl BlockKind {
+    /// The kinds that stand between fence lines: all but prose.
+    pub const FENCED: [Self; 6] =
+        [Self::Model, Self::Scene, Self::Plots, Self::Presets, Self::Question, Self::Translations];
+
+    /// The name; of a fenced block, the word after the backquotes.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Prose => "prose",
+            Self::Model => "model",
+            Self::Scene => "scene",
+            Self::Plots => "plots",
+            Self::Presets => "presets",
+            Self::Question => "question",
+            Self::Translations => "translations",
+        }
+    }
+}
+
+/// A block of a document.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Block {
+    /// What it holds.
+    pub kind: BlockKind,
+    /// All of it: fence lines and line ends included.
+    pub span: Span,
+    /// What stands between the fence lines, with its last line end. Of prose, all of it.
+    pub content: Span,
+    /// The lines around the content; none around prose.
+    pub fence: Option<Fence>,
+    /// The statements of a model, in the order of the text; see [`model::parse`] for those that have errors. None of
+    /// other kinds, and none if the models of the document are too long to be parsed.
+    pub statements: Vec<Statement>,
+}
+
+/// The lines that begin and end a block, without their line ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fence {
+    /// The opening line.
+    pub opening: Span,
+    /// The closing line. None if it is missing; the block ends with the text or where the next block begins.
+    pub closing: Option<Span>,
+}
+
+impl Block {
+    pub(crate) fn prose(span: Span) -> Self {
+        Self { kind: BlockKind::Prose, span, content: span, fence: None, statements: Vec::new() }
+    }
+
+    /// Where to report a finding about the whole block: its opening line.
+    pub(crate) fn head(&self) -> Span {
+        self.fence.map_or(self.span, |fence| fence.opening)
+    }
+}
+
+/// The structure of a document's text. Front matter and blocks together cover the text without gaps, but for a byte
+/// order mark before them.
+#[derive(Clone, Debug)]
+pub struct Outline<'a> {
+    /// The text; empty if it was too long to be read.
+    source: &'a str,
+    front_matter: FrontMatter,
+    blocks: Vec<Block>,
+    /// Findings about front matter and fences.
+    pub(crate) layout: Vec<Diagnostic>,
+    /// Findings about the syntax of the model.
+    syntax: Vec<Diagnostic>,
+    is_too_long: bool,
+}
+
+/// Reads the structure of a document or of a translation. Always succeeds; what is wrong is in
+/// [`Outline::diagnostics`]. A text of more than 1 MB has no front matter and no blocks. Models of more than 200 kB together
+/// are not parsed.
+pub fn read(source: &str) -> Outline<'_> {
+    let mut layout = Vec::new();
+    let is_too_long = source.len() > LENGTH;
+    if is_too_long {
+        let end = source.chars().next().map_or(0, char::len_utf8);
+        let message = words!(
+            "a document cannot be longer than {LENGTH} bytes; this one has {}",
+            "un documento no puede tener más de {LENGTH} bytes; este tiene {}",
+            source.len()
+        );
+        layout.push(Diagnostic::error("too-large", message, Span::new(0, end)));
+    }
+    let source = if is_too_long { "" } else { source };
+    let front_matter = front_matter::read(source, &mut layout);
+    let mut blocks = fences::split(source, front_matter.span.end..source.len(), &mut layout);
+    let syntax = parse_models(source, &mut blocks);
+    Outline { source, front_matter, blocks, layout, syntax, is_too_long }
+}
+
+/// Parses the statements of all models, and returns what was found.
+fn parse_models(source: &str, blocks: &mut [Block]) -> Vec<Diagnostic> {
+    let models = || blocks.iter().filter(|block| block.kind == BlockKind::Model);
+    let parts: Vec<Range<usize>> = models().map(|block| block.content.range()).collect();
+    if let Some(refusal) = model::refuse_length(&parts) {
+        return vec![refusal];
+    }
+    let mut diagnostics = Vec::new();
+    for block in blocks.iter_mut().filter(|block| block.kind == BlockKind::Model) {
+        let (statements, found) = model::parse(source, &[block.content.range()]);
+        block.statements = statements;
+        diagnostics.extend(found);
+    }
+    diagnostics
+}
+
+impl<'a> Outline<'a> {
+    /// The text that was read; empty if it was too long.
+    pub fn source(&self) -> &'a str {
+        self.source
+    }
+
+    /// Whether the text was too long to be read.
+    pub fn is_too_long(&self) -> bool {
+        self.is_too_long
+    }
+
+    /// The front matter.
+    pub fn front_matter(&self) -> &FrontMatter {
+        &self.front_matter
+    }
+
+    /// The blocks in the order of the text.
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
+    }
+
+    /// The blocks of one kind.
+    pub fn blocks_of(&self, kind: BlockKind) -> impl Iterator<Item = &Block> {
+        self.blocks.iter().filter(move |block| block.kind == kind)
+    }
+
+    /// What is wrong with the structure and with the syntax of the model, in the order of the text. Errors in names, units
+    /// and everything else are found by [`crate::open`].
+    pub fn diagnostics(&self) -> Vec<Diagnostic> {
+        limited(self.layout.iter().chain(&self.syntax).cloned().collect())
+    }
+
+    /// Moves the statements of all models out of their blocks, with what was found in their syntax.
+    pub(crate) fn take_model(&mut self) -> (Vec<Statement>, Vec<Diagnostic>) {
+        let statements = self.blocks.iter_mut().flat_map(|block| std::mem::take(&mut block.statements)).collect();
+        (statements, std::mem::take(&mut self.syntax))
+    }
+}

@@ -2,8 +2,9 @@
 
 #![no_main]
 
-use document::page::{MARKER, Options, Source, embed, read};
 use document::Document;
+use document::edit::{apply, replace_block};
+use document::page::{MARKER, Options, Source, embed, read};
 use program::Block;
 use libfuzzer_sys::fuzz_target;
 use play::Play;
@@ -12,6 +13,7 @@ fuzz_target!(|text: &str| {
     let mut parts = text.split("\n=====\n");
     let base = parts.next().unwrap_or_default();
     let translations: Vec<&str> = parts.take(2).collect();
+    has_a_structure(base);
     let opened = document::open(base, &translations);
     for (file, diagnostic) in &opened.diagnostics {
         let source = if *file == 0 { base } else { translations[*file - 1] };
@@ -25,6 +27,21 @@ fuzz_target!(|text: &str| {
         is_worked_with(document);
     }
 });
+
+/// The blocks cover the text, and an edit leaves their number as it is.
+fn has_a_structure(text: &str) {
+    let outline = document::read(text);
+    let mut at = outline.front_matter().span.end;
+    for (index, block) in outline.blocks().iter().enumerate() {
+        assert_eq!(block.span.start, at);
+        at = block.span.end;
+        if let Ok(edit) = replace_block(&outline, index, "x = 1") {
+            let Ok(edited) = apply(text, &[edit]) else { panic!("the block lies in the text") };
+            assert_eq!(document::read(&edited).blocks().len(), outline.blocks().len());
+        }
+    }
+    assert_eq!(at, outline.source().len());
+}
 
 /// What goes into a page comes out again, and cannot end its element.
 fn travels_in_a_page(text: &str) {

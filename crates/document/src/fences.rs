@@ -82,6 +82,12 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
     blocks
 }
 
+/// How many backquotes open a fence that no line of `content` can close.
+pub fn safe_length(content: &str) -> usize {
+    let lines = lines(content, 0..content.len()).filter_map(|line| Opening::read(line.text(content)));
+    lines.filter(|fence| fence.mark == '`').map(|fence| fence.length + 1).max().unwrap_or(3)
+}
+
 /// Whether a fence cannot go on with this line: it closes, or the next one begins because it was forgotten to close.
 fn ends_inside(source: &str, opening: &Opening, line: &Line) -> bool {
     let text = line.text(source);

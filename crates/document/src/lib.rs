@@ -2,9 +2,11 @@
 //! files that translate it.
 //!
 //! [`read`] gives the structure of a text, whatever is wrong in it. [`open`] also checks it and gives a program if the
-//! model has no errors. Neither fails: what cannot be read is a [`model::Diagnostic`] with its place.
+//! model has no errors. Neither fails: what cannot be read is a [`model::Diagnostic`] with its
+//! place. [`edit`] changes a text by its structure.
 
 mod document;
+pub mod edit;
 mod edition;
 mod expressions;
 mod fences;

@@ -71,7 +71,8 @@ fn fragment() -> impl Strategy<Value = String> {
     ]
 }
 
-fn document_text() -> impl Strategy<Value = String> {
+/// Texts that look like parts of documents.
+pub fn document_text() -> impl Strategy<Value = String> {
     proptest::collection::vec(fragment(), 0..40).prop_map(|fragments| fragments.concat())
 }
 

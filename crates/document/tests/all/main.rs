@@ -6,7 +6,9 @@ mod arbitrary;
 mod bundles;
 #[path = "../../../model/tests/all/common/catalogue.rs"]
 mod catalogue;
+mod edit;
 mod open;
+mod outline;
 mod reference;
 mod scene;
 mod simulations;

@@ -1,0 +1,82 @@
+//! Why an edit is refused.
+
+use model::Span;
+use std::fmt;
+use units::{Words, words};
+
+/// Why an edit is refused.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum EditError {
+    /// The span does not lie in the text, or begins or ends inside a character.
+    Place(Span),
+    /// The span overlaps that of another edit.
+    Overlap(Span),
+    /// The document is too long, or would be.
+    TooLong,
+    /// The model declares no parameter of this name.
+    UnknownParameter(String),
+    /// The default of this parameter has an error and cannot be replaced alone.
+    UnreadableParameter(String),
+    /// The default of a parameter must be a number without unit.
+    NotANumber(String),
+    /// This cannot be a key of the front matter.
+    Key(String),
+    /// This cannot be a value in the front matter: it is empty or has several lines.
+    Value(String),
+    /// The document has no block of this index.
+    UnknownBlock(usize),
+    /// With this text, other parts of the document would be read differently.
+    ChangesOthers,
+}
+
+impl EditError {
+    /// What is wrong, in one sentence without a full stop.
+    pub fn words(&self) -> Words {
+        match self {
+            Self::Place(Span { start, end }) => words!(
+                "the bytes from {start} to {end} are not a part of the text",
+                "los bytes de {start} a {end} no son una parte del texto"
+            ),
+            Self::Overlap(Span { start, end }) => words!(
+                "another edit changes bytes from {start} to {end} too",
+                "otro cambio modifica también bytes de {start} a {end}"
+            ),
+            Self::TooLong => words!(
+                "a document cannot be longer than {} bytes",
+                "un documento no puede tener más de {} bytes",
+                crate::outline::LENGTH
+            ),
+            Self::UnknownParameter(name) => {
+                words!("the model has no parameter `{name}`", "el modelo no tiene ningún parámetro `{name}`")
+            }
+            Self::UnreadableParameter(name) => words!(
+                "the default of the parameter `{name}` has an error; correct it in the text",
+                "el valor predeterminado del parámetro `{name}` tiene un error; corrígelo en el texto"
+            ),
+            Self::NotANumber(text) => words!("`{text}` is not a number", "`{text}` no es un número"),
+            Self::Key(key) => {
+                words!("`{key}` cannot be a key of the front matter", "`{key}` no puede ser una clave de la cabecera")
+            }
+            Self::Value(_) => words(
+                "a value in the front matter is one line of text",
+                "un valor de la cabecera es una línea de texto",
+            ),
+            Self::UnknownBlock(index) => words!(
+                "the document has no block with the index {index}",
+                "el documento no tiene ningún bloque con el índice {index}"
+            ),
+            Self::ChangesOthers => words(
+                "this text would change how the blocks around it are read",
+                "este texto cambiaría cómo se leen los bloques que lo rodean",
+            ),
+        }
+    }
+}
+
+impl fmt::Display for EditError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.words().english)
+    }
+}
+
+impl std::error::Error for EditError {}

@@ -1,0 +1,85 @@
+//! What the text must be read as after an edit.
+
+use super::{Edit, EditError, apply};
+use crate::outline::{Block, BlockKind, LENGTH, Outline};
+use crate::{FrontMatter, fences, front_matter};
+
+/// The entries of the front matter and the contents of the blocks, without places.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Layout {
+    /// Keys and values of the front matter.
+    entries: Vec<(String, String)>,
+    pub(super) blocks: Vec<(BlockKind, String)>,
+}
+
+impl Layout {
+    pub(super) fn of(outline: &Outline) -> Self {
+        Self::new(outline.source(), outline.front_matter(), outline.blocks())
+    }
+
+    /// The same without parsing the statements of models, which no edit of other parts can change.
+    fn read(source: &str) -> Self {
+        let mut ignored = Vec::new();
+        let matter = front_matter::read(source, &mut ignored);
+        let blocks = fences::split(source, matter.span.end..source.len(), &mut ignored);
+        Self::new(source, &matter, &blocks)
+    }
+
+    fn new(source: &str, matter: &FrontMatter, blocks: &[Block]) -> Self {
+        let entries = matter.entries.iter().map(|entry| (entry.key.clone(), entry.value.text.clone())).collect();
+        let blocks = blocks.iter().map(|block| (block.kind, source[block.content.range()].to_owned())).collect();
+        Self { entries, blocks }
+    }
+
+    /// Joins prose that follows prose and leaves out prose without text, as the text cannot show either; an edit may end the
+    /// last line of a text, so line ends at the end of a block do not count.
+    fn normalised(self) -> Self {
+        let mut blocks: Vec<(BlockKind, String)> = Vec::new();
+        for (kind, content) in self.blocks {
+            match blocks.last_mut() {
+                _ if kind == BlockKind::Prose && content.is_empty() => {}
+                Some((BlockKind::Prose, last)) if kind == BlockKind::Prose => last.push_str(&content),
+                _ => blocks.push((kind, content)),
+            }
+        }
+        for (_, content) in &mut blocks {
+            content.truncate(content.trim_end_matches(['\r', '\n']).len());
+        }
+        Self { entries: self.entries, blocks }
+    }
+
+    /// Refuses `edits` unless they turn the text of `outline` into one that is read as `self`.
+    pub(super) fn expect_of(self, outline: &Outline, edits: &[Edit]) -> Result<(), EditError> {
+        let text = result(outline, edits)?;
+        if Self::read(&text).normalised() == self.normalised() { Ok(()) } else { Err(EditError::ChangesOthers) }
+    }
+}
+
+/// The text after the edits. Refused if it is too long to be read.
+pub(super) fn result(outline: &Outline, edits: &[Edit]) -> Result<String, EditError> {
+    let text = apply(outline.source(), edits)?;
+    if outline.is_too_long() || text.len() > LENGTH { Err(EditError::TooLong) } else { Ok(text) }
+}
+
+/// The line end of a text: that of its first line.
+pub(super) fn line_end(source: &str) -> &'static str {
+    match source.split_once('\n') {
+        Some((first, _)) if first.ends_with('\r') => "\r\n",
+        _ => "\n",
+    }
+}
+
+/// `content` with the line ends of `source`.
+pub(super) fn with_line_ends_of(source: &str, content: &str) -> String {
+    let content = content.replace("\r\n", "\n");
+    match line_end(source) {
+        "\n" => content,
+        line_end => content.replace('\n', line_end),
+    }
+}
+
+/// What must stand before an insertion at `at`, so that it begins a line.
+pub(super) fn begin_line(source: &str, at: usize) -> &'static str {
+    let before = source[..at].trim_start_matches('\u{feff}');
+    if before.is_empty() || before.ends_with('\n') { "" } else { line_end(source) }
+}

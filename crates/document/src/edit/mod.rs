@@ -1,0 +1,54 @@
+//! Changes of a document's text that leave every other byte as its author wrote it.
+//!
+//! Each function takes the [`Outline`] of a text and returns edits for [`apply`]. It refuses an edit that would change
+//! how the rest of the text is read: a closing fence inside a block, for example, would end the block early.
+
+mod blocks;
+mod error;
+mod layout;
+mod parameter;
+mod settings;
+
+pub use blocks::{insert_block, remove_block, replace_block};
+pub use error::EditError;
+pub use parameter::set_parameter;
+pub use settings::set_front_matter;
+
+#[cfg(doc)]
+use crate::Outline;
+use model::Span;
+
+/// A replacement of a part of a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edit {
+    /// The bytes to be replaced; empty for an insertion.
+    pub span: Span,
+    /// What replaces them; empty for a removal.
+    pub text: String,
+}
+
+/// Applies edits, in any order; their spans are places in `source`. Insertions at one place keep the order of `edits`.
+///
+/// # Errors
+///
+/// [`EditError::Place`] if a span does not lie in the text or cuts a character, [`EditError::Overlap`] if two spans share
+/// bytes.
+pub fn apply(source: &str, edits: &[Edit]) -> Result<String, EditError> {
+    let mut ordered: Vec<&Edit> = edits.iter().collect();
+    ordered.sort_by_key(|edit| (edit.span.start, edit.span.end));
+    let mut result = String::with_capacity(source.len());
+    let mut at = 0;
+    for edit in ordered {
+        if source.get(edit.span.range()).is_none() {
+            return Err(EditError::Place(edit.span));
+        }
+        let Some(before) = source.get(at..edit.span.start) else {
+            return Err(EditError::Overlap(edit.span));
+        };
+        result.push_str(before);
+        result.push_str(&edit.text);
+        at = edit.span.end;
+    }
+    result.push_str(source.get(at..).unwrap_or_default());
+    Ok(result)
+}

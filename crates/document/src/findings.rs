@@ -3,7 +3,7 @@
 use model::Diagnostic;
 use units::words;
 
-/// More findings of one file are not read by anybody.
+/// An author reads no more findings about one file.
 const FINDINGS: usize = 100;
 
 /// The findings in the order of their places; if there are too many, errors go before warnings.

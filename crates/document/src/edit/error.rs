@@ -38,8 +38,8 @@ impl EditError {
                 "los bytes de {start} a {end} no son una parte del texto"
             ),
             Self::Overlap(Span { start, end }) => words!(
-                "another edit changes bytes from {start} to {end} too",
-                "otro cambio modifica también bytes de {start} a {end}"
+                "another edit also changes bytes from {start} to {end}",
+                "otro cambio también modifica bytes de {start} a {end}"
             ),
             Self::TooLong => words!(
                 "a document cannot be longer than {} bytes",

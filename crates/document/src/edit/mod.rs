@@ -1,6 +1,6 @@
 //! Changes of a document's text that leave every other byte as its author wrote it.
 //!
-//! Each function takes the [`Outline`] of a text and returns edits for [`apply`]. It refuses an edit that would change
+//! Each function takes the [`Outline`](crate::Outline) of a text and returns edits for [`apply`]. It refuses an edit that would change
 //! how the rest of the text is read: a closing fence inside a block, for example, would end the block early.
 
 mod blocks;
@@ -14,8 +14,6 @@ pub use error::EditError;
 pub use parameter::set_parameter;
 pub use settings::set_front_matter;
 
-#[cfg(doc)]
-use crate::Outline;
 use model::Span;
 
 /// A replacement of a part of a text.

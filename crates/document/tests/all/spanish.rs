@@ -1,8 +1,10 @@
-//! Every diagnostic of the documents in `wrong.txt` and of the examples of the language reference in Spanish: nothing is
-//! left in English, names and numbers are those of the English text, and the words are those of `spanish.txt`.
+//! Every diagnostic of the documents in `wrong.txt`, and every refusal of an edit, in Spanish: nothing is left in English,
+//! names and numbers are those of the English text, and the words are those of `spanish.txt`.
 //! `UPDATE_EXPECTED=1 cargo test -p document --test all spanish` writes that file, to be read before it is committed.
 
 use crate::catalogue::Catalogue;
+use document::edit::EditError;
+use model::{Diagnostic, Span};
 use std::path::Path;
 
 #[test]
@@ -17,5 +19,18 @@ fn every_finding_is_said_in_spanish() {
         assert!(!found.is_empty(), "{title}: nothing is said");
         catalogue.add(&found.into_iter().map(|(_, diagnostic)| diagnostic).collect::<Vec<_>>());
     }
+    let refusals = [
+        EditError::Place(Span::new(2, 3)),
+        EditError::Overlap(Span::new(2, 3)),
+        EditError::TooLong,
+        EditError::UnknownParameter("b".to_owned()),
+        EditError::UnreadableParameter("b".to_owned()),
+        EditError::NotANumber("1,5".to_owned()),
+        EditError::Key("a b".to_owned()),
+        EditError::Value(String::new()),
+        EditError::UnknownBlock(4),
+        EditError::ChangesOthers,
+    ];
+    catalogue.add(&refusals.map(|refusal| Diagnostic::error("edit", refusal.words(), Span::default())));
     catalogue.compare(&tests.join("spanish.txt"));
 }

@@ -101,11 +101,18 @@ visit("a link reopens the same state, and so does a reload", async (lab) => {
   await eventually(async () => assert.deepEqual(await state(lab), expected));
 });
 
-visit("an exported page plays from a file, without a network", { file: exported }, async (lab) => {
+visit("an exported laboratory plays from a file, without a network", { file: exportedLaboratory }, async (lab) => {
   await lab.press("Play");
   await lab.watchUntil(1);
   assert.match(await lab.page.title(), /U-tube/);
+  assert.equal(await lab.page.getByRole("tab", { name: "Fit" }).count(), 1);
 });
+
+function exportedLaboratory() {
+  const file = temporary("laboratory.html");
+  meniscus("export", "simulations/utube.md", "--lab", "--output", file);
+  return file;
+}
 
 function exported() {
   const file = temporary("exported.html");

@@ -164,9 +164,10 @@ visit("a plot is zoomed with the wheel, moved by dragging and shown whole again"
 
 visit("a record is read and fitted, and is there again after a reload", "#1&d=theories/linear.md", async (visitor) => {
   writeFileSync(temporary("film.csv"), film());
-  await visitor.openTab("Measurements", "Fit");
+  await visitor.openTab("Measure");
   const [chooser] = await Promise.all([visitor.page.waitForFileChooser(), visitor.press("Choose a file")]);
   await chooser.accept([temporary("film.csv")]);
+  await visitor.openTab("Fit");
   await visitor.press("Fit");
   const estimate = async (name) => {
     const rows = await visitor.page.$$eval("tr", (rows) => rows.map((row) => [...row.cells].map((cell) => cell.innerText)));
@@ -178,7 +179,7 @@ visit("a record is read and fitted, and is there again after a reload", "#1&d=th
     assert.ok(Math.abs(value - truth) < 3 * error + 1e-3, `${name}: ${value} ± ${error}, not ${truth}`);
   }
   await visitor.page.reload();
-  await visitor.openTab("Measurements", "Fit");
+  await visitor.openTab("Fit");
   await eventually(() => estimate("Length of the column"));
 });
 

@@ -141,7 +141,9 @@ visit("a fault inside the module is told", async (lab) => {
 });
 
 function damaged() {
-  const whole = readFileSync(exportedWords(), "utf8");
+  const laboratory = temporary("laboratory.html");
+  meniscus("export", "tests/page/hostile-words.md", "--lab", "--output", laboratory);
+  const whole = readFileSync(laboratory, "utf8");
   const file = temporary("damaged.html");
   writeFileSync(file, whole.replace("```model", "```modle"));
   return file;

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Which crates of the workspace each may use. The walls between them are the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 13] = [
+const ARROWS: [(&str, &[&str]); 15] = [
     ("units", &[]),
     ("program", &["units"]),
     ("model", &["program", "units"]),
@@ -19,7 +19,9 @@ const ARROWS: [(&str, &[&str]); 13] = [
     ("play", &["engine", "figure", "program", "units"]),
     ("desk", &["analysis", "document", "engine", "figure", "play", "program", "report", "units"]),
     ("probe", &["analysis", "document", "engine", "figure", "program", "units"]),
-    ("lab", &["desk", "document", "figure", "model", "play", "program", "units"]),
+    ("view", &["figure", "play", "program", "units"]),
+    ("player", &["play", "program", "units", "view"]),
+    ("lab", &["desk", "document", "figure", "model", "play", "program", "units", "view"]),
     ("cli", &["analysis", "document", "engine", "figure", "model", "program", "report", "units"]),
 ];
 

@@ -141,7 +141,7 @@ impl Desk {
     }
 
     fn title_of(&self, fit: &Fitted) -> String {
-        fit.document.program.edition(&self.play.tag()).title.clone()
+        fit.document.program.edition(self.play.tag()).title.clone()
     }
 
     pub(crate) fn is_applicable(&self, fit: &Fitted) -> bool {
@@ -239,7 +239,7 @@ impl Desk {
             String::new()
         };
         let record = one.record.filter(|_| fit.task.records.len() > 1).and_then(|record| fit.task.records.get(record));
-        let label = one.label.as_ref().map(|label| fit.document.program.text(&self.play.tag(), label).to_owned());
+        let label = one.label.as_ref().map(|label| fit.document.program.text(self.play.tag(), label).to_owned());
         EstimateView {
             name: one.name.clone(),
             label: label.unwrap_or_else(|| play::symbol(&one.name)),

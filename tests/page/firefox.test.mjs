@@ -167,10 +167,12 @@ visit("a record is read and fitted, and is there again after a reload", "#1&d=th
   await visitor.openTab("Measure");
   const [chooser] = await Promise.all([visitor.page.waitForFileChooser(), visitor.press("Choose a file")]);
   await chooser.accept([temporary("film.csv")]);
+  const tables = () => visitor.page.$$eval("tr", (rows) => rows.map((row) => [...row.cells].map((cell) => cell.innerText)));
+  await eventually(async () => assert.match(JSON.stringify(await tables()), /y \[cm\]/, "the record is shown"));
   await visitor.openTab("Fit");
   await visitor.press("Fit");
   const estimate = async (name) => {
-    const rows = await visitor.page.$$eval("tr", (rows) => rows.map((row) => [...row.cells].map((cell) => cell.innerText)));
+    const rows = await tables();
     const row = rows.find(([label, value]) => label.startsWith(name) && value?.includes("±"));
     return row?.[1].split("±").map(number) ?? assert.fail(`no estimate of «${name}» in ${JSON.stringify(rows)}`);
   };

@@ -1,6 +1,6 @@
 // Measures the built page in the browser, and the engine's pace in WebAssembly, for `cargo xtask bench`. Prints one
-// `name value` in each line. Needs PROBE, the directory with the probe's JavaScript and module; PAGE, the built page; and
-// CHROME, without which the pace is that of Node and nothing is said about the page.
+// `name value` in each line. Needs PROBE, the directory with the probe's JavaScript and module; PAGE, the laboratory; EXPORTED,
+// a page that `meniscus export` has made; and CHROME, without which the pace is that of Node and nothing is said about the page.
 
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -87,7 +87,7 @@ try {
   await measureOpening();
   await measureFrames();
   await measureLongRecord();
-  await measurePhone(browser, address, say);
+  await measurePhone(browser, pathToFileURL(process.env.EXPORTED).href, say);
 } finally {
   await browser.close();
 }

@@ -1,4 +1,4 @@
-// The page on a cheap phone, as far as a computer can play one: a small screen of two pixels to a point, a processor that is
+// An exported page on a cheap phone, as far as a computer can play one: a small screen of two pixels to a point, a processor that is
 // slowed down, and a slow connection. For `measure.mjs`.
 
 import { readFileSync } from "node:fs";

@@ -13,7 +13,7 @@ use std::process::ExitCode;
 
 const HELP: &str = "\
 cargo xtask lab     build the page and the program, and open the laboratory in the browser
-cargo xtask page    build the page: target/page/meniscus.html
+cargo xtask page    build the pages: target/page/meniscus.html, and the player that exported pages are made of
 cargo xtask test    run every check: format, lints, tests, golden runs, the page in browsers
 cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens
 ";

@@ -7,7 +7,7 @@ use crate::{Announcement, Desk};
 /// What the last removal took away, with its place in its list.
 #[derive(Debug)]
 pub(crate) enum Removed {
-    Record(usize, Record),
+    Record(usize, Box<Record>),
     Fit(usize, Box<Fitted>),
 }
 
@@ -31,7 +31,7 @@ impl Desk {
         match removed {
             Removed::Record(place, record) => {
                 let place = place.min(self.data.records.len());
-                self.data.records.insert(place, record);
+                self.data.records.insert(place, *record);
                 self.records_changed();
             }
             Removed::Fit(place, fit) => {

@@ -49,13 +49,6 @@ impl Desk {
         self.label_residuals();
     }
 
-    /// Computes the next of the residuals of a long record that are still missing. Whether there are more: drawing goes on
-    /// with them.
-    pub fn catch_up(&mut self) -> bool {
-        self.follow_residuals();
-        self.lags()
-    }
-
     /// Whether residuals of a long record are still to be computed.
     pub fn lags(&self) -> bool {
         let front = self.play.course().front();

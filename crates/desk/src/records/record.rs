@@ -287,7 +287,7 @@ impl Desk {
         if let Some(index) = self.data.records.iter().position(|record| record.id == id) {
             let record = self.data.records.remove(index);
             let name = record.name.clone();
-            self.can_undo(Removed::Record(index, record));
+            self.can_undo(Removed::Record(index, Box::new(record)));
             self.records_changed();
             self.announce(Announcement::RecordRemoved(name));
         }

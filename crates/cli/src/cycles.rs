@@ -104,7 +104,7 @@ fn widest(data: &Measured) -> Result<usize, Failure> {
     let Some(&first) = measured.first() else {
         return Err(Failure::request(format!("{} has no measured column", data.name)));
     };
-    let alike = |column: &&usize| {
+    let comparable = |column: &&usize| {
         let (one, other) = (&table.columns[first], &table.columns[**column]);
         one.independent == other.independent && one.unit == other.unit && !one.name.is_empty()
     };
@@ -116,7 +116,8 @@ fn widest(data: &Measured) -> Result<usize, Failure> {
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)));
         high - low
     };
-    let most = measured.iter().filter(alike).copied().rev().max_by(|one, other| range(*one).total_cmp(&range(*other)));
+    let most =
+        measured.iter().filter(comparable).copied().rev().max_by(|one, other| range(*one).total_cmp(&range(*other)));
     let widest = most.unwrap_or(first);
     data.check_times(widest)?;
     Ok(widest)

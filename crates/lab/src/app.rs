@@ -96,7 +96,7 @@ impl Deref for Laboratory {
 struct Store {
     lab: RefCell<Lab>,
     app: OnceCell<App>,
-    /// What the views have been told of records, fits and answers.
+    /// What the views have shown of records, fits and answers.
     seen: Cell<(u64, u64, u64)>,
 }
 

@@ -89,8 +89,8 @@ fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Opt
 
 fn check_names(declarations: &Declarations, unknowns: &[Unknown], diagnostics: &mut Vec<Diagnostic>) {
     let initial = declarations.initial_values.iter().map(|entry| entry.name.text.as_str());
-    let told = initial.filter(|name| declarations.scope.meaning(name).is_none()).collect();
-    let mut check = NameCheck::new(&declarations.scope, told);
+    let reported = initial.filter(|name| declarations.scope.meaning(name).is_none()).collect();
+    let mut check = NameCheck::new(&declarations.scope, reported);
     for definition in &declarations.definitions {
         check.expression(definition.value);
     }

@@ -22,8 +22,8 @@ pub trait Host {
         false
     }
 
-    /// What has happened since this was asked last. Of a slider that is being moved, `by_slider`, the value is not told: the
-    /// slider tells it.
+    /// What has happened since this was asked last. Of a slider that is being moved, `by_slider`, the value is left out: the
+    /// slider says it.
     fn news(&self, by_slider: bool) -> Vec<News> {
         let mut news = Vec::new();
         self.with_play(&mut |play| {
@@ -120,9 +120,9 @@ pub struct Page {
     nodes: RefCell<Nodes>,
     /// Where signals live that live as long as the page.
     scope: NodeHandle,
-    /// What the views have been told of.
+    /// What the views have shown.
     seen: Cell<Revision>,
-    /// The frame that the values have been told of.
+    /// The frame that the values have shown.
     seen_frame: Cell<u64>,
     /// What has changed.
     pub changes: Changes,
@@ -235,7 +235,7 @@ impl App {
         frame::wake(self);
     }
 
-    /// Raises the counters of what has changed and says what is to be told. `values` says whether it is time to show
+    /// Raises the counters of what has changed and says what has happened. `values` says whether it is time to show
     /// changing values again.
     pub fn publish(self, values: bool, by_slider: bool) {
         let Some(revision) = self.read(|play| Some(play.revision())) else { return };

@@ -31,7 +31,8 @@ pub fn view(app: App, index: usize) -> View {
             Some(Grade::Wrong | Grade::Unanswerable) => "wrong",
         })
     };
-    let told = move || verdict.with(|verdict| verdict.as_ref().map(|verdict| verdict.text.clone()).unwrap_or_default());
+    let reported =
+        move || verdict.with(|verdict| verdict.as_ref().map(|verdict| verdict.text.clone()).unwrap_or_default());
     let answer = move || match revealed.get_clone() {
         Some(answer) => span().child(words.right_answer).child(": ").child(strong().child(answer)).into(),
         None => View::new(),
@@ -70,7 +71,7 @@ pub fn view(app: App, index: usize) -> View {
         .child(div().class("prompt").id(format!("prompt-{index}")).inner_html(asked.prompt))
         .child(setup(app, index))
         .child(form)
-        .child(verdict.child(text(told)))
+        .child(verdict.child(text(reported)))
         .child(p().class("revealed").role("status").child(changing(answer)))
         .maybe(explanation)
         .maybe(hint)

@@ -2,7 +2,7 @@
 //! distribution.
 
 use super::observed::ObservationFit;
-use super::plan::alike;
+use super::plan::equal;
 use super::problem::Problem;
 use super::robust::{self, Loss};
 
@@ -34,7 +34,7 @@ pub(super) fn criteria(
     let (mut deviance, mut variances) = (0.0, 0.0);
     for one in observations {
         let record = &problem.task.records[one.record];
-        let alike = alike(record, one.observation) as f64;
+        let equal = equal(record, one.observation) as f64;
         let n = one.inside.iter().filter(|inside| **inside).count() as f64;
         if n > 0.0 {
             // A size whose square is still a number, where all values are 0.
@@ -43,8 +43,8 @@ pub(super) fn criteria(
             deviance += match problem.task.loss {
                 Loss::Squares => 2.0 * n * libm::log(one.rmse.max(least)),
                 Loss::Huber | Loss::Tukey => robust::deviance(&one.inside_residuals(), least),
-            } / alike;
-            variances += 1.0 / alike;
+            } / equal;
+            variances += 1.0 / equal;
         }
     }
     let mut k = determined as f64;

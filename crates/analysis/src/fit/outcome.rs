@@ -8,7 +8,7 @@ use super::identify::{Undetermined, undetermined};
 use super::judgement::{Judgement, Outlier};
 use super::linear::{Jacobian, dot};
 use super::observed::{ObservationFit, Outside};
-use super::plan::{Plan, witness};
+use super::plan::{Plan, independent};
 use super::problem::Problem;
 use super::robust::{Loss, Reweighted};
 use super::search::Search;
@@ -193,7 +193,7 @@ fn observations(fit: &mut Fit, best: &Search) -> Vec<ObservationFit> {
                 observation,
                 name: one.name.clone(),
                 unit: one.observed.unit.clone(),
-                derived: witness(&task.records[record], observation) != observation,
+                derived: independent(&task.records[record], observation) != observation,
                 times: Vec::with_capacity(one.times.len()),
                 measured: Vec::with_capacity(one.times.len()),
                 fitted: Vec::with_capacity(one.times.len()),

@@ -121,8 +121,8 @@ impl Problem {
         for (index, observation) in record.observations.iter().enumerate() {
             let node = observation.observed.node;
             plan.expressions.push(self.expressions.iter().position(|known| *known == node).unwrap_or(0));
-            let measured = witness(record, index) == index;
-            let share = 1.0 / alike(record, index) as f64;
+            let measured = independent(record, index) == index;
+            let share = 1.0 / equal(record, index) as f64;
             for (place, time, value) in observation.rows().filter(|(_, time, _)| usable(*time)) {
                 // Without an error it is outside the fitted part, where weights do not count.
                 let weight = 1.0 / observation.error(place).unwrap_or(1.0);
@@ -137,7 +137,7 @@ impl Problem {
 }
 
 /// The observation in the end of the chain of those from which each is computed.
-pub(crate) fn witness(record: &Record, mut index: usize) -> usize {
+pub(crate) fn independent(record: &Record, mut index: usize) -> usize {
     // A chain that leads in a circle ends somewhere.
     for _ in 0..record.observations.len() {
         match record.observations[index].derived_from {
@@ -149,7 +149,7 @@ pub(crate) fn witness(record: &Record, mut index: usize) -> usize {
 }
 
 /// How many observations of a record tell the same as this one, itself among them.
-pub(crate) fn alike(record: &Record, index: usize) -> usize {
-    let root = witness(record, index);
-    (0..record.observations.len()).filter(|&other| witness(record, other) == root).count()
+pub(crate) fn equal(record: &Record, index: usize) -> usize {
+    let root = independent(record, index);
+    (0..record.observations.len()).filter(|&other| independent(record, other) == root).count()
 }

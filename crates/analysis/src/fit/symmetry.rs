@@ -36,12 +36,12 @@ pub(crate) fn like_start(fit: &mut Fit, best: &Search, own: &[f64]) -> Option<Ve
                     continue;
                 }
                 let mut exchanged = x.clone();
-                let alike = (0..length).all(|place| {
+                let unchanged = (0..length).all(|place| {
                     let (a, b) = (others[first + place], others[second + place]);
                     exchanged.swap(a, b);
                     sort(fit, a) == sort(fit, b)
                 });
-                if alike && tries < TRIES {
+                if unchanged && tries < TRIES {
                     tries += 1;
                     x = equal(fit, best, exchanged).unwrap_or(x);
                 }

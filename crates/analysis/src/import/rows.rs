@@ -267,8 +267,9 @@ impl Rows {
             .sum();
         let lines = self.word_lines.map_or(0, |(_, count)| count);
         if in_columns > self.numbers || lines > self.length {
-            let told = self.listed.first().map(|one| (one.line, one.column, one.text.clone()));
-            let (line, column, text) = told.unwrap_or((self.word_lines.map_or(1, |lines| lines.0), 0, String::new()));
+            let reported = self.listed.first().map(|one| (one.line, one.column, one.text.clone()));
+            let (line, column, text) =
+                reported.unwrap_or((self.word_lines.map_or(1, |lines| lines.0), 0, String::new()));
             return Err(ImportError::new(Some(line), Refusal::Words { column: column + 1, text }));
         }
         if self.length < 2 {
@@ -283,15 +284,15 @@ impl Rows {
         if let Some((line, count)) = self.word_lines {
             findings.push(Finding::WordLines { line, count });
         }
-        let told = self.listed.iter().filter_map(|one| {
+        let reported = self.listed.iter().filter_map(|one| {
             Some(Finding::Word { line: one.line, column: label(one.column)?, text: one.text.clone() })
         });
-        findings.extend(told.take(TOLD));
-        let told = findings.len() - usize::from(self.word_lines.is_some());
+        findings.extend(reported.take(TOLD));
+        let reported = findings.len() - usize::from(self.word_lines.is_some());
         let of_column = |(column, others): (usize, &Others)| label(column).map(|_| others.words);
         let all: usize = self.others.iter().enumerate().filter_map(of_column).sum();
-        if all > told {
-            findings.push(Finding::MoreWords(all - told));
+        if all > reported {
+            findings.push(Finding::MoreWords(all - reported));
         }
         if let Some((line, count)) = self.long {
             findings.push(Finding::ExtraCells { line, count });

@@ -164,12 +164,12 @@ fn quality(outcome: &Outcome, fitted: &Fitted) -> String {
             number::plain(outcome.bic, 6, Style::POINT)
         ),
     ]);
-    let mut witness =
+    let mut statistic =
         format!("{} (2 for independent residuals)", number::plain(outcome.durbin_watson, 3, Style::POINT));
     if let Some(runs) = outcome.runs {
-        let _ = write!(witness, "; {} runs of equal sign ({:.0} expected)", runs.runs, runs.expected);
+        let _ = write!(statistic, "; {} runs of equal sign ({:.0} expected)", runs.runs, runs.expected);
     }
-    columns.push(vec!["Durbin-Watson".to_owned(), witness]);
+    columns.push(vec!["Durbin-Watson".to_owned(), statistic]);
     columns.text(&[])
 }
 

@@ -209,7 +209,7 @@ impl Desk {
         let groups = std::iter::once(None).chain((0..fit.task.records.len()).map(Some));
         let of = |group| all().filter(move |(one, _)| place(one) == group);
         // The same quantity has the same unit and the same decimals in every record.
-        let alike = |name: &str| -> Group {
+        let group = |name: &str| -> Group {
             let known: Vec<&Estimate> =
                 all().map(|(one, _)| one).filter(|one| one.name == name && one.determined).collect();
             let measured: Vec<(f64, f64)> =
@@ -217,11 +217,11 @@ impl Desk {
             let unit = known.first().map_or_else(Unit::dimensionless, |one| one.unit.clone());
             Group::of_errors(&unit, &measured, self.play.style())
         };
-        let view = |(one, derived): (&Estimate, bool)| self.estimate_view(fit, one, derived, &alike(&one.name));
+        let view = |(one, derived): (&Estimate, bool)| self.estimate_view(fit, one, derived, &group(&one.name));
         groups.flat_map(of).map(view).collect()
     }
 
-    fn estimate_view(&self, fit: &Fitted, one: &Estimate, derived: bool, alike: &Group) -> EstimateView {
+    fn estimate_view(&self, fit: &Fitted, one: &Estimate, derived: bool, group: &Group) -> EstimateView {
         let error = error(one);
         let remark = if !one.determined {
             words::undetermined(self.play.language()).to_owned()
@@ -229,7 +229,7 @@ impl Desk {
             words::at_bound(self.play.language()).to_owned()
         } else if let Some(value) = self.truth(fit, one) {
             let off = error.filter(|error| *error > 0.0).map(|error| (one.value - value) / error);
-            let truth = self.play.quantity_text(value, alike.unit());
+            let truth = self.play.quantity_text(value, group.unit());
             words::truth_is(
                 self.play.language(),
                 &truth,
@@ -245,10 +245,10 @@ impl Desk {
             label: label.unwrap_or_else(|| play::symbol(&one.name)),
             record: record.map(|record| record.name.clone()).unwrap_or_default(),
             value: match one.determined {
-                true => alike.with_error(one.value, error.map_or(f64::NAN, f64::abs)),
+                true => group.with_error(one.value, error.map_or(f64::NAN, f64::abs)),
                 false => number::DASH.to_owned(),
             },
-            unit: if one.determined { alike.unit_text() } else { number::unit_text(&one.unit.text) },
+            unit: if one.determined { group.unit_text() } else { number::unit_text(&one.unit.text) },
             remark,
             derived,
         }

@@ -348,16 +348,16 @@ impl Record {
         let mut meanings = recognise(&self.table, document, labels);
         self.table.columns.extend(made);
         // A fit follows the first column that was not computed from another one.
-        let witness = |(column, meaning): (usize, &Meaning)| {
+        let independent = |(column, meaning): (usize, &Meaning)| {
             !meaning.quantity.is_empty()
                 && meaning.quantity != model.independent.name
                 && self.computed_from(column).is_none()
         };
-        let witness = meanings.iter().enumerate().position(witness);
+        let independent = meanings.iter().enumerate().position(independent);
         meanings.resize_with(self.table.columns.len(), Meaning::nothing);
         let fresh = meanings.into_iter().enumerate().map(|(column, meaning)| match self.uses.get(column) {
             Some(used) if used.chosen && used.fits(model) => used.clone(),
-            _ => Use { meaning, fitted: Some(column) == witness, offset: 0.0, chosen: false, stated: false },
+            _ => Use { meaning, fitted: Some(column) == independent, offset: 0.0, chosen: false, stated: false },
         });
         self.uses = fresh.collect();
         self.settle_made(document);

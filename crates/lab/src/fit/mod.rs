@@ -101,7 +101,7 @@ fn running(app: App) -> View {
     let words = app.words();
     let progress = app.fit_progress;
     let finished = move || progress.with(|now| now.as_ref().map_or((0, 1), |now| now.finished));
-    let told = move || {
+    let reported = move || {
         progress.with(|now| {
             let Some(FitProgress { theory, trials, finished, .. }) = now else { return String::new() };
             let place = if finished.1 > 1 { format!("{}/{}: ", finished.0 + 1, finished.1) } else { String::new() };
@@ -120,7 +120,7 @@ fn running(app: App) -> View {
     };
     View::from((
         tags::progress().attr("aria-label", words.fit_begin).max(move || finished().1.to_string()).value(part),
-        span().class("note").child(text(told)),
+        span().class("note").child(text(reported)),
         button().class("quiet").id("cancel-fit").when(events::click, cancel).child(words.fit_cancel),
     ))
 }

@@ -180,7 +180,7 @@ impl Inference<'_> {
             return;
         }
         left.append(&mut right);
-        self.alike(&left, Place::Sum);
+        self.equal(&left, Place::Sum);
     }
 
     /// The dimension of terms that are all known and all of one dimension.

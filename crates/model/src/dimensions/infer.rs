@@ -40,7 +40,7 @@ impl Inference<'_> {
             | ExpressionKind::Binary(BinaryOperator::Add | BinaryOperator::Subtract, ..) => {
                 let mut terms = Vec::new();
                 self.terms(expression, &mut terms);
-                self.alike(&terms, Place::Sum)
+                self.equal(&terms, Place::Sum)
             }
             ExpressionKind::Binary(operator, left, right) => self.binary(*operator, left, right, expression.span),
             ExpressionKind::Call { function, arguments } => self.call(function, arguments),
@@ -160,7 +160,7 @@ impl Inference<'_> {
                     expression: side,
                     form: self.number(side, &words("a comparison", "una comparación")),
                 });
-                self.alike(&sides, Place::Sides);
+                self.equal(&sides, Place::Sides);
                 Type::Truth
             }
             BinaryOperator::Multiply | BinaryOperator::Divide => self.product(left, operator, right),
@@ -226,7 +226,7 @@ impl Inference<'_> {
             (Type::Number(left_form), Type::Number(right_form)) => {
                 let terms = [(left.0, left_form), (right.0, right_form)]
                     .map(|(expression, form)| Term { expression, form: Some(form.clone()) });
-                self.alike(&terms, place)
+                self.equal(&terms, place)
             }
             (Type::Truth, Type::Truth) => Type::Truth,
             (Type::Text, Type::Text) => Type::Text,
@@ -326,7 +326,7 @@ impl Inference<'_> {
             Rule::Same | Rule::Ratio => {
                 let terms: Vec<Term> =
                     arguments.iter().zip(forms).map(|(expression, form)| Term { expression, form }).collect();
-                let common = self.alike(&terms, Place::Arguments);
+                let common = self.equal(&terms, Place::Arguments);
                 if function.dimensions == Rule::Same { common } else { Type::Number(Form::pure()) }
             }
         }

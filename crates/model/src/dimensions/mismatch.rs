@@ -56,7 +56,7 @@ impl Place {
 impl Inference<'_> {
     /// Requires one dimension of all terms, and returns it. If they differ, those that differ from most terms are reported, and
     /// nothing more is said about what is computed from them.
-    pub fn alike(&mut self, terms: &[Term], place: Place) -> Type {
+    pub fn equal(&mut self, terms: &[Term], place: Place) -> Type {
         let usable: Vec<(usize, &Term, &Form)> = terms
             .iter()
             .enumerate()
@@ -298,9 +298,9 @@ impl Inference<'_> {
             let Some(origin) = self.solver.origin(form).filter(|_| involved) else {
                 continue;
             };
-            let told =
+            let reported =
                 diagnostic.labels.iter().any(|label| label.span.start <= origin.start && origin.end <= label.span.end);
-            if !told {
+            if !reported {
                 diagnostic = diagnostic.with_label(
                     origin,
                     words!(

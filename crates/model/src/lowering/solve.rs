@@ -111,8 +111,8 @@ fn linear_equations(
             Shape::Affine(form) => forms.push(form),
             Shape::Free => forms.push(Affine { rest: Some(difference), ..Affine::default() }),
             Shape::Nonlinear => {
-                let told = nonlinear(declarations, equation, &mut lowering, &mut shapes, unknown);
-                diagnostics.push(told.map_err(too_many)?);
+                let reported = nonlinear(declarations, equation, &mut lowering, &mut shapes, unknown);
+                diagnostics.push(reported.map_err(too_many)?);
             }
         }
     }

@@ -13,15 +13,15 @@ use units::{Words, words};
 pub(crate) struct NameCheck<'a> {
     scope: &'a Scope,
     /// Names without a meaning that have been reported elsewhere.
-    told: Vec<&'a str>,
+    reported: Vec<&'a str>,
     unknown: Vec<(&'a str, u32, Vec<Span>)>,
     diagnostics: Vec<Diagnostic>,
 }
 
 impl<'a> NameCheck<'a> {
-    /// An empty check. The names in `told` are not reported again.
-    pub fn new(scope: &'a Scope, told: Vec<&'a str>) -> Self {
-        Self { scope, told, unknown: Vec::new(), diagnostics: Vec::new() }
+    /// An empty check. The names in `reported` are not reported again.
+    pub fn new(scope: &'a Scope, reported: Vec<&'a str>) -> Self {
+        Self { scope, reported, unknown: Vec::new(), diagnostics: Vec::new() }
     }
 
     /// Looks at one expression.
@@ -71,7 +71,7 @@ impl<'a> NameCheck<'a> {
     }
 
     fn unknown(&mut self, name: &'a str, order: u32, span: Span) {
-        if self.told.contains(&name) {
+        if self.reported.contains(&name) {
             return;
         }
         let count = self.unknown.len();

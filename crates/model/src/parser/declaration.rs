@@ -16,7 +16,7 @@ impl Cursor<'_> {
         let start = self.advance();
         let name = match self.plain_name(&words("a parameter", "un parámetro")) {
             Ok(name) => name,
-            Err(told) => return (nothing(start), Err(told)),
+            Err(reported) => return (nothing(start), Err(reported)),
         };
         let span = name.span;
         let mut parameter =
@@ -196,10 +196,10 @@ impl Cursor<'_> {
         let start = self.advance();
         let name = match self.plain_name(&words("the independent variable", "la variable independiente")) {
             Ok(name) => name,
-            Err(told) => return (nothing(start), Err(told)),
+            Err(reported) => return (nothing(start), Err(reported)),
         };
         let unit = self.stated_unit();
-        let read = unit.as_ref().map(|_| ()).map_err(|told| *told);
+        let read = unit.as_ref().map(|_| ()).map_err(|reported| *reported);
         (StatementKind::Independent { name, unit: unit.unwrap_or(None) }, read)
     }
 
@@ -208,7 +208,7 @@ impl Cursor<'_> {
         let start = self.advance();
         let condition = match self.expression() {
             Ok(tree) => tree.expression,
-            Err(told) => return (nothing(start), Err(told)),
+            Err(reported) => return (nothing(start), Err(reported)),
         };
         self.refuse_equals(words("condition", "una condición"));
         let mut actions = Vec::new();
@@ -338,10 +338,10 @@ impl Cursor<'_> {
             Ok(_) => None,
             Err(_) => Some(unread(self.span())),
         };
-        let outcome = read.as_ref().map(|_| ()).map_err(|told| *told);
+        let outcome = read.as_ref().map(|_| ()).map_err(|reported| *reported);
         let value = value.or_else(|| read.ok().map(|tree| tree.expression)).unwrap_or_else(|| unread(name.span));
         let unit = outcome.and_then(|()| self.stated_unit());
-        let outcome = unit.as_ref().map(|_| ()).map_err(|told| *told);
+        let outcome = unit.as_ref().map(|_| ()).map_err(|reported| *reported);
         assignments.push(Assignment { name, value, unit: unit.unwrap_or(None) });
         outcome
     }

@@ -246,14 +246,14 @@ impl Cursor<'_> {
         let start = self.span();
         let left = match self.expression() {
             Ok(left) => left,
-            Err(told) => return (nothing(start), Err(told)),
+            Err(reported) => return (nothing(start), Err(reported)),
         };
-        if let Err(told) = self.equals(&left) {
-            return (nothing(left.expression.span), Err(told));
+        if let Err(reported) = self.equals(&left) {
+            return (nothing(left.expression.span), Err(reported));
         }
         let read = self.expression();
         let right = read.map(|tree| tree.expression);
-        let mut outcome = right.as_ref().map(|_| ()).map_err(|told| *told);
+        let mut outcome = right.as_ref().map(|_| ()).map_err(|reported| *reported);
         let right = right.unwrap_or_else(|_| unread(after(self.last_span())));
         let bare = !left.parenthesised;
         let left = left.expression;
@@ -261,7 +261,7 @@ impl Cursor<'_> {
             ExpressionKind::Name { name, order: 0 } if bare => {
                 let name = Name { text: name, span: left.span };
                 let unit = outcome.and_then(|()| self.stated_unit());
-                let outcome = unit.as_ref().map(|_| ()).map_err(|told| *told);
+                let outcome = unit.as_ref().map(|_| ()).map_err(|reported| *reported);
                 (StatementKind::Definition { name, value: right, unit: unit.unwrap_or(None) }, outcome)
             }
             ExpressionKind::InitialValue { name, order } if bare => {
@@ -270,7 +270,7 @@ impl Cursor<'_> {
                 let name_only = written.trim_end_matches(|c| units::alphabet::primes(c).is_some());
                 let span = Span::new(left.span.start, left.span.start + name_only.len());
                 let unit = outcome.and_then(|()| self.stated_unit());
-                let outcome = unit.as_ref().map(|_| ()).map_err(|told| *told);
+                let outcome = unit.as_ref().map(|_| ()).map_err(|reported| *reported);
                 let name = Name { text: name, span };
                 (StatementKind::InitialValue { name, order, value: right, unit: unit.unwrap_or(None) }, outcome)
             }

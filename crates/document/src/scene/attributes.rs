@@ -2,7 +2,6 @@
 
 use super::allowed::{ATTRIBUTES, REFERRING, danger, is_id, is_idle, reference};
 use super::build::Builder;
-use super::style::PREFIX;
 use super::template::{self, RawPiece};
 use program::{Attribute, Piece, Template};
 use std::ops::Range;
@@ -44,7 +43,7 @@ impl Builder<'_, '_> {
             && REFERRING.contains(&text.as_str())
         {
             self.references.push((id.to_owned(), value));
-            return Some(Attribute { name: text, value: vec![Piece::Literal(format!("url(#{PREFIX}{id})"))] });
+            return Some(Attribute { name: text, value: vec![Piece::Literal(format!("url(#{id})"))] });
         }
         let literals: String = raw
             .iter()
@@ -97,10 +96,10 @@ impl Builder<'_, '_> {
             return None;
         }
         let text = if name == "id" {
-            is_id(&text).then(|| format!("{PREFIX}{text}"))?
+            is_id(&text).then_some(text)?
         } else {
             let names = || text.split_whitespace();
-            let known: Vec<String> = names().filter(|name| is_id(name)).map(|name| format!("{PREFIX}{name}")).collect();
+            let known: Vec<&str> = names().filter(|name| is_id(name)).collect();
             if known.len() < names().count() {
                 self.refuse(
                     words!("`{text}` is not a list of class names", "`{text}` no es una lista de nombres de clase"),

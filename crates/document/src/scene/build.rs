@@ -2,12 +2,12 @@
 
 use super::allowed::{ELEMENTS, is_id};
 use super::drag::Dragging;
-use super::style::{SCENE_CLASS, confine};
+use super::style;
 use super::values::SceneText;
 use super::xml::{RawChild, RawElement, parse};
 use crate::expressions::Expressions;
 use model::{Diagnostic, Span};
-use program::{Attribute, Child, Compiled, Element, Piece, Scene};
+use program::{Child, Compiled, Element, Piece, Scene};
 use std::collections::BTreeSet;
 use std::ops::Range;
 use units::{Words, words};
@@ -135,7 +135,7 @@ impl Builder<'_, '_> {
             return None;
         }
         let name = raw.name.clone();
-        let mut root = self.element(raw)?;
+        let root = self.element(raw)?;
         if !root.attributes.iter().any(|attribute| attribute.name == "viewBox") {
             self.refuse(
                 words("the `svg` element needs a `viewBox`", "el elemento `svg` necesita un `viewBox`"),
@@ -145,11 +145,6 @@ impl Builder<'_, '_> {
                     "`viewBox=\"0 0 400 300\"` da al dibujo 400 por 300 unidades",
                 )),
             );
-        }
-        let scene = || vec![Piece::Literal(SCENE_CLASS.to_owned())];
-        match root.attributes.iter_mut().find(|attribute| attribute.name == "class") {
-            Some(class) => class.value.splice(0..0, [Piece::Literal(format!("{SCENE_CLASS} "))]).for_each(drop),
-            None => root.attributes.insert(0, Attribute { name: "class".to_owned(), value: scene() }),
         }
         Some(root)
     }
@@ -183,8 +178,8 @@ impl Builder<'_, '_> {
         for child in raw.children {
             match child {
                 RawChild::Text(text) if element.name == "style" => {
-                    let confined = confine(self.expressions.source, text, &mut self.expressions.diagnostics);
-                    element.children.push(Child::Text(vec![Piece::Literal(confined)]));
+                    let rules = style::rules(self.expressions.source, text, &mut self.expressions.diagnostics);
+                    element.children.push(Child::Text(vec![Piece::Literal(rules)]));
                 }
                 RawChild::Element(inner) if element.name == "style" || self.source(&inner.name) == "svg" => {
                     self.refuse(

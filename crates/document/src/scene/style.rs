@@ -1,24 +1,19 @@
-//! A scene's `<style>`: rules of its own, kept inside the scene.
+//! A scene's `<style>`: rules of its own. The page shows each scene in a shadow tree, which its rules do not leave.
 
 use super::allowed::{danger, is_id, is_property};
 use model::{Diagnostic, Span};
 use std::ops::Range;
 use units::{Words, words};
 
-/// The class of the `svg` element, to which every rule is confined.
-pub const SCENE_CLASS: &str = "authored";
-/// What stands before the author's ids and classes, so that none meets one of the page.
-pub const PREFIX: &str = "scene-";
-
 /// The rules in `range` of `source` that may stand in the page.
-pub fn confine(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> String {
-    let mut confined = String::new();
+pub fn rules(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> String {
+    let mut allowed = String::new();
     let mut at = range.start;
     while let Some(length) = source[at..range.end].find('}') {
-        let rule = at..at + length;
-        at = rule.end + 1;
-        match confine_rule(source, rule.clone()) {
-            Ok(rule) => confined.push_str(&rule),
+        let place = at..at + length;
+        at = place.end + 1;
+        match rule(source, place) {
+            Ok(rule) => allowed.push_str(&rule),
             Err((message, range)) => diagnostics.push(refusal(message, range)),
         }
     }
@@ -26,7 +21,7 @@ pub fn confine(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnost
     if !rest.is_empty() {
         diagnostics.push(refusal(words("the rule is not closed with `}`", "la regla no se cierra con `}`"), rest));
     }
-    confined
+    allowed
 }
 
 fn refusal(message: Words, range: Range<usize>) -> Diagnostic {
@@ -41,7 +36,7 @@ fn refusal(message: Words, range: Range<usize>) -> Diagnostic {
 type Refusal = (Words, Range<usize>);
 
 /// `selectors { declarations`
-fn confine_rule(source: &str, rule: Range<usize>) -> Result<String, Refusal> {
+fn rule(source: &str, rule: Range<usize>) -> Result<String, Refusal> {
     let text = &source[rule.clone()];
     let Some((selectors, declarations)) = text.split_once('{') else {
         return Err((
@@ -49,10 +44,10 @@ fn confine_rule(source: &str, rule: Range<usize>) -> Result<String, Refusal> {
             rule,
         ));
     };
-    let selectors: Option<Vec<String>> = selectors.split(',').map(confine_selector).collect();
+    let selectors: Option<Vec<String>> = selectors.split(',').map(selector).collect();
     let Some(selectors) = selectors else {
         return Err((
-            words("this selector cannot be confined to the scene", "este selector no se puede limitar a la escena"),
+            words("this selector is not allowed in a scene", "este selector no se admite en una escena"),
             rule.start..rule.start + text.len() - declarations.len() - 1,
         ));
     };
@@ -77,40 +72,18 @@ fn confine_rule(source: &str, rule: Range<usize>) -> Result<String, Refusal> {
     Ok(format!("{}{{{confined}}}", selectors.join(",")))
 }
 
-/// `.authored g.scene-spring > path` from `g.spring > path`: names, classes, ids and hovering.
-fn confine_selector(selector: &str) -> Option<String> {
-    let mut confined = format!(".{SCENE_CLASS}");
-    for part in selector.split_whitespace() {
-        confined.push(' ');
-        if part == ">" {
-            confined.push('>');
-            continue;
-        }
-        let part = match part.strip_suffix(":hover") {
-            Some(hovered) => (hovered, ":hover"),
-            None => (part, ""),
-        };
-        if part.0.ends_with(['.', '#']) {
-            return None;
-        }
-        for (number, name) in part.0.split_inclusive(['.', '#']).enumerate() {
-            let (name, mark) = match name.strip_suffix(['.', '#']) {
-                Some(stem) => (stem, &name[stem.len()..]),
-                None => (name, ""),
-            };
-            let only_marks = number == 0 && name.is_empty() && !mark.is_empty();
-            if !is_id(name) && !only_marks {
-                return None;
-            }
-            confined.push_str(name);
-            confined.push_str(mark);
-            if !mark.is_empty() {
-                confined.push_str(PREFIX);
-            }
-        }
-        confined.push_str(part.1);
-    }
-    (confined.len() > SCENE_CLASS.len() + 1).then_some(confined)
+/// `g.spring > path`: names, classes, ids and hovering, with single blanks.
+fn selector(written: &str) -> Option<String> {
+    let parts: Vec<&str> = written.split_whitespace().collect();
+    let is_known = |part: &&str| {
+        let name = part.strip_suffix(":hover").unwrap_or(part);
+        // `#c`, `g.b`: an element may be missing before the first mark, nothing else.
+        let mut names = name.split(['.', '#']);
+        let element = names.next().unwrap_or_default();
+        (element.is_empty() && name.len() > 1 || is_id(element)) && names.all(is_id)
+    };
+    let good = !parts.is_empty() && parts.iter().all(|part| *part == ">" || is_known(part));
+    good.then(|| parts.join(" "))
 }
 
 /// Whether a value consists of words, numbers, colours and harmless functions.
@@ -127,15 +100,15 @@ mod tests {
 
     fn check(style: &str, expected: &str, messages: &[&str]) {
         let mut diagnostics = Vec::new();
-        assert_eq!(confine(style, 0..style.len(), &mut diagnostics), expected);
+        assert_eq!(rules(style, 0..style.len(), &mut diagnostics), expected);
         assert_eq!(diagnostics.iter().map(|d| &*d.message.english).collect::<Vec<_>>(), messages);
     }
 
     #[test]
-    fn rules_are_confined() {
+    fn rules_of_a_scene_stay_as_they_are() {
         check(
             ".a, g.b > #c:hover { fill: var(--liquid); stroke-width: 2 }\npath{}",
-            ".authored .scene-a,.authored g.scene-b > #scene-c:hover{fill:var(--liquid);stroke-width:2;}.authored path{}",
+            ".a,g.b > #c:hover{fill:var(--liquid);stroke-width:2;}path{}",
             &[],
         );
     }
@@ -161,8 +134,8 @@ mod tests {
             "a { fill: red; --x: y }",
         ] {
             let mut diagnostics = Vec::new();
-            let confined = confine(rule, 0..rule.len(), &mut diagnostics);
-            assert_eq!(confined, "", "{rule}");
+            let allowed = rules(rule, 0..rule.len(), &mut diagnostics);
+            assert_eq!(allowed, "", "{rule}");
             assert!(!diagnostics.is_empty(), "{rule}");
         }
     }

@@ -49,11 +49,7 @@ fn check(scene: &str, expected: &str, messages: &[&str]) {
 
 /// A scene with one thing inside.
 fn inside(content: &str, expected: &str, messages: &[&str]) {
-    check(
-        &format!("<svg viewBox=\"0 0 9 9\">{content}</svg>"),
-        &format!("<svg class=authored viewBox=0 0 9 9>{expected};"),
-        messages,
-    );
+    check(&format!("<svg viewBox=\"0 0 9 9\">{content}</svg>"), &format!("<svg viewBox=0 0 9 9>{expected};"), messages);
 }
 
 #[test]
@@ -70,12 +66,12 @@ fn values_follow_the_model() {
 fn a_scene_has_names_of_its_own() {
     check(
         "half = h/2  # a comment\ntwice = 4*half\n<svg viewBox='0 0 9 9'><rect y='{twice}' x='{2*h}' width='{half}'/></svg>",
-        "<svg class=authored viewBox=0 0 9 9><rect y={0} x={1} width={2}>;;",
+        "<svg viewBox=0 0 9 9><rect y={0} x={1} width={2}>;;",
         &[],
     );
     check(
         "h = 2 [m]\na = 1\na = 2\nb = h + 1\n<svg viewBox='0 0 9 9'><rect x='{b}' y='{a}'/></svg>",
-        "<svg class=authored viewBox=0 0 9 9><rect y={0}>;;",
+        "<svg viewBox=0 0 9 9><rect y={0}>;;",
         &[
             "`h` is already a name of the model",
             "`a` is defined twice",
@@ -184,7 +180,7 @@ fn values_that_run_or_load_are_refused() {
         }
         inside(
             &format!("<linearGradient id='a'/><g fill=\"{value}\"/>"),
-            "<linearGradient id=scene-a>;<g>;",
+            "<linearGradient id=a>;<g>;",
             &[&format!("`{word}` is not allowed in a scene; `fill` is left out")],
         );
     }
@@ -196,7 +192,7 @@ fn values_that_run_or_load_are_refused() {
 fn references_stay_inside_the_scene() {
     inside(
         "<clipPath id='a'/><g clip-path='url(#a)' fill='url(#b)'/><g id='a b'/><g id='a'/>",
-        "<clipPath id=scene-a>;<g clip-path=url(#scene-a) fill=url(#scene-b)>;<g>;<g id=scene-a>;",
+        "<clipPath id=a>;<g clip-path=url(#a) fill=url(#b)>;<g>;<g id=a>;",
         &["nothing in the scene has the id `b`", "`a b` cannot be an id", "the id `a` is used twice"],
     );
     inside("<g d='url(#a)'/>", "<g>;", &["`url(` is not allowed in a scene; `d` is left out"]);
@@ -209,11 +205,11 @@ fn names_and_styles_hold_no_values() {
         "<g>;",
         &["`a{y}` cannot be an id", "`id` cannot hold values of the model", "`class` cannot hold values of the model"],
     );
-    inside("<g class='a b\"c'/>", "<g class=scene-a>;", &["`a b\"c` is not a list of class names"]);
+    inside("<g class='a b\"c'/>", "<g class=a>;", &["`a b\"c` is not a list of class names"]);
     inside(
         "<style>.a { fill: red } @import url(x); .b { fill: {y} }</style>",
-        "<style>(.authored .scene-a{fill:red;});",
-        &["this selector cannot be confined to the scene", "a rule is `selector { property: value }`"],
+        "<style>(.a{fill:red;});",
+        &["this selector is not allowed in a scene", "a rule is `selector { property: value }`"],
     );
 }
 
@@ -222,5 +218,5 @@ fn text_in_attributes_and_text_outside_text_are_refused() {
     inside("<rect fill='{name}'/>", "<rect>;", &["an attribute can hold numbers only, and this is a text"]);
     inside("<g>loose</g>", "<g>;", &["text is shown inside `<text>` only"]);
     check("nothing", "", &["a scene needs a drawing"]);
-    check("<svg/>", "<svg class=authored>;", &["the `svg` element needs a `viewBox`"]);
+    check("<svg/>", "<svg>;", &["the `svg` element needs a `viewBox`"]);
 }

@@ -3,7 +3,7 @@
 
 use crate::steps::{self, cargo, step};
 use crate::wasm::{self, Host};
-use crate::{page, tools};
+use crate::{page, tools, weight};
 use anyhow::{Context, Result};
 use std::collections::BTreeMap;
 
@@ -40,6 +40,10 @@ pub fn all() -> Result<()> {
     row("size of the laboratory, gzipped", gzipped as f64 / 1000.0, "kB", "");
     row("size of the exported U-tube", exported.len() as f64 / 1000.0, "kB", "");
     row("size of the exported U-tube, gzipped", exported_gzipped as f64 / 1000.0, "kB", "at most 185");
+    for package in ["player", "lab"] {
+        println!("code of the module `{package}` by crate, not packed:");
+        weight::print(&wasm::module(package))?;
+    }
     let aims = [
         ("plots", "plots on the screen", "", ""),
         ("script-per-frame", "script for a frame, 2,000 rows", "ms", "at most 2"),

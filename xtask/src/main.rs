@@ -7,6 +7,7 @@ mod page;
 mod steps;
 mod tools;
 mod wasm;
+mod weight;
 
 use anyhow::{Result, bail};
 use std::process::ExitCode;

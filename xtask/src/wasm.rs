@@ -25,8 +25,12 @@ pub fn build(packages: &[&str]) -> Result<Vec<PathBuf>> {
     let mut build = steps::cargo(&["build", "--target", TARGET, "--profile", "page"]);
     build.args(packages.iter().flat_map(|package| ["--package", package]));
     steps::run(&mut build)?;
-    let directory = steps::target().join(TARGET).join("page");
-    Ok(packages.iter().map(|package| directory.join(format!("{package}.wasm"))).collect())
+    Ok(packages.iter().map(|package| module(package)).collect())
+}
+
+/// Where the module of a package is, with the names of its functions in it.
+pub fn module(package: &str) -> PathBuf {
+    steps::target().join(TARGET).join("page").join(format!("{package}.wasm"))
 }
 
 /// Writes `NAME.js` and `NAME_bg.wasm` of a built module into a directory.

@@ -20,15 +20,13 @@ pub fn start() {
         shell::prepare(app);
         let play = simulation::of_page();
         let runs = play.is_some();
-        simulation.0.replace(play);
+        simulation.play.replace(play);
         app.read(|play| play.set_language(Language::of(&tag).tag()));
         answers::restore(app);
         follow_link(app);
         browser::listen("hashchange", move |_: &web_sys::Event| follow_link(app));
-        // What is left without a further change is kept, too.
-        browser::listen("pagehide", move |_: &web_sys::Event| {
-            answers::save(app);
-        });
+        // It is empty, since it was just made. What is answered from here on is saved.
+        let _ = simulation.app.set(app);
         shell::view(app, move || if runs { content(app) } else { damaged(app) })
     };
     sycamore_web::render_to(page, &place);

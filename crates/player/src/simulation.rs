@@ -1,21 +1,38 @@
 //! The simulation of the page, and its program.
 
+use crate::answers;
 use play::Play;
 use program::bundle;
-use std::cell::RefCell;
-use view::Host;
+use std::cell::{Cell, OnceCell, RefCell};
+use view::{App, Host};
 use wasm_bindgen::{JsCast, JsValue};
 
 /// The simulation, once it has been read.
 #[derive(Default)]
-pub struct Simulation(pub RefCell<Option<Play>>);
+pub struct Simulation {
+    pub play: RefCell<Option<Play>>,
+    /// The views of it.
+    pub app: OnceCell<App>,
+    /// Which answers have been saved.
+    saved: Cell<u64>,
+}
 
 impl Host for Simulation {
     fn with_play(&self, work: &mut dyn FnMut(&mut Play)) {
-        if let Ok(mut play) = self.0.try_borrow_mut()
+        if let Ok(mut play) = self.play.try_borrow_mut()
             && let Some(play) = play.as_mut()
         {
             work(play);
+        }
+    }
+
+    fn raise(&self) {
+        let answers = self.play.try_borrow().ok().and_then(|play| Some(play.as_ref()?.revision().answers));
+        if let (Some(answers), Some(app)) = (answers, self.app.get())
+            && self.saved.replace(answers) != answers
+            && !answers::save(*app)
+        {
+            app.complain(app.words().answers_not_saved.to_owned());
         }
     }
 }

@@ -68,7 +68,11 @@ pub fn wake(app: App) {
 
 fn draw(app: App, now: f64) {
     let more = app.host().follow();
-    let Some((goes_on, values)) = app.nodes(|nodes| app.read(|play| advance(nodes, play, now))) else { return };
+    let advanced = app.nodes(|nodes| {
+        nodes.asked = false;
+        app.read(|play| advance(nodes, play, now))
+    });
+    let Some((goes_on, values)) = advanced else { return };
     app.publish(values, false);
     if goes_on || more {
         wake(app);
@@ -77,7 +81,6 @@ fn draw(app: App, now: f64) {
 
 /// One frame. Whether the run or a long figure goes on, and whether it is time to show changing values.
 fn advance(nodes: &mut Nodes, play: &mut Play, now: f64) -> (bool, bool) {
-    nodes.asked = false;
     let seconds = nodes.moved.map_or(0.0, |moved| (now - moved) / 1000.0);
     if play.is_playing() && seconds > 0.0 {
         play.tick(seconds);

@@ -40,6 +40,7 @@ table_of_words! {
     presenter: "Presenter's size", "Tamaño para proyectar";
     document: "Document", "Documento";
     document_title: "Save the document of this simulation; the laboratory of Meniscus opens it", "Guardar el documento de esta simulación; el laboratorio de Meniscus lo abre";
+    answers_not_saved: "The browser does not let this page store anything: your answers will be lost when it is closed", "El navegador no deja que esta página guarde nada: tus respuestas se perderán al cerrarla";
     damaged: "This file is damaged. Download it again.", "Este archivo está dañado. Vuelve a descargarlo.";
     share: "Copy link", "Copiar enlace";
     share_title: "Copy a link that reopens this state", "Copiar un enlace que reabre este estado";

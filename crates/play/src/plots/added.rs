@@ -1,6 +1,7 @@
 //! What others add to the figures: points over the curves of a plot, and plots of their own.
 
-use super::plot::{Labels, PlotId, PlotState};
+use super::labels::Labels;
+use super::plot::{PlotId, PlotState};
 use crate::Play;
 use figure::{Axis, Interval, Plot, Series, Style, View};
 

@@ -2,6 +2,7 @@
 
 mod added;
 pub(crate) mod kept;
+mod labels;
 pub(crate) mod plot;
 mod reading;
 mod series;
@@ -9,5 +10,6 @@ pub(crate) mod traces;
 
 pub use added::{AddedPlot, AddedSeries, POINTS, Points};
 pub use kept::{KeptView, MOST_KEPT};
-pub use plot::{Labels, PlotId, PlotView};
+pub use labels::Labels;
+pub use plot::{PlotId, PlotView};
 pub use series::LegendEntry;

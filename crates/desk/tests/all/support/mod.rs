@@ -3,9 +3,9 @@ use desk::Desk;
 use play::Play;
 
 /// A liquid column in a U-tube, with everything a document can have.
-pub const UTUBE: &str = include_str!("utube.md");
+pub const UTUBE: &str = include_str!("../../../../play/tests/all/support/utube.md");
 /// Its Spanish edition.
-pub const UTUBE_ES: &str = include_str!("utube.es.md");
+pub const UTUBE_ES: &str = include_str!("../../../../play/tests/all/support/utube.es.md");
 
 /// Opens a document that must be without faults.
 pub fn open(source: &str, translations: &[&str]) -> Desk {

@@ -264,3 +264,66 @@ impl Reader<'_> {
         Some(Value::new(function.build(self.graph(), &nodes), dimension))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn model() -> Model {
+        let source = "```model\nparameter m = 2 [kg]\nparameter omega_0 = 3 [1/s]\nT = 2*pi/omega_0\ny' = -omega_0*y\ny(0) = 5 [m]\n```\n";
+        document::open(source, &[]).document.unwrap().program.model
+    }
+
+    /// The value for the defaults, and its dimension.
+    fn value(text: &str) -> Option<(f64, String)> {
+        let mut model = model();
+        let calculation = calculate(&mut model, text)?;
+        let parameters: Vec<f64> = model.parameters.iter().map(|parameter| parameter.value).collect();
+        let mut readings = engine::Readings::new(&model, &[calculation.node]);
+        Some((readings.at(&parameters, &[5.0], 0.0, &[5.0])[0], calculation.dimension.to_string()))
+    }
+
+    #[test]
+    fn arithmetic_follows_the_rules_of_the_language() {
+        for (text, expected, dimension) in [
+            ("2 + 3*4", 14.0, "1"),
+            ("-2^2", -4.0, "1"),
+            ("2^3^2", 512.0, "1"),
+            ("2^-1", 0.5, "1"),
+            ("7 - 2 - 1", 4.0, "1"),
+            ("8/4/2", 1.0, "1"),
+            ("m*omega_0", 6.0, "kg s^-1"),
+            ("m*ω₀ in [g/s]", 6.0, "kg s^-1"),
+            ("sqrt(4 [m^2])", 2.0, "m"),
+            ("y(0)/2 + 50 [cm]", 3.0, "m"),
+            ("0 + 3 [m]", 3.0, "m"),
+            ("max(1, 2, 3)", 3.0, "1"),
+            ("cos(pi)", -1.0, "1"),
+        ] {
+            assert_eq!(value(text), Some((expected, dimension.to_owned())), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_expression_is_none() {
+        let deep = [&"(".repeat(5000), "1", &")".repeat(5000)].concat();
+        let signs = "-".repeat(5000) + "1";
+        for text in [
+            "",
+            "2*",
+            "2 3",
+            "m + omega_0",
+            "sin(m)",
+            "sqrt()",
+            "T(",
+            "y''(0)",
+            "2^m",
+            "m in [s]",
+            "1 [wibble]",
+            &deep,
+            &signs,
+        ] {
+            assert!(value(text).is_none(), "{text:.40}");
+        }
+    }
+}

@@ -19,7 +19,7 @@ const PREFERENCES = {
 // Selectors by role. Firefox can search its accessibility tree instead, but takes a second for each search.
 const ROLES = {
   application: "[role=application]",
-  button: "button",
+  button: "button:not([role])",
   slider: "input[type=range], [role=slider]",
   tab: "[role=tab]",
   textbox: "input:not([type]), input[type=text]",

@@ -67,6 +67,9 @@ pub enum Command {
     /// Make one offline page of a document, with its source inside
     #[command(after_help = EXPORT_EXAMPLES)]
     Export(Export),
+    /// Make a web site of all documents in a folder, for any host
+    #[command(after_help = BUILD_EXAMPLES)]
+    Build(Build),
 }
 
 const SERVE_EXAMPLES: &str = "\
@@ -350,6 +353,26 @@ pub struct Export {
     /// The whole laboratory with this document, to measure and to fit, and not only a page that plays it
     #[arg(long)]
     pub lab: bool,
+}
+
+const BUILD_EXAMPLES: &str = "\
+Examples:
+  meniscus build simulations --output site      a page for each document, their list, and the laboratory
+
+The site is a folder of files for any static host, also in a subfolder of one. Its pages share what they have in common,
+and work offline after the first visit. NAME.md becomes NAME.html; with its translations it is one page. Building
+again replaces what was built before and leaves other files in the folder alone.";
+
+/// `meniscus build`
+#[derive(Debug, Args)]
+pub struct Build {
+    /// The folder with the documents; folders in it become folders of the site
+    #[arg(value_name = "DIR")]
+    pub directory: PathBuf,
+
+    /// The folder of the site: a new one, an empty one, or one that was built before
+    #[arg(long, short, value_name = "SITE")]
+    pub output: PathBuf,
 }
 
 #[cfg(test)]

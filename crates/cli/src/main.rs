@@ -17,6 +17,7 @@ mod page;
 mod run;
 mod serve;
 mod settings;
+mod site;
 mod terminal;
 mod unfinished;
 mod visible;
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
         Command::Fit(fit) => fitting::fit(fit, terminal),
         Command::Rank(rank) => fitting::rank(rank, terminal),
         Command::Export(export) => export::export(export, terminal),
+        Command::Build(build) => site::build(build, terminal),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -6,7 +6,7 @@ use base64::Engine as _;
 use document::Document;
 use document::page::{Options, embed};
 use flate2::{Compression, write::GzEncoder};
-use program::bundle;
+use program::{Program, bundle};
 use std::io::Write as _;
 
 #[cfg(page_inside)]
@@ -24,6 +24,11 @@ pub fn own() -> Result<&'static str, Failure> {
     PAGE.ok_or_else(missing)
 }
 
+/// The player without a simulation.
+pub fn bare_player() -> Result<&'static str, Failure> {
+    PLAYER.ok_or_else(missing)
+}
+
 fn missing() -> Failure {
     Failure::with_hint(
         "this program was built without the laboratory's page",
@@ -33,14 +38,18 @@ fn missing() -> Failure {
 
 /// The page that plays a document, which stands beside the simulation in it.
 pub fn player(sources: &Sources, document: &Document) -> Result<String, Failure> {
-    let page = PLAYER.ok_or_else(missing)?;
-    let bundle = bundle::write(&document.program)
+    let bundle = Some(packed(&document.program)?);
+    filled(bare_player()?, sources, Options { bundle, ..options(Some(document)) })
+}
+
+/// A simulation as a page carries it: its bundle, gzipped, in base64.
+pub fn packed(program: &Program) -> Result<String, Failure> {
+    let bundle = bundle::write(program)
         .map_err(|_| Failure::request("this document is too large for a page that plays it; try `--lab`"))?;
     let mut gzip = GzEncoder::new(Vec::new(), Compression::best());
     let packed = gzip.write_all(&bundle).and_then(|()| gzip.finish());
     let packed = packed.map_err(|error| Failure::request(format!("the simulation cannot be packed: {error}")))?;
-    let bundle = Some(base64::engine::general_purpose::STANDARD.encode(packed));
-    filled(page, sources, Options { bundle, ..options(Some(document)) })
+    Ok(base64::engine::general_purpose::STANDARD.encode(packed))
 }
 
 /// The laboratory with these sources instead. `document` is what they say, where they could be read.
@@ -57,6 +66,10 @@ fn options(document: Option<&Document>) -> Options {
 }
 
 fn filled(page: &str, sources: &Sources, options: Options) -> Result<String, Failure> {
-    embed(page, &sources.embedded(), &options)
-        .ok_or_else(|| Failure::request("the page inside this program has no place for documents"))
+    embed(page, &sources.embedded(), &options).ok_or_else(no_place)
+}
+
+/// The page inside this program is not made as it should be.
+pub fn no_place() -> Failure {
+    Failure::request("the page inside this program has no place for documents")
 }

@@ -3,6 +3,7 @@
 mod answers;
 mod page;
 mod simulation;
+mod site;
 mod source;
 
 fn main() {

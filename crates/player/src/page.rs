@@ -1,7 +1,7 @@
 //! The page: head, stage, and a panel to play, to answer and to read.
 
 use crate::simulation::{self, Simulation};
-use crate::{answers, source};
+use crate::{answers, site, source};
 use units::Language;
 use view::browser::{self, address, fragment, is_heading};
 use view::panel::Tab;
@@ -11,7 +11,10 @@ use view::{App, header, panel, shell, stage};
 /// Starts the page in the element `lab`.
 pub fn start() {
     let Some(place) = browser::by_id::<web_sys::HtmlElement>("lab") else { return };
-    let tag = browser::remembered("language").or_else(|| window().navigator().language()).unwrap_or_default();
+    let tag = site::asked_language()
+        .or_else(|| browser::remembered("language"))
+        .or_else(|| window().navigator().language())
+        .unwrap_or_default();
     place.set_inner_html("");
     let page = move || {
         // The page is open as long as the simulation is.
@@ -35,7 +38,8 @@ pub fn start() {
 fn content(app: App) -> View {
     let tabs = [Some(Tab::play(app)), Tab::activities(app), Some(Tab::theory(app, View::new))];
     let panel = panel::view(app, tabs.into_iter().flatten().collect());
-    let head = header::view(app, source::button_of(app), move || share(app));
+    let own = View::from((site::links(app), source::button_of(app)));
+    let head = header::view(app, own, move || share(app));
     View::from((head, main().class("laboratory").child(stage::view(app)).child(panel)))
 }
 

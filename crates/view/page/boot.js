@@ -18,11 +18,21 @@ const stopped = (error) => {
 };
 addEventListener("error", (event) => stopped(event.error));
 addEventListener("unhandledrejection", (event) => stopped(event.reason));
-// Inflates the module that stands in this page, and the simulation of a page that has one, and starts it. From a disk nothing can be fetched, hence the detour over
-// text.
-const inflated = async (id) => {
-  const text = document.getElementById(id).textContent;
-  const bytes = Uint8Array.fromBase64?.(text) ?? Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+// The gzipped bytes of a part. It stands in the page as text, or in a file of its own in a site. From a disk nothing can be
+// fetched; there a script puts the text of that file into the page.
+const packed = async (part) => {
+  if (part.href && location.protocol !== "file:") return new Uint8Array(await (await fetch(part.href)).arrayBuffer());
+  if (part.href) {
+    await new Promise((done, failed) => {
+      document.head.append(Object.assign(document.createElement("script"), { src: part.dataset.text, onload: done, onerror: failed }));
+    });
+  }
+  const text = part.textContent;
+  return Uint8Array.fromBase64?.(text) ?? Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+};
+// Inflates the module, and the simulation of a page that has one, and starts it.
+const inflated = async (part) => {
+  const bytes = await packed(part);
   // Written to directly: the stream of a blob makes the way through the browser's other processes.
   const inflater = new DecompressionStream("gzip");
   const writer = inflater.writable.getWriter();
@@ -32,12 +42,16 @@ const inflated = async (id) => {
   return new Response(inflater.readable).arrayBuffer();
 };
 (async () => {
-  const parts = ["module", "bundle"].filter((id) => document.getElementById(id));
+  const parts = ["module", "bundle"].map((id) => document.getElementById(id)).filter(Boolean);
   const [module, bundle] = await Promise.all(parts.map(inflated)).catch((error) => {
     // The browser knows no DecompressionStream.
     if (error instanceof ReferenceError) throw error;
     return [];
   });
+  if (!module && parts[0]?.href) {
+    tell("A part of this page could not be loaded. Load the page again.", "No se ha podido cargar una parte de esta página. Vuelve a cargarla.");
+    return;
+  }
   if (!module) {
     tell("This file is damaged. Download it again.", "Este archivo está dañado. Vuelve a descargarlo.");
     return;

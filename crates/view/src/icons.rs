@@ -59,6 +59,8 @@ icons! {
     folder: "M4 18V6h5.5l2 2.5H20V18z";
     /// Three books on a shelf, one of them leaning.
     books: "M5 19V5h3.5v14zM8.5 19V7.5H12V19zM13.2 8l3.3-.9 3 11-3.3.9z";
+    /// A conical flask, partly filled.
+    flask: "M9 4h6M10.2 4v5.5L5.6 18a1.6 1.6 0 0 0 1.4 2.4h10a1.6 1.6 0 0 0 1.4-2.4L13.8 9.5V4M8 14.5h8";
     /// A keyboard.
     keyboard: "M3.5 7h17v10h-17zM7 10.2h.01M10.3 10.2h.01M13.6 10.2h.01M17 10.2h.01M8.5 13.8h7";
     /// A disc, half of it filled.

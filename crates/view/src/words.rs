@@ -40,6 +40,9 @@ table_of_words! {
     presenter: "Presenter's size", "Tamaño para proyectar";
     document: "Document", "Documento";
     document_title: "Save the document of this simulation; the laboratory of Meniscus opens it", "Guardar el documento de esta simulación; el laboratorio de Meniscus lo abre";
+    all_simulations: "All simulations", "Todas las simulaciones";
+    open_in_laboratory: "Open in the laboratory", "Abrir en el laboratorio";
+    laboratory_title: "Open this simulation as it is now in the laboratory, to measure and to fit", "Abrir esta simulación tal como está en el laboratorio, para medir y ajustar";
     answers_not_saved: "The browser does not let this page store anything: your answers will be lost when it is closed", "El navegador no deja que esta página guarde nada: tus respuestas se perderán al cerrarla";
     damaged: "This file is damaged. Download it again.", "Este archivo está dañado. Vuelve a descargarlo.";
     share: "Copy link", "Copiar enlace";
@@ -52,7 +55,7 @@ table_of_words! {
     undo: "Undo", "Deshacer";
     show: "Show", "Mostrar";
     dismiss: "Dismiss", "Descartar";
-    footer: "Made with Meniscus. This page is one file: it works offline and sends nothing to anyone.", "Hecho con Meniscus. Esta página es un solo archivo: funciona sin conexión y no envía nada a nadie.";
+    footer: "Made with Meniscus. This page works offline and sends nothing to anyone.", "Hecho con Meniscus. Esta página funciona sin conexión y no envía nada a nadie.";
 
     // The apparatus.
     apparatus: "Apparatus", "Aparato";

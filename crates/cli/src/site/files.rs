@@ -1,0 +1,64 @@
+//! The files of a site before they are written.
+
+use crate::failure::Failure;
+use flate2::{Compression, write::GzEncoder};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::io::Write as _;
+
+/// Contents by paths, which have slashes.
+#[derive(Debug, Default)]
+pub struct Files(BTreeMap<String, Vec<u8>>);
+
+impl Files {
+    /// Adds a file.
+    pub fn add(&mut self, path: impl Into<String>, content: impl Into<Vec<u8>>) {
+        self.0.insert(path.into(), content.into());
+    }
+
+    /// Adds a file that pages share. Its name has the hash of its content, so that browsers may keep it forever. Its path.
+    pub fn share(&mut self, name: &str, ending: &str, content: impl Into<Vec<u8>>) -> String {
+        let content = content.into();
+        let hash = hash(&content);
+        let path = format!("assets/{name}-{}.{ending}", hash.get(..16).unwrap_or(&hash));
+        self.add(path.clone(), content);
+        path
+    }
+
+    /// All files by their paths.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &[u8])> {
+        self.0.iter().map(|(path, content)| (path.as_str(), content.as_slice()))
+    }
+
+    /// Bytes of all files.
+    pub fn size(&self) -> usize {
+        self.0.values().map(Vec::len).sum()
+    }
+
+    /// Adds each text gzipped, for servers that send such files as they are.
+    pub fn compress(&mut self) -> Result<(), Failure> {
+        let mut packed = Vec::new();
+        for (path, content) in self.iter().filter(|(path, _)| is_text(path)) {
+            packed.push((format!("{path}.gz"), gzip(content)?));
+        }
+        self.0.extend(packed);
+        Ok(())
+    }
+}
+
+fn is_text(path: &str) -> bool {
+    let texts = [".html", ".css", ".js"];
+    texts.iter().any(|ending| path.ends_with(ending)) && !path.ends_with(super::parts::FROM_DISK)
+}
+
+/// Without a time or a name in it: the same content gives the same bytes.
+pub fn gzip(content: &[u8]) -> Result<Vec<u8>, Failure> {
+    let mut gzip = GzEncoder::new(Vec::new(), Compression::best());
+    let packed = gzip.write_all(content).and_then(|()| gzip.finish());
+    packed.map_err(|error| Failure::request(format!("the site cannot be compressed: {error}")))
+}
+
+/// SHA-256 in hexadecimal digits.
+pub fn hash(content: &[u8]) -> String {
+    Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
+}

@@ -1,0 +1,89 @@
+//! `meniscus build`: a web site of all documents in a folder. Its pages share styles, scripts and modules, which carry the
+//! hash of their content in their names, and a service worker keeps all of it for visits without a network.
+
+mod collect;
+mod curve;
+mod files;
+mod folder;
+mod index;
+mod parts;
+mod worker;
+
+use crate::arguments::Build;
+use crate::failure::Failure;
+use crate::page;
+use crate::terminal::Terminal;
+use collect::Simulation;
+use document::page::{Options, Source, embed, read_list, write_list};
+use files::Files;
+use folder::Folder;
+use parts::{Parts, ROOT};
+use units::mathml::escaped;
+
+/// The laboratory of the site.
+const LABORATORY: &str = "laboratory.html";
+/// The list of the simulations.
+const INDEX: &str = "index.html";
+/// The documents of this folder are theories, which the laboratory offers for fits.
+const THEORIES: &str = "theories/";
+
+/// Builds the site; a document with errors leaves the folder as it was.
+pub fn build(arguments: &Build, terminal: Terminal) -> Result<(), Failure> {
+    let (laboratory, player) = (page::own()?, page::bare_player()?);
+    let folder = Folder::open(&arguments.output)?;
+    let found = collect::collect(&arguments.directory, &arguments.output, terminal)?;
+    let files = site(laboratory, player, &found)?;
+    folder.publish(&files)?;
+    let [simulations, kilobytes] = [found.len(), files.size() / 1000];
+    let site = arguments.output.display();
+    terminal.print(&terminal.language.pick(
+        format!("{site}: {simulations} simulations, {kilobytes} kB; put the folder on any web server\n"),
+        format!("{site}: {simulations} simulaciones, {kilobytes} kB; pon la carpeta en cualquier servidor web\n"),
+    ));
+    Ok(())
+}
+
+/// All files of the site.
+fn site(laboratory: &str, player: &str, simulations: &[Simulation]) -> Result<Files, Failure> {
+    let mut files = Files::default();
+    let player = Parts::of(player, "player", &mut files)?;
+    for simulation in simulations {
+        files.add(simulation.page(), play_page(&player, simulation)?);
+    }
+    let laboratory = Parts::of(laboratory, "laboratory", &mut files)?;
+    files.add(LABORATORY, laboratory_page(&laboratory, simulations)?);
+    let index = index::page(simulations, &player, &mut files);
+    files.add(INDEX, index);
+    files.add(worker::NAME, worker::script(&files));
+    files.compress()?;
+    Ok(files)
+}
+
+/// The page that plays a simulation.
+fn play_page(player: &Parts, simulation: &Simulation) -> Result<String, Failure> {
+    let program = &simulation.document.program;
+    let links = format!(
+        "<link rel=\"index\" id=\"simulations\" href=\"{ROOT}{INDEX}\">\n\
+         <link rel=\"related\" id=\"laboratory\" href=\"{ROOT}{}\">",
+        escaped(&simulation.in_laboratory())
+    );
+    let page = player.html.replace(parts::LINKS, &links).replace(ROOT, &"../".repeat(simulation.depth()));
+    let options = Options {
+        title: Some(program.title.clone()),
+        language: Some(program.language.clone()),
+        bundle: Some(page::packed(program)?),
+    };
+    // The laboratory has its source: the page stays small.
+    embed(&page, &[], &options).ok_or_else(page::no_place)
+}
+
+/// The laboratory with the documents of the site, and those of its own theories that the site does not replace.
+fn laboratory_page(laboratory: &Parts, simulations: &[Simulation]) -> Result<String, Failure> {
+    let mut library: Vec<Source> = simulations.iter().flat_map(Simulation::library).collect();
+    let own = parts::between(&laboratory.html, parts::LIBRARY, "</script>").ok_or_else(page::no_place)?;
+    let shipped = read_list(own).unwrap_or_default().into_iter().filter(|source| source.name.starts_with(THEORIES));
+    let theories: Vec<Source> = shipped.filter(|own| library.iter().all(|source| source.name != own.name)).collect();
+    library.extend(theories);
+    let html = laboratory.html.replace(own, &write_list(&library));
+    Ok(html.replace(parts::LINKS, "").replace(ROOT, ""))
+}

@@ -1,0 +1,126 @@
+//! A page of one file, taken apart: its styles, scripts and module become files that pages share.
+
+use super::files::Files;
+use crate::failure::Failure;
+use crate::page;
+use base64::Engine as _;
+use document::page::POLICY;
+
+/// Stands for the way from a page to the top of the site. No document can contain it where it is replaced.
+pub const ROOT: &str = "<!--root-->";
+/// The place in the head for what a page leads to.
+pub const LINKS: &str = "<!--links-->";
+/// The element with the documents that the laboratory carries.
+pub const LIBRARY: &str = "<script type=\"application/json\" id=\"library\">";
+/// What the name of a module ends with that is read from a disk.
+pub const FROM_DISK: &str = ".text.js";
+
+/// What a page of the site may load: files of the site alone. No script in the page itself runs.
+pub const SITE_POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; \
+                               img-src data: blob:; font-src data:; connect-src 'self'; worker-src 'self'; \
+                               base-uri 'none'; form-action 'none'";
+
+const MODULE: &str = "<script type=\"application/octet-stream\" id=\"module\">";
+/// Registers the service worker.
+const REGISTER: &str = include_str!("register.js");
+
+/// A page whose parts are files of the site.
+#[derive(Debug)]
+pub struct Parts {
+    /// The page, with [`ROOT`] and [`LINKS`].
+    pub html: String,
+    /// The path of its styles.
+    pub style: String,
+    /// The path of the script that every page of the site begins with.
+    pub first_script: String,
+}
+
+impl Parts {
+    /// Takes the page apart. Its parts are called `name`.
+    pub fn of(whole: &str, name: &str, files: &mut Files) -> Result<Self, Failure> {
+        let (mut html, mut rest) = (String::new(), whole);
+        let (mut styles, mut scripts, mut module) = (String::new(), Vec::new(), None);
+        while let Some(at) = rest.find("<style>").into_iter().chain(rest.find("<script")).min() {
+            html.push_str(&rest[..at]);
+            rest = &rest[at..];
+            let closing = if rest.starts_with("<style>") { "</style>" } else { "</script>" };
+            let tag = rest.find('>').map_or("", |end| &rest[..=end]);
+            let content = between(rest, tag, closing).ok_or_else(page::no_place)?;
+            let end = tag.len() + content.len() + closing.len();
+            match tag {
+                "<style>" => {
+                    styles.push_str(content.trim_start());
+                    html.push_str(HEAD);
+                }
+                "<script>" if scripts.is_empty() => {
+                    html.push_str(FIRST_SCRIPT);
+                    scripts.push(content);
+                }
+                "<script>" => scripts.push(content),
+                MODULE => module = Some(content),
+                _ => html.push_str(&rest[..end]),
+            }
+            rest = &rest[end..];
+        }
+        html.push_str(rest);
+        let (Some((first, scripts)), Some(text)) = (scripts.split_first(), module) else {
+            return Err(page::no_place());
+        };
+        let bytes = base64::engine::general_purpose::STANDARD.decode(text).map_err(|_| page::no_place())?;
+        let style = files.share(name, "css", styles);
+        let first_script = files.share("site", "js", [first.trim_start(), REGISTER].concat());
+        let script = files.share(name, "js", scripts.concat().trim_start());
+        // It is gzipped already, and inflated by the page: hosts differ in whether they compress modules.
+        let module = files.share(name, "bin", bytes);
+        let from_disk = format!("document.getElementById(\"module\").textContent = \"{text}\";\n");
+        let from_disk = files.share(name, &FROM_DISK[1..], from_disk);
+        let head = format!(
+            "<link rel=\"stylesheet\" href=\"{ROOT}{style}\">\n\
+             <link rel=\"preload\" as=\"fetch\" crossorigin id=\"module\" href=\"{ROOT}{module}\" data-text=\"{ROOT}{from_disk}\">\n\
+             <script defer src=\"{ROOT}{script}\"></script>\n{LINKS}"
+        );
+        let html = html.replace(POLICY, SITE_POLICY).replace(HEAD, &head);
+        let html = html.replace(FIRST_SCRIPT, &Self::begin(&first_script, ROOT));
+        Ok(Self { html, style, first_script })
+    }
+
+    /// The element of the script that every page begins with. `root` is the way to the top of the site.
+    pub fn begin(first_script: &str, root: &str) -> String {
+        format!("<script src=\"{root}{first_script}\" data-worker=\"{root}{}\"></script>", super::worker::NAME)
+    }
+}
+
+const HEAD: &str = "<!--head-->";
+const FIRST_SCRIPT: &str = "<!--first-script-->";
+
+/// What stands between two texts.
+pub fn between<'a>(text: &'a str, before: &str, after: &str) -> Option<&'a str> {
+    let rest = &text[text.find(before)? + before.len()..];
+    rest.find(after).map(|end| &rest[..end])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_is_taken_apart_and_put_together_by_its_addresses() {
+        let whole = format!(
+            "<head><meta content=\"{POLICY}\"><style>\nb {{}}</style><script>\n1;\n</script></head>\
+             <body><!--documents-->{LIBRARY}[]</script><script>\n2;\n</script>{MODULE}AAEC</script><script>\n3;\n</script></body>"
+        );
+        let mut files = Files::default();
+        let parts = Parts::of(&whole, "page", &mut files).ok().expect("a page");
+        let named = |ending: &str| files.iter().find(|(path, _)| path.ends_with(ending)).expect("a file");
+        assert_eq!(named(".css").1, b"b {}");
+        assert_eq!(named(".bin").1, [0, 1, 2]);
+        let (script, content) = files
+            .iter()
+            .find(|(path, _)| path.starts_with("assets/page-") && path.ends_with(".js") && !path.ends_with(FROM_DISK))
+            .expect("a script");
+        assert_eq!(content, b"2;\n\n3;\n");
+        assert!(parts.html.contains(&format!("<script defer src=\"{ROOT}{script}\"></script>")), "{}", parts.html);
+        assert!(parts.html.contains(SITE_POLICY) && !parts.html.contains("AAEC"), "{}", parts.html);
+        assert!(parts.html.ends_with(&format!("<body><!--documents-->{LIBRARY}[]</script></body>")), "{}", parts.html);
+    }
+}

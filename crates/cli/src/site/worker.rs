@@ -1,0 +1,22 @@
+//! The service worker of a site.
+
+use super::collect::percent_encoded;
+use super::files::{Files, hash};
+use super::parts::FROM_DISK;
+use std::collections::BTreeMap;
+
+/// Its file, at the top of the site: it answers for everything below.
+pub const NAME: &str = "sw.js";
+
+const SCRIPT: &str = include_str!("worker.js");
+
+/// The worker of these files. It lists their hashes: another file is another worker, which browsers notice.
+pub fn script(files: &Files) -> String {
+    let kept = files.iter().filter(|(path, _)| !path.ends_with(FROM_DISK));
+    let hashes: BTreeMap<String, String> = kept.map(|(path, content)| (percent_encoded(path), hash(content))).collect();
+    let lines: Vec<String> = hashes.iter().map(|(path, hash)| format!("  \"{path}\": \"{hash}\",\n")).collect();
+    let list = format!("const FILES = {{\n{}}};", lines.concat());
+    let script = SCRIPT.replace("const FILES = {};", &list);
+    let version = hash(script.as_bytes());
+    script.replace("const VERSION = \"\";", &format!("const VERSION = \"{}\";", version.get(..16).unwrap_or(&version)))
+}

@@ -1,0 +1,64 @@
+//! What a page of a site leads to: the list of all simulations, and the laboratory, which has the same document. Their
+//! addresses stand in the page's head; a page of its own has none.
+
+use play::Link;
+use units::Language;
+use view::views::*;
+use view::{App, browser, icons};
+use wasm_bindgen::JsValue;
+use web_sys::{HtmlAnchorElement, HtmlLinkElement};
+
+/// The links; empty where the page belongs to no site.
+pub fn links(app: App) -> View {
+    let words = app.words();
+    let list = address("simulations").map(|address| {
+        link(icons::books(), words.all_simulations).id("all-simulations").title(words.all_simulations).href(address)
+    });
+    View::from((list.map_or_else(View::new, View::from), laboratory(app)))
+}
+
+/// The link to the laboratory. It holds what is seen at the moment it is followed.
+fn laboratory(app: App) -> View {
+    let Some(address) = address("laboratory") else { return View::new() };
+    let words = app.words();
+    let mut link = link(icons::flask(), words.open_in_laboratory)
+        .id("open-in-laboratory")
+        .title(words.laboratory_title)
+        .href(address.clone());
+    let node: HtmlAnchorElement = link.node();
+    let renew = move || {
+        let state = app.read(|play| play.share());
+        if let Some((laboratory, fragment)) = address.split_once('#')
+            && let Ok(document) = Link::read(fragment)
+        {
+            node.set_href(&format!("{laboratory}#{}", Link { state, ..document }.write()));
+        }
+    };
+    // A key gives a click alone; a pointer that opens another window or a menu gives none.
+    let pressed = renew.clone();
+    link.when(events::pointerdown, move |_| pressed()).when(events::click, move |_| renew()).into()
+}
+
+fn link(icon: SvgSvg, words: &'static str) -> HtmlA {
+    a().class("quiet with-icon").child(icon).child(span().child(words))
+}
+
+fn address(id: &str) -> Option<String> {
+    browser::by_id::<HtmlLinkElement>(id).map(|link| link.href())
+}
+
+/// The language that the address asks for: a choice like that of the switch. It is taken out of the address where the browser
+/// remembers it, so that a later choice survives a reload.
+pub fn asked_language() -> Option<String> {
+    let location = window().location();
+    let query = location.search().ok()?;
+    let asked = query.trim_start_matches('?').split('&').find_map(|field| field.strip_prefix("language="))?;
+    let tag = Language::ALL.iter().map(|language| language.tag()).find(|tag| *tag == asked)?.to_owned();
+    if browser::remember("language", &tag)
+        && let (Ok(path), Ok(history)) = (location.pathname(), window().history())
+    {
+        let address = format!("{path}{}", location.hash().unwrap_or_default());
+        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
+    }
+    Some(tag)
+}

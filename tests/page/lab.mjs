@@ -81,8 +81,8 @@ export async function eventually(check, seconds = 10) {
 }
 
 export class Lab {
-  /** Opens a page file: `file`, `language`, `theme`, `width`, `height`, `touch`, `motion`. */
-  static async open({ file = labPage, language = "en-GB", theme = "light", width = 1440, height = 900, touch = false, motion = "no-preference" } = {}) {
+  /** Opens a page file without a network, or with one the page at `address`: `language`, `theme`, `width`, `height`, `touch`, `motion`. */
+  static async open({ file = labPage, address, language = "en-GB", theme = "light", width = 1440, height = 900, touch = false, motion = "no-preference" } = {}) {
     const context = await (await started()).newContext({
       viewport: { width, height },
       locale: language,
@@ -91,10 +91,10 @@ export class Lab {
       hasTouch: touch,
       acceptDownloads: true,
     });
-    await context.setOffline(true);
+    await context.setOffline(!address);
     context.setDefaultTimeout(10_000);
     const page = await context.newPage();
-    const lab = new Lab(context, page, pathToFileURL(typeof file === "function" ? file() : file).href);
+    const lab = new Lab(context, page, address?.() ?? pathToFileURL(typeof file === "function" ? file() : file).href);
     await lab.go(lab.address);
     return lab;
   }

@@ -67,7 +67,7 @@ pub fn page(simulations: &[Simulation], player: &Parts, files: &mut Files) -> St
         first.tag(),
         words_in(first).title,
         player.style,
-        Parts::begin(&player.first_script, ""),
+        player.begin(),
     )
 }
 
@@ -123,7 +123,7 @@ fn switch(language: Language, all: &[Language], words: &Words) -> String {
         let (tag, name) = (other.tag(), other.name());
         let current = if *other == language { " aria-current=\"true\"" } else { "" };
         format!(
-            "<a href=\"?language={tag}\" lang=\"{tag}\" hreflang=\"{tag}\" aria-label=\"{name}\"{current}>{}</a>",
+            "<a href=\"?language={tag}\" lang=\"{tag}\" hreflang=\"{tag}\" title=\"{name}\"{current}>{}</a>",
             tag.to_uppercase()
         )
     };
@@ -147,6 +147,7 @@ fn card(language: Language, simulation: &Simulation, curve: Option<&str>, words:
         format!(" lang=\"{}\"", escaped(&edition.language))
     };
     let page = percent_encoded(&simulation.page());
+    let heading = if simulation.folder().is_empty() { "h2" } else { "h3" };
     let drawing = curve.map_or_else(String::new, |path| {
         let (width, height) = curve::SIZE;
         format!(
@@ -155,13 +156,13 @@ fn card(language: Language, simulation: &Simulation, curve: Option<&str>, words:
         )
     });
     let mut also = String::new();
-    let others = Language::ALL.into_iter().filter(|other| program.languages().any(|tag| tag == other.tag()));
-    for other in others.filter(|_| program.editions.len() > 1) {
+    let others = Language::ALL.into_iter().filter(|other| *other != language);
+    for other in others.filter(|other| program.languages().any(|tag| tag == other.tag())) {
         let (tag, name) = (other.tag(), other.name());
         let _ = write!(also, "<a href=\"{page}?language={tag}\" lang=\"{tag}\" hreflang=\"{tag}\">{name}</a>");
     }
     format!(
-        "<li class=\"card\">{drawing}<h3{lang}><a href=\"{page}\">{}</a></h3><p{lang}>{}</p>\
+        "<li class=\"card\">{drawing}<{heading}{lang}><a href=\"{page}\">{}</a></{heading}><p{lang}>{}</p>\
          <p class=\"ways\">{also}<a class=\"laboratory\" href=\"{}\">{}</a></p></li>\n",
         escaped(&edition.title),
         first_sentence(edition),

@@ -21,8 +21,8 @@ pub const SITE_POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsaf
                                base-uri 'none'; form-action 'none'";
 
 const MODULE: &str = "<script type=\"application/octet-stream\" id=\"module\">";
-/// Registers the service worker.
-const REGISTER: &str = include_str!("register.js");
+/// Registers the service worker and asks for the module.
+const BEGIN: &str = include_str!("begin.js");
 
 /// A page whose parts are files of the site.
 #[derive(Debug)]
@@ -32,7 +32,7 @@ pub struct Parts {
     /// The path of its styles.
     pub style: String,
     /// The path of the script that every page of the site begins with.
-    pub first_script: String,
+    first_script: String,
 }
 
 impl Parts {
@@ -68,7 +68,7 @@ impl Parts {
         };
         let bytes = base64::engine::general_purpose::STANDARD.decode(text).map_err(|_| page::no_place())?;
         let style = files.share(name, "css", styles);
-        let first_script = files.share("site", "js", [first.trim_start(), REGISTER].concat());
+        let first_script = files.share("site", "js", [first.trim_start(), BEGIN].concat());
         let script = files.share(name, "js", scripts.concat().trim_start());
         // It is gzipped already, and inflated by the page: hosts differ in whether they compress modules.
         let module = files.share(name, "bin", bytes);
@@ -76,18 +76,23 @@ impl Parts {
         let from_disk = files.share(name, &FROM_DISK[1..], from_disk);
         let head = format!(
             "<link rel=\"stylesheet\" href=\"{ROOT}{style}\">\n\
-             <link rel=\"preload\" as=\"fetch\" crossorigin id=\"module\" href=\"{ROOT}{module}\" data-text=\"{ROOT}{from_disk}\">\n\
              <script defer src=\"{ROOT}{script}\"></script>\n{LINKS}"
         );
         let html = html.replace(POLICY, SITE_POLICY).replace(HEAD, &head);
-        let html = html.replace(FIRST_SCRIPT, &Self::begin(&first_script, ROOT));
+        let module = format!(" data-module=\"{ROOT}{module}\" data-text=\"{ROOT}{from_disk}\"");
+        let html = html.replace(FIRST_SCRIPT, &begin(&first_script, ROOT, &module));
         Ok(Self { html, style, first_script })
     }
 
-    /// The element of the script that every page begins with. `root` is the way to the top of the site.
-    pub fn begin(first_script: &str, root: &str) -> String {
-        format!("<script src=\"{root}{first_script}\" data-worker=\"{root}{}\"></script>", super::worker::NAME)
+    /// The script that a page at the top of the site begins with, where nothing plays.
+    pub fn begin(&self) -> String {
+        begin(&self.first_script, "", "")
     }
+}
+
+/// The element of the script that every page begins with. `root` is the way to the top of the site.
+fn begin(first_script: &str, root: &str, module: &str) -> String {
+    format!("<script src=\"{root}{first_script}\" data-worker=\"{root}{}\"{module}></script>", super::worker::NAME)
 }
 
 const HEAD: &str = "<!--head-->";

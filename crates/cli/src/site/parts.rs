@@ -115,7 +115,7 @@ mod tests {
              <body><!--documents-->{LIBRARY}[]</script><script>\n2;\n</script>{MODULE}AAEC</script><script>\n3;\n</script></body>"
         );
         let mut files = Files::default();
-        let parts = Parts::of(&whole, "page", &mut files).ok().expect("a page");
+        let parts = Parts::of(&whole, "page", &mut files).expect("a page");
         let named = |ending: &str| files.iter().find(|(path, _)| path.ends_with(ending)).expect("a file");
         assert_eq!(named(".css").1, b"b {}");
         assert_eq!(named(".bin").1, [0, 1, 2]);

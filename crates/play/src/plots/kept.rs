@@ -1,10 +1,12 @@
 //! Runs kept for comparison, and the ghost of the run that was given up last.
 
 use crate::plots::traces::Traces;
-use crate::time::course::{Course, Recipe};
+use crate::time::course::Course;
+use crate::time::recipe::{Moments, Recipe};
 use crate::undo::Removed;
 use crate::values::symbol::symbol;
 use crate::{Announcement, Play, Refusal, words};
+use program::State;
 
 /// How many runs can be kept: no more can be distinguished in a plot.
 pub const MOST_KEPT: usize = 5;
@@ -56,18 +58,25 @@ impl Play {
         Ok(())
     }
 
-    /// Keeps a run by computing it again with no more than the work given, from which what was done is taken. Returns whether
-    /// that was enough for all of it.
+    /// Keeps a run of this model by computing it again with no more than the work given, from which what was done is taken.
+    /// Returns whether that was enough for all of it.
     pub(crate) fn keep_recipe(&mut self, recipe: &Recipe, work: &mut u64) -> Result<bool, Refusal> {
+        let (recipe, traces, complete) = self.compute_kept(recipe, Moments::Rows, work);
+        self.keep_traces(recipe, traces)?;
+        Ok(complete)
+    }
+
+    /// The recipe of the run that was computed, what is drawn of it, and whether the work was enough for all of it.
+    pub(crate) fn compute_kept(&mut self, recipe: &Recipe, moments: Moments, work: &mut u64) -> (Recipe, Traces, bool) {
         let overhead = self.columns.bytes_per_row();
-        let (mut course, complete) = Course::replay(&self.program.model, recipe, overhead, work);
+        let (mut course, complete) = Course::replay(&self.program.model, recipe, moments, overhead, work);
+        let computed = course.recipe();
         course.show(course.front());
         let mut present = Vec::new();
         let mut traces = Traces::default();
         self.columns.present(&course, &mut present);
         traces.follow(&course, &mut self.columns, &present);
-        self.keep_traces(recipe.clone(), traces.thinned(0, ROWS_KEPT))?;
-        Ok(complete)
+        (computed, traces.thinned(0, ROWS_KEPT), complete)
     }
 
     fn keep_traces(&mut self, recipe: Recipe, traces: Traces) -> Result<(), Refusal> {
@@ -150,18 +159,30 @@ impl Play {
         }
     }
 
+    /// `y(0) = 0.3 m` for each state of a start set by hand.
+    pub(crate) fn start_texts(&self, start: &[f64]) -> Vec<String> {
+        let text = |(state, &value): (&State, &f64)| {
+            format!("{}(0) = {}", symbol(&state.name()), self.quantity_text(value, &state.unit))
+        };
+        self.model().states.iter().zip(start).map(text).collect()
+    }
+
+    /// `h = 0.01 s`
+    pub(crate) fn step_words(&self, step: f64) -> String {
+        format!("h = {}", self.quantity_text(step, &self.model().independent.unit))
+    }
+
     /// What distinguishes a run from the document's own: `b = 200 kg/s, rk4`.
     fn recipe_name(&self, recipe: &Recipe) -> String {
         let model = &self.program.model;
-        let last = recipe.changes.last().map_or(&recipe.setup.parameters, |(_, last)| last);
+        let last = recipe.last_parameters();
         let mut parts: Vec<String> = Vec::new();
         for (index, parameter) in model.parameters.iter().enumerate() {
             let (Some(&first), Some(&value)) = (recipe.setup.parameters.get(index), last.get(index)) else {
                 continue;
             };
-            let changed = std::iter::once(first)
-                .chain(recipe.changes.iter().filter_map(|(_, values)| values.get(index).copied()));
-            if changed.into_iter().any(|value| value != parameter.value) {
+            let mut values = recipe.parameter_sets().filter_map(|set| set.get(index));
+            if values.any(|value| *value != parameter.value) {
                 let symbol = symbol(&parameter.name);
                 let now = self.quantity_text(value, &parameter.unit);
                 parts.push(if first == value {
@@ -171,14 +192,12 @@ impl Play {
                 });
             }
         }
-        for (state, &value) in model.states.iter().zip(recipe.setup.start.iter().flatten()) {
-            parts.push(format!("{}(0) = {}", symbol(&state.name()), self.quantity_text(value, &state.unit)));
-        }
+        parts.extend(recipe.setup.start.iter().flat_map(|start| self.start_texts(start)));
         if recipe.setup.method != self.defaults.method {
             parts.push(words::method_name(self.language, recipe.setup.method).to_owned());
         }
         if recipe.setup.step != self.defaults.step {
-            parts.push(format!("h = {}", self.quantity_text(recipe.setup.step, &model.independent.unit)));
+            parts.push(self.step_words(recipe.setup.step));
         }
         if parts.is_empty() { words::defaults(self.language).to_owned() } else { parts.join(", ") }
     }

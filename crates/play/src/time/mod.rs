@@ -2,6 +2,7 @@
 
 pub(crate) mod course;
 mod problem;
+pub(crate) mod recipe;
 mod transport;
 
 pub use course::Course;

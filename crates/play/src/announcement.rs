@@ -55,6 +55,9 @@ pub enum Announcement {
     QuestionSetup(usize),
     /// A state was restored from a link or the last visit.
     Restored,
+    /// Another program has taken the place of the former one ([`Play::replace_program`]); what did not fit was dropped: what
+    /// was set, kept or answered, in the chosen language.
+    Replaced(Vec<String>),
 }
 
 /// How much attention an announcement asks for.
@@ -87,6 +90,7 @@ impl Announcement {
             // The transport shows why the run cannot go on.
             | Self::Full
             | Self::Failed => Prominence::Spoken,
+            Self::Replaced(lost) if lost.is_empty() => Prominence::Spoken,
             Self::Restarted(_)
             | Self::DefaultsRestored
             | Self::Preset(_)
@@ -94,7 +98,8 @@ impl Announcement {
             | Self::Removed(_)
             | Self::Undone
             | Self::QuestionSetup(_)
-            | Self::Restored => Prominence::Shown,
+            | Self::Restored
+            | Self::Replaced(_) => Prominence::Shown,
         }
     }
 

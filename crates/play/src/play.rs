@@ -34,6 +34,22 @@ pub struct Revision {
     pub language: u64,
 }
 
+impl Revision {
+    /// Everything has changed.
+    pub(crate) fn raised(self) -> Self {
+        Self {
+            frame: self.frame + 1,
+            parameters: self.parameters + 1,
+            transport: self.transport + 1,
+            rows: self.rows + 1,
+            runs: self.runs + 1,
+            plots: self.plots + 1,
+            answers: self.answers + 1,
+            language: self.language + 1,
+        }
+    }
+}
+
 /// One simulation in the hands of a visitor.
 #[derive(Debug)]
 pub struct Play {

@@ -15,6 +15,18 @@ pub(crate) struct Answer {
     revealed: bool,
 }
 
+impl Answer {
+    /// What stands in the field.
+    pub fn typed(&self) -> &str {
+        &self.typed
+    }
+
+    /// The same before it was checked.
+    pub fn unchecked(&self) -> Self {
+        Self { typed: self.typed.clone(), grade: None, revealed: false }
+    }
+}
+
 /// An answer as its question shows it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AnswerView {
@@ -94,7 +106,7 @@ impl Play {
         }
     }
 
-    fn note_answer(&mut self, question: usize, note: impl FnOnce(&mut Answer)) {
+    pub(crate) fn note_answer(&mut self, question: usize, note: impl FnOnce(&mut Answer)) {
         if question < self.program.questions.len() {
             self.answers.resize(self.program.questions.len(), Answer::default());
             if let Some(answer) = self.answers.get_mut(question) {
@@ -106,7 +118,7 @@ impl Play {
 
     /// Names of the questions by their words in the document's own language, so that an answer stays with its question when
     /// others are put before it; questions with the same words are distinguished by their order.
-    fn question_names(&self) -> Vec<String> {
+    pub(crate) fn question_names(&self) -> Vec<String> {
         let mut names: Vec<String> = Vec::new();
         for index in 0..self.program.questions.len() {
             let prompt = &self.program.question_text(&self.program.language, index).prompt;

@@ -7,6 +7,7 @@ mod clock;
 mod controls;
 mod history;
 mod legends;
+mod replacement;
 mod sharing;
 mod simulations;
 mod support;

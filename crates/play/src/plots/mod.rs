@@ -1,6 +1,8 @@
 //! Figures: the document's plots with the present run and the kept ones, and what others add to them.
 
 mod added;
+mod drawn;
+mod keeping;
 pub(crate) mod kept;
 mod labels;
 pub(crate) mod plot;

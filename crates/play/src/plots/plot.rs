@@ -1,10 +1,9 @@
 //! The plots: figures of what has been recorded, zoomed, panned and read by pointer or keyboard.
 
-use super::added::{AddedPlot, POINTS, Points};
+use super::added::{AddedPlot, Points};
 use super::labels::Labels;
-use crate::{Play, words};
-use figure::{Axis, Direction, Figure, Interval, Palette, Plot, Point, Readout, Series, Settings, Style, View};
-use program::Node;
+use crate::Play;
+use figure::{Direction, Figure, Palette, Plot, Point, Readout, Settings, Style, View};
 use std::fmt;
 
 /// Names a plot as long as the document is open. The document's plots come first, in the order of the text.
@@ -83,9 +82,6 @@ impl PlotState {
     }
 }
 
-/// A plot against the independent variable begins with room for so many steps.
-pub(crate) const STEPS_AT_FIRST: f64 = 200.0;
-
 impl Play {
     /// The plots, in the order of the text.
     pub fn plots(&self) -> Vec<PlotView> {
@@ -104,6 +100,38 @@ impl Play {
     pub fn show_plot(&mut self, PlotId(index): PlotId, shown: bool) {
         if let Some(plot) = self.plots.get_mut(index) {
             plot.shown = shown;
+            self.revision.plots += 1;
+        }
+    }
+
+    /// Adds an empty plot after the others.
+    pub fn add_plot(&mut self) -> PlotId {
+        self.plots.push(PlotState::added());
+        self.revision.plots += 1;
+        PlotId(self.plots.len() - 1)
+    }
+
+    /// A plot that was added, to be read or changed; call [`Play::added_plot_changed`] afterwards.
+    pub fn added_plot(&mut self, id: PlotId) -> Option<&mut AddedPlot> {
+        self.plots.get_mut(id.0)?.added.as_mut()
+    }
+
+    /// The plots are to be drawn again. With another title, what a person has zoomed was something else: all is shown.
+    pub fn added_plot_changed(&mut self, id: PlotId) {
+        if let Some(state) = self.plots.get_mut(id.0)
+            && let Some(added) = &state.added
+            && added.labels.title != state.labels.title
+        {
+            state.view = View::default();
+            state.labels.title.clone_from(&added.labels.title);
+        }
+        self.revision.plots += 1;
+    }
+
+    /// Puts points over the curves of a plot of the document, in the place of those that were there.
+    pub fn set_points(&mut self, plot: usize, points: Vec<Points>) {
+        if let Some(state) = self.plots.get_mut(plot) {
+            state.points = points;
             self.revision.plots += 1;
         }
     }
@@ -220,22 +248,6 @@ impl Play {
         }
     }
 
-    /// How many series are drawn behind those of the present run.
-    fn series_behind(&self, index: usize) -> usize {
-        self.points_behind(index) + self.runs_behind(index)
-    }
-
-    /// How many series of points are drawn behind all lines.
-    fn points_behind(&self, index: usize) -> usize {
-        self.plots.get(index).map_or(0, |plot| plot.points.len())
-    }
-
-    fn runs_behind(&self, index: usize) -> usize {
-        let curves = self.columns.plot(index).map_or(0, |plot| plot.curves.len());
-        let behind = usize::from(self.ghost.is_some()) + self.kept.iter().filter(|kept| kept.shown).count();
-        curves * behind
-    }
-
     /// The plot as it is read: the ghost is only looked at.
     fn readable_plot(&self, index: usize) -> Option<Plot<'_>> {
         let mut plot = self.figure_of(index)?;
@@ -274,83 +286,5 @@ impl Play {
 
     fn added(&self, index: usize) -> Option<&AddedPlot> {
         self.plots.get(index)?.added.as_ref()
-    }
-
-    /// What is drawn in a plot.
-    pub(crate) fn figure_of(&self, index: usize) -> Option<Plot<'_>> {
-        let state = self.plots.get(index)?;
-        match &state.added {
-            None => self.figure_plot(index),
-            Some(added) => Some(self.added_figure(added, &state.view)),
-        }
-    }
-
-    /// What is drawn: points, the ghost, then the kept runs, then the present run on top, in the same colours.
-    fn figure_plot(&self, index: usize) -> Option<Plot<'_>> {
-        let state = self.plots.get(index)?;
-        let columns = self.columns.plot(index)?;
-        let labels = &state.labels;
-        let ghosts = self.ghost.iter().map(|ghost| (&ghost.traces, Style::Ghost));
-        let kept = self.kept.iter().filter(|kept| kept.shown);
-        let kept = kept.map(|kept| (&kept.traces, Style::Run(kept.pattern)));
-        let points = state.points.iter().filter_map(|points| {
-            let (_, axis) = *columns.curves.get(points.curve)?;
-            let (colour, style) = (POINTS + points.curve as u8, Style::Points);
-            let (x, y, version) = (&points.x[..], &points.y[..], points.version);
-            let label = points.label.as_str();
-            Some(Series { label, axis, colour, style, x, y, version, ..Series::default() })
-        });
-        let mut series: Vec<Series<'_>> = points.collect();
-        for (traces, style) in ghosts.chain(kept).chain([(&self.traces, Style::Line)]) {
-            let present_run = style == Style::Line;
-            for (number, &(column, axis)) in columns.curves.iter().enumerate() {
-                let present = self.present.get(columns.x).copied().zip(self.present.get(column).copied());
-                let label = match style {
-                    Style::Line => labels.curves.get(number).map_or("", String::as_str),
-                    // One entry stands for all its curves.
-                    Style::Ghost if number == 0 => words::previous_run(self.language),
-                    _ => "",
-                };
-                let (x, y) = (traces.column(columns.x), traces.column(column));
-                let mut curve = Series { label, axis, colour: number as u8, style, x, y, ..Series::default() };
-                curve.breaks = traces.breaks(columns.first + number);
-                curve.present = present.filter(|_| present_run);
-                series.push(curve);
-            }
-        }
-        let independent = self.is_against_independent(index);
-        let unit = &self.model().independent.unit;
-        let first = Interval::new(0.0, unit.from_si(self.step() * STEPS_AT_FIRST));
-        Some(Plot {
-            title: &labels.title,
-            description: &labels.description,
-            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: independent.then_some(first) },
-            y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, include: None }).collect(),
-            series,
-            marker: if independent { self.present.get(columns.x).copied() } else { None },
-            view: state.view.clone(),
-            ordered: independent,
-            equal: self.is_path(index),
-        })
-    }
-
-    /// Whether lengths are drawn against a length.
-    fn is_path(&self, index: usize) -> bool {
-        let plot = self.program.plots.get(index);
-        plot.is_some_and(|plot| {
-            let mut drawn = plot.curves.iter().map(|curve| &curve.value).chain([&plot.x.value]);
-            drawn.all(|value| value.unit.dimension == units::Dimension::LENGTH)
-        })
-    }
-
-    /// What a zoomed plot of the document against the independent variable shows of it; `None` where none is zoomed.
-    pub fn zoomed_part(&self) -> Option<Interval> {
-        let against = (0..self.program.plots.len()).filter(|index| self.is_against_independent(*index));
-        against.filter_map(|index| self.plots.get(index)?.view.x).next()
-    }
-
-    fn is_against_independent(&self, index: usize) -> bool {
-        let node = self.program.plots.get(index).map(|plot| plot.x.value.node);
-        node.is_some_and(|node| self.model().graph.node(node) == Node::Independent)
     }
 }

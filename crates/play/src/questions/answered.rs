@@ -1,7 +1,7 @@
 //! What a person has answered: kept with the question, whichever language it is read in, and for the next visit.
 
 use crate::name_of;
-use crate::questions::question::{Grade, Verdict};
+use crate::questions::grade::{Grade, Verdict};
 use crate::{Play, words};
 
 /// What a person has answered to a question.

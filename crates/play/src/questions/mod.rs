@@ -2,7 +2,8 @@
 
 mod answer;
 pub(crate) mod answered;
+mod grade;
 mod question;
 
 pub use answered::AnswerView;
-pub use question::{Grade, Verdict};
+pub use grade::{Grade, Verdict};

@@ -3,7 +3,7 @@
 pub(crate) mod course;
 mod problem;
 pub(crate) mod recipe;
-mod transport;
+pub(crate) mod transport;
 
 pub use course::Course;
 pub use problem::Problem;

@@ -1,6 +1,6 @@
 //! Undo: puts back what was removed or overwritten last, here or in the simulation.
 
-use crate::fits::results::Fitted;
+use crate::fits::fit::Fitted;
 use crate::records::record::Record;
 use crate::{Announcement, Desk};
 

@@ -2,10 +2,10 @@
 //! in a few trials, so that nothing of its outcome has to be kept.
 
 use crate::Desk;
-use crate::fits::queue::{Definition, Job, Part};
+use crate::fits::fit::{Definition, Found, Job, Part};
 use crate::records::record::Record;
 use crate::records::saved::{line, read_uses, write_uses};
-use analysis::fit::{Loss, Outcome, Rival, Target, Varied};
+use analysis::fit::{Loss, Rival, Target, Varied};
 use document::Document;
 use play::name_of;
 use std::fmt::Write as _;
@@ -18,37 +18,7 @@ const EARLIER: &str = "meniscus fits 1\n";
 /// The longest texts together: the records need their room too.
 const LONGEST: usize = 1 << 20;
 
-/// What a fit has found.
-#[derive(Clone, Debug)]
-pub(crate) struct Found {
-    /// The numbers, in the order of the search.
-    values: Vec<f64>,
-    /// From how many starts was searched.
-    starts: usize,
-    /// Another minimum that a search has met.
-    rival: Option<Rival>,
-}
-
 impl Found {
-    /// By a fit that is finished.
-    fn of(outcome: &Outcome) -> Self {
-        let values = outcome.parameters.iter().map(|estimate| estimate.value).collect();
-        Self { values, starts: outcome.starts, rival: outcome.rival.clone() }
-    }
-
-    /// The numbers from which the fit is made again.
-    pub fn values(&self) -> &[f64] {
-        &self.values
-    }
-
-    /// Puts back what a fit that is made again does not find out: it is searched from one start alone.
-    pub fn complete(&self, outcome: &mut Outcome) {
-        // Without its numbers the search was made from the beginning.
-        if !self.values.is_empty() {
-            (outcome.starts, outcome.rival) = (self.starts, self.rival.clone());
-        }
-    }
-
     /// `17`, or with another minimum `17 2e-1 1.7e-1 4e-1`: how much worse it is, and its numbers.
     fn write_searches(&self) -> String {
         let rival = self.rival.iter().map(|rival| format!(" {:e} {}", rival.growth, write_numbers(&rival.values)));

@@ -21,6 +21,7 @@ mod play;
 mod plots;
 mod questions;
 mod refusal;
+mod removed;
 mod replacement;
 mod share;
 mod time;

@@ -2,9 +2,9 @@
 
 use crate::plots::kept::{Ghost, Kept, KeptView, MOST_KEPT};
 use crate::plots::traces::Traces;
+use crate::removed::Removed;
 use crate::time::course::Course;
 use crate::time::recipe::{Moments, Recipe};
-use crate::undo::Removed;
 use crate::values::symbol::symbol;
 use crate::{Announcement, Play, Refusal, words};
 use program::State;

@@ -4,11 +4,13 @@ mod added;
 mod drawn;
 mod keeping;
 pub(crate) mod kept;
+mod labelling;
 mod labels;
 pub(crate) mod plot;
 mod reading;
 mod series;
 pub(crate) mod traces;
+mod viewing;
 
 pub use added::{AddedPlot, AddedSeries, POINTS, Points};
 pub use kept::{KeptView, MOST_KEPT};

@@ -1,31 +1,9 @@
 //! What a person has answered: kept with the question, whichever language it is read in, and for the next visit.
 
 use crate::name_of;
+use crate::questions::given::Answer;
 use crate::questions::grade::{Grade, Verdict};
 use crate::{Play, words};
-
-/// What a person has answered to a question.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Answer {
-    /// What stands in the field.
-    typed: String,
-    /// What it is worth, if it has been checked.
-    grade: Option<Grade>,
-    /// Whether the right answer has been shown.
-    revealed: bool,
-}
-
-impl Answer {
-    /// What stands in the field.
-    pub fn typed(&self) -> &str {
-        &self.typed
-    }
-
-    /// The same before it was checked.
-    pub fn unchecked(&self) -> Self {
-        Self { typed: self.typed.clone(), grade: None, revealed: false }
-    }
-}
 
 /// An answer as its question shows it.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,7 +1,8 @@
 //! Questions: what was answered, and what an answer is worth.
 
 mod answer;
-pub(crate) mod answered;
+mod answered;
+pub(crate) mod given;
 mod grade;
 mod question;
 

@@ -13,8 +13,8 @@ impl Play {
             before.question_names().iter().enumerate().zip(before.answers.iter().zip(&before.solved))
         {
             let Some(place) = own.iter().position(|own| own == name) else {
-                if !answer.typed().is_empty() {
-                    lost.push(words::answer(self.language, answer.typed()));
+                if !answer.typed.is_empty() {
+                    lost.push(words::answer(self.language, &answer.typed));
                 }
                 continue;
             };

@@ -1,7 +1,7 @@
 //! A fit, from what is asked for to what has come of it.
 
 use crate::records::record::Use;
-use analysis::fit::{Loss, Outcome, Rival, Task, Trace, Varied};
+use analysis::fit::{Loss, Outcome, Rival, Target, Task, Trace, Varied};
 use document::Document;
 
 /// What a fit is made of, besides its theory and the numbers of the records.
@@ -71,6 +71,45 @@ impl Found {
             (outcome.starts, outcome.rival) = (self.starts, self.rival.clone());
         }
     }
+}
+
+/// A fit of an earlier visit.
+#[derive(Clone, Debug)]
+pub(crate) struct Waiting {
+    pub definition: Definition,
+    /// The document and its translations.
+    pub texts: Vec<String>,
+    pub found: Found,
+}
+
+impl Waiting {
+    /// Back from being made, if it was such a fit.
+    pub fn of(job: Job) -> Option<Self> {
+        Some(Self { texts: texts(&job.document), definition: job.definition, found: job.found? })
+    }
+
+    /// Without anything that it has found, and with the model's beginning where the fitted part begins.
+    pub fn begun_anew(mut self) -> Self {
+        self.found.values.clear();
+        self.definition.parts.iter_mut().for_each(|part| part.origin = None);
+        self
+    }
+
+    /// What is to be made, if the document can still be opened.
+    pub fn job(self) -> Option<Job> {
+        let (source, translations) = self.texts.split_first()?;
+        let translations: Vec<&str> = translations.iter().map(String::as_str).collect();
+        let document = document::open(source, &translations).sound()?;
+        let parameters = document.program.model.parameters.len();
+        let exists = |varied: &Varied| !matches!(varied.target, Target::Parameter(index) if index >= parameters);
+        let fits = self.definition.parameters.len() == parameters && self.definition.varied.iter().all(exists);
+        fits.then_some(Job { definition: self.definition, document, own: false, found: Some(self.found) })
+    }
+}
+
+/// The text of a document, and those of its translations.
+pub(super) fn texts(document: &Document) -> Vec<String> {
+    std::iter::once(&document.source).chain(&document.translations).cloned().collect()
 }
 
 /// A finished fit.

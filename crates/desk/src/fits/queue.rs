@@ -1,13 +1,11 @@
 //! Fits: the work in slices, the theories in a queue.
 
-use crate::fits::fit::{Definition, Fitted, Job};
-use crate::fits::saved::Waiting;
-use crate::fits::setup::Setup;
+use crate::fits::fit::{Definition, Job, Waiting};
+use crate::fits::state::Running;
 use crate::words::fit_error;
 use crate::{Announcement, Desk, Refusal};
-use analysis::fit::{Fit, FitError, Task, Varied};
+use analysis::fit::{Fit, FitError, Varied};
 use document::Document;
-use std::collections::VecDeque;
 
 /// How far the fits have come.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,52 +20,8 @@ pub struct FitProgress {
     pub finished: (usize, usize),
 }
 
-/// What fits are asked for, and what has come of them.
-#[derive(Debug, Default)]
-pub(crate) struct Fits {
-    pub setup: Setup,
-    pub finished: Vec<Fitted>,
-    /// The fit whose numbers stand in the sliders.
-    pub applied: Option<u32>,
-    /// Fits of an earlier visit, to be made again.
-    pub waiting: VecDeque<Waiting>,
-    /// How many ids fits have been given: none is given twice, because one may still be called by it.
-    pub issued: u32,
-    /// Theories of the queue that could not be fitted, each with the reason.
-    left_out: Vec<String>,
-    queue: Vec<Job>,
-    /// How many there were when the queue began.
-    total: usize,
-    running: Option<Running>,
-}
-
 /// So many points of a fitted curve are drawn in a report.
 const POINTS_OF_A_CURVE: usize = 600;
-
-#[derive(Debug)]
-struct Running {
-    job: Job,
-    task: Task,
-    fit: Fit,
-}
-
-impl Fits {
-    /// Takes over from a desk that had another document open what does not depend on the document.
-    pub fn adopt(&mut self, other: &mut Self) {
-        self.finished = std::mem::take(&mut other.finished);
-        self.waiting = std::mem::take(&mut other.waiting);
-        self.issued = other.issued;
-        if let Some(Running { job, .. }) = other.running.take() {
-            self.waiting.extend(Waiting::of(job));
-        }
-        let (setup, before) = (&mut self.setup, &mut other.setup);
-        setup.window = before.window;
-        setup.loss = before.loss;
-        setup.chosen = before.chosen;
-        setup.others = std::mem::take(&mut before.others);
-        setup.same = std::mem::take(&mut before.same);
-    }
-}
 
 impl Desk {
     /// Begins to fit the document that is open, which has this file, to the records that take part.

@@ -1,7 +1,7 @@
 //! What has come of fits: kept side by side, ranked, looked at.
 
 use crate::fits::fit::{Fitted, Job};
-use crate::undo::Removed;
+use crate::removed::Removed;
 use crate::{Announcement, Desk, number, words};
 use analysis::fit::{Estimate, Outcome, Task, Trace};
 use units::Unit;

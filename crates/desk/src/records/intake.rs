@@ -1,5 +1,6 @@
 //! A file on its way to become a record: read and inspected in slices, so that the page never stands still.
 
+use crate::records::incoming::{Intake, Stage};
 use crate::records::record::{LONGEST_TEXT, Record};
 use crate::records::{runs, saved};
 use crate::words::sentence;
@@ -9,21 +10,6 @@ use analysis::inspection::{Inspection, Inspector, doubtful_times, inspect};
 use analysis::reading::{self, Contents, Reading, ReadingError};
 use std::collections::BTreeMap;
 use units::Language;
-
-/// A file that is being read.
-#[derive(Debug)]
-pub(crate) struct Intake {
-    name: String,
-    stage: Stage,
-}
-
-#[derive(Debug)]
-enum Stage {
-    Reading(Box<Reading>),
-    Inspecting(Box<Contents>, Box<Inspector>),
-    /// All is known. That the record comes among the others takes as long as a slice.
-    Known(Box<Contents>, Box<Inspection>),
-}
 
 /// How far a file has been read.
 #[derive(Clone, Debug, PartialEq)]

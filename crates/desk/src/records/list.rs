@@ -2,7 +2,7 @@
 
 use crate::records::derived::differentiation;
 use crate::records::record::{Record, Use};
-use crate::undo::Removed;
+use crate::removed::Removed;
 use crate::words::sentence;
 use crate::{Announcement, Desk, number};
 

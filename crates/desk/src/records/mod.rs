@@ -2,7 +2,8 @@
 
 mod columns;
 mod derived;
-pub(crate) mod intake;
+pub(crate) mod incoming;
+mod intake;
 mod list;
 mod measurement;
 pub(crate) mod recognise;

@@ -5,6 +5,7 @@
 mod answers;
 mod clock;
 mod controls;
+mod dragging;
 mod history;
 mod legends;
 mod replacement;

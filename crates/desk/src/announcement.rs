@@ -1,6 +1,5 @@
 //! What happened, for screen readers and the line of messages.
 
-use crate::Desk;
 use play::Prominence;
 use std::collections::VecDeque;
 
@@ -41,7 +40,7 @@ impl Announcement {
         }
     }
 
-    /// Whether [`Desk::undo`] takes it back.
+    /// Whether [`crate::Desk::undo`] takes it back.
     pub fn can_be_undone(&self) -> bool {
         match self {
             Self::Play(announcement) => announcement.can_be_undone(),
@@ -57,23 +56,22 @@ const MOST: usize = 16;
 #[derive(Debug, Default)]
 pub(crate) struct Announcements(VecDeque<Announcement>);
 
-impl Desk {
-    /// The next thing to tell: what the simulation tells first.
-    pub fn take_announcement(&mut self) -> Option<Announcement> {
-        let of_play = self.play.take_announcement().map(Announcement::Play);
-        of_play.or_else(|| self.announcements.0.pop_front())
-    }
-
-    pub(crate) fn announce(&mut self, announcement: Announcement) {
-        if self.announcements.0.len() == MOST {
-            self.announcements.0.pop_front();
+impl Announcements {
+    /// Adds one; where too many wait, the oldest gives way.
+    pub fn push(&mut self, announcement: Announcement) {
+        if self.0.len() == MOST {
+            self.0.pop_front();
         }
-        self.announcements.0.push_back(announcement);
+        self.0.push_back(announcement);
     }
 
-    /// Forgets what has not been taken.
-    pub(crate) fn forget_announcements(&mut self) {
-        self.announcements.0.clear();
-        while self.play.take_announcement().is_some() {}
+    /// Takes the oldest one.
+    pub fn take(&mut self) -> Option<Announcement> {
+        self.0.pop_front()
+    }
+
+    /// Forgets those that have not been taken.
+    pub fn clear(&mut self) {
+        self.0.clear();
     }
 }

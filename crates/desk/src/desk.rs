@@ -1,12 +1,12 @@
 //! The laboratory without a screen: a simulation, and what is measured and fitted beside it.
 
-use crate::announcement::Announcements;
-use crate::cycles::plot::CyclePlot;
-use crate::cycles::view::CycleView;
-use crate::fits::queue::Fits;
-use crate::measured::points::Data;
-use crate::records::intake::Intake;
-use crate::undo::Removed;
+use crate::announcement::{Announcement, Announcements};
+use crate::cycles::drawn::CyclePlot;
+use crate::cycles::found::CycleView;
+use crate::fits::state::Fits;
+use crate::measured::data::Data;
+use crate::records::incoming::Intake;
+use crate::removed::Removed;
 use document::Document;
 use play::{Play, PlotId};
 
@@ -115,5 +115,21 @@ impl Desk {
         self.follow_residuals();
         self.follow_cycles();
         self.follow_outline();
+    }
+
+    /// The next thing to tell: what the simulation tells first.
+    pub fn take_announcement(&mut self) -> Option<Announcement> {
+        let of_play = self.play.take_announcement().map(Announcement::Play);
+        of_play.or_else(|| self.announcements.take())
+    }
+
+    pub(crate) fn announce(&mut self, announcement: Announcement) {
+        self.announcements.push(announcement);
+    }
+
+    /// Forgets what has not been taken.
+    pub(crate) fn forget_announcements(&mut self) {
+        self.announcements.clear();
+        while self.play.take_announcement().is_some() {}
     }
 }

@@ -18,6 +18,7 @@ mod fits;
 mod measured;
 mod records;
 mod refusal;
+mod removed;
 mod shelf;
 mod undo;
 mod words;

@@ -1,15 +1,7 @@
 //! Undo: puts back what was removed or overwritten last, here or in the simulation.
 
-use crate::fits::results::Fitted;
-use crate::records::record::Record;
+use crate::removed::Removed;
 use crate::{Announcement, Desk};
-
-/// What the last removal took away, with its place in its list.
-#[derive(Debug)]
-pub(crate) enum Removed {
-    Record(usize, Box<Record>),
-    Fit(usize, Box<Fitted>),
-}
 
 impl Desk {
     /// Names what [`Desk::undo`] would put back; `None` if there is nothing to undo.

@@ -10,7 +10,8 @@ pub struct History {
     times: Vec<f64>,
     columns: Vec<Vec<f64>>,
     segments: Vec<u32>,
-    /// Parameter sets, each with the first row it holds for.
+    /// Parameter sets, each with the first row it holds for; ascending, and each another than the one before. The only
+    /// record of what the parameters were: a set that waits for the next step has the number of the row to come.
     parameters: Vec<(usize, Vec<f64>)>,
     /// The rows right after jumps, each with what it does not tell by itself.
     after_jumps: Vec<(usize, AfterJump)>,
@@ -80,6 +81,17 @@ impl History {
         &self.parameters[after.saturating_sub(1)].1
     }
 
+    /// The parameter sets, each with the first row it holds for: those at the start, and every change. The last one may
+    /// hold for a row that is not recorded yet.
+    pub fn parameter_sets(&self) -> &[(usize, Vec<f64>)] {
+        &self.parameters
+    }
+
+    /// The parameters in force for the next step.
+    pub(crate) fn next_parameters(&self) -> &[f64] {
+        self.parameters.last().map_or(&[], |(_, set)| set)
+    }
+
     /// The state at the start of the run, what `y(0)` is in an expression.
     pub fn initial(&self) -> &[f64] {
         &self.initial
@@ -135,7 +147,7 @@ impl History {
         hash
     }
 
-    /// Parameters for the rows pushed from now on.
+    /// Parameters for the rows pushed from now on; other ones than those of the last row.
     pub(crate) fn push_parameters(&mut self, parameters: Vec<f64>) {
         let first = self.len();
         self.parameters.retain(|&(from, _)| from < first);

@@ -93,9 +93,14 @@ impl Run {
         &self.history
     }
 
-    /// What the run was started with, but with the parameters in force for the next step.
+    /// What the run was started with.
     pub fn setup(&self) -> &Setup {
         &self.setup
+    }
+
+    /// The parameters in force for the next step, one value for each, SI.
+    pub fn parameters(&self) -> &[f64] {
+        self.history.next_parameters()
     }
 
     /// The state at the start.
@@ -114,17 +119,23 @@ impl Run {
     }
 
     /// Changes the parameters from the next step on, one value for each; the state stays. Of a step that is only partly
-    /// made the beginning is given up.
+    /// made the beginning is given up. A change that is taken back before the next step leaves no trace: the run has the
+    /// bits of one without it.
     pub fn set_parameters(&mut self, parameters: Vec<f64>) {
-        if parameters.len() != self.setup.parameters.len() || parameters == self.setup.parameters {
+        if parameters.len() != self.setup.parameters.len() || parameters == self.parameters() {
             return;
         }
         if self.stepper.is_between_rows() {
             self.truncate(self.last_on_grid);
         }
-        self.history.push_parameters(parameters.clone());
-        self.setup.parameters.clone_from(&parameters);
-        self.stepper.set_parameters(parameters);
+        let last = self.history.len() - 1;
+        if self.history.parameters(last) == parameters {
+            // An adaptive method has begun again with the other parameters, and so has to go back.
+            self.truncate(last);
+        } else {
+            self.history.push_parameters(parameters.clone());
+            self.stepper.set_parameters(parameters);
+        }
     }
 
     /// Drops the rows after `row` and goes on from there, with the parameters then in force. Of the rows around a jump
@@ -138,12 +149,11 @@ impl Run {
         }
         history.truncate(row);
         self.last_on_grid = self.last_on_grid.min(row);
-        self.setup.parameters = history.parameters(row).to_vec();
         if !self.repeat_to(row) {
             let history = &self.history;
             let [state, _] = &mut self.ends;
             history.state(row, state);
-            let parameters = self.setup.parameters.clone();
+            let parameters = history.next_parameters().to_vec();
             self.stepper.resume(history.time(row), state, parameters, history.after_jump(row));
         }
     }

@@ -32,6 +32,7 @@ pub struct Stepper {
     time: f64,
     state: Vec<f64>,
     next: Vec<f64>,
+    /// Those in force. A stepper has no history, and a fit runs it without any.
     parameters: Vec<f64>,
     initial: Vec<f64>,
     /// What has been done since the last point of the grid.

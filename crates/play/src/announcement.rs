@@ -1,6 +1,5 @@
 //! What happened, for screen readers: a short queue.
 
-use crate::Play;
 use std::collections::VecDeque;
 
 /// Something happened that a screen reader should tell.
@@ -45,7 +44,7 @@ pub enum Announcement {
     Undone,
     /// The history is full.
     Full,
-    /// The run cannot go on: see [`Play::problem`].
+    /// The run cannot go on: see [`crate::Play::problem`].
     Failed,
     /// The method was chosen.
     Method(engine::Method),
@@ -55,6 +54,9 @@ pub enum Announcement {
     QuestionSetup(usize),
     /// A state was restored from a link or the last visit.
     Restored,
+    /// Another program has taken the place of the former one ([`crate::Play::replace_program`]); what did not fit was
+    /// dropped: what was set, kept or answered, in the chosen language.
+    Replaced(Vec<String>),
 }
 
 /// How much attention an announcement asks for.
@@ -87,6 +89,7 @@ impl Announcement {
             // The transport shows why the run cannot go on.
             | Self::Full
             | Self::Failed => Prominence::Spoken,
+            Self::Replaced(lost) if lost.is_empty() => Prominence::Spoken,
             Self::Restarted(_)
             | Self::DefaultsRestored
             | Self::Preset(_)
@@ -94,11 +97,12 @@ impl Announcement {
             | Self::Removed(_)
             | Self::Undone
             | Self::QuestionSetup(_)
-            | Self::Restored => Prominence::Shown,
+            | Self::Restored
+            | Self::Replaced(_) => Prominence::Shown,
         }
     }
 
-    /// Whether [`Play::undo`] takes it back.
+    /// Whether [`crate::Play::undo`] takes it back.
     pub fn can_be_undone(&self) -> bool {
         matches!(self, Self::DefaultsRestored | Self::Preset(_) | Self::QuestionSetup(_) | Self::Removed(_))
     }
@@ -121,15 +125,13 @@ impl Announcements {
         self.0.push_back(announcement);
     }
 
+    /// Takes the oldest one.
+    pub fn take(&mut self) -> Option<Announcement> {
+        self.0.pop_front()
+    }
+
     /// Forgets those that have not been taken.
     pub fn clear(&mut self) {
         self.0.clear();
-    }
-}
-
-impl Play {
-    /// The next thing to tell, oldest first.
-    pub fn take_announcement(&mut self) -> Option<Announcement> {
-        self.announcements.0.pop_front()
     }
 }

@@ -8,6 +8,7 @@
 //! | `plots` | figures of the run, of kept runs, of points and plots that others add |
 //! | `values` | readouts, the scene's values, the table of rows |
 //! | `questions` | answers and what they are worth |
+//! | `replacement` | another program in the place of the present one |
 //! | `share` | the state as a link |
 //!
 //! A [`Refusal`] is the answer to input that cannot be taken; nothing has changed then. Getters that return texts use
@@ -20,6 +21,8 @@ mod play;
 mod plots;
 mod questions;
 mod refusal;
+mod removed;
+mod replacement;
 mod share;
 mod time;
 mod undo;

@@ -1,14 +1,15 @@
 //! The state itself: a program, a run of it, and what the visitor has chosen.
 
 use crate::announcement::{Announcement, Announcements};
-use crate::controls::drag::Hold;
+use crate::controls::hold::Hold;
 use crate::number::Style;
 use crate::plots::kept::{Ghost, Kept};
 use crate::plots::plot::PlotState;
 use crate::plots::traces::{Columns, Traces};
-use crate::questions::answered::Answer;
+use crate::questions::given::Answer;
+use crate::removed::Undo;
 use crate::time::course::Course;
-use crate::undo::Undo;
+use crate::values::Outline;
 use engine::{Readings, Setup};
 use program::{Model, NodeId, Program};
 use units::Language;
@@ -32,6 +33,22 @@ pub struct Revision {
     pub answers: u64,
     /// The language.
     pub language: u64,
+}
+
+impl Revision {
+    /// Everything has changed.
+    pub(crate) fn raised(self) -> Self {
+        Self {
+            frame: self.frame + 1,
+            parameters: self.parameters + 1,
+            transport: self.transport + 1,
+            rows: self.rows + 1,
+            runs: self.runs + 1,
+            plots: self.plots + 1,
+            answers: self.answers + 1,
+            language: self.language + 1,
+        }
+    }
 }
 
 /// One simulation in the hands of a visitor.
@@ -67,7 +84,7 @@ pub struct Play {
     pub(crate) kept_issued: u32,
     pub(crate) plots: Vec<PlotState>,
     /// What is drawn over the scene.
-    pub(crate) outline: Option<crate::Outline>,
+    pub(crate) outline: Option<Outline>,
     pub(crate) evaluators: Evaluators,
     /// One for each question, once anything has been answered.
     pub(crate) answers: Vec<Answer>,
@@ -221,6 +238,11 @@ impl Play {
 
     pub(crate) fn note_rewritten(&mut self, time: f64) {
         self.rewritten = Some(self.rewritten.map_or(time, |before| before.min(time)));
+    }
+
+    /// The next thing to tell, oldest first.
+    pub fn take_announcement(&mut self) -> Option<Announcement> {
+        self.announcements.take()
     }
 
     pub(crate) fn announce(&mut self, announcement: Announcement) {

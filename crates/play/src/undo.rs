@@ -1,32 +1,12 @@
 //! Undo: puts back what was removed or overwritten last.
 
-use crate::plots::kept::{Ghost, Kept};
+use crate::removed::{Removed, Undo};
 use crate::{Announcement, Play};
-use engine::Setup;
-
-/// What the last removal took away, with its place in its list.
-#[derive(Debug)]
-pub(crate) enum Removed {
-    Run(usize, Kept),
-    Ghost(Ghost),
-    /// The values that the parameters had, SI.
-    Parameters(Vec<f64>),
-    /// What the run began with: the parameters, and a state set by hand.
-    Start(Setup),
-}
-
-/// The last removal.
-#[derive(Debug, Default)]
-pub(crate) struct Undo {
-    /// How many removals there have been; names the last one.
-    count: u32,
-    last: Option<Removed>,
-}
 
 impl Play {
     /// Names what [`Play::undo`] would put back; `None` if there is nothing to undo.
     pub fn undo_number(&self) -> Option<u32> {
-        self.undo.last.as_ref().map(|_| self.undo.count)
+        self.undo.number()
     }
 
     /// Puts back what the removal of this number took away. Only the last removal can be undone; returns whether it was
@@ -34,10 +14,7 @@ impl Play {
     ///
     /// Parameters get their former values. Where one of them determines the initial state, the run starts again.
     pub fn undo(&mut self, number: u32) -> bool {
-        if self.undo.count != number {
-            return false;
-        }
-        let Some(removed) = self.undo.last.take() else { return false };
+        let Some(removed) = self.undo.take(number) else { return false };
         match removed {
             Removed::Run(place, kept) => {
                 let place = place.min(self.kept.len());
@@ -58,25 +35,23 @@ impl Play {
     /// The number of a removal that somebody else can undo; the last one here no longer can be. Numbers ascend over all of
     /// them, so that only the last removal of all is undone.
     pub fn number_removal(&mut self) -> u32 {
-        self.undo.count += 1;
-        self.undo.last = None;
-        self.undo.count
+        self.undo = Undo::after(self.undo.count() + 1);
+        self.undo.count()
     }
 
     /// How many removals there have been.
     pub fn removals(&self) -> u32 {
-        self.undo.count
+        self.undo.count()
     }
 
     /// Goes on numbering where another simulation has left off; what that one removed stays removed.
     pub fn number_removals_from(&mut self, count: u32) {
-        self.undo = Undo { count, last: None };
+        self.undo = Undo::after(count);
     }
 
     /// Remembers a removal, in place of the one before.
     pub(crate) fn can_undo(&mut self, removed: Removed) {
-        self.undo.count += 1;
-        self.undo.last = Some(removed);
+        self.undo.remember(removed);
     }
 
     /// Changes several parameters at once such that the former values can be put back.
@@ -84,7 +59,7 @@ impl Play {
         let before = self.course.parameters().to_vec();
         if before == parameters {
             // Nothing is overwritten, and an older removal is not what a person would undo here.
-            self.undo.last = None;
+            self.undo.forget();
             return;
         }
         self.change_parameters(parameters);

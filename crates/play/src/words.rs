@@ -36,6 +36,21 @@ pub fn previous_run(language: Language) -> &'static str {
     language.pick("previous run", "serie anterior")
 }
 
+/// What a kept run is called in a list of other things.
+pub fn kept_run(language: Language, name: &str) -> String {
+    language.pick(format!("the kept run “{name}”"), format!("la serie guardada «{name}»"))
+}
+
+/// What the time of a run is called in a list of other things.
+pub fn time(language: Language, time: &str) -> String {
+    language.pick(format!("the time {time}"), format!("el tiempo {time}"))
+}
+
+/// What an answer is called in a list of other things.
+pub fn answer(language: Language, typed: &str) -> String {
+    language.pick(format!("the answer “{typed}”"), format!("la respuesta «{typed}»"))
+}
+
 /// Stands in the place of a value that a question hides.
 pub fn hidden(language: Language) -> &'static str {
     language.pick("hidden", "oculto")
@@ -232,6 +247,14 @@ impl Play {
             Announcement::QuestionSetup(_) => {
                 say("Parameters set for the question", "Parámetros ajustados para la pregunta")
             }
+            Announcement::Replaced(lost) if lost.is_empty() => {
+                say("The changed document runs", "El documento cambiado está en marcha")
+            }
+            Announcement::Replaced(lost) => with(
+                "The changed document runs; dropped, because it does not fit: {}",
+                "El documento cambiado está en marcha; se omitió lo que no encaja: {}",
+                &lost.join(", "),
+            ),
             Announcement::Restored => say("The saved state is back", "Se recuperó el estado guardado"),
         }
     }

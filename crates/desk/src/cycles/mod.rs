@@ -1,6 +1,8 @@
 //! An oscillation cycle by cycle.
 
-pub(crate) mod plot;
-pub(crate) mod view;
+pub(crate) mod drawn;
+pub(crate) mod found;
+mod plot;
+mod view;
 
 pub use view::{CycleColumn, CyclesView};

@@ -2,7 +2,9 @@
 //! the run beside them.
 
 use crate::Desk;
-use crate::cycles::view::{Found, capital};
+use crate::cycles::drawn::Points;
+use crate::cycles::found::Found;
+use crate::cycles::view::capital;
 use crate::records::recognise::observed;
 use analysis::cycles::{Cycle, Quantity, cycles, mean, well_known};
 use engine::Readings;
@@ -17,38 +19,6 @@ const ROWS_PER_PERIOD: f64 = 32.0;
 
 /// Which of the plot's series is the measured one.
 const MEASURED: usize = 2;
-
-/// What is drawn of the cycles, in the units of the axes.
-#[derive(Debug, Default)]
-pub(crate) struct CyclePlot {
-    measured: Points,
-    /// The mean of all, where the linear theory has the same for all.
-    constant: Vec<f64>,
-    run: Points,
-    limits: Option<Interval>,
-    /// The cycles of the run that is recorded, and which run that is.
-    of_run: Vec<Cycle>,
-    seen: Option<(u64, u64)>,
-}
-
-#[derive(Debug, Default)]
-struct Points {
-    x: Vec<f64>,
-    y: Vec<f64>,
-    errors: Vec<f64>,
-}
-
-impl Points {
-    fn of(cycles: &[Cycle], quantity: Quantity, against_amplitude: bool) -> Self {
-        let across = |cycle: &Cycle| if against_amplitude { cycle.amplitude.value } else { cycle.time.value };
-        let measured: Vec<_> = cycles.iter().map(|cycle| quantity.of(cycle)).collect();
-        Self {
-            x: cycles.iter().map(across).collect(),
-            y: measured.iter().map(|one| one.value).collect(),
-            errors: measured.iter().map(|one| one.error).collect(),
-        }
-    }
-}
 
 impl Desk {
     /// Takes what is to be drawn from what was found.

@@ -1,47 +1,12 @@
 //! An oscillation cycle by cycle, before any theory: which column is looked at, what was found in it, in numbers and in
 //! words. Nothing is measured before it is looked at.
 
+use crate::cycles::found::Found;
 use crate::records::record::Record;
 use crate::{Desk, Export, ExportKind, number};
-use analysis::cycles::{self, Constancy, Cycles, Measured, Quantity};
+use analysis::cycles::{self, Constancy, Measured, Quantity};
+use units::Language;
 use units::number::Layout;
-use units::{Language, Unit};
-
-/// What the view of cycles shows.
-#[derive(Debug)]
-pub(crate) struct CycleView {
-    /// Whether it is open.
-    open: bool,
-    /// The record's id, and the column.
-    chosen: Option<(u32, usize)>,
-    /// What is drawn.
-    pub quantity: Quantity,
-    /// Whether it is drawn against the amplitude and not against the time.
-    pub against_amplitude: bool,
-    /// What was found.
-    pub found: Option<Found>,
-}
-
-impl Default for CycleView {
-    fn default() -> Self {
-        Self { open: false, chosen: None, quantity: Quantity::Period, against_amplitude: false, found: None }
-    }
-}
-
-/// The cycles of a column, in its unit and that of the independent variable.
-#[derive(Debug)]
-pub(crate) struct Found {
-    /// The first and the last reading of the clock.
-    pub ends: (f64, f64),
-    /// What is said of the column where nothing oscillates in it.
-    pub cycles: Option<Cycles>,
-    /// The column's unit.
-    pub unit: Unit,
-    /// What the column measures; empty if nothing of the document.
-    pub name: String,
-    /// The reading of the clock, SI, at which the model begins.
-    pub origin: f64,
-}
 
 /// A column in which cycles can be looked for.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,13 +1,17 @@
 //! Fits: what is varied, the queue, the results, what stands in the sliders, reports.
 
 mod applied;
-pub(crate) mod queue;
+mod choices;
+pub(crate) mod fit;
+mod queue;
 pub(crate) mod reporting;
-pub(crate) mod results;
+mod results;
 mod saved;
 pub(crate) mod setup;
+pub(crate) mod state;
+mod task;
 
+pub use choices::{ChoiceView, FitRecordView, KnownView};
 pub use queue::FitProgress;
 pub use reporting::{Export, ExportKind, Imprint};
 pub use results::{EstimateView, FitDetail, FitView, MOST_FITS};
-pub use setup::{ChoiceView, FitRecordView, KnownView};

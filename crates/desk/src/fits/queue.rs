@@ -1,15 +1,11 @@
 //! Fits: the work in slices, the theories in a queue.
 
-use crate::fits::results::Fitted;
-use crate::fits::saved::{Found, Waiting};
-use crate::fits::setup::Setup;
-use crate::records::recognise::observed;
-use crate::records::record::{Record, Use};
+use crate::fits::fit::{Definition, Job, Waiting};
+use crate::fits::state::Running;
 use crate::words::fit_error;
-use crate::{Announcement, Desk, Refusal, words};
-use analysis::fit::{Fit, FitError, Loss, Observation, Task, Varied};
+use crate::{Announcement, Desk, Refusal};
+use analysis::fit::{Fit, FitError, Varied};
 use document::Document;
-use std::collections::VecDeque;
 
 /// How far the fits have come.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,94 +20,8 @@ pub struct FitProgress {
     pub finished: (usize, usize),
 }
 
-/// What fits are asked for, and what has come of them.
-#[derive(Debug, Default)]
-pub(crate) struct Fits {
-    pub setup: Setup,
-    pub finished: Vec<Fitted>,
-    /// The fit whose numbers stand in the sliders.
-    pub applied: Option<u32>,
-    /// Fits of an earlier visit, to be made again.
-    pub waiting: VecDeque<Waiting>,
-    /// How many ids fits have been given: none is given twice, because one may still be called by it.
-    pub issued: u32,
-    /// Theories of the queue that could not be fitted, each with the reason.
-    left_out: Vec<String>,
-    queue: Vec<Job>,
-    /// How many there were when the queue began.
-    total: usize,
-    running: Option<Running>,
-}
-
-/// What a fit is made of, besides its theory and the numbers of the records.
-#[derive(Clone, Debug)]
-pub(crate) struct Definition {
-    /// The file of its theory.
-    pub file: String,
-    /// The records, in the order of the task.
-    pub parts: Vec<Part>,
-    pub varied: Vec<Varied>,
-    /// All parameters where they are not varied, SI.
-    pub parameters: Vec<f64>,
-    /// What part of the records is fitted: readings of their clocks, SI.
-    pub window: [Option<f64>; 2],
-    /// What residuals cost.
-    pub loss: Loss,
-}
-
-/// What a fit follows of a record.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Part {
-    pub record: u32,
-    /// The record's name.
-    pub name: String,
-    /// What its columns are taken for.
-    pub uses: Vec<Use>,
-    /// The reading of its clock at which the model begins, SI, if an earlier fit has found it. Otherwise it begins with the
-    /// fitted part, or with the clock where the equations depend on the time.
-    pub origin: Option<f64>,
-    /// Parameters that have a value of their own in it.
-    pub fixed: Vec<(usize, f64)>,
-}
-
-/// A fit to be made.
-#[derive(Debug)]
-pub(crate) struct Job {
-    pub definition: Definition,
-    pub document: Document,
-    /// Whether it is the document that is open: what is found is shown.
-    pub own: bool,
-    /// What an earlier visit has found.
-    pub found: Option<Found>,
-}
-
 /// So many points of a fitted curve are drawn in a report.
 const POINTS_OF_A_CURVE: usize = 600;
-
-#[derive(Debug)]
-struct Running {
-    job: Job,
-    task: Task,
-    fit: Fit,
-}
-
-impl Fits {
-    /// Takes over from a desk that had another document open what does not depend on the document.
-    pub fn adopt(&mut self, other: &mut Self) {
-        self.finished = std::mem::take(&mut other.finished);
-        self.waiting = std::mem::take(&mut other.waiting);
-        self.issued = other.issued;
-        if let Some(Running { job, .. }) = other.running.take() {
-            self.waiting.extend(Waiting::of(job));
-        }
-        let (setup, before) = (&mut self.setup, &mut other.setup);
-        setup.window = before.window;
-        setup.loss = before.loss;
-        setup.chosen = before.chosen;
-        setup.others = std::mem::take(&mut before.others);
-        setup.same = std::mem::take(&mut before.same);
-    }
-}
 
 impl Desk {
     /// Begins to fit the document that is open, which has this file, to the records that take part.
@@ -158,31 +68,6 @@ impl Desk {
         };
         let jobs = theories.into_iter().map(job).collect();
         self.start_queue(jobs)
-    }
-
-    /// What a fit of a document follows of the records that take part.
-    fn parts(&self, document: &Document, varied: &[Varied], own: bool) -> Vec<Part> {
-        let labels = |label: &str| {
-            let languages = document.program.languages();
-            languages.map(|language| document.program.text(language, label).to_lowercase()).collect()
-        };
-        let taking_part = self.taking_part();
-        let part = |record: &Record| {
-            let (uses, origin) = if own {
-                let found = record.origin.filter(|origin| origin.found);
-                (record.uses.clone(), found.map(|origin| origin.reading))
-            } else {
-                let mut record = record.clone();
-                record.take_for(document, &labels);
-                (record.uses, None)
-            };
-            let fixed = match taking_part.len() {
-                1 => Vec::new(),
-                _ => self.fits.setup.fixed(&document.program.model, varied, record),
-            };
-            Part { record: record.id, name: record.name.clone(), uses, origin, fixed }
-        };
-        taking_part.iter().filter_map(|id| self.record(*id)).map(part).collect()
     }
 
     fn start_queue(&mut self, mut jobs: Vec<Job>) -> Result<(), Refusal> {
@@ -238,7 +123,7 @@ impl Desk {
         let task = self.task(&job)?;
         let model = &job.document.program.model;
         let fit = match &job.found {
-            Some(found) => Fit::again(model, task.clone(), found.values()),
+            Some(found) => Fit::again(model, task.clone(), &found.values),
             None => Fit::new(model, task.clone()),
         };
         match fit {
@@ -313,53 +198,4 @@ impl Desk {
         };
         job.definition.parts.get(place).map_or_else(|| why.clone(), |part| format!("{}: {why}", part.name))
     }
-
-    /// The task of a job.
-    fn task(&self, job: &Job) -> Result<Task, Refusal> {
-        let unknown = || Refusal::unknown(words::record(self.play.language()));
-        let (document, definition) = (&job.document, &job.definition);
-        let model = &document.program.model;
-        let mut records = Vec::with_capacity(definition.parts.len());
-        for part in &definition.parts {
-            let record = self.record(part.record).ok_or_else(unknown)?;
-            let observations = observations(record, &part.uses, model);
-            if observations.is_empty() && definition.parts.len() > 1 {
-                let why = format!("{}: {}", record.name, fit_error(self.play.language(), &FitError::NothingObserved));
-                return Err(Refusal::Fit { why });
-            }
-            let (fixed, origin) = (part.fixed.clone(), part.origin);
-            records.push(analysis::fit::Record { name: part.name.clone(), observations, fixed, origin });
-        }
-        Ok(Task {
-            parameters: definition.parameters.clone(),
-            method: document.program.method.unwrap_or_default(),
-            records,
-            varied: definition.varied.clone(),
-            from: definition.window[0],
-            until: definition.window[1],
-            loss: definition.loss,
-        })
-    }
-}
-
-/// The columns that a fit follows.
-fn observations(record: &Record, uses: &[Use], model: &program::Model) -> Vec<Observation> {
-    let independent = &model.independent.name;
-    let mut followed: Vec<usize> = Vec::new();
-    let mut observations = Vec::new();
-    for (column, used) in uses.iter().enumerate().filter(|(_, used)| used.fitted) {
-        let name = &used.meaning.quantity;
-        let Some(observed) = observed(model, name).filter(|_| !name.is_empty() && name != independent) else {
-            continue;
-        };
-        if observed.dimension() != used.meaning.unit.dimension {
-            continue;
-        }
-        let Some((times, values)) = record.series_as(uses, column, independent) else { continue };
-        let derived_from =
-            record.computed_from(column).and_then(|source| followed.iter().position(|&own| own == source));
-        followed.push(column);
-        observations.push(Observation { name: name.clone(), observed, times, values, errors: None, derived_from });
-    }
-    observations
 }

@@ -1,6 +1,6 @@
 //! Reports and spreadsheets of finished fits.
 
-use crate::fits::results::Fitted;
+use crate::fits::fit::Fitted;
 use crate::number::Style;
 use crate::{Desk, words};
 use analysis::csv::Dialect;

@@ -1,29 +1,14 @@
 //! What has come of fits: kept side by side, ranked, looked at.
 
-use crate::fits::queue::{Definition, Job};
-use crate::undo::Removed;
+use crate::fits::fit::{Fitted, Job};
+use crate::removed::Removed;
 use crate::{Announcement, Desk, number, words};
 use analysis::fit::{Estimate, Outcome, Task, Trace};
-use document::Document;
 use units::Unit;
 use units::number::{Group, Style};
 
 /// How many fits are kept.
 pub const MOST_FITS: usize = 40;
-
-/// A finished fit.
-#[derive(Debug)]
-pub(crate) struct Fitted {
-    pub id: u32,
-    pub definition: Definition,
-    /// The theory.
-    pub document: Document,
-    /// What was asked for.
-    pub task: Task,
-    /// The fitted curves.
-    pub traces: Vec<Trace>,
-    pub outcome: Outcome,
-}
 
 /// A fit in the list.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,11 +2,10 @@
 //! in a few trials, so that nothing of its outcome has to be kept.
 
 use crate::Desk;
-use crate::fits::queue::{Definition, Job, Part};
+use crate::fits::fit::{Definition, Found, Part, Waiting, texts};
 use crate::records::record::Record;
 use crate::records::saved::{line, read_uses, write_uses};
-use analysis::fit::{Loss, Outcome, Rival, Target, Varied};
-use document::Document;
+use analysis::fit::{Loss, Rival, Target, Varied};
 use play::name_of;
 use std::fmt::Write as _;
 
@@ -18,37 +17,7 @@ const EARLIER: &str = "meniscus fits 1\n";
 /// The longest texts together: the records need their room too.
 const LONGEST: usize = 1 << 20;
 
-/// What a fit has found.
-#[derive(Clone, Debug)]
-pub(crate) struct Found {
-    /// The numbers, in the order of the search.
-    values: Vec<f64>,
-    /// From how many starts was searched.
-    starts: usize,
-    /// Another minimum that a search has met.
-    rival: Option<Rival>,
-}
-
 impl Found {
-    /// By a fit that is finished.
-    fn of(outcome: &Outcome) -> Self {
-        let values = outcome.parameters.iter().map(|estimate| estimate.value).collect();
-        Self { values, starts: outcome.starts, rival: outcome.rival.clone() }
-    }
-
-    /// The numbers from which the fit is made again.
-    pub fn values(&self) -> &[f64] {
-        &self.values
-    }
-
-    /// Puts back what a fit that is made again does not find out: it is searched from one start alone.
-    pub fn complete(&self, outcome: &mut Outcome) {
-        // Without its numbers the search was made from the beginning.
-        if !self.values.is_empty() {
-            (outcome.starts, outcome.rival) = (self.starts, self.rival.clone());
-        }
-    }
-
     /// `17`, or with another minimum `17 2e-1 1.7e-1 4e-1`: how much worse it is, and its numbers.
     fn write_searches(&self) -> String {
         let rival = self.rival.iter().map(|rival| format!(" {:e} {}", rival.growth, write_numbers(&rival.values)));
@@ -61,40 +30,6 @@ impl Found {
         let rival = read_numbers(rival)?;
         let rival = rival.split_first().map(|(&growth, others)| Rival { growth, values: others.to_vec() });
         Some(Self { values, starts: starts.parse().ok()?, rival })
-    }
-}
-
-/// A fit of an earlier visit.
-#[derive(Clone, Debug)]
-pub(crate) struct Waiting {
-    definition: Definition,
-    /// The document and its translations.
-    texts: Vec<String>,
-    found: Found,
-}
-
-impl Waiting {
-    /// Back from being made, if it was such a fit.
-    pub fn of(job: Job) -> Option<Self> {
-        Some(Self { texts: texts(&job.document), definition: job.definition, found: job.found? })
-    }
-
-    /// Without anything that it has found, and with the model's beginning where the fitted part begins.
-    fn begun_anew(mut self) -> Self {
-        self.found.values.clear();
-        self.definition.parts.iter_mut().for_each(|part| part.origin = None);
-        self
-    }
-
-    /// What is to be made, if the document can still be opened.
-    pub fn job(self) -> Option<Job> {
-        let (source, translations) = self.texts.split_first()?;
-        let translations: Vec<&str> = translations.iter().map(String::as_str).collect();
-        let document = document::open(source, &translations).sound()?;
-        let parameters = document.program.model.parameters.len();
-        let exists = |varied: &Varied| !matches!(varied.target, Target::Parameter(index) if index >= parameters);
-        let fits = self.definition.parameters.len() == parameters && self.definition.varied.iter().all(exists);
-        fits.then_some(Job { definition: self.definition, document, own: false, found: Some(self.found) })
     }
 }
 
@@ -139,10 +74,6 @@ impl Desk {
     pub fn has_fits_waiting(&self) -> bool {
         !self.fits.waiting.is_empty()
     }
-}
-
-fn texts(document: &Document) -> Vec<String> {
-    std::iter::once(&document.source).chain(&document.translations).cloned().collect()
 }
 
 /// What is being written.

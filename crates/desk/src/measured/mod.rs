@@ -1,5 +1,6 @@
 //! Measured values beside the simulation's: points over curves, residuals, and the outline in the scene.
 
-pub(crate) mod outline;
-pub(crate) mod points;
+pub(crate) mod data;
+mod outline;
+mod points;
 mod residuals;

@@ -1,20 +1,10 @@
 //! The outline: the scene with the measured values in place of the computed ones.
 
 use crate::Desk;
+use crate::measured::data::Outline;
 use engine::Routine;
 use play::Follows;
 use program::{Graph, Node};
-
-/// What evaluates the scene with measured values.
-#[derive(Debug)]
-pub(crate) struct Outline {
-    routine: Routine,
-    /// Which of the measured columns are put in.
-    columns: Vec<usize>,
-    /// The parameters, and after them the measured values.
-    inputs: Vec<f64>,
-    values: Vec<f64>,
-}
 
 impl Desk {
     /// Makes the outline of what is measured now. Only positions count: the level is what a film shows.

@@ -1,66 +1,15 @@
-//! Measured values beside the model's: points over curves, the residuals between them, and the outline in the scene.
+//! Measured values beside the model's: the columns in use, as points over curves.
 
 use crate::Desk;
-use crate::measured::outline::Outline;
+use crate::measured::data::{Measured, Residuals};
 use crate::records::recognise::observed;
 use crate::records::record::{Record, Use};
 use engine::Readings;
-use play::{Follows, Points, symbol};
-use program::Curve;
-use program::{Compiled, Node};
+use play::{Points, symbol};
+use program::{Curve, Node};
 
 /// Longer names of records are shortened in legends, in characters.
 const LONGEST_NAME: usize = 24;
-
-/// The records, and what they are for the document that is open.
-#[derive(Debug, Default)]
-pub(crate) struct Data {
-    /// Oldest first.
-    pub records: Vec<Record>,
-    /// How many ids records have been given: none is given twice, because fits call records by them.
-    pub issued: u32,
-    /// The columns in use of those that are drawn.
-    pub measured: Vec<Measured>,
-    /// How far the residuals of each of them have been computed; they stand in the plot of the residuals.
-    pub residuals: Vec<Residuals>,
-    /// The scene as the measurement has it.
-    pub outline: Option<(Outline, Vec<Follows>)>,
-    /// Raised whenever points or residuals are others, and not only more.
-    pub version: u64,
-}
-
-impl Data {
-    /// The version of a series of points or residuals in its plot, by its number, for [`figure::Series`].
-    pub fn version_of(&self, series: usize) -> u64 {
-        // More series than this have no version of their own, and are gone through for each frame.
-        const MOST: u64 = 64;
-        let series = series as u64 + 1;
-        if series < MOST { self.version * MOST + series } else { 0 }
-    }
-}
-
-/// A column in use, SI.
-#[derive(Clone, Debug)]
-pub(crate) struct Measured {
-    /// The record's id.
-    pub record: u32,
-    /// What it measures.
-    pub name: String,
-    pub observed: Compiled,
-    /// The model's time, ascending; gaps are left out.
-    pub times: Vec<f64>,
-    pub values: Vec<f64>,
-    /// Longer pauses than this are gaps.
-    pause: f64,
-}
-
-/// What computes the residuals of a column.
-#[derive(Debug)]
-pub(crate) struct Residuals {
-    pub readings: Readings,
-    /// How many of the column's values have been passed.
-    pub passed: usize,
-}
 
 impl Desk {
     /// Whether a measured quantity is drawn.
@@ -115,20 +64,6 @@ impl Desk {
         self.begin_residuals();
         self.find_cycles();
         self.revision.records += 1;
-    }
-}
-
-impl Measured {
-    /// The value at a time, between the two neighbours; none in a gap.
-    pub fn at(&self, time: f64) -> Option<f64> {
-        let next = self.times.partition_point(|&at| at < time);
-        let (after, value) = (*self.times.get(next)?, *self.values.get(next)?);
-        if after == time {
-            return Some(value);
-        }
-        let (before, from) = (*self.times.get(next.checked_sub(1)?)?, *self.values.get(next - 1)?);
-        let part = (time - before) / (after - before);
-        (after - before <= self.pause).then_some(from + part * (value - from))
     }
 }
 

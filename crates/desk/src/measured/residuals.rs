@@ -1,6 +1,7 @@
 //! The plot of the residuals: what measurements leave over beside the run.
 
-use super::points::{Measured, Residuals, shortened};
+use super::data::{Measured, Residuals};
+use super::points::shortened;
 use crate::{Desk, number, words};
 use figure::{Interval, Style};
 use play::{AddedPlot, AddedSeries, Labels, POINTS, symbol};

@@ -2,23 +2,12 @@
 //! independent of their source.
 
 use crate::records::recognise::{Meaning, observed};
-use crate::records::record::{Record, Use};
+use crate::records::record::{Made, Record, Use};
 use crate::{Announcement, Desk, Refusal};
 use analysis::derivative::{self, Differentiation};
 use analysis::table::Column;
 use document::Document;
 use units::{Language, Unit};
-
-/// A column that was made of another one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Made {
-    /// What it was made of.
-    pub of: usize,
-    /// Which derivative it is.
-    order: usize,
-    /// How it was made.
-    pub how: Differentiation,
-}
 
 impl Desk {
     /// Makes velocity and acceleration of a column of a record, as two columns more; earlier ones of the same column give

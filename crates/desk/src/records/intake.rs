@@ -1,26 +1,15 @@
 //! A file on its way to become a record: read and inspected in slices, so that the page never stands still.
 
-use crate::records::record::LONGEST_TEXT;
+use crate::records::incoming::{Intake, Stage};
+use crate::records::record::{LONGEST_TEXT, Record};
+use crate::records::{runs, saved};
 use crate::words::sentence;
 use crate::{Announcement, Desk, LONGEST_RECORD, MOST_RECORDS, Refusal};
-use analysis::inspection::{Inspection, Inspector};
-use analysis::reading::{Contents, Reading, ReadingError};
+use analysis::finding::Finding;
+use analysis::inspection::{Inspection, Inspector, doubtful_times, inspect};
+use analysis::reading::{self, Contents, Reading, ReadingError};
+use std::collections::BTreeMap;
 use units::Language;
-
-/// A file that is being read.
-#[derive(Debug)]
-pub(crate) struct Intake {
-    name: String,
-    stage: Stage,
-}
-
-#[derive(Debug)]
-enum Stage {
-    Reading(Box<Reading>),
-    Inspecting(Box<Contents>, Box<Inspector>),
-    /// All is known. That the record comes among the others takes as long as a slice.
-    Known(Box<Contents>, Box<Inspection>),
-}
 
 /// How far a file has been read.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,6 +74,98 @@ impl Desk {
         Ok(None)
     }
 
+    /// Reads a file, text or workbook, as a record, all at once; the runs of a logger become records of their own, the first of
+    /// which is the answer. Nothing is lost when it cannot be read.
+    ///
+    /// # Errors
+    /// A file that is too large or no table, and a record too many.
+    pub fn add_record(&mut self, name: &str, bytes: &[u8]) -> Result<u32, Refusal> {
+        let contents = self.read_record(name, bytes)?;
+        let inspection = inspect(&contents.import.table);
+        self.take_contents(name, contents, inspection)
+    }
+
+    pub(crate) fn insert_record(
+        &mut self,
+        name: &str,
+        bytes: &[u8],
+        truth: Option<Vec<(String, f64)>>,
+    ) -> Result<u32, Refusal> {
+        let contents = self.read_record(name, bytes)?;
+        let inspection = inspect(&contents.import.table);
+        Ok(self.take_record(name, contents, inspection, truth))
+    }
+
+    fn read_record(&self, name: &str, bytes: &[u8]) -> Result<Contents, Refusal> {
+        if self.data.records.len() >= MOST_RECORDS {
+            return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
+        }
+        if bytes.len() > LONGEST_RECORD {
+            return Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
+        }
+        reading::read(bytes.to_vec(), LONGEST_TEXT).map_err(|error| unreadable(name, &error, self.play.language()))
+    }
+
+    /// Adds what was read as a record, or each run of a logger as one.
+    pub(crate) fn take_contents(
+        &mut self,
+        name: &str,
+        contents: Contents,
+        inspection: Inspection,
+    ) -> Result<u32, Refusal> {
+        let runs = runs::texts(&contents.import.table);
+        if runs.is_empty() {
+            return Ok(self.take_record(name, contents, inspection, None));
+        }
+        if self.data.records.len() + runs.len() > MOST_RECORDS {
+            return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
+        }
+        let mut first = None;
+        for (run, text) in runs {
+            let id = self.insert_record(&format!("{name}: {run}"), text.as_bytes(), None)?;
+            first.get_or_insert(id);
+        }
+        first.ok_or(Refusal::unknown(name))
+    }
+
+    /// Adds what was read as a record.
+    pub(crate) fn take_record(
+        &mut self,
+        name: &str,
+        Contents { import, text }: Contents,
+        inspection: Inspection,
+        truth: Option<Vec<(String, f64)>>,
+    ) -> u32 {
+        let id = self.data.issued;
+        self.data.issued += 1;
+        let mut findings = import.findings;
+        findings.extend(inspection.findings);
+        // That a unit is assumed stands beside the column.
+        let doubtful = doubtful_times(&import.table).into_iter();
+        findings.extend(doubtful.filter(|finding| matches!(finding, Finding::NoTimes(_))));
+        let mut record = Record {
+            id,
+            name: name.chars().take(80).collect(),
+            // What is too long to be kept for the next visit is not needed any more.
+            text: if text.len() <= saved::LONGEST { text } else { String::new() },
+            uses: Vec::new(),
+            table: import.table,
+            findings,
+            computed: inspection.derived.iter().map(|derived| (derived.column, derived.of)).collect(),
+            made: Vec::new(),
+            shown: true,
+            origin: None,
+            known: BTreeMap::new(),
+            truth,
+        };
+        record.take_for(&self.document, &|label| self.labels(label));
+        let name = record.name.clone();
+        self.data.records.push(record);
+        self.records_changed();
+        self.announce(Announcement::RecordAdded(name));
+        id
+    }
+
     /// How far the file has been read that is being read.
     pub fn record_progress(&self) -> Option<RecordProgress> {
         let Intake { name, stage } = self.intake.as_ref()?;
@@ -104,7 +185,7 @@ impl Desk {
     }
 }
 
-pub(crate) fn unreadable(name: &str, error: &ReadingError, language: Language) -> Refusal {
+fn unreadable(name: &str, error: &ReadingError, language: Language) -> Refusal {
     Refusal::UnreadableRecord {
         name: name.to_owned(),
         why: format!("{} {}", sentence(&error.message(language)), sentence(error.hint(language))),

@@ -1,8 +1,10 @@
 //! Measured data: files that are read, what their columns are taken for, and what is made of them.
 
 mod columns;
-pub(crate) mod derived;
-pub(crate) mod intake;
+mod derived;
+pub(crate) mod incoming;
+mod intake;
+mod list;
 mod measurement;
 pub(crate) mod recognise;
 pub(crate) mod record;
@@ -12,6 +14,7 @@ pub(crate) mod saved;
 mod understood;
 
 pub use intake::RecordProgress;
+pub use list::{ColumnView, RecordView};
 pub use measurement::{MEASUREMENT_FIELDS, MeasurementForm};
-pub use record::{ColumnView, LONGEST_RECORD, MOST_RECORDS, RecordView};
+pub use record::{LONGEST_RECORD, MOST_RECORDS};
 pub use sample::{SAMPLES, Sample};

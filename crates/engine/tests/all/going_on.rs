@@ -52,7 +52,7 @@ fn proceed(run: &mut Run, until: usize, mut advance: impl FnMut(&mut Run) -> Opt
         let grid = grid_rows(run);
         for at in [12, 21] {
             if grid == at {
-                let mut parameters = run.setup().parameters.clone();
+                let mut parameters = run.parameters().to_vec();
                 let last = parameters.len() - 1;
                 parameters[last] = if at == 12 { 0.7 } else { 0.9 };
                 run.set_parameters(parameters);
@@ -126,6 +126,26 @@ fn parameters_changed_within_a_row_hold_from_the_row_before_on() {
             (0..3).for_each(|_| assert!(run.advance().is_ok()));
         }
         assert_eq!(whole.history(), divided.history(), "{method}");
+    }
+}
+
+#[test]
+fn a_change_that_is_taken_back_before_the_next_step_leaves_no_trace() {
+    for (model, setup) in cases() {
+        let mut whole = Run::start(&model, setup.clone()).unwrap();
+        let mut wavering = Run::start(&model, setup.clone()).unwrap();
+        for _ in 0..40 {
+            let advanced = [&mut whole, &mut wavering].map(|run| run.advance().is_ok());
+            if advanced != [true; 2] {
+                break;
+            }
+            let parameters = wavering.parameters().to_vec();
+            wavering.set_parameters(parameters.iter().map(|value| 0.9 * value).collect());
+            wavering.set_parameters(parameters.iter().map(|value| 1.1 * value).collect());
+            wavering.set_parameters(parameters);
+        }
+        assert_eq!(wavering.history(), whole.history(), "{}", setup.method);
+        assert_eq!(whole.history().parameter_sets(), [(0, setup.parameters)]);
     }
 }
 

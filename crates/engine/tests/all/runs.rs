@@ -18,7 +18,7 @@ fn times_are_products_not_sums() {
 fn a_parameter_changes_from_the_next_step_on_and_the_state_does_not_jump() {
     let model = model(U_TUBE);
     let mut run = crate::support::run(&model, setup(&model, Method::RungeKutta4, 0.05), 10);
-    let before = run.setup().parameters.clone();
+    let before = run.parameters().to_vec();
     let mut after = before.clone();
     after[parameter(&model, "b")] = 5000.0;
     run.set_parameters(vec![0.0; before.len()]);
@@ -45,7 +45,7 @@ fn going_back_restores_the_parameters_of_that_time() {
     let model = model(U_TUBE);
     let mut run = crate::support::run(&model, setup(&model, Method::RungeKutta4, 0.05), 10);
     let original = crate::support::run(&model, setup(&model, Method::RungeKutta4, 0.05), 20);
-    let before = run.setup().parameters.clone();
+    let before = run.parameters().to_vec();
     let mut after = before.clone();
     after[parameter(&model, "g")] = 1.62;
     run.set_parameters(after.clone());
@@ -55,11 +55,11 @@ fn going_back_restores_the_parameters_of_that_time() {
     let mut later = run.clone();
     later.truncate(15);
     assert_eq!((later.time(), later.history().len()), (15.0 * 0.05, 16));
-    assert_eq!(later.setup().parameters, after);
+    assert_eq!(later.parameters(), after);
     for row in [5, 10] {
         let mut earlier = run.clone();
         earlier.truncate(row);
-        assert_eq!(earlier.setup().parameters, before);
+        assert_eq!(earlier.parameters(), before);
         while earlier.time() < original.time() {
             earlier.advance().unwrap();
         }
@@ -73,7 +73,7 @@ fn adaptive_runs_take_changes_and_go_back() {
     let model = model(U_TUBE);
     for method in [Method::DormandPrince, Method::Rosenbrock] {
         let mut run = crate::support::run(&model, setup(&model, method, 0.05), 40);
-        let mut parameters = run.setup().parameters.clone();
+        let mut parameters = run.parameters().to_vec();
         parameters[0] = 1.62;
         run.truncate(20);
         run.set_parameters(parameters);
@@ -81,7 +81,7 @@ fn adaptive_runs_take_changes_and_go_back() {
             run.advance().unwrap();
         }
         let mut fine = crate::support::run(&model, setup(&model, Method::RungeKutta4, 0.05), 20);
-        fine.set_parameters(run.setup().parameters.clone());
+        fine.set_parameters(run.parameters().to_vec());
         for _ in 0..20 {
             fine.advance().unwrap();
         }

@@ -5,33 +5,11 @@
 //! no parameter decides it, where a range ends, or at any later time, the state itself becomes the start of the run, and
 //! what is held is at rest. It stays the start until another one is set or [`Play::restore_defaults`].
 
+use crate::controls::hold::Hold;
 use crate::controls::start::Start;
 use crate::{Announcement, Play, number};
 use engine::Setup;
 use program::{Child, Drag, Element, Piece, Program};
-
-/// A part of the scene that is held.
-#[derive(Clone, Debug)]
-pub(crate) struct Hold {
-    state: usize,
-    /// The state when it was taken hold of; except at the start the variable held is at rest.
-    from: Vec<f64>,
-    /// The parameters when it was taken hold of.
-    parameters: Vec<f64>,
-    /// What decides the value held, at the start of a run.
-    start: Option<Start>,
-    /// What a scene unit to the right and upwards adds.
-    right: f64,
-    up: f64,
-    /// How far the pointer may move, in scene units: the extent of the scene.
-    reach: (f64, f64),
-    /// The values of the scene that shape the drawing, those in attributes.
-    shaping: Vec<usize>,
-    /// Whether the state has been changed.
-    moved: bool,
-    /// Whether the run goes on afterwards.
-    playing: bool,
-}
 
 /// What a run begins with when a handle has been pulled.
 struct Pulled {

@@ -79,7 +79,7 @@ impl Play {
     }
 
     /// Why a method cannot integrate the model, if it can be integrated at all.
-    fn method_refusal(&self, method: Method) -> Option<Refusal> {
+    pub(crate) fn method_refusal(&self, method: Method) -> Option<Refusal> {
         let setup = Setup { method, ..self.defaults.clone() };
         match Run::start(&self.program.model, setup) {
             Err(RunError { cause: Cause::NotSecondOrder(_), .. }) => Some(Refusal::Method { method }),

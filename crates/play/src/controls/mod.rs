@@ -1,7 +1,8 @@
 //! What a visitor sets: parameters, presets, states, method and step; by slider, by hand in the scene, or typed.
 
 pub(crate) mod calculator;
-pub(crate) mod drag;
+mod drag;
+pub(crate) mod hold;
 pub(crate) mod input;
 mod method;
 mod parameter;

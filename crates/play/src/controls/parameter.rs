@@ -2,7 +2,7 @@
 
 use crate::controls::input::DIGITS;
 use crate::controls::slider::Mapping;
-use crate::undo::Removed;
+use crate::removed::Removed;
 use crate::{Announcement, Play, Refusal, Slider, number};
 use engine::Setup;
 use program::Parameter;

@@ -1,12 +1,16 @@
 //! Figures: the document's plots with the present run and the kept ones, and what others add to them.
 
 mod added;
+mod drawn;
+mod keeping;
 pub(crate) mod kept;
+mod labelling;
 mod labels;
 pub(crate) mod plot;
 mod reading;
 mod series;
 pub(crate) mod traces;
+mod viewing;
 
 pub use added::{AddedPlot, AddedSeries, POINTS, Points};
 pub use kept::{KeptView, MOST_KEPT};

@@ -17,7 +17,7 @@ pub(crate) struct Columns {
 }
 
 /// The columns of one plot.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PlotColumns {
     /// The abscissa.
     pub x: usize,
@@ -65,6 +65,16 @@ impl Columns {
     /// Where plot `index` finds its columns.
     pub fn plot(&self, index: usize) -> Option<&PlotColumns> {
         self.plots.get(index)
+    }
+
+    /// The expression of each column.
+    pub fn nodes(&self) -> &[NodeId] {
+        &self.nodes
+    }
+
+    /// Whether each plot finds its columns in the same places, in the same units.
+    pub fn is_arranged_like(&self, other: &Self) -> bool {
+        self.units == other.units && self.plots == other.plots
     }
 
     /// How many bytes a row takes in [`Traces`].

@@ -1,19 +1,9 @@
 //! What a person has answered: kept with the question, whichever language it is read in, and for the next visit.
 
 use crate::name_of;
-use crate::questions::question::{Grade, Verdict};
+use crate::questions::given::Answer;
+use crate::questions::grade::{Grade, Verdict};
 use crate::{Play, words};
-
-/// What a person has answered to a question.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Answer {
-    /// What stands in the field.
-    typed: String,
-    /// What it is worth, if it has been checked.
-    grade: Option<Grade>,
-    /// Whether the right answer has been shown.
-    revealed: bool,
-}
 
 /// An answer as its question shows it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -94,7 +84,7 @@ impl Play {
         }
     }
 
-    fn note_answer(&mut self, question: usize, note: impl FnOnce(&mut Answer)) {
+    pub(crate) fn note_answer(&mut self, question: usize, note: impl FnOnce(&mut Answer)) {
         if question < self.program.questions.len() {
             self.answers.resize(self.program.questions.len(), Answer::default());
             if let Some(answer) = self.answers.get_mut(question) {
@@ -106,7 +96,7 @@ impl Play {
 
     /// Names of the questions by their words in the document's own language, so that an answer stays with its question when
     /// others are put before it; questions with the same words are distinguished by their order.
-    fn question_names(&self) -> Vec<String> {
+    pub(crate) fn question_names(&self) -> Vec<String> {
         let mut names: Vec<String> = Vec::new();
         for index in 0..self.program.questions.len() {
             let prompt = &self.program.question_text(&self.program.language, index).prompt;

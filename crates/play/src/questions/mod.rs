@@ -1,8 +1,10 @@
 //! Questions: what was answered, and what an answer is worth.
 
 mod answer;
-pub(crate) mod answered;
+mod answered;
+pub(crate) mod given;
+mod grade;
 mod question;
 
 pub use answered::AnswerView;
-pub use question::{Grade, Verdict};
+pub use grade::{Grade, Verdict};

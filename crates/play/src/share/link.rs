@@ -27,7 +27,7 @@ pub const LONGEST_UNPACKED: usize = 256 << 10;
 const LONGEST_NAME: usize = 200;
 
 /// What the fragment begins with.
-const VERSION: &str = "1";
+pub(super) const VERSION: &str = "1";
 
 /// Which document a link is about.
 #[derive(Clone, Debug, PartialEq, Eq)]

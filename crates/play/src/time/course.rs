@@ -6,19 +6,6 @@
 use engine::{Advance, CAPACITY, History, Run, RunError, Setup};
 use program::Model;
 
-/// The same run again: from these values, with these changes of parameters on the way.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Recipe {
-    /// What it starts with.
-    pub setup: Setup,
-    /// Parameters, each with the first row they hold for; ascending.
-    pub changes: Vec<(usize, Vec<f64>)>,
-    /// How far it goes (SI).
-    pub front: f64,
-    /// Which moment is shown (SI).
-    pub time: f64,
-}
-
 /// How far [`Course::proceed`] got.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outcome {
@@ -35,12 +22,9 @@ pub enum Outcome {
 /// One run, and which moment of it is shown.
 #[derive(Debug)]
 pub struct Course {
-    /// Absent when it could not start.
-    run: Option<Run>,
+    /// The run, whose history is the record of all changes of parameters; what it was to start with, if it could not.
+    run: Result<Run, Setup>,
     error: Option<RunError>,
-    /// What it was started with.
-    begun: Setup,
-    changes: Vec<(usize, Vec<f64>)>,
     time: f64,
     front: f64,
     state: Vec<f64>,
@@ -49,55 +33,29 @@ pub struct Course {
 }
 
 impl Course {
+    /// For other plots, which keep so many bytes for each row.
+    pub fn set_overhead(&mut self, overhead: usize) {
+        self.overhead = overhead;
+    }
+
     /// Starts a run; a failure is kept as [`Course::error`].
     pub fn start(model: &Model, setup: Setup, overhead: usize) -> Self {
-        let mut course = Self {
-            run: None,
-            error: None,
-            begun: setup.clone(),
-            changes: Vec::new(),
-            time: 0.0,
-            front: 0.0,
-            state: vec![f64::NAN; model.states.len()],
-            overhead,
+        let (run, error) = match Run::start(model, setup.clone()) {
+            Ok(run) => (Ok(run), None),
+            Err(error) => (Err(setup), Some(error)),
         };
-        match Run::start(model, setup) {
-            Ok(run) => course.run = Some(run),
-            Err(error) => course.error = Some(error),
-        }
+        let state = vec![f64::NAN; model.states.len()];
+        let mut course = Self { run, error, time: 0.0, front: 0.0, state, overhead };
         course.show(0.0);
         course
     }
 
-    /// Runs a recipe with no more than about the work in `left` ([`Run::work`]), from which what was done is taken.
-    /// Returns whether it could be followed to its end.
-    pub fn replay(model: &Model, recipe: &Recipe, overhead: usize, left: &mut u64) -> (Self, bool) {
-        let mut course = Self::start(model, recipe.setup.clone(), overhead);
-        for (row, parameters) in &recipe.changes {
-            while course.rows_computed() < *row && *left > 0 {
-                if matches!(course.advance(left), None | Some(Advance::Full)) {
-                    break;
-                }
-            }
-            if course.rows_computed() != *row {
-                course.proceed(course.last_time(), &mut 0);
-                return (course, false);
-            }
-            course.set_parameters(model, parameters.clone());
-        }
-        let complete = course.proceed(recipe.front, left) == Outcome::Reached;
-        course.show(recipe.time.min(course.front));
-        (course, complete)
-    }
-
-    /// How to make this run again.
-    pub fn recipe(&self) -> Recipe {
-        Recipe { setup: self.begun.clone(), changes: self.changes.clone(), front: self.front, time: self.time }
-    }
-
     /// What it was started with.
     pub fn begun(&self) -> &Setup {
-        &self.begun
+        match &self.run {
+            Ok(run) => run.setup(),
+            Err(setup) => setup,
+        }
     }
 
     /// Why it cannot start or go on.
@@ -107,7 +65,7 @@ impl Course {
 
     /// The recorded rows; absent when it could not start.
     pub fn history(&self) -> Option<&History> {
-        self.run.as_ref().map(Run::history)
+        self.run.as_ref().ok().map(Run::history)
     }
 
     /// How many rows lie at or behind the front.
@@ -148,15 +106,15 @@ impl Course {
     /// The parameters in force at the time shown: those of the step it lies in, at the front those of the next step.
     pub fn parameters(&self) -> &[f64] {
         match &self.run {
-            None => &self.begun.parameters,
-            Some(run) if self.is_scrubbed() => run.history().parameters(self.row_ahead(run)),
-            Some(run) => &run.setup().parameters,
+            Err(setup) => &setup.parameters,
+            Ok(run) if self.is_scrubbed() => run.history().parameters(self.row_ahead(run)),
+            Ok(run) => run.parameters(),
         }
     }
 
     /// The state at a time behind the front, and the parameters that were in force there.
     pub fn state_at(&mut self, time: f64, out: &mut [f64]) -> Option<Vec<f64>> {
-        let run = self.run.as_mut()?;
+        let run = self.run.as_mut().ok()?;
         run.interpolate(time, out);
         let history = run.history();
         Some(history.parameters((history.row_at(time) + 1).min(history.len() - 1)).to_vec())
@@ -165,7 +123,7 @@ impl Course {
     /// Shows a moment between the start and the front.
     pub fn show(&mut self, time: f64) {
         self.time = if time.is_finite() { time.clamp(0.0, self.front) } else { self.front };
-        if let Some(run) = &mut self.run {
+        if let Ok(run) = &mut self.run {
             run.interpolate(self.time, &mut self.state);
         }
     }
@@ -198,17 +156,17 @@ impl Course {
 
     /// The grid time after the one shown; one so near that a step to it would not be seen does not count.
     pub fn next_grid_time(&self) -> f64 {
-        self.grid_time((self.time / self.begun.step + SEEN).floor() + 1.0)
+        self.grid_time((self.time / self.begun().step + SEEN).floor() + 1.0)
     }
 
     /// The grid time before the one shown, likewise; 0 at the start.
     pub fn previous_grid_time(&self) -> f64 {
-        self.grid_time((self.time / self.begun.step - SEEN).ceil() - 1.0).max(0.0)
+        self.grid_time((self.time / self.begun().step - SEEN).ceil() - 1.0).max(0.0)
     }
 
     /// The row at which the run goes on from an earlier moment: the end of the step that the moment lies in.
     pub fn resume_row(&self) -> Option<usize> {
-        let run = self.run.as_ref()?;
+        let run = self.run.as_ref().ok()?;
         self.is_scrubbed().then(|| self.row_ahead(run))
     }
 
@@ -216,9 +174,8 @@ impl Course {
     /// parameters then in force.
     pub fn resume(&mut self) {
         let Some(row) = self.resume_row() else { return };
-        self.changes.retain(|&(first, _)| first <= row);
         self.front = self.time;
-        if let Some(run) = &mut self.run {
+        if let Ok(run) = &mut self.run {
             run.truncate(row);
             self.error = None;
         }
@@ -228,24 +185,16 @@ impl Course {
     /// initial value.
     pub fn set_parameters(&mut self, model: &Model, parameters: Vec<f64>) {
         self.error = None;
-        let Some(run) = self.run.as_mut().filter(|run| run.history().len() > 1) else {
-            let setup = Setup { parameters, ..self.begun.clone() };
-            *self = Self::start(model, setup, self.overhead);
-            return;
-        };
-        // This gives up what is only partly a step, with the rows in it.
-        run.set_parameters(parameters.clone());
-        let row = run.history().len();
-        self.changes.retain(|&(first, _)| first < row);
-        let before = self.changes.last().map_or(&self.begun.parameters, |(_, last)| last);
-        if *before != parameters {
-            self.changes.push((row, parameters));
+        match &mut self.run {
+            // This gives up what is only partly a step, with the rows in it.
+            Ok(run) if run.history().len() > 1 => run.set_parameters(parameters),
+            _ => *self = Self::start(model, Setup { parameters, ..self.begun().clone() }, self.overhead),
         }
     }
 
     /// To the next row, or as far as the work in `left` allows; `None` when it fails.
-    fn advance(&mut self, left: &mut u64) -> Option<Advance> {
-        let run = self.run.as_mut()?;
+    pub(super) fn advance(&mut self, left: &mut u64) -> Option<Advance> {
+        let run = self.run.as_mut().ok()?;
         let history = run.history();
         if history.bytes() + self.overhead * history.len() >= CAPACITY {
             return Some(Advance::Full);
@@ -263,23 +212,30 @@ impl Course {
         }
     }
 
-    fn rows_computed(&self) -> usize {
+    /// How many rows are computed, beyond the front, too.
+    pub(super) fn rows_computed(&self) -> usize {
         self.history().map_or(0, History::len)
     }
 
-    fn last_time(&self) -> f64 {
+    /// Whether the row at a time of the grid is computed.
+    pub(super) fn has_computed(&self, time: f64) -> bool {
+        self.last_time() >= time - NEAR * self.begun().step
+    }
+
+    /// The time of the last row computed.
+    pub(super) fn last_time(&self) -> f64 {
         self.history().and_then(|history| history.times().last().copied()).unwrap_or(0.0)
     }
 
     fn grid_time(&self, index: f64) -> f64 {
-        index * self.begun.step
+        index * self.begun().step
     }
 
     /// The last row at the first grid time at or after the time shown. Rows off the grid (events) are passed over: the
     /// rest of their step belongs to them.
     fn row_ahead(&self, run: &Run) -> usize {
         let times = run.history().times();
-        let step = self.begun.step;
+        let step = self.begun().step;
         let on_grid = |time: f64| (time / step - (time / step).round()).abs() < NEAR;
         let last = times.len().saturating_sub(1);
         let mut row = times.partition_point(|&time| time < self.time).min(last);

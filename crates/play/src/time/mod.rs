@@ -2,7 +2,8 @@
 
 pub(crate) mod course;
 mod problem;
-mod transport;
+pub(crate) mod recipe;
+pub(crate) mod transport;
 
 pub use course::Course;
 pub use problem::Problem;

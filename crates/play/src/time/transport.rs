@@ -31,6 +31,9 @@ pub const WORK_PER_TICK: u64 = 1_000_000;
 /// The work done when a person asks for one step: less than half a second.
 const WORK_PER_STEP: u64 = 50_000_000;
 
+/// The time line, and a plot against the independent variable, begin with room for so many steps.
+pub(crate) const STEPS_AT_FIRST: f64 = 200.0;
+
 impl Play {
     /// Lets `seconds` of wall time pass. Returns whether anything that is shown has changed.
     pub fn tick(&mut self, seconds: f64) -> bool {
@@ -162,7 +165,7 @@ impl Play {
     /// The end of the time line (SI): as long as a plot against time at first, and twice as long whenever the run gets
     /// there. So the line shows how far the run has come and does not stretch in every frame.
     pub fn horizon(&self) -> f64 {
-        let mut horizon = self.step() * crate::plots::plot::STEPS_AT_FIRST;
+        let mut horizon = self.step() * STEPS_AT_FIRST;
         while horizon < self.end() {
             horizon *= 2.0;
         }

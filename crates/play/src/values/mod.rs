@@ -2,6 +2,7 @@
 
 mod outline;
 pub(crate) mod readout;
+mod scene;
 pub(crate) mod symbol;
 mod table;
 

@@ -1,4 +1,4 @@
-//! What is read off: time, states and quantities with their units; the values of the scene; the pitch.
+//! What is read off: time, states and quantities with their units; the pitch.
 
 use crate::{Play, number, words};
 use program::{Compiled, Kind, Node, NodeId};
@@ -117,50 +117,6 @@ impl Play {
         (number::plain(unit.from_si(value), MOVING_DIGITS, self.style), number::unit_text(&unit.text))
     }
 
-    /// The values of [`program::Scene::values`] at the time shown, SI, for attributes. Computed once for each time.
-    pub fn scene_values(&mut self) -> &[f64] {
-        let frame = (self.revision.frame, self.revision.parameters);
-        if self.evaluators.scene_frame != Some(frame) {
-            let course = &self.course;
-            let values = self.evaluators.scene.at(course.parameters(), course.initial(), course.time(), course.state());
-            self.evaluators.scene_values.clear();
-            self.evaluators.scene_values.extend_from_slice(values);
-            self.evaluators.scene_scales.resize(values.len(), 0.0);
-            for (scale, value) in self.evaluators.scene_scales.iter_mut().zip(values) {
-                if value.is_finite() {
-                    *scale = scale.max(value.abs());
-                }
-            }
-            self.evaluators.scene_frame = Some(frame);
-        }
-        &self.evaluators.scene_values
-    }
-
-    /// Value `index` of the scene at the time shown, for people, with its unit.
-    pub fn scene_text(&mut self, index: usize, decimals: Option<u8>) -> String {
-        let Some(&value) = self.scene_values().get(index) else {
-            return String::new();
-        };
-        let scene = self.program.scene(&self.tag);
-        let Some(shown) = scene.and_then(|scene| scene.values.get(index)) else {
-            return String::new();
-        };
-        if shown.kind != Kind::Number {
-            return self.word_value(shown, value);
-        }
-        match decimals {
-            Some(decimals) => {
-                let number = number::fixed(shown.unit.from_si(value), usize::from(decimals), self.style);
-                number::with_unit(&number, &shown.unit)
-            }
-            None if self.is_count(shown.node, &shown.unit) => self.count(value),
-            None => {
-                let scale = self.evaluators.scene_scales.get(index).copied().unwrap_or_default();
-                Group::of_scale(&shown.unit, scale, MOVING_DIGITS, self.style).quantity(value)
-            }
-        }
-    }
-
     /// The pitch in hertz at which the first state sounds while the run is playing or held: 440 Hz at 0, an octave up or
     /// down at the greatest value it has had in this run. `None` while there is nothing to hear.
     pub fn pitch(&self) -> Option<f64> {
@@ -193,7 +149,7 @@ impl Play {
     }
 
     /// A text or truth value in the chosen language.
-    fn word_value(&self, compiled: &Compiled, value: f64) -> String {
+    pub(super) fn word_value(&self, compiled: &Compiled, value: f64) -> String {
         if !value.is_finite() {
             return number::DASH.to_owned();
         }

@@ -1,5 +1,6 @@
-//! Answers to questions as people type them, and values that questions hide.
+//! Answers to questions as people type and keep them, and values that questions hide.
 
+use crate::support::{UTUBE, utube};
 use play::{Grade, Play};
 
 const DOCUMENT: &str = r#"---
@@ -230,4 +231,41 @@ fn what_cannot_be_hidden_is_reported() {
             opened.diagnostics.iter().map(|(_, found)| found.message.english.to_string()).collect();
         assert_eq!(found, [message], "{hide}");
     }
+}
+
+#[test]
+fn answers_stay_with_their_questions() {
+    let mut play = utube();
+    play.check_answer(0, "123456");
+    play.type_answer(1, "1");
+    play.check_answer(1, "1");
+    play.reveal_answer(1);
+    play.check_answer(99, "1");
+    let saved = play.saved_answers();
+    assert_eq!(saved.len(), 2);
+    play.set_language("es");
+    assert_eq!(play.saved_answers(), saved, "the same in both languages");
+    let answer = play.answer(0);
+    assert_eq!(answer.verdict.map(|verdict| verdict.text).as_deref(), Some("Todavía no."));
+    assert_eq!((answer.typed.as_str(), answer.revealed), ("123456", false));
+    // Another question in front of them, and a later visit in Spanish.
+    let source =
+        UTUBE.replacen("```question\n", "```question\nWhat is g?\nanswer: g within 1 %\n```\n\n```question\n", 1);
+    let mut later = crate::support::open(&source, &[]);
+    later.set_language("es");
+    for (name, text) in &saved {
+        later.restore_answer(name, text);
+    }
+    assert_eq!((later.answer(0), later.answer(1)), (play::AnswerView::default(), play.answer(0)));
+    assert_eq!(later.answer(2), play.answer(1));
+    assert_eq!(later.answer(2).verdict.map(|verdict| verdict.grade), Some(play::Grade::Correct));
+    assert!(later.answer(2).revealed);
+    // Typing takes the verdict away; nonsense in the storage changes nothing.
+    later.type_answer(2, "2\n3");
+    assert_eq!((later.answer(2).typed.as_str(), later.answer(2).verdict), ("2 3", None));
+    let before = later.saved_answers();
+    for (name, text) in [("", ""), (saved[0].0.as_str(), "one line"), ("0000000000000000", "1\nright\n")] {
+        later.restore_answer(name, text);
+    }
+    assert_eq!(later.saved_answers(), before);
 }

@@ -5,8 +5,10 @@
 mod answers;
 mod clock;
 mod controls;
+mod dragging;
 mod history;
 mod legends;
+mod replacement;
 mod sharing;
 mod simulations;
 mod support;

@@ -122,6 +122,28 @@ fn a_change_that_has_not_acted_yet_is_shared() {
 }
 
 #[test]
+fn a_change_that_is_taken_back_before_it_acts_is_none() {
+    for method in ["rk4", "dormand-prince", "rosenbrock"] {
+        let (mut play, mut straight) = (utube(), utube());
+        for play in [&mut play, &mut straight] {
+            play.set_method(method).unwrap();
+            go_on(play, [1.02]);
+        }
+        let link = play.share();
+        set(&mut play, "b", 300.0);
+        set(&mut play, "b", 400.0);
+        assert_ne!(play.share(), link);
+        set(&mut play, "b", 50.0);
+        assert_eq!(play.share(), link, "{method}");
+        for play in [&mut play, &mut straight] {
+            go_on(play, [2.0]);
+        }
+        assert_eq!(bits(&play), bits(&straight), "{method}");
+        assert_eq!(bits(&reopened(&play)), bits(&play), "{method}");
+    }
+}
+
+#[test]
 fn more_changes_than_a_link_holds_leave_the_state() {
     let mut play = utube();
     play.play();

@@ -5,6 +5,7 @@
 mod build;
 mod differentiate;
 mod evaluate;
+mod same;
 mod walk;
 mod written;
 

@@ -1,6 +1,7 @@
 //! The checked model: a system of first-order equations and everything that can be shown of it.
 
 mod lookup;
+mod motion;
 mod sensitivity;
 mod slopes;
 mod whole;

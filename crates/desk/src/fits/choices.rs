@@ -1,0 +1,263 @@
+//! What a fit is asked for: the records that take part, what is varied, what they have in common, the part that counts.
+
+use crate::records::record::Record;
+use crate::{Desk, Refusal, number, words};
+use analysis::fit::{Loss, Target, Varied};
+
+/// A record in the list of those that can be fitted together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FitRecordView {
+    /// Its id.
+    pub id: u32,
+    /// What it is called.
+    pub name: String,
+    /// Whether it is the one that is looked at, which always takes part.
+    pub chosen: bool,
+    /// Whether it takes part.
+    pub taking_part: bool,
+}
+
+/// Something that a fit can vary.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChoiceView {
+    /// Its place in the list, for [`Desk::vary`].
+    pub index: usize,
+    /// Its name in the document; empty for the zeros of clock and scale.
+    pub name: String,
+    /// What it is called.
+    pub label: String,
+    /// Whether it is varied.
+    pub varied: bool,
+    /// Whether it is one number for all records, and not each record's own; `None` where there is nothing to choose.
+    pub same: Option<bool>,
+    /// Its unit, for the values of the records.
+    pub unit: String,
+    /// Where it is held and differs between the records: its value in each.
+    pub values: Vec<KnownView>,
+}
+
+/// The value that a parameter has in one record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KnownView {
+    /// The record's id.
+    pub record: u32,
+    /// The record's name.
+    pub name: String,
+    /// The value, as its field shows it: that of the slider where none was given.
+    pub text: String,
+}
+
+/// Under which names it is said of the zeros whether they are one number. No parameter can be called so.
+const ZEROS: [&str; 2] = ["zero of the clock", "zero of the scale"];
+
+impl Desk {
+    /// The record that is looked at.
+    pub fn chosen_record(&self) -> Option<u32> {
+        let exists = |id: &u32| self.record(*id).is_some();
+        self.fits.setup.chosen.filter(exists).or_else(|| self.data.records.last().map(|record| record.id))
+    }
+
+    /// The records that can be fitted, oldest first.
+    pub fn fit_records(&self) -> Vec<FitRecordView> {
+        let chosen = self.chosen_record();
+        let view = |record: &Record| FitRecordView {
+            id: record.id,
+            name: record.name.clone(),
+            chosen: Some(record.id) == chosen,
+            taking_part: Some(record.id) == chosen || self.fits.setup.others.contains(&record.id),
+        };
+        self.data.records.iter().map(view).collect()
+    }
+
+    /// Lets a record take part in a fit or not; the one that is looked at always does.
+    pub fn fit_with(&mut self, id: u32, takes_part: bool) {
+        let others = &mut self.fits.setup.others;
+        if takes_part {
+            others.insert(id)
+        } else {
+            others.remove(&id)
+        };
+        self.revision.fits += 1;
+    }
+
+    /// The records that take part, oldest first.
+    pub(crate) fn taking_part(&self) -> Vec<u32> {
+        self.fit_records().into_iter().filter(|record| record.taking_part).map(|record| record.id).collect()
+    }
+
+    /// What a fit can vary: the parameters, the zero of the clock, the zero of the scale.
+    pub fn fit_choices(&self) -> Vec<ChoiceView> {
+        let parameters = self.play.model().parameters.iter().enumerate().map(|(index, parameter)| {
+            let varied = self.fits.setup.varied.get(index).copied().unwrap_or(false);
+            let same = self.is_several().then(|| self.fits.setup.is_same(&parameter.name, varied));
+            ChoiceView {
+                index,
+                name: parameter.name.clone(),
+                label: self.play.parameter_label(index).to_owned(),
+                varied,
+                same,
+                unit: number::unit_text(&parameter.unit.text),
+                values: if same == Some(false) && !varied { self.known_views(index) } else { Vec::new() },
+            }
+        });
+        let count = self.play.model().parameters.len();
+        let zeros = words::zeros(self.play.language()).into_iter().zip(self.fits.setup.zeros).enumerate();
+        let zeros = zeros.map(|(place, (label, varied))| ChoiceView {
+            index: count + place,
+            name: String::new(),
+            label: label.to_owned(),
+            varied,
+            same: (varied && self.is_several()).then(|| self.fits.setup.is_same(ZEROS[place], true)),
+            unit: String::new(),
+            values: Vec::new(),
+        });
+        parameters.chain(zeros).collect()
+    }
+
+    /// Whether several records take part.
+    fn is_several(&self) -> bool {
+        self.taking_part().len() > 1
+    }
+
+    /// The value of a parameter in each record that takes part.
+    fn known_views(&self, index: usize) -> Vec<KnownView> {
+        let Some(parameter) = self.play.model().parameters.get(index) else { return Vec::new() };
+        let slider = self.play.course().parameters().get(index).copied().unwrap_or(parameter.value);
+        let view = |record: &Record| KnownView {
+            record: record.id,
+            name: record.name.clone(),
+            text: {
+                let value = record.known.get(&parameter.name).copied().unwrap_or(slider);
+                number::plain(parameter.unit.from_si(value), play::DIGITS, self.play.style())
+            },
+        };
+        self.taking_part().into_iter().filter_map(|id| self.record(id)).map(view).collect()
+    }
+
+    /// Lets a fit vary something or not.
+    pub fn vary(&mut self, choice: usize, varied: bool) {
+        let Some(name) = self.choice_name(choice) else { return };
+        let parameters = self.play.model().parameters.len();
+        let setup = &mut self.fits.setup;
+        let place = match choice.checked_sub(parameters) {
+            Some(zero) => setup.zeros.get_mut(zero),
+            None => setup.varied.get_mut(choice),
+        };
+        if let Some(place) = place {
+            *place = varied;
+            // What is usual for what is varied is not for what is held.
+            setup.same.remove(&name);
+            self.revision.fits += 1;
+        }
+    }
+
+    /// Makes something one number for all records, or each record's own.
+    pub fn set_same(&mut self, choice: usize, same: bool) {
+        if let Some(name) = self.choice_name(choice) {
+            self.fits.setup.same.insert(name, same);
+            self.revision.fits += 1;
+        }
+    }
+
+    /// Says what value a parameter has in a record, from what was typed; nothing typed is that of the slider.
+    ///
+    /// # Errors
+    /// What is no number, has the wrong unit, or lies outside the parameter's range.
+    pub fn set_known(&mut self, choice: usize, record: u32, typed: &str) -> Result<(), Refusal> {
+        let unknown = || Refusal::unknown(choice);
+        let parameter = self.play.model().parameters.get(choice).ok_or_else(unknown)?;
+        let (name, unit) = (parameter.name.clone(), parameter.unit.clone());
+        let shown = self.known_views(choice).into_iter().find(|view| view.record == record);
+        let value = match typed.trim() {
+            "" => None,
+            typed => match self.play.read_field(typed, shown.as_ref().map_or("", |view| &view.text), &unit)? {
+                Some(value) => Some(self.play.admit(choice, value)?),
+                None => return Ok(()),
+            },
+        };
+        if let Some(record) = self.record_mut(record) {
+            match value {
+                Some(value) => record.known.insert(name, value),
+                None => record.known.remove(&name),
+            };
+        }
+        self.revision.fits += 1;
+        Ok(())
+    }
+
+    /// The name under which a choice is known.
+    fn choice_name(&self, choice: usize) -> Option<String> {
+        let parameters = &self.play.model().parameters;
+        match choice.checked_sub(parameters.len()) {
+            Some(zero) => ZEROS.get(zero).map(|name| (*name).to_owned()),
+            None => parameters.get(choice).map(|parameter| parameter.name.clone()),
+        }
+    }
+
+    /// What is varied, as a fit of the document that is open asks for it.
+    pub(crate) fn varied(&self) -> Vec<Varied> {
+        let setup = &self.fits.setup;
+        let targets = setup.varied.iter().enumerate().filter(|(_, varied)| **varied);
+        let mut targets: Vec<(Target, String)> =
+            targets.map(|(index, _)| (Target::Parameter(index), self.choice_name(index).unwrap_or_default())).collect();
+        for ((varied, target), name) in setup.zeros.into_iter().zip([Target::Origin, Target::Offset(0)]).zip(ZEROS) {
+            targets.extend(varied.then(|| (target, name.to_owned())));
+        }
+        let shared = |name: &str| setup.is_same(name, true);
+        // A slider is where the search begins.
+        let varied =
+            |(target, name): (Target, String)| Varied { target, shared: shared(&name), ..Varied::parameter(0) };
+        targets.into_iter().map(varied).collect()
+    }
+
+    /// The losses by name, and which of them fits are asked for.
+    pub fn fit_losses(&self) -> (Vec<&'static str>, usize) {
+        let names = Loss::ALL.iter().map(|loss| loss.name(self.play.language())).collect();
+        (names, Loss::ALL.iter().position(|loss| *loss == self.fits.setup.loss).unwrap_or_default())
+    }
+
+    /// Asks fits for another loss, by its place in [`Desk::fit_losses`].
+    pub fn set_fit_loss(&mut self, place: usize) {
+        if let Some(loss) = Loss::ALL.get(place) {
+            self.fits.setup.loss = *loss;
+            self.revision.fits += 1;
+        }
+    }
+
+    /// What part of the records is fitted, as its fields show it.
+    pub fn fit_window(&self) -> [String; 2] {
+        let unit = &self.play.model().independent.unit;
+        let shown = |end: f64| number::plain(unit.from_si(end), 6, self.play.style());
+        self.fits.setup.window.map(|end| end.map_or_else(String::new, shown))
+    }
+
+    /// Sets an end of that part from what was typed, 0 where it begins and 1 where it ends; nothing typed is no end.
+    ///
+    /// # Errors
+    /// What is no time.
+    pub fn set_fit_window(&mut self, end: usize, typed: &str) -> Result<(), Refusal> {
+        let value = match typed.trim() {
+            "" => None,
+            typed => Some(self.play.read_value(typed, &self.play.model().independent.unit)?),
+        };
+        if let Some(place) = self.fits.setup.window.get_mut(end) {
+            *place = value;
+        }
+        self.revision.fits += 1;
+        Ok(())
+    }
+
+    /// Whether a plot shows a part of the records that can be taken for the one that is fitted.
+    pub fn has_part_in_plot(&self) -> bool {
+        self.play.zoomed_part().is_some()
+    }
+
+    /// Fits the part of the records that a zoomed plot shows.
+    pub fn take_part_in_plot(&mut self) {
+        if let Some(part) = self.play.zoomed_part() {
+            let unit = &self.play.model().independent.unit;
+            self.fits.setup.window = [part.low, part.high].map(|end| Some(unit.to_si(end)));
+            self.revision.fits += 1;
+        }
+    }
+}

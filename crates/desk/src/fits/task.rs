@@ -1,0 +1,85 @@
+//! The task of a fit: what it follows of the records, and the numbers of their columns.
+
+use crate::fits::fit::{Job, Part};
+use crate::records::recognise::observed;
+use crate::records::record::{Record, Use};
+use crate::words::fit_error;
+use crate::{Desk, Refusal, words};
+use analysis::fit::{FitError, Observation, Task, Varied};
+use document::Document;
+
+impl Desk {
+    /// What a fit of a document follows of the records that take part.
+    pub(super) fn parts(&self, document: &Document, varied: &[Varied], own: bool) -> Vec<Part> {
+        let labels = |label: &str| {
+            let languages = document.program.languages();
+            languages.map(|language| document.program.text(language, label).to_lowercase()).collect()
+        };
+        let taking_part = self.taking_part();
+        let part = |record: &Record| {
+            let (uses, origin) = if own {
+                let found = record.origin.filter(|origin| origin.found);
+                (record.uses.clone(), found.map(|origin| origin.reading))
+            } else {
+                let mut record = record.clone();
+                record.take_for(document, &labels);
+                (record.uses, None)
+            };
+            let fixed = match taking_part.len() {
+                1 => Vec::new(),
+                _ => self.fits.setup.fixed(&document.program.model, varied, record),
+            };
+            Part { record: record.id, name: record.name.clone(), uses, origin, fixed }
+        };
+        taking_part.iter().filter_map(|id| self.record(*id)).map(part).collect()
+    }
+
+    /// The task of a job.
+    pub(super) fn task(&self, job: &Job) -> Result<Task, Refusal> {
+        let unknown = || Refusal::unknown(words::record(self.play.language()));
+        let (document, definition) = (&job.document, &job.definition);
+        let model = &document.program.model;
+        let mut records = Vec::with_capacity(definition.parts.len());
+        for part in &definition.parts {
+            let record = self.record(part.record).ok_or_else(unknown)?;
+            let observations = observations(record, &part.uses, model);
+            if observations.is_empty() && definition.parts.len() > 1 {
+                let why = format!("{}: {}", record.name, fit_error(self.play.language(), &FitError::NothingObserved));
+                return Err(Refusal::Fit { why });
+            }
+            let (fixed, origin) = (part.fixed.clone(), part.origin);
+            records.push(analysis::fit::Record { name: part.name.clone(), observations, fixed, origin });
+        }
+        Ok(Task {
+            parameters: definition.parameters.clone(),
+            method: document.program.method.unwrap_or_default(),
+            records,
+            varied: definition.varied.clone(),
+            from: definition.window[0],
+            until: definition.window[1],
+            loss: definition.loss,
+        })
+    }
+}
+
+/// The columns that a fit follows.
+fn observations(record: &Record, uses: &[Use], model: &program::Model) -> Vec<Observation> {
+    let independent = &model.independent.name;
+    let mut followed: Vec<usize> = Vec::new();
+    let mut observations = Vec::new();
+    for (column, used) in uses.iter().enumerate().filter(|(_, used)| used.fitted) {
+        let name = &used.meaning.quantity;
+        let Some(observed) = observed(model, name).filter(|_| !name.is_empty() && name != independent) else {
+            continue;
+        };
+        if observed.dimension() != used.meaning.unit.dimension {
+            continue;
+        }
+        let Some((times, values)) = record.series_as(uses, column, independent) else { continue };
+        let derived_from =
+            record.computed_from(column).and_then(|source| followed.iter().position(|&own| own == source));
+        followed.push(column);
+        observations.push(Observation { name: name.clone(), observed, times, values, errors: None, derived_from });
+    }
+    observations
+}

@@ -1,0 +1,55 @@
+//! Fits of several records, with numbers in common; fits that outlast a visit.
+
+mod saved;
+mod several;
+
+use desk::document;
+use desk::{Desk, FitDetail};
+use std::path::Path;
+
+fn theory(name: &str) -> document::Document {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../simulations/theories");
+    let read = |name: String| std::fs::read_to_string(directory.join(name)).unwrap();
+    document::open(&read(format!("{name}.md")), &[&read(format!("{name}.es.md"))]).document.unwrap()
+}
+
+fn place(desk: &Desk, name: &str) -> usize {
+    desk.fit_choices().iter().find(|choice| choice.name == name).expect(name).index
+}
+
+/// A film of a column that swings down from 4 cm: 30 frames a second, with a noise that is the same each time.
+fn film(length: f64, damping: f64, seed: u64) -> String {
+    let omega = (19.6 / length - damping * damping).sqrt();
+    let mut state = seed;
+    let row = |frame: u32| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let noise = ((state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5) * 4e-4;
+        let t = f64::from(frame) / 30.0;
+        let swing = libm::cos(omega * t) + damping / omega * libm::sin(omega * t);
+        format!("{t} {}\n", 0.04 * libm::exp(-damping * t) * swing + noise)
+    };
+    (0..180).map(row).collect()
+}
+
+const LENGTHS: [f64; 3] = [0.18, 0.24, 0.3];
+const DAMPING: f64 = 0.4;
+
+/// Linear damping, with three records of different lengths and one friction.
+fn three() -> Desk {
+    let mut desk = Desk::open(theory("linear"));
+    for (length, seed) in LENGTHS.into_iter().zip(1..) {
+        desk.add_record(&format!("tube {seed}.txt"), film(length, DAMPING, seed).as_bytes()).unwrap();
+    }
+    desk
+}
+
+fn together(desk: &mut Desk) {
+    desk.fit_records().iter().for_each(|record| desk.fit_with(record.id, true));
+}
+
+fn fit(desk: &mut Desk) -> FitDetail {
+    desk.begin_fit("theories/linear.md").unwrap();
+    while desk.advance_fit() {}
+    let last = desk.fits().iter().map(|fit| fit.id).max().unwrap();
+    desk.fit_detail(last).unwrap()
+}

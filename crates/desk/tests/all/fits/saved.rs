@@ -1,0 +1,121 @@
+//! Fits that outlast a visit.
+
+use super::{film, fit, place, theory, three, together};
+use desk::Desk;
+use std::collections::BTreeSet;
+
+#[test]
+fn fits_come_back() {
+    let mut desk = three();
+    // One record alone, of a part of it; then all of them.
+    desk.set_fit_window(1, "4").unwrap();
+    fit(&mut desk);
+    desk.set_fit_window(1, "").unwrap();
+    together(&mut desk);
+    desk.set_same(place(&desk, "gamma"), true);
+    fit(&mut desk);
+    let theories = ["quadratic", "linear"].map(|name| (format!("theories/{name}.md"), theory(name)));
+    desk.begin_ranking(theories.to_vec()).unwrap();
+    while desk.advance_fit() {}
+    let before = desk.fits();
+    assert_eq!(before.len(), 3, "the same fit twice is one");
+
+    let (records, fits) = (desk.saved_records(), desk.saved_fits());
+    // Another document is open when the page is opened again.
+    let mut later = Desk::open(theory("cosine"));
+    crate::support::bring_back_records(&mut later, &records);
+    crate::support::bring_back_fits(&mut later, &fits);
+    assert!(later.has_fits_waiting());
+    assert_eq!(later.saved_fits(), fits, "whoever leaves at once loses nothing");
+    let mut trials = 0;
+    while later.advance_fit() {
+        trials += 1;
+        assert!(later.fit_progress().is_none(), "nobody has begun it");
+        if trials == 2 {
+            assert_eq!(later.saved_fits().len(), fits.len(), "nor does who leaves meanwhile");
+        }
+    }
+    assert!(trials < 60, "{trials}");
+    assert!(later.take_announcement().is_none());
+    let after = later.fits();
+    assert_eq!(after.len(), 3);
+    for (one, other) in before.iter().zip(&after) {
+        assert_eq!(
+            (&one.theory, &one.records, one.counts, &one.rmse, &one.predicted, &one.difference, &one.weight),
+            (
+                &other.theory,
+                &other.records,
+                other.counts,
+                &other.rmse,
+                &other.predicted,
+                &other.difference,
+                &other.weight
+            )
+        );
+        assert_eq!(desk.fit_detail(one.id), later.fit_detail(other.id));
+        // The theory can be opened, as it was.
+        assert_eq!(desk.fit_texts(one.id), later.fit_texts(other.id));
+    }
+    assert!(after.iter().any(|fit| !fit.predicted.is_empty()));
+    let names = |saved: &[(String, String)]| saved.iter().map(|(name, _)| name.clone()).collect::<BTreeSet<_>>();
+    assert_eq!(names(&later.saved_fits()), names(&fits), "whatever the last digits of what was found");
+    assert!(later.fit_records().iter().all(|record| record.taking_part), "as they were");
+}
+
+#[test]
+fn fits_that_cannot_come_back_are_left_out() {
+    let mut desk = three();
+    assert_eq!(desk.saved_fits(), []);
+    fit(&mut desk);
+    let (records, fits) = (desk.saved_records(), desk.saved_fits());
+    let records: Vec<String> = records.into_iter().map(|(_, text)| text).collect();
+    let fits = fits.into_iter().map(|(_, text)| text).collect::<String>();
+    let restored = |records: &[String], fits: &str| {
+        let mut later = Desk::open(theory("linear"));
+        records.iter().for_each(|text| later.restore_records(text));
+        later.restore_fits(fits);
+        while later.advance_fit() {}
+        later.fits().len()
+    };
+    assert_eq!(restored(&records, &fits), 1);
+    assert_eq!(restored(&[], &fits), 0);
+    let renamed: Vec<String> = records.iter().map(|text| text.replace("tube 3.txt", "tube 4.txt")).collect();
+    assert_eq!(restored(&renamed, &fits), 0, "another record in its place");
+    // Texts of earlier versions name a record by its place.
+    let place = fits.find("record #").unwrap() + "record ".len();
+    let earlier = format!("{}2{}", &fits[..place], &fits[place + "#0123456789abcdef".len()..]);
+    assert_eq!((restored(&records, &earlier), restored(&renamed, &earlier)), (1, 0));
+    for end in (0..fits.len()).step_by(97).filter(|end| fits.is_char_boundary(*end)) {
+        restored(&records, &fits[..end]);
+    }
+    for (from, to) in
+        [("values ", "values 1 "), ("varied 0", "varied 99"), ("record #", "record #x"), ("found ", "found x")]
+    {
+        assert!(fits.contains(from), "{from}");
+        assert_eq!(restored(&records, &fits.replace(from, to)), 0, "{from}");
+    }
+    // Of a record that is gone, there is nothing to come back to.
+    let gone = desk.records()[2].id;
+    desk.remove_record(gone);
+    assert_eq!(desk.saved_fits(), []);
+    // Nor does a new record take its place.
+    desk.add_record("tube 3.txt", film(0.5, 0.1, 9).as_bytes()).unwrap();
+    assert_eq!(desk.saved_fits(), []);
+}
+
+#[test]
+fn a_new_fit_comes_before_what_is_made_again() {
+    let mut desk = three();
+    fit(&mut desk);
+    let (records, fits) = (desk.saved_records(), desk.saved_fits());
+    let mut later = Desk::open(theory("linear"));
+    crate::support::bring_back_records(&mut later, &records);
+    crate::support::bring_back_fits(&mut later, &fits);
+    later.advance_fit();
+    later.choose_record(0);
+    later.begin_fit("theories/linear.md").unwrap();
+    assert!(later.fit_progress().is_some());
+    while later.advance_fit() {}
+    let names: Vec<_> = later.fits().into_iter().map(|fit| fit.records[0].clone()).collect();
+    assert_eq!(names, ["tube 1.txt", "tube 3.txt"]);
+}

@@ -1,0 +1,133 @@
+//! What is drawn in a plot: the series, behind one another, with their axes.
+
+use super::added::{AddedPlot, POINTS};
+use crate::time::transport::STEPS_AT_FIRST;
+use crate::{Play, words};
+use figure::{Axis, Interval, Plot, Series, Style, View};
+use program::Node;
+
+impl Play {
+    /// What is drawn in a plot.
+    pub(crate) fn figure_of(&self, index: usize) -> Option<Plot<'_>> {
+        let state = self.plots.get(index)?;
+        match &state.added {
+            None => self.figure_plot(index),
+            Some(added) => Some(self.added_figure(added, &state.view)),
+        }
+    }
+
+    /// What is drawn: points, the ghost, then the kept runs, then the present run on top, in the same colours.
+    fn figure_plot(&self, index: usize) -> Option<Plot<'_>> {
+        let state = self.plots.get(index)?;
+        let columns = self.columns.plot(index)?;
+        let labels = &state.labels;
+        let ghosts = self.ghost.iter().map(|ghost| (&ghost.traces, Style::Ghost));
+        let kept = self.kept.iter().filter(|kept| kept.shown);
+        let kept = kept.map(|kept| (&kept.traces, Style::Run(kept.pattern)));
+        let points = state.points.iter().filter_map(|points| {
+            let (_, axis) = *columns.curves.get(points.curve)?;
+            let (colour, style) = (POINTS + points.curve as u8, Style::Points);
+            let (x, y, version) = (&points.x[..], &points.y[..], points.version);
+            let label = points.label.as_str();
+            Some(Series { label, axis, colour, style, x, y, version, ..Series::default() })
+        });
+        let mut series: Vec<Series<'_>> = points.collect();
+        for (traces, style) in ghosts.chain(kept).chain([(&self.traces, Style::Line)]) {
+            let present_run = style == Style::Line;
+            for (number, &(column, axis)) in columns.curves.iter().enumerate() {
+                let present = self.present.get(columns.x).copied().zip(self.present.get(column).copied());
+                let label = match style {
+                    Style::Line => labels.curves.get(number).map_or("", String::as_str),
+                    // One entry stands for all its curves.
+                    Style::Ghost if number == 0 => words::previous_run(self.language),
+                    _ => "",
+                };
+                let (x, y) = (traces.column(columns.x), traces.column(column));
+                let mut curve = Series { label, axis, colour: number as u8, style, x, y, ..Series::default() };
+                curve.breaks = traces.breaks(columns.first + number);
+                curve.present = present.filter(|_| present_run);
+                series.push(curve);
+            }
+        }
+        let independent = self.is_against_independent(index);
+        let unit = &self.model().independent.unit;
+        let first = Interval::new(0.0, unit.from_si(self.step() * STEPS_AT_FIRST));
+        Some(Plot {
+            title: &labels.title,
+            description: &labels.description,
+            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: independent.then_some(first) },
+            y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, include: None }).collect(),
+            series,
+            marker: if independent { self.present.get(columns.x).copied() } else { None },
+            view: state.view.clone(),
+            ordered: independent,
+            equal: self.is_path(index),
+        })
+    }
+
+    /// Whether lengths are drawn against a length.
+    fn is_path(&self, index: usize) -> bool {
+        let plot = self.program.plots.get(index);
+        plot.is_some_and(|plot| {
+            let mut drawn = plot.curves.iter().map(|curve| &curve.value).chain([&plot.x.value]);
+            drawn.all(|value| value.unit.dimension == units::Dimension::LENGTH)
+        })
+    }
+
+    /// What a zoomed plot of the document against the independent variable shows of it; `None` where none is zoomed.
+    pub fn zoomed_part(&self) -> Option<Interval> {
+        let against = (0..self.program.plots.len()).filter(|index| self.is_against_independent(*index));
+        against.filter_map(|index| self.plots.get(index)?.view.x).next()
+    }
+
+    fn is_against_independent(&self, index: usize) -> bool {
+        let node = self.program.plots.get(index).map(|plot| plot.x.value.node);
+        node.is_some_and(|node| self.model().graph.node(node) == Node::Independent)
+    }
+
+    /// What is drawn in a plot that was added.
+    fn added_figure<'a>(&'a self, added: &'a AddedPlot, view: &View) -> Plot<'a> {
+        let labels = &added.labels;
+        let unit = &self.model().independent.unit;
+        let series = added.series.iter().enumerate().map(|(number, series)| Series {
+            label: labels.curves.get(number).filter(|_| series.in_legend).map_or("", String::as_str),
+            axis: series.axis,
+            colour: series.colour,
+            style: series.style,
+            x: &series.x,
+            y: &series.y,
+            spread: &series.errors,
+            version: series.version,
+            ..Series::default()
+        });
+        let limits = added.y_limits.filter(|_| view.y.is_empty());
+        let axis = |(label, unit): &'a (String, String)| Axis { label, unit, include: added.y_includes };
+        Plot {
+            title: &labels.title,
+            description: &labels.description,
+            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: added.x_includes },
+            y: labels.axes.iter().map(axis).collect(),
+            series: series.collect(),
+            marker: added.marks_time.then(|| unit.from_si(self.course.time())),
+            view: View { x: view.x, y: limits.map_or_else(|| view.y.clone(), |limits| vec![limits]) },
+            ordered: added.ordered,
+            equal: false,
+        }
+    }
+
+    /// How many series are drawn behind those of the present run.
+    pub(super) fn series_behind(&self, index: usize) -> usize {
+        self.points_behind(index) + self.runs_behind(index)
+    }
+
+    /// How many series of points are drawn behind all lines.
+    pub(super) fn points_behind(&self, index: usize) -> usize {
+        self.plots.get(index).map_or(0, |plot| plot.points.len())
+    }
+
+    fn runs_behind(&self, index: usize) -> usize {
+        let curves = self.columns.plot(index).map_or(0, |plot| plot.curves.len());
+        let behind = usize::from(self.ghost.is_some()) + self.kept.iter().filter(|kept| kept.shown).count();
+        curves * behind
+    }
+}

@@ -1,0 +1,213 @@
+//! The plots: figures of what has been recorded, zoomed, panned and read by pointer or keyboard.
+
+use super::added::{AddedPlot, Points};
+use super::plot::{PlotId, PlotState, PlotView};
+use crate::Play;
+use figure::{Direction, Figure, Palette, Plot, Point, Readout, Settings, Style, View};
+
+impl Play {
+    /// The plots, in the order of the text.
+    pub fn plots(&self) -> Vec<PlotView> {
+        let view = |(index, plot): (usize, &PlotState)| PlotView {
+            id: PlotId(index),
+            title: plot.labels.title.clone(),
+            shown: plot.shown,
+            automatic: plot.view.is_automatic(),
+            offered: plot.added.as_ref().is_none_or(|added| added.offered),
+            apart: plot.added.as_ref().is_some_and(|added| added.apart),
+        };
+        self.plots.iter().enumerate().map(view).collect()
+    }
+
+    /// Shows a plot or not.
+    pub fn show_plot(&mut self, PlotId(index): PlotId, shown: bool) {
+        if let Some(plot) = self.plots.get_mut(index) {
+            plot.shown = shown;
+            self.revision.plots += 1;
+        }
+    }
+
+    /// Adds an empty plot after the others.
+    pub fn add_plot(&mut self) -> PlotId {
+        self.plots.push(PlotState::added());
+        self.revision.plots += 1;
+        PlotId(self.plots.len() - 1)
+    }
+
+    /// A plot that was added, to be read or changed; call [`Play::added_plot_changed`] afterwards.
+    pub fn added_plot(&mut self, id: PlotId) -> Option<&mut AddedPlot> {
+        self.plots.get_mut(id.0)?.added.as_mut()
+    }
+
+    /// The plots are to be drawn again. With another title, what a person has zoomed was something else: all is shown.
+    pub fn added_plot_changed(&mut self, id: PlotId) {
+        if let Some(state) = self.plots.get_mut(id.0)
+            && let Some(added) = &state.added
+            && added.labels.title != state.labels.title
+        {
+            state.view = View::default();
+            state.labels.title.clone_from(&added.labels.title);
+        }
+        self.revision.plots += 1;
+    }
+
+    /// Puts points over the curves of a plot of the document, in the place of those that were there.
+    pub fn set_points(&mut self, plot: usize, points: Vec<Points>) {
+        if let Some(state) = self.plots.get_mut(plot) {
+            state.points = points;
+            self.revision.plots += 1;
+        }
+    }
+
+    /// Lays a plot out for the time shown; the figure's buffers are kept from frame to frame. `None` if there is no such
+    /// plot.
+    pub fn layout_plot(&mut self, PlotId(index): PlotId, settings: &Settings) -> Option<&Figure> {
+        self.follow();
+        let mut figure = std::mem::take(&mut self.plots.get_mut(index)?.figure);
+        if let Some(mut plot) = self.figure_of(index) {
+            // On the page title and legend stand above the figure.
+            plot.title = "";
+            plot.series.iter_mut().for_each(|series| series.label = "");
+            figure::layout_into(&mut figure, &plot, settings);
+        }
+        let state = self.plots.get_mut(index)?;
+        state.figure = figure;
+        Some(&state.figure)
+    }
+
+    /// The figure of the last [`Play::layout_plot`].
+    pub fn plot_figure(&self, PlotId(index): PlotId) -> Option<&Figure> {
+        self.plots.get(index).map(|plot| &plot.figure)
+    }
+
+    /// The plot as a figure that stands alone, with its title: what is saved.
+    pub fn titled_figure(&mut self, PlotId(index): PlotId, settings: &Settings) -> Option<Figure> {
+        self.follow();
+        let names = self.series_names(index);
+        let mut plot = self.figure_of(index)?;
+        // One entry stands for all curves of a kept run.
+        for (series, name) in plot.series.iter_mut().zip(&names) {
+            if let (Style::Run(_), 0, Some(run)) = (series.style, series.colour, &name.run) {
+                series.label = run;
+            }
+        }
+        Some(figure::layout(&plot, settings))
+    }
+
+    /// The plot as a standalone SVG file.
+    pub fn plot_svg(&mut self, PlotId(index): PlotId, settings: &Settings, palette: &Palette) -> String {
+        self.titled_figure(PlotId(index), settings).map_or_else(String::new, |figure| figure.svg(palette))
+    }
+
+    /// What lies at a pixel of the last layout, on the present run and the kept ones, and the measured points next to it.
+    /// The keyboard's cursor moves there.
+    pub fn hover_plot(&mut self, PlotId(index): PlotId, at: Point) -> Option<Readout> {
+        let readout = self.plot_figure(PlotId(index))?.hover(&self.readable_plot(index)?, at);
+        let first = self.series_behind(index);
+        let sample = readout.iter().flat_map(|readout| &readout.samples).find(|sample| sample.series >= first);
+        let row = sample.map(|sample| sample.row);
+        if let (Some(row), Some(state)) = (row, self.plots.get_mut(index)) {
+            state.cursor = Some(row);
+        }
+        let readout = readout.map(|readout| self.named(index, readout));
+        self.with_points(index, at, readout)
+    }
+
+    /// Moves the keyboard's cursor by so many rows along the run (from the present row at first) and reads there.
+    pub fn move_cursor(&mut self, PlotId(index): PlotId, rows: isize) -> Option<Readout> {
+        let present = self.course.rows_until_shown().saturating_sub(1);
+        let row = self.plots.get(index)?.cursor.unwrap_or(present);
+        let (mut series, mut plot) = (self.series_behind(index), self.readable_plot(index)?);
+        if let Some(added) = self.added(index) {
+            series = added.cursor;
+        } else if self.course.rows() < 2 && self.points_behind(index) > 0 {
+            // Before the run has gone anywhere the cursor goes along what was measured.
+            (series, plot) = (0, self.figure_of(index)?);
+        }
+        let figure = self.plot_figure(PlotId(index))?;
+        let row = figure.step(&plot, series, row, rows)?;
+        let readout = figure.readout(&plot, series, row)?;
+        if let Some(state) = self.plots.get_mut(index) {
+            state.cursor = Some(row);
+        }
+        let at = readout.samples.iter().find(|sample| sample.series == series).map(|sample| sample.at);
+        let readout = self.named(index, readout);
+        match at {
+            Some(at) => self.with_points(index, at, Some(readout)),
+            None => Some(readout),
+        }
+    }
+
+    /// Zooms by `factor` (2 shows half as much) about a pixel; about the centre without one.
+    pub fn zoom_plot(&mut self, PlotId(index): PlotId, at: Option<Point>, factor: f64, direction: Direction) {
+        if !(factor.is_finite() && factor > 0.0) {
+            return;
+        }
+        self.set_view(index, |figure| match at {
+            Some(at) => figure.zoom(at, factor, direction),
+            None => figure.zoom_centre(factor, direction),
+        });
+    }
+
+    /// Zooms to the rectangle between two pixels.
+    pub fn zoom_plot_to(&mut self, PlotId(index): PlotId, one: Point, other: Point) {
+        self.set_view(index, |figure| figure.zoom_to(one, other));
+    }
+
+    /// Moves what is shown by so many pixels.
+    pub fn pan_plot(&mut self, PlotId(index): PlotId, right: f64, down: f64) {
+        self.set_view(index, |figure| figure.pan(right, down));
+    }
+
+    /// Shows all of the data again.
+    pub fn reset_plot(&mut self, PlotId(index): PlotId) {
+        self.set_view(index, |_| View::default());
+    }
+
+    fn set_view(&mut self, index: usize, change: impl FnOnce(&Figure) -> View) {
+        if let Some(plot) = self.plots.get_mut(index) {
+            plot.view = change(&plot.figure);
+            self.revision.plots += 1;
+        }
+    }
+
+    /// The plot as it is read: the ghost is only looked at.
+    fn readable_plot(&self, index: usize) -> Option<Plot<'_>> {
+        let mut plot = self.figure_of(index)?;
+        if self.added(index).is_some() {
+            return Some(plot);
+        }
+        for series in &mut plot.series {
+            if matches!(series.style, Style::Ghost | Style::Points) {
+                (series.x, series.y) = (&[], &[]);
+            }
+        }
+        Some(plot)
+    }
+
+    /// Says of samples of kept runs which run they are of.
+    fn named(&self, index: usize, mut readout: Readout) -> Readout {
+        if let Some(added) = self.added(index) {
+            return self.with_errors(added, readout);
+        }
+        let (points, first) = (self.points_behind(index), self.series_behind(index));
+        let curves = self.plots.get(index).map_or(&[][..], |plot| &plot.labels.curves);
+        let ghosts = if self.ghost.is_some() { curves.len() } else { 0 };
+        let kept: Vec<String> = self.kept().into_iter().filter(|kept| kept.shown).map(|kept| kept.name).collect();
+        for sample in readout.samples.iter_mut().filter(|sample| sample.series < first) {
+            let Some(place) = sample.series.checked_sub(points + ghosts) else {
+                continue;
+            };
+            let (Some(run), Some(curve)) = (kept.get(place / curves.len()), curves.get(place % curves.len())) else {
+                continue;
+            };
+            let value = sample.text.rsplit(" = ").next().unwrap_or_default();
+            sample.text = format!("{curve} ({run}) = {value}");
+        }
+        readout
+    }
+
+    fn added(&self, index: usize) -> Option<&AddedPlot> {
+        self.plots.get(index)?.added.as_ref()
+    }
+}

@@ -1,0 +1,116 @@
+//! Another program in the place of the present one, while it runs: a document is edited, and what it was before runs on
+//! until the text is without errors again.
+//!
+//! | what | what becomes of it |
+//! |---|---|
+//! | parameters | by name and dimension: a value that differs from the former default stays, any other is the new default |
+//! | method, step | likewise: what differs from the former document stays |
+//! | start set by hand | stays if each state has a former one of its name and dimension |
+//! | the run, its time | computed again with the changes of parameters at their times, as far as the work of a link allows; kept as it is where model and values are the same |
+//! | speed, language, whether it plays | stay |
+//! | the run before it, the ghost | is the run that was given up, or stays with a run that stays; none where other curves are plotted |
+//! | kept runs | computed again, except where nothing would change; one that loses a value is dropped |
+//! | plots shown, zoomed | by title; what is zoomed while the units of the axes are the same |
+//! | answers | by the words of the question; the grade goes with the answer that the document computes |
+//! | undo, a part of the scene that is held | end: they are about what was there before |
+//! | plots that others have added | stay behind those of the document, whose number decides their [`PlotId`](crate::PlotId) |
+//!
+//! A value that equals the former default counts as not set, also where a person has set it: nobody could tell the two apart.
+
+mod answers;
+mod names;
+mod plots;
+mod recipe;
+
+use crate::plots::kept::Kept;
+use crate::share::restore::MOST_WORK;
+use crate::time::course::Course;
+use crate::time::recipe::Moments;
+use crate::{Announcement, Play, words};
+use names::Names;
+use program::Program;
+
+impl Play {
+    /// Puts another program in the place of the present one; time, parameters and what else a person has chosen stay as far as
+    /// they fit, by name. What does not is named by [`Announcement::Replaced`].
+    pub fn replace_program(&mut self, program: Program) {
+        self.drag_end();
+        let mut before = std::mem::replace(self, Self::open(program));
+        let names = Names::between(before.model(), self.model());
+        self.revision = before.revision.raised();
+        self.announcements = std::mem::take(&mut before.announcements);
+        self.number_removals_from(before.removals());
+        self.speed = before.speed;
+        self.shows_hidden = before.shows_hidden;
+        self.adopt_plots(&mut before);
+        self.set_language(&before.tag);
+        let mut lost = self.adopt_answers(&before, &names);
+        lost.splice(0..0, self.adopt_runs(&mut before, &names));
+        self.announce(Announcement::Replaced(lost));
+    }
+
+    /// Takes over the run and those kept. Returns what is lost, in the chosen language.
+    fn adopt_runs(&mut self, before: &mut Play, names: &Names) -> Vec<String> {
+        let present = before.course.recipe();
+        let (recipe, mut lost) = self.translated(&present, before, names);
+        let same_motion = self.model().moves_like(before.model());
+        let same_layout = self.has_curves_of(before);
+        let same_columns = same_motion && same_layout && self.columns_are_those_of(before);
+        let mut work = MOST_WORK;
+        before.follow();
+        if same_motion && recipe == present {
+            self.adopt_course(before, same_columns);
+        } else {
+            let overhead = self.columns.bytes_per_row();
+            let (course, complete) = Course::replay(&self.program.model, &recipe, Moments::Times, overhead, &mut work);
+            if !complete && course.error().is_none() {
+                lost.push(words::time(self.language, &before.time_words(recipe.front)));
+            }
+            before.keep_ghost(0);
+            self.replace_course(course);
+        }
+        if same_layout {
+            self.ghost = before.ghost.take();
+        }
+        self.playing = before.playing && self.course.history().is_some() && self.course.error().is_none();
+        self.kept_issued = before.kept_issued;
+        let views = before.kept();
+        for (kept, view) in std::mem::take(&mut before.kept).into_iter().zip(views) {
+            let (recipe, missing) = self.translated(&kept.recipe, before, names);
+            if !missing.is_empty() {
+                lost.push(words::kept_run(self.language, &view.name));
+            } else if same_columns && recipe == kept.recipe {
+                self.kept.push(kept);
+            } else {
+                match self.compute_kept(&recipe, Moments::Times, &mut work) {
+                    (recipe, traces, true) => self.kept.push(Kept { recipe, traces, ..kept }),
+                    _ => lost.push(words::kept_run(self.language, &view.name)),
+                }
+            }
+        }
+        lost
+    }
+
+    /// Takes over the run as it is.
+    fn adopt_course(&mut self, before: &mut Play, same_columns: bool) {
+        let model = &self.program.model;
+        let nothing = Course::start(model, self.defaults.clone(), 0);
+        self.course = std::mem::replace(&mut before.course, nothing);
+        self.course.set_overhead(self.columns.bytes_per_row());
+        self.full = before.full;
+        self.slippage = before.slippage;
+        if let Some(time) = before.take_rewritten() {
+            self.note_rewritten(time);
+        }
+        if same_columns {
+            self.traces = std::mem::take(&mut before.traces);
+        }
+        // The sizes that states have had decide how they are written; those of quantities, which may be others now, come
+        // with the next frames.
+        let states = self.program.model.states.len();
+        for (scale, former) in self.scales.iter_mut().zip(&before.scales).take(states) {
+            *scale = *former;
+        }
+        self.frame_changed();
+    }
+}

@@ -1,0 +1,55 @@
+//! What a person has chosen for the plots, by their titles.
+
+use crate::Play;
+use crate::plots::plot::PlotState;
+use program::{Curve, Plot};
+
+/// Whether two plots draw the same expressions in the same units; what the names in them mean may differ.
+fn same_curves(one: &Plot, other: &Plot) -> bool {
+    let same =
+        |(one, other): (&Curve, &Curve)| one.expression == other.expression && one.value.unit == other.value.unit;
+    one.curves.len() == other.curves.len()
+        && one.curves.iter().chain([&one.x]).zip(other.curves.iter().chain([&other.x])).all(same)
+}
+
+impl Play {
+    /// Takes over which plots are shown, what they are zoomed to, the points over their curves, and the plots that others
+    /// have added.
+    pub(super) fn adopt_plots(&mut self, before: &mut Play) {
+        let documents = before.program.plots.len().min(before.plots.len());
+        let added = before.plots.split_off(documents);
+        let mut former: Vec<Option<PlotState>> = std::mem::take(&mut before.plots).into_iter().map(Some).collect();
+        for (index, (state, plot)) in self.plots.iter_mut().zip(&self.program.plots).enumerate() {
+            // Of plots with the same title the first is the first.
+            let titles = before.program.plots.iter().zip(&mut former).enumerate();
+            let mut same_title = titles.filter(|(_, (other, state))| other.title == plot.title && state.is_some());
+            let Some((place, (other, old))) = same_title.next() else { continue };
+            let Some(old) = old.take() else { continue };
+            let axes = |play: &Play, index: usize| play.columns.plot(index).map(|columns| columns.axes.clone());
+            let own_axes = self.columns.plot(index).map(|columns| columns.axes.clone());
+            if same_curves(plot, other) {
+                *state = old;
+            } else {
+                state.shown = old.shown;
+                if plot.x.value.unit == other.x.value.unit && own_axes == axes(before, place) {
+                    state.view = old.view;
+                }
+            }
+        }
+        self.plots.extend(added);
+    }
+
+    /// Whether the columns of numbers for the plots are arranged as in the former program: a run of it can be drawn.
+    pub(super) fn has_curves_of(&self, before: &Play) -> bool {
+        let (plots, former) = (&self.program.plots, &before.program.plots);
+        plots.len() == former.len()
+            && plots.iter().zip(former).all(|(one, other)| same_curves(one, other))
+            && self.columns.is_arranged_like(&before.columns)
+    }
+
+    /// Whether they have the same values, too, for runs with the same states.
+    pub(super) fn columns_are_those_of(&self, before: &Play) -> bool {
+        let (graph, former) = (&self.model().graph, &before.model().graph);
+        graph.same(self.columns.nodes(), former, before.columns.nodes(), Some)
+    }
+}

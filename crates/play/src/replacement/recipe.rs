@@ -1,0 +1,117 @@
+//! A run of the former program as one of the new program.
+
+use super::names::Names;
+use crate::time::recipe::{Change, Recipe};
+use crate::values::symbol::symbol;
+use crate::{Play, words};
+use engine::Setup;
+use std::collections::BTreeMap;
+
+impl Play {
+    /// The same run with this program, and what of it does not fit, in the chosen language. Its changes are to be found by
+    /// their times.
+    pub(super) fn translated(&self, recipe: &Recipe, before: &Play, names: &Names) -> (Recipe, Vec<String>) {
+        let mut left = BTreeMap::new();
+        let mut parameters = |values: &[f64]| self.parameters_from(values, before, names, &mut left);
+        let first = parameters(&recipe.setup.parameters);
+        let changes =
+            recipe.changes.iter().map(|change| Change { parameters: parameters(&change.parameters), ..*change });
+        let mut changes: Vec<Change> = changes.collect();
+        let mut lost: Vec<String> = left.iter().map(|(&index, &value)| before.parameter_text(index, value)).collect();
+        let mut setup = self.setup_from(&recipe.setup, first, before, names, &mut lost);
+        self.decide_start(&mut setup, &mut changes);
+        let (mut front, mut time) = (recipe.front, recipe.time);
+        if !names.same_time {
+            if front > 0.0 {
+                lost.push(words::time(self.language, &before.time_words(time)));
+            }
+            if let Some(last) = changes.pop() {
+                setup.parameters = last.parameters;
+            }
+            changes.clear();
+            (front, time) = (0.0, 0.0);
+        }
+        // A change of what is not there any more is none.
+        let mut now = setup.parameters.clone();
+        changes.retain(|change| std::mem::replace(&mut now, change.parameters.clone()) != change.parameters);
+        (Recipe { setup, changes, front, time }, lost)
+    }
+
+    /// The parameters of this program for those of the former one. What does not fit is noted in `left`, by the number of the
+    /// former parameter with the last value.
+    fn parameters_from(
+        &self,
+        values: &[f64],
+        before: &Play,
+        names: &Names,
+        left: &mut BTreeMap<usize, f64>,
+    ) -> Vec<f64> {
+        let mut parameters = self.defaults.parameters.clone();
+        for (index, (&value, default)) in values.iter().zip(&before.defaults.parameters).enumerate() {
+            if value == *default {
+                continue;
+            }
+            let admitted = names.parameter(index).and_then(|place| Some((place, self.admit(place, value).ok()?)));
+            match admitted.and_then(|(place, value)| parameters.get_mut(place).zip(Some(value))) {
+                Some((parameter, value)) => *parameter = value,
+                None => _ = left.insert(index, value),
+            }
+        }
+        parameters
+    }
+
+    fn setup_from(
+        &self,
+        former: &Setup,
+        parameters: Vec<f64>,
+        before: &Play,
+        names: &Names,
+        lost: &mut Vec<String>,
+    ) -> Setup {
+        let mut setup = Setup { parameters, ..self.defaults.clone() };
+        if let Some(start) = &former.start {
+            let states = 0..self.model().states.len();
+            setup.start = states.map(|state| start.get(names.former_state(state)?).copied()).collect();
+            if setup.start.is_none() {
+                lost.extend(before.start_texts(start));
+            }
+        }
+        if former.method != before.defaults.method {
+            if self.method_refusal(former.method).is_none() {
+                setup.method = former.method;
+            } else {
+                lost.push(words::method_name(before.language, former.method).to_owned());
+            }
+        }
+        if former.step != before.defaults.step {
+            if names.same_time {
+                setup.step = former.step;
+            } else {
+                lost.push(before.step_words(former.step));
+            }
+        }
+        setup
+    }
+
+    /// A parameter that decides an initial value of this model cannot change on the way: the value that it had last holds from
+    /// the start.
+    fn decide_start(&self, setup: &mut Setup, changes: &mut [Change]) {
+        let Some(last) = changes.last().map(|change| change.parameters.clone()) else { return };
+        let sets =
+            std::iter::once(&mut setup.parameters).chain(changes.iter_mut().map(|change| &mut change.parameters));
+        for set in sets {
+            for ((value, last), parameter) in set.iter_mut().zip(&last).zip(&self.model().parameters) {
+                if parameter.restarts {
+                    *value = *last;
+                }
+            }
+        }
+    }
+
+    /// `b = 200 kg/s`
+    fn parameter_text(&self, index: usize, value: f64) -> String {
+        self.model().parameters.get(index).map_or_else(String::new, |parameter| {
+            format!("{} = {}", symbol(&parameter.name), self.quantity_text(value, &parameter.unit))
+        })
+    }
+}

@@ -1,0 +1,250 @@
+//! A state comes back from the text that [`Play::share`] has written.
+
+use super::link::VERSION;
+use super::state::MOST_CHANGES;
+use crate::time::course::Course;
+use crate::time::recipe::{Change, Moments, Recipe};
+use crate::{Announcement, MOST_KEPT, Play, PlotId, Refusal};
+use engine::Method;
+use figure::{Interval, View};
+use units::number::compact as exact;
+
+/// The work that all runs together may take that are computed again, in floating-point operations: a link may come from a
+/// stranger, and the page stands still meanwhile, on a slow phone for about a second.
+pub(crate) const MOST_WORK: u64 = 50_000_000;
+
+/// No run of a link has more rows: recording each takes some work.
+const MOST_ROWS: usize = 2_500_000;
+
+/// The most parts of a link that a refusal names one by one.
+const MOST_NAMED: usize = 12;
+
+impl Play {
+    /// Brings back a state. What does not fit the document is left out and named in the refusal; the rest is applied.
+    ///
+    /// # Errors
+    /// A text that is no state, or parts that do not fit: an unknown key, a value out of range, a kept run too many, a run
+    /// that takes more than the work that a link may cost.
+    pub fn restore(&mut self, fragment: &str) -> Result<(), Refusal> {
+        self.restore_within(fragment, &mut { MOST_WORK })
+    }
+
+    /// The same with no more than about the work in `work` for all runs together; what is left of it stays there.
+    fn restore_within(&mut self, fragment: &str, work: &mut u64) -> Result<(), Refusal> {
+        let fragment = fragment.trim_start_matches('#');
+        if fragment.is_empty() {
+            return Ok(());
+        }
+        let mut fields = fragment.split('&');
+        if fields.next() != Some(VERSION) {
+            return Err(Refusal::UnreadableState);
+        }
+        self.speed = 1.0;
+        for plot in &mut self.plots {
+            (plot.shown, plot.view) = (true, View::default());
+        }
+        self.revision.plots += 1;
+        let mut reader = Reader { play: self, left_out: Vec::new() };
+        let fields: Vec<&str> = fields.collect();
+        let mut sections = fields.split(|field| *field == "k");
+        let present = reader.recipe(sections.next().unwrap_or_default());
+        // Counted before anything is computed: a link can name far more runs than can be kept.
+        let kept: Vec<Recipe> = sections.by_ref().take(MOST_KEPT).map(|section| reader.recipe(section)).collect();
+        let mut left_out = reader.left_out;
+        left_out.extend(sections.map(|_| "k".to_owned()).take(MOST_NAMED + 1));
+        let overhead = self.columns.bytes_per_row();
+        let (course, complete) = Course::replay(&self.program.model, &present, Moments::Rows, overhead, work);
+        if !complete {
+            left_out.push(format!("t={}", exact(present.front)));
+        }
+        self.playing = false;
+        self.hold = None;
+        self.ghost = None;
+        self.kept.clear();
+        self.revision.runs += 1;
+        self.replace_course(course);
+        for recipe in &kept {
+            if self.keep_recipe(recipe, work) != Ok(true) {
+                left_out.push(format!("k, t={}", exact(recipe.front)));
+            }
+        }
+        self.announcements.clear();
+        self.announce(Announcement::Restored);
+        if left_out.len() > MOST_NAMED {
+            left_out.truncate(MOST_NAMED);
+            left_out.push("…".to_owned());
+        }
+        if left_out.is_empty() { Ok(()) } else { Err(Refusal::PartlyRestored { left_out }) }
+    }
+}
+
+/// Reads fields; what does not fit is collected.
+struct Reader<'a> {
+    play: &'a mut Play,
+    left_out: Vec<String>,
+}
+
+impl Reader<'_> {
+    fn recipe(&mut self, fields: &[&str]) -> Recipe {
+        let mut recipe = Recipe { setup: self.play.defaults.clone(), changes: Vec::new(), front: 0.0, time: f64::NAN };
+        for field in fields {
+            let (key, value) = field.split_once('=').unwrap_or((field, ""));
+            if self.field(key, value, &mut recipe).is_none() {
+                self.leave_out(field);
+            }
+        }
+        if recipe.time.is_nan() {
+            recipe.time = recipe.front;
+        }
+        recipe.front = recipe.front.max(recipe.time);
+        recipe
+    }
+
+    /// Takes one field into the recipe or the state; `None` if it does not fit.
+    fn field(&mut self, key: &str, value: &str, recipe: &mut Recipe) -> Option<()> {
+        match key {
+            "p" if value.is_empty() => return None,
+            "p" => {
+                let parameters = self.parameters(value.split(','), &recipe.setup.parameters);
+                recipe.setup.parameters = parameters;
+            }
+            "y" => {
+                let start: Vec<f64> = value.split(',').map(number).collect::<Option<_>>()?;
+                if start.len() != self.play.model().states.len() {
+                    return None;
+                }
+                recipe.setup.start = Some(start);
+            }
+            "m" => recipe.setup.method = value.parse::<Method>().ok()?,
+            "h" => recipe.setup.step = number(value).filter(|&step| step > 0.0)?,
+            "c" => {
+                let (row, values) = value.split_once(',')?;
+                let row: usize = row.parse().ok()?;
+                let last = recipe.changes.last();
+                if !(1..=MOST_ROWS).contains(&row)
+                    || last.is_some_and(|before| before.row >= row)
+                    || recipe.changes.len() >= MOST_CHANGES
+                {
+                    return None;
+                }
+                let parameters = self.parameters(values.split(','), recipe.last_parameters());
+                // Without events, which the run will show.
+                let after = (row - 1) as f64 * recipe.setup.step;
+                recipe.changes.push(Change { row, after, parameters });
+            }
+            "e" => recipe.front = number(value).filter(|&time| time >= 0.0)?,
+            "t" => recipe.time = number(value).filter(|&time| time >= 0.0)?,
+            "x" => self.play.set_speed(number(value)?),
+            "w" => self.play.show_hidden(true),
+            "v" => {
+                for index in value.split(',') {
+                    let index: usize = index.parse().ok()?;
+                    self.play.plots.get(index)?;
+                    self.play.show_plot(PlotId::at(index), false);
+                }
+            }
+            "z" => {
+                let (index, limits) = value.split_once(',')?;
+                let index: usize = index.parse().ok()?;
+                let plot = self.play.plots.get_mut(index)?;
+                plot.view = view(limits).filter(|view| view.y.is_empty() || view.y.len() == plot.labels.axes.len())?;
+            }
+            _ => return None,
+        }
+        Some(())
+    }
+
+    /// `before` with some parameters replaced; those that do not fit are collected.
+    fn parameters<'t>(&mut self, values: impl Iterator<Item = &'t str>, before: &[f64]) -> Vec<f64> {
+        let mut parameters = before.to_vec();
+        for text in values {
+            let admitted = text.split_once(':').and_then(|(name, value)| {
+                let index = self.play.model().parameters.iter().position(|parameter| parameter.name == name)?;
+                Some((index, self.play.admit(index, number(value)?).ok()?))
+            });
+            match admitted.and_then(|(index, value)| parameters.get_mut(index).zip(Some(value))) {
+                Some((parameter, value)) => *parameter = value,
+                None => self.leave_out(text),
+            }
+        }
+        parameters
+    }
+
+    /// Notes a part that does not fit; a link of megabytes gets no list of megabytes.
+    fn leave_out(&mut self, part: &str) {
+        if self.left_out.len() <= MOST_NAMED {
+            self.left_out.push(part.chars().take(40).collect());
+        }
+    }
+}
+
+/// The limits of a zoomed plot, if every interval has a length.
+fn view(limits: &str) -> Option<View> {
+    let ends = |limits: &str| {
+        let (low, high) = limits.split_once(':')?;
+        Some(Interval { low: number(low)?, high: number(high)? }).filter(|limits| limits.low < limits.high)
+    };
+    let (horizontal, vertical) = limits.split_once(',').unwrap_or((limits, ""));
+    let x = if horizontal.is_empty() { None } else { Some(ends(horizontal)?) };
+    let y = vertical.split(',').filter(|limits| !limits.is_empty()).map(ends).collect::<Option<_>>()?;
+    Some(View { x, y })
+}
+
+fn number(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|value: &f64| value.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MOST_NAMED, MOST_WORK};
+    use crate::{MOST_KEPT, Play, Refusal};
+
+    fn opened() -> Play {
+        let source = "---\ntitle: Swing\nstep: 0.01 [s]\n---\n```model\nparameter k = 1 [1/s^2] in 0..9\n\
+                      x'' + k*x = 0\nx(0) = 1\nx'(0) = 0\n```\n";
+        Play::open(document::open(source, &[]).document.unwrap().program)
+    }
+
+    /// The work of restoring a link, and how many parts are named as left out.
+    fn cost(link: &str) -> (u64, usize) {
+        let (mut play, mut left) = (opened(), MOST_WORK);
+        let left_out = match play.restore_within(link, &mut left) {
+            Ok(()) => 0,
+            Err(Refusal::PartlyRestored { left_out }) => left_out.len(),
+            Err(refusal) => panic!("{refusal:?}"),
+        };
+        assert!(play.kept().len() <= MOST_KEPT);
+        (MOST_WORK - left, left_out)
+    }
+
+    #[test]
+    fn kept_runs_beyond_the_most_cost_nothing() {
+        // Each run of 20 s takes twice the work of one of 10 s.
+        let (ten, all) = (cost("1&t=10").0, 1 + 2 * MOST_KEPT as u64);
+        assert!(ten > 1000, "more than an operation for each of 1000 steps: {ten}");
+        assert_eq!(cost(&format!("1&t=10{}", "&k&t=20".repeat(MOST_KEPT))), (ten * all, 0));
+        assert_eq!(cost(&format!("1&t=10{}", "&k&t=20".repeat(MOST_KEPT + 1))), (ten * all, 1));
+        let many = format!("1&t=10{}", "&k&t=20".repeat(100_000));
+        assert_eq!(cost(&many), (ten * all, MOST_NAMED + 1));
+    }
+
+    #[test]
+    fn all_runs_of_a_link_share_one_budget() {
+        let ten = cost("1&t=10").0;
+        let time = 10 * (MOST_WORK * 2 / 5 / ten);
+        let long = format!("1&t={time}{}", format!("&k&t={time}").repeat(MOST_KEPT));
+        assert_eq!(
+            cost(&long),
+            (MOST_WORK, MOST_KEPT - 1),
+            "the present run, one whole kept run and a part of the next"
+        );
+        assert_eq!(cost("1&h=1e-9&t=1&k&t=1"), (MOST_WORK, 2));
+        assert_eq!(cost("1&c=100,k:2&c=200,k:3&t=3"), (3 * ten / 10, 0));
+    }
+
+    #[test]
+    fn what_is_left_out_is_named_up_to_a_length() {
+        assert_eq!(cost(&format!("1{}", "&zzz".repeat(100_000))).1, MOST_NAMED + 1);
+        assert_eq!(cost(&format!("1&p={}", "q:1,".repeat(100_000))).1, MOST_NAMED + 1);
+    }
+}

@@ -1,0 +1,75 @@
+//! The values of the scene, and of the outline that is drawn over it.
+
+use super::outline::Outline;
+use super::readout::MOVING_DIGITS;
+use crate::{Play, number};
+use program::Kind;
+use units::number::Group;
+
+impl Play {
+    /// The values of [`program::Scene::values`] at the time shown, SI, for attributes. Computed once for each time.
+    pub fn scene_values(&mut self) -> &[f64] {
+        let frame = (self.revision.frame, self.revision.parameters);
+        if self.evaluators.scene_frame != Some(frame) {
+            let course = &self.course;
+            let values = self.evaluators.scene.at(course.parameters(), course.initial(), course.time(), course.state());
+            self.evaluators.scene_values.clear();
+            self.evaluators.scene_values.extend_from_slice(values);
+            self.evaluators.scene_scales.resize(values.len(), 0.0);
+            for (scale, value) in self.evaluators.scene_scales.iter_mut().zip(values) {
+                if value.is_finite() {
+                    *scale = scale.max(value.abs());
+                }
+            }
+            self.evaluators.scene_frame = Some(frame);
+        }
+        &self.evaluators.scene_values
+    }
+
+    /// Value `index` of the scene at the time shown, for people, with its unit.
+    pub fn scene_text(&mut self, index: usize, decimals: Option<u8>) -> String {
+        let Some(&value) = self.scene_values().get(index) else {
+            return String::new();
+        };
+        let scene = self.program.scene(&self.tag);
+        let Some(shown) = scene.and_then(|scene| scene.values.get(index)) else {
+            return String::new();
+        };
+        if shown.kind != Kind::Number {
+            return self.word_value(shown, value);
+        }
+        match decimals {
+            Some(decimals) => {
+                let number = number::fixed(shown.unit.from_si(value), usize::from(decimals), self.style);
+                number::with_unit(&number, &shown.unit)
+            }
+            None if self.is_count(shown.node, &shown.unit) => self.count(value),
+            None => {
+                let scale = self.evaluators.scene_scales.get(index).copied().unwrap_or_default();
+                Group::of_scale(&shown.unit, scale, MOVING_DIGITS, self.style).quantity(value)
+            }
+        }
+    }
+
+    /// The outline that is drawn over the scene.
+    pub fn outline(&self) -> Option<&Outline> {
+        self.outline.as_ref()
+    }
+
+    /// Draws another outline, or none.
+    pub fn set_outline(&mut self, outline: Option<Outline>) {
+        self.outline = outline;
+    }
+
+    /// Gives the outline the values that hold at the time shown.
+    pub fn set_outline_values(&mut self, values: Option<&[f64]>) {
+        let Some(outline) = &mut self.outline else { return };
+        match (values, &mut outline.values) {
+            (Some(values), Some(old)) => {
+                old.clear();
+                old.extend_from_slice(values);
+            }
+            (values, old) => *old = values.map(<[f64]>::to_vec),
+        }
+    }
+}

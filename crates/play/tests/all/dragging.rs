@@ -1,0 +1,184 @@
+//! Parts of the scene that are dragged.
+
+use crate::support::{bits, go_on, parameter, set, state, utube};
+use play::{Announcement, Play};
+
+/// The handle of the test document's scene.
+fn handle(play: &Play) -> play::program::Drag {
+    let scene = play.program().scene("en").unwrap();
+    let mut drags = scene.root.children.iter().filter_map(|child| match child {
+        play::program::Child::Element(element) => element.drag.clone(),
+        play::program::Child::Text(_) => None,
+    });
+    drags.next().expect("the scene has a handle")
+}
+
+#[test]
+fn the_liquid_follows_the_pointer_and_is_let_go() {
+    let mut play = utube();
+    let drag = handle(&play);
+    play.play();
+    play.tick(1.0);
+    let held = state(&play)[0];
+    play.drag_begin(&drag);
+    assert!(!play.is_playing() && play.is_dragging());
+    play.drag_move(500.0, 10.0);
+    assert_eq!(play.time(), 0.0);
+    assert!((state(&play)[0] - (held + 0.25)).abs() < 1e-12);
+    assert_eq!(state(&play)[1], 0.0, "what is held is at rest");
+    play.drag_move(0.0, -4.0);
+    assert!((state(&play)[0] - (held - 0.1)).abs() < 1e-12);
+    // Never further than the scene is high.
+    play.drag_move(0.0, 1e9);
+    assert!((state(&play)[0] - (held + 300.0 * 0.025)).abs() < 1e-9);
+    play.drag_move(f64::NAN, 1.0);
+    play.drag_move(0.0, 8.0);
+    play.drag_end();
+    assert!(play.is_playing() && !play.is_dragging());
+    let from = state(&play);
+    play.tick(0.5);
+    assert!(state(&play)[0] < from[0]);
+    assert!(play.has_ghost());
+    play.drag_move(0.0, 5.0);
+    play.drag_end();
+}
+
+#[test]
+fn the_liquid_goes_no_further_than_the_drawing() {
+    let source = crate::support::UTUBE.replace("{100 - 40*y/(1 [m])}", "{100 - 40*min(y, 2 [m])/(1 [m])}");
+    let mut play = crate::support::open(&source, &[]);
+    let drag = handle(&play);
+    play.drag_begin(&drag);
+    play.drag_move(0.0, 250.0);
+    assert!((state(&play)[0] - 2.0).abs() < 1e-9, "{:?}", state(&play));
+    play.drag_move(0.0, 20.0);
+    assert!((state(&play)[0] - 1.0).abs() < 1e-12);
+    play.drag_move(0.0, -200.0);
+    assert!((state(&play)[0] + 4.5).abs() < 1e-12, "downwards nothing limits it");
+    play.drag_end();
+    let told = std::iter::from_fn(|| play.take_announcement()).last();
+    assert_eq!(told, Some(Announcement::StateSet(0, -4.5)));
+}
+
+/// `y(0) = (h_l - h_r)/2` with room in the ranges: one column rises by as much as the other falls.
+#[test]
+fn a_drag_at_the_start_sets_the_parameters_that_decide_it() {
+    let source = crate::support::UTUBE.replace("in 2..9", "in 0..9");
+    let mut play = crate::support::open(&source, &[]);
+    let drag = handle(&play);
+    let heights = |play: &Play| ["h_l", "h_r"].map(|name| play.parameter_values()[parameter(play, name)]);
+    // 0.025 m for a unit of the scene.
+    for (up, y, h_l, h_r) in
+        [(12.0, 0.8, 3.3, 1.7), (-12.0, 0.5, 3.0, 2.0), (-20.0, 0.0, 2.5, 2.5), (-24.0, -0.6, 1.9, 3.1)]
+    {
+        play.drag_begin(&drag);
+        play.drag_move(0.0, 3.0);
+        play.drag_move(0.0, up);
+        play.drag_end();
+        let near = |value: f64, expected: f64| (value - expected).abs() < 1e-12;
+        let [left, right] = heights(&play);
+        assert!(near(state(&play)[0], y) && near(left, h_l) && near(right, h_r), "{up}: {left} {right}");
+        assert!(!play.is_started_by_hand());
+    }
+    let told = std::iter::from_fn(|| play.take_announcement()).last().unwrap();
+    let text = play.announcement_text(&told);
+    assert_eq!(text, "Displacement: -0.6 m; Left height: 1.9 m, Right height: 3.1 m".replace('-', "−"));
+    // Played and taken back, the run starts there again; the document's values come back on request.
+    go_on(&mut play, [1.0]);
+    play.back_to_start();
+    assert!((state(&play)[0] + 0.6).abs() < 1e-12);
+    play.restore_defaults();
+    assert_eq!((state(&play), heights(&play)), (vec![0.5, 0.0], [3.0, 2.0]));
+}
+
+#[test]
+fn a_drag_at_the_start_leaves_the_other_initial_values() {
+    let mut play = utube();
+    set(&mut play, "v_0", 2.0);
+    let drag = handle(&play);
+    play.drag_begin(&drag);
+    play.drag_move(0.0, -12.0);
+    assert!((state(&play)[0] - 0.2).abs() < 1e-12);
+    play.drag_end();
+    assert_eq!(state(&play)[1], 2.0);
+    // Any other moment is one of the hand, which holds still what it holds.
+    go_on(&mut play, [0.5]);
+    play.drag_begin(&drag);
+    play.drag_move(0.0, -12.0);
+    play.drag_end();
+    assert_eq!(state(&play)[1], 0.0);
+    assert!(play.is_started_by_hand());
+}
+
+/// Where a range ends, or no parameter decides, the state itself is the start: it is played from, gone back to, shared,
+/// and given up with a word.
+#[test]
+fn what_no_parameter_can_follow_is_kept_as_the_start() {
+    let literal = crate::support::UTUBE.replace("y(0)  = (h_l - h_r)/2 ", "y(0)  = 0.5 [m] ");
+    for source in [crate::support::UTUBE, &literal] {
+        let mut play = crate::support::open(source, &[]);
+        let drag = handle(&play);
+        let parameters = play.parameter_values().to_vec();
+        play.drag_begin(&drag);
+        play.drag_move(0.0, 12.0);
+        play.drag_end();
+        assert!(play.is_started_by_hand(), "the right height is at the end of its range");
+        assert_eq!(play.parameter_values(), parameters);
+        assert!((state(&play)[0] - 0.8).abs() < 1e-12);
+        go_on(&mut play, [1.0]);
+        play.back_to_start();
+        assert!(play.is_started_by_hand() && (state(&play)[0] - 0.8).abs() < 1e-12);
+        let told = std::iter::from_fn(|| play.take_announcement()).last().unwrap();
+        assert_eq!(play.announcement_text(&told), "Back at the start that was set by hand");
+        let mut other = crate::support::open(source, &[]);
+        other.restore(&play.share()).unwrap();
+        assert_eq!(state(&other), state(&play));
+        play.restore_defaults();
+        assert!(!play.is_started_by_hand());
+        assert_eq!(state(&play), [0.5, 0.0]);
+        let told = std::iter::from_fn(|| play.take_announcement()).last();
+        assert_eq!(told, Some(Announcement::DefaultsRestored));
+    }
+    // A parameter that decides the start gives it up too, and says so although no time has passed.
+    let mut play = utube();
+    play.set_state(0, 0.7).unwrap();
+    set(&mut play, "h_l", 4.0);
+    let told: Vec<_> = std::iter::from_fn(|| play.take_announcement()).collect();
+    assert!(told.contains(&Announcement::Restarted(parameter(&play, "h_l"))), "{told:?}");
+}
+
+/// A start that is no linear function of its parameters, one without a range among them.
+#[test]
+fn a_curved_start_is_met_exactly() {
+    let source = "---\ntitle: Ball\n---\n```model\nparameter v = 3 [m/s] in 0..20\nparameter c = 2 [s^2/m]\n\
+                  y' = -y/(1 [s])\ny(0) = c*v^2 in [m]\n```\n```scene\n<svg viewBox=\"0 0 100 100\">\
+                  <circle cx=\"5\" cy=\"{y/(1 [m])}\" r=\"5\" drag=\"y\" drag-up=\"1 [m]\"/></svg>\n```\n";
+    let mut play = crate::support::open(source, &[]);
+    let drag = handle(&play);
+    for up in [1.0, 7.0, -15.0, 40.0, -0.001] {
+        let before = state(&play)[0];
+        play.drag_begin(&drag);
+        play.drag_move(0.0, up);
+        play.drag_end();
+        assert!(!play.is_started_by_hand(), "{up}");
+        assert!((state(&play)[0] - (before + up)).abs() < 1e-7 * (before + up).abs(), "{up}: {:?}", state(&play));
+        let [v, c] = play.parameter_values() else { panic!() };
+        assert!((0.0..=20.0).contains(v) && c.is_finite());
+    }
+}
+
+#[test]
+fn a_click_on_the_liquid_changes_nothing() {
+    let mut play = utube();
+    let drag = handle(&play);
+    go_on(&mut play, [1.0]);
+    let before = bits(&play);
+    play.drag_begin(&drag);
+    play.drag_end();
+    assert_eq!(bits(&play), before);
+    assert!(!play.is_playing());
+    play.drag_begin(&play::program::Drag { state: 9, up: None, right: Some(77) });
+    play.drag_move(1.0, 1.0);
+    play.drag_end();
+    assert_eq!(bits(&play), before);
+}

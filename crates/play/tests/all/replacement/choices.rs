@@ -1,0 +1,138 @@
+//! What a person has chosen, kept and answered while the program is replaced.
+
+use super::{dropped, edited, fresh, swinging};
+use crate::support::{UTUBE, UTUBE_ES, go_on, open, set, utube};
+use play::figure::{Direction, Settings};
+use play::{Announcement, Grade, Play, PlotId};
+
+#[test]
+fn a_method_and_a_step_that_were_chosen_stay_and_others_are_the_documents() {
+    let step = ("step: 0.05 [s]", "step: 0.02 [s]");
+    let mut play = utube();
+    go_on(&mut play, [1.0]);
+    play.replace_program(edited(&[step, ("method: rk4", "method: euler")]));
+    assert_eq!((play.step(), play.course().begun().method.name(), play.table_length()), (0.02, "euler", 51));
+    play.set_method("velocity-verlet").unwrap();
+    play.set_step(0.1).unwrap();
+    go_on(&mut play, [1.0]);
+    play.replace_program(edited(&[]));
+    assert_eq!((play.step(), play.course().begun().method.name()), (0.1, "velocity-verlet"));
+    let first_order = "---\ntitle: Decay\nmethod: rk4\n---\n```model\ny' = -y/(1 [s])\ny(0) = 1 [m]\n```\n";
+    play.replace_program(open(first_order, &[]).program().clone());
+    assert_eq!((play.step(), play.course().begun().method.name(), play.time()), (0.1, "rk4", 1.0));
+    assert_eq!(dropped(&mut play), ["velocity Verlet"]);
+    // Against a length there is no time to keep.
+    play.replace_program(
+        open(&first_order.replace("```model\n", "```model\nindependent x in [m]\n").replace("1 [s]", "1 [m]"), &[])
+            .program()
+            .clone(),
+    );
+    assert_eq!((play.time(), dropped(&mut play)), (0.0, vec!["h = 0.1 s".to_owned(), "the time 1.00 s".to_owned()]));
+}
+
+#[test]
+fn plots_keep_what_was_chosen_by_their_titles() {
+    let mut play = swinging();
+    let settings = Settings::default();
+    for index in 0..3 {
+        play.layout_plot(PlotId::at(index), &settings);
+        play.zoom_plot(PlotId::at(index), None, 2.0, Direction::Both);
+    }
+    play.show_plot(PlotId::at(1), false);
+    let added = play.add_plot();
+    play.added_plot(added).unwrap().labels.title = "Residuals".to_owned();
+    play.added_plot_changed(added);
+    play.replace_program(edited(&[
+        ("\"Motion\": y, y' against t", "\"Speed\": abs(y') against t\n\"Motion\": y, y' against t"),
+        ("E, T, V against t", "E, T, V against y"),
+    ]));
+    let plots = play.plots();
+    let seen: Vec<(&str, bool, bool)> =
+        plots.iter().map(|plot| (plot.title.as_str(), plot.shown, plot.automatic)).collect();
+    assert_eq!(
+        seen,
+        [
+            ("Speed", true, true),
+            ("Motion", true, false),
+            ("Phase portrait", false, false),
+            // What was zoomed were seconds and is metres now.
+            ("Energies", true, true),
+            ("Residuals", true, true),
+        ]
+    );
+    assert!(play.added_plot(PlotId::at(4)).is_some());
+    play.set_language("es");
+    assert_eq!(play.plots()[4].title, "Residuals");
+}
+
+#[test]
+fn kept_runs_are_computed_with_the_new_equation() {
+    let equation = ("b*y'", "2*b*y'");
+    let (mut play, mut other) = (utube(), fresh(&[equation]));
+    for play in [&mut play, &mut other] {
+        for b in [100.0, 200.0, 300.0] {
+            play.back_to_start();
+            set(play, "b", b);
+            go_on(play, [2.0]);
+            play.keep().unwrap();
+        }
+        let first = play.kept()[0].id;
+        play.remove_kept(first);
+        play.show_kept(play.kept()[0].id, false);
+        play.back_to_start();
+    }
+    let ids: Vec<u32> = play.kept().iter().map(|kept| kept.id).collect();
+    play.replace_program(edited(&[equation]));
+    assert!(dropped(&mut play).is_empty());
+    assert_eq!(play.kept(), other.kept());
+    assert_eq!(play.kept().iter().map(|kept| kept.id).collect::<Vec<_>>(), ids);
+    play.clear_ghost();
+    assert_eq!(play.plot_csv(PlotId::at(0)), other.plot_csv(PlotId::at(0)));
+    assert_eq!(play.undo_number(), None, "the run that was removed was one of the former equation");
+    play.replace_program(edited(&[("0..20000", "0..250")]));
+    assert_eq!(dropped(&mut play), ["b = 300 kg/s", "the kept run “b = 300 kg/s”"]);
+    assert_eq!(play.kept().len(), 1);
+}
+
+#[test]
+fn answers_stay_with_their_questions_and_grades_with_the_right_answers() {
+    let period = |play: &mut Play| play.check_answer(0, "2*pi/(1.672 1/s)").grade;
+    let mut play = utube();
+    assert_eq!(period(&mut play), Grade::Correct);
+    play.type_answer(1, "1 m");
+    // Another parameter before all others, and another question before this one.
+    let more = [
+        ("parameter g ", "parameter a = 1\nparameter g "),
+        (
+            "```question\nMeasure the period.",
+            "```question\nWhat is a?\nanswer: a within 1 %\n```\n\n```question\nMeasure the period.",
+        ),
+    ];
+    play.replace_program(edited(&more));
+    assert!(dropped(&mut play).is_empty());
+    assert_eq!(play.answer(0).typed, "");
+    let answer = play.answer(1);
+    assert_eq!(
+        (answer.typed.as_str(), answer.verdict.map(|verdict| verdict.grade)),
+        ("2*pi/(1.672 1/s)", Some(Grade::Correct))
+    );
+    assert_eq!(play.answer(2).typed, "1 m");
+    // What is asked for is computed in another way.
+    play.replace_program(edited(&[("2*pi/omega_d within", "2*pi/omega_0 within")]));
+    assert_eq!((play.answer(0).typed.as_str(), play.answer(0).verdict), ("2*pi/(1.672 1/s)", None));
+    play.replace_program(edited(&[("Measure the period.", "Measure the half-period.")]));
+    assert_eq!(dropped(&mut play), ["the answer “2*pi/(1.672 1/s)”"]);
+    assert_eq!((play.answer(0).typed.as_str(), play.answer(1).typed.as_str()), ("", "1 m"));
+}
+
+#[test]
+fn a_language_stays_and_names_what_is_lost() {
+    let mut play = swinging();
+    play.set_language("es");
+    let narrower = UTUBE.replace("in 0..20000", "in 0..100");
+    play.replace_program(open(&narrower, &[UTUBE_ES]).program().clone());
+    assert_eq!((play.tag(), play.plots()[0].title.as_str()), ("es", "Movimiento"));
+    assert_eq!(dropped(&mut play), ["b = 200 kg/s"]);
+    let text = play.announcement_text(&Announcement::Replaced(vec!["b = 200 kg/s".to_owned()]));
+    assert_eq!(text, "El documento cambiado está en marcha; se omitió lo que no encaja: b = 200 kg/s");
+}

@@ -1,0 +1,99 @@
+//! Whether expressions of two graphs are the same.
+
+use crate::{Binary, Graph, LinearSystem, Node, NodeId};
+use std::collections::HashMap;
+
+impl Graph {
+    /// Whether `nodes` are the same expressions as `others` of another graph: then their values have the same bits.
+    /// `rename` gives the input of the other graph (a [`Node::Parameter`], [`Node::Initial`], [`Node::Independent`] or
+    /// [`Node::State`]) that an input of this one stands for, and `None` where there is none.
+    pub fn same(
+        &self,
+        nodes: &[NodeId],
+        other: &Graph,
+        others: &[NodeId],
+        rename: impl Fn(Node) -> Option<Node>,
+    ) -> bool {
+        if nodes.len() != others.len() {
+            return false;
+        }
+        // Equal expressions are one node of a graph, so that each node has at most one counterpart.
+        let mut found: HashMap<NodeId, NodeId> = HashMap::new();
+        for id in self.reachable(nodes) {
+            let Some(counterpart) = self.counterpart(id, other, &found, &rename) else { return false };
+            found.insert(id, counterpart);
+        }
+        nodes.iter().zip(others).all(|(node, other)| found.get(node) == Some(other))
+    }
+
+    fn counterpart(
+        &self,
+        id: NodeId,
+        other: &Graph,
+        found: &HashMap<NodeId, NodeId>,
+        rename: &impl Fn(Node) -> Option<Node>,
+    ) -> Option<NodeId> {
+        let there = |id: NodeId| found.get(&id).copied();
+        match self.node(id) {
+            node @ Node::Constant(_) => other.find(node),
+            input @ (Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_)) => {
+                other.find(rename(input)?)
+            }
+            Node::Unary(function, x) => other.find(Node::Unary(function, there(x)?)),
+            Node::Binary(function, a, b) => {
+                let (a, b) = (there(a)?, there(b)?);
+                // A graph writes the operands of these in the order of their numbers.
+                let commutes = matches!(
+                    function,
+                    Binary::Add | Binary::Multiply | Binary::Equal | Binary::NotEqual | Binary::And | Binary::Or
+                );
+                let swapped = || if commutes { other.find(Node::Binary(function, b, a)) } else { None };
+                other.find(Node::Binary(function, a, b)).or_else(swapped)
+            }
+            Node::Select(condition, chosen, rest) => {
+                other.find(Node::Select(there(condition)?, there(chosen)?, there(rest)?))
+            }
+            Node::Solution { system, row } => {
+                let LinearSystem { matrix, right } = self.systems().get(system as usize)?;
+                let all = |entries: &[NodeId]| entries.iter().map(|&entry| there(entry)).collect::<Option<Vec<_>>>();
+                let wanted = LinearSystem { matrix: all(matrix)?, right: all(right)? };
+                let system = other.systems().iter().position(|system| *system == wanted)?;
+                other.find(Node::Solution { system: system as u32, row })
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `(p_0 + x)/p_1` in a graph that holds something else before it.
+    fn graph(before: &[Node], [p, q]: [u32; 2]) -> (Graph, NodeId) {
+        let mut graph = Graph::default();
+        before.iter().for_each(|&node| _ = graph.insert(node));
+        let [p, x, q] = [Node::Parameter(p), Node::State(0), Node::Parameter(q)].map(|node| graph.insert(node));
+        let sum = graph.add(p, x);
+        let quotient = graph.divide(sum, q);
+        (graph, quotient)
+    }
+
+    #[test]
+    fn expressions_are_the_same_whatever_stands_before_them() {
+        let (one, root) = graph(&[], [0, 1]);
+        // Here x has a smaller number than p, and is the first summand.
+        let (other, same) = graph(&[Node::State(0), Node::Independent], [0, 1]);
+        assert_ne!(root, same);
+        assert!(one.same(&[root], &other, &[same], Some) && other.same(&[same], &one, &[root], Some));
+        assert!(!one.same(&[root], &other, &[NodeId(0)], Some) && !one.same(&[root], &other, &[], Some));
+        // The quotient is not the reciprocal one, except where the parameters have changed their places.
+        let (other, swapped) = graph(&[], [1, 0]);
+        assert!(!one.same(&[root], &other, &[swapped], Some));
+        let swap = |node| match node {
+            Node::Parameter(index) => Some(Node::Parameter(1 - index)),
+            other => Some(other),
+        };
+        assert!(one.same(&[root], &other, &[swapped], swap));
+        assert!(!one.same(&[root], &other, &[swapped], |node| Some(node).filter(|node| *node != Node::Parameter(1))));
+    }
+}

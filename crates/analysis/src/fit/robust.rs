@@ -12,7 +12,7 @@ use super::driver::Fit;
 use super::linear::dot;
 use super::outliers::NORMAL;
 use super::search::Search;
-use crate::cycles::median;
+use crate::order::median;
 use units::Language;
 
 /// What a residual costs.

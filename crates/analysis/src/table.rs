@@ -107,7 +107,9 @@ impl Table {
     pub fn runs(&self) -> Vec<(String, Vec<usize>)> {
         let mut runs: Vec<(String, Vec<usize>)> = Vec::new();
         for (index, column) in self.columns.iter().enumerate() {
-            let Some(name) = column.body.as_ref().filter(|body| run_name::name(body).is_some()) else { return Vec::new() };
+            let Some(name) = column.body.as_ref().filter(|body| run_name::name(body).is_some()) else {
+                return Vec::new();
+            };
             match runs.iter_mut().find(|(run, _)| run == name) {
                 Some((_, columns)) => columns.push(index),
                 None => runs.push((name.clone(), vec![index])),

@@ -2,10 +2,10 @@
 
 use super::cells::{COLUMNS, Cells, Delimiter};
 use super::format::Format;
+use super::header;
 use super::number::{self, Cell};
 use super::others::{Other, Others};
 use super::refusal::{ImportError, Refusal};
-use super::header;
 use crate::finding::Finding;
 
 /// So many words are reported one by one.

@@ -1,4 +1,5 @@
-//! The residuals of a task: measured values beside the model's, weighted, with derivatives by every varied number.
+//! What a fit is asked, and how that is computed: measured values beside the model's, weighted, with derivatives by every
+//! varied number.
 
 use super::columns::{self, Column};
 use super::curve::{self, Curve};

@@ -44,7 +44,7 @@ impl Outcome {
         }
     }
 
-    /// Whether the record is short for the correlation of its errors: it is worth fewer than [`FEW`] independent values, and
+    /// Whether the record is short for the correlation of its errors: it is worth fewer than 15 independent values, and
     /// would be worth more without it.
     pub fn is_short(&self) -> bool {
         let correlated = self.independent < 0.5 * self.judged as f64;

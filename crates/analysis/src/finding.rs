@@ -2,10 +2,10 @@
 
 mod words;
 
-use crate::import::readings;
 use crate::sampling::Gap;
 use crate::stencil::Stencil;
 use units::Language::{self, Spanish};
+pub(crate) use words::readings;
 use words::{called, clock, decimal, missing, reading, rounded_step, runs, separator};
 
 /// Something a person should know about their data. Lines and rows count from 1; times are in SI.

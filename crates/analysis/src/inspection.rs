@@ -2,7 +2,7 @@
 
 use crate::cycles;
 use crate::finding::Finding;
-use crate::sampling::{self, Examination};
+use crate::sampling::{self, Examination, Sampling};
 use crate::stencil::{self, Recognised};
 use crate::table::Table;
 use units::{Dimension, Unit};
@@ -160,5 +160,29 @@ fn unit_of(unit: Option<&Unit>, times: &[f64]) -> &'static str {
         Some(unit) if unit.dimension == Dimension::TIME => "s",
         None if !counts() => "s",
         _ => "",
+    }
+}
+
+impl Sampling {
+    /// What a person should know about it; `unit` stands behind a time, `s`.
+    pub fn findings(&self, times: &[f64], unit: &'static str) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        let time = |rows: &[usize]| rows.first().and_then(|row| times.get(*row)).copied().unwrap_or(f64::NAN);
+        if !self.missing.is_empty() {
+            findings.push(Finding::Missing { gaps: self.missing.clone(), unit });
+        }
+        if !self.doubled.is_empty() {
+            findings.push(Finding::Doubled { time: time(&self.doubled), unit, count: self.doubled.len() });
+        }
+        if !self.backwards.is_empty() {
+            findings.push(Finding::Backwards { time: time(&self.backwards), unit, count: self.backwards.len() });
+        }
+        match (self.rounded_to, self.rate) {
+            (Some(to), _) => findings.push(Finding::RoundedTimes { to, unit }),
+            (None, Some(rate)) if unit == "s" => findings.push(Finding::RoundedStep { interval: self.interval, rate }),
+            (None, _) if self.jitter > 1e-3 => findings.push(Finding::Uneven(self.jitter)),
+            (None, _) => {}
+        }
+        findings
     }
 }

@@ -11,6 +11,7 @@ pub mod inspection;
 pub mod order;
 pub mod origin;
 pub mod reading;
+mod run_name;
 pub mod sampling;
 pub mod smoothing;
 pub mod spreadsheet;

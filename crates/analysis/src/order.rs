@@ -35,6 +35,11 @@ pub fn nth(values: &[f64], rank: usize) -> f64 {
     keys.get(rank).map_or(f64::NAN, |key| value(*key))
 }
 
+/// The middle value; NaN of nothing.
+pub(crate) fn median(values: Vec<f64>) -> f64 {
+    nth(&values, values.len() / 2)
+}
+
 const SIGN: u64 = 1 << 63;
 
 /// The number whose order is that of the values.

@@ -1,7 +1,6 @@
 //! How the rows of a measurement follow each other in time.
 
-use crate::cycles::median;
-use crate::finding::Finding;
+use crate::order::median;
 
 /// Frames a second of cameras whose step is no short decimal.
 const RATES: [f64; 17] = [
@@ -253,28 +252,4 @@ fn rounded_rate(interval: f64) -> Option<f64> {
                 cases.iter().any(|case| (interval * unit - case).abs() < 1e-6 * case)
             })
     })
-}
-
-impl Sampling {
-    /// What a person should know about it; `unit` stands behind a time, `s`.
-    pub fn findings(&self, times: &[f64], unit: &'static str) -> Vec<Finding> {
-        let mut findings = Vec::new();
-        let time = |rows: &[usize]| rows.first().and_then(|row| times.get(*row)).copied().unwrap_or(f64::NAN);
-        if !self.missing.is_empty() {
-            findings.push(Finding::Missing { gaps: self.missing.clone(), unit });
-        }
-        if !self.doubled.is_empty() {
-            findings.push(Finding::Doubled { time: time(&self.doubled), unit, count: self.doubled.len() });
-        }
-        if !self.backwards.is_empty() {
-            findings.push(Finding::Backwards { time: time(&self.backwards), unit, count: self.backwards.len() });
-        }
-        match (self.rounded_to, self.rate) {
-            (Some(to), _) => findings.push(Finding::RoundedTimes { to, unit }),
-            (None, Some(rate)) if unit == "s" => findings.push(Finding::RoundedStep { interval: self.interval, rate }),
-            (None, _) if self.jitter > 1e-3 => findings.push(Finding::Uneven(self.jitter)),
-            (None, _) => {}
-        }
-        findings
-    }
 }

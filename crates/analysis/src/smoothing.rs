@@ -56,7 +56,7 @@ fn is_even(times: &[f64]) -> bool {
 
 /// The rows between gaps; a gap is longer than two and a half usual steps, which a window does not bridge.
 fn parts(times: &[f64]) -> Vec<core::ops::Range<usize>> {
-    let usual = crate::cycles::median(times.windows(2).map(|pair| pair[1] - pair[0]).collect());
+    let usual = crate::order::median(times.windows(2).map(|pair| pair[1] - pair[0]).collect());
     let mut parts = Vec::new();
     let mut start = 0;
     for (index, pair) in times.windows(2).enumerate() {

@@ -1,6 +1,6 @@
 //! Derivatives by finite differences: making them, and finding out that a column was made so.
 
-use crate::cycles::median;
+use crate::order::median;
 use crate::sampling::{self, Sampling};
 
 /// A formula of finite differences on even steps.

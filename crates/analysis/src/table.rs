@@ -1,7 +1,7 @@
 //! Measured data as columns.
 
-use crate::import;
 use crate::origin::Origin;
+use crate::run_name;
 use units::Unit;
 
 /// Measured data: columns of equal length.
@@ -107,7 +107,9 @@ impl Table {
     pub fn runs(&self) -> Vec<(String, Vec<usize>)> {
         let mut runs: Vec<(String, Vec<usize>)> = Vec::new();
         for (index, column) in self.columns.iter().enumerate() {
-            let Some(name) = column.body.as_ref().filter(|body| import::is_run(body)) else { return Vec::new() };
+            let Some(name) = column.body.as_ref().filter(|body| run_name::name(body).is_some()) else {
+                return Vec::new();
+            };
             match runs.iter_mut().find(|(run, _)| run == name) {
                 Some((_, columns)) => columns.push(index),
                 None => runs.push((name.clone(), vec![index])),
@@ -132,6 +134,6 @@ impl Table {
 /// Whether `which` is `body.name`.
 fn is_in_body(which: &str, body: &str, name: &str, same: &dyn Fn(&str, &str) -> bool) -> bool {
     // `Run #2.Angle` as well as `Run 2.Angle`.
-    let is_body = |first: &str| same(first, body) || import::run_name(first).is_some_and(|run| same(&run, body));
+    let is_body = |first: &str| same(first, body) || run_name::name(first).is_some_and(|run| same(&run, body));
     which.match_indices('.').any(|(dot, _)| is_body(&which[..dot]) && same(name, &which[dot + 1..]))
 }

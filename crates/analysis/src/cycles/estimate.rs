@@ -1,8 +1,9 @@
 //! A damped sinusoid that is close to a record: where a fit starts.
 
 use super::damped::{Damped, Points};
-use super::lobes::{Swings, median, scatter, swings};
+use super::lobes::{Swings, scatter, swings};
 use super::rows::without_gaps;
+use crate::order::median;
 
 /// `offset + amplitude exp(-damping (t - origin)) cos(angular_frequency (t - origin) + phase)`, near a record.
 #[derive(Clone, Copy, Debug, PartialEq)]

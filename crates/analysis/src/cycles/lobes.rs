@@ -1,6 +1,7 @@
 //! Where an oscillation crosses its middle, and how far it goes in between.
 
 use super::damped::Points;
+use crate::order::median;
 
 /// The part of a record between two crossings.
 #[derive(Clone, Copy, Debug)]
@@ -37,11 +38,6 @@ pub(super) fn scatter(values: &[f64]) -> f64 {
         .map(|(differences, squares)| 1.4826 * median(differences) / squares.sqrt())
         .fold(f64::INFINITY, f64::min);
     if scatter.is_finite() { scatter } else { 0.0 }
-}
-
-/// The middle value; NaN of nothing.
-pub(crate) fn median(values: Vec<f64>) -> f64 {
-    crate::order::nth(&values, values.len() / 2)
 }
 
 /// The crossings of `middle`. What stays within `threshold` of it has not crossed yet: noise makes no crossings.

@@ -8,9 +8,10 @@ mod lobes;
 mod quantity;
 mod rows;
 mod shape;
+mod sinusoids;
 
 pub use constancy::{Constancy, mean};
-pub use cycle::{Cycle, Cycles, Measured, cycles};
+pub use cycle::{Cycle, Measured};
 pub use estimate::{Estimate, estimate};
-pub(crate) use lobes::median;
 pub use quantity::{Quantity, columns, well_known};
+pub use sinusoids::{Cycles, cycles};

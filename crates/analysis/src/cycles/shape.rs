@@ -5,7 +5,8 @@
 use super::cycle::{Cycle, Measured};
 use super::damped::Points;
 use super::estimate::centre;
-use super::lobes::{Lobe, Swings, median, scatter, swings};
+use super::lobes::{Lobe, Swings, scatter, swings};
+use crate::order::median;
 use crate::smoothing;
 use core::f64::consts::TAU;
 

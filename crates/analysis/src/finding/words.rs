@@ -1,9 +1,14 @@
 //! Sentences of findings that need more than one pattern.
 
-use crate::import::readings;
 use crate::sampling::Gap;
 use units::Language::{self, English, Spanish};
 use units::number;
+
+/// `1,295` with a decimal sign and with groups of digits: `1.295` and `1295`.
+pub(crate) fn readings(text: &str, language: Language) -> [String; 2] {
+    let digits = |replacement: &str| text.replace([',', '.'], replacement);
+    [digits(if language == Spanish { "," } else { "." }), digits("")]
+}
 
 pub(super) fn separator(line: usize, text: &str, beside: &str, thousands: bool, language: Language) -> String {
     let [decimal, large] = readings(text, language);

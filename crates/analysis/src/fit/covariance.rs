@@ -3,7 +3,7 @@
 
 use super::autoregression::{Autoregression, Errors, MOST};
 use super::hac::{self, Left};
-use super::linear::{Decomposition, Jacobian, dot, norm};
+use super::linear::{Decomposition, Jacobian, dot, norm, quadratic};
 use super::plan::Plan;
 use super::search::Search;
 
@@ -122,11 +122,6 @@ impl Covariance {
     pub fn variance(matrix: &[f64], gradient: &[f64]) -> f64 {
         quadratic(matrix, gradient).max(0.0)
     }
-}
-
-fn quadratic(matrix: &[f64], gradient: &[f64]) -> f64 {
-    let size = gradient.len();
-    (0..size).fold(0.0, |sum, row| sum + gradient[row] * dot(&matrix[row * size..(row + 1) * size], gradient))
 }
 
 /// The places of the values of each observation of each record, in the order of time; `wanted` gets whether it was measured.

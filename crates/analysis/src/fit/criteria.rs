@@ -1,13 +1,12 @@
 //! AICc and BIC, from the likelihood of normal residuals, or with a robust loss of residuals of Student's
 //! distribution.
 
+use super::loss::Loss;
 use super::observed::ObservationFit;
 use super::plan::equal;
 use super::problem::Problem;
-use super::robust::{self, Loss};
-
-/// Residuals below this part of the scatter of the values are rounding and the error of the integration: the fit is exact.
-pub(super) const EXACT: f64 = 1e-9;
+use super::robust;
+use super::weights::EXACT;
 
 /// What a fit costs and gains.
 pub(super) struct Criteria {

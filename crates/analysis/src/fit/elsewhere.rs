@@ -3,17 +3,17 @@
 //! answer, some standard deviations away, where the other minima lie that fit nearly as well. Whatever ends lower becomes the
 //! answer, and is tried in the same way.
 
-use super::driver::Fit;
 use super::linear::{Decomposition, dot, norm};
 use super::problem::Problem;
 use super::search::Search;
 use super::start;
 use super::task::Target;
-use program::{Binary, Model, Node, NodeId, Unary};
+use super::window::{self, TRIALS};
+use program::{Binary, Node, NodeId, Unary};
 
 /// How the sum of squares depends on the numbers of the search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Texture {
+enum Texture {
     /// Smoothly.
     Smooth,
     /// With branches (`if`, `abs`, `sign` ...), which often make no kinks in the curve.
@@ -24,13 +24,26 @@ pub(super) enum Texture {
 
 /// Starts around an answer.
 #[derive(Clone, Debug)]
-pub(super) struct Elsewhere {
+struct Around {
     /// Still to be tried, the last one first.
     starts: Vec<Vec<f64>>,
     /// The sum of squares of the answer around which they lie.
     centre: f64,
     /// How many searches have come back to the best answer.
     returned: usize,
+}
+
+/// What was tried elsewhere, and is to be tried.
+#[derive(Clone, Debug)]
+pub(super) struct Elsewhere {
+    /// How smooth the sum of squares is.
+    texture: Texture,
+    /// Starts around the best answer.
+    around: Option<Around>,
+    /// How many of them have been tried.
+    tried: usize,
+    /// Where the searches from all starts have ended, and how high.
+    ends: Vec<(Vec<f64>, f64)>,
 }
 
 /// Another minimum that fits as well within the noise.
@@ -42,17 +55,17 @@ pub struct Rival {
     pub values: Vec<f64>,
 }
 
-impl Fit {
+impl Elsewhere {
     /// Searches from elsewhere, at most.
-    const ELSEWHERE: usize = 30;
+    const MOST: usize = 30;
     /// Starts spread over a box around an answer.
     const BOX: usize = 16;
     /// Half the side of the box, in standard errors of each number.
     const BOX_SIZE: f64 = 6.0;
     /// And at most so many of the whole record times its values.
-    const ELSEWHERE_VALUES: usize = 100_000;
+    const VALUES: usize = 100_000;
     /// Trials of one of them, for equations of motion: one that takes longer creeps along a kink.
-    pub(super) const ELSEWHERE_TRIALS: usize = 20;
+    const TRIALS_OF_MOTION: usize = 20;
     /// If so many of them have come back to the best answer, there is hardly a better one: without events, and with them.
     const RETURNED: [usize; 2] = [4, 6];
     /// Where a search ends lower by this part of the sum of squares, starts around the new answer are tried.
@@ -70,31 +83,39 @@ impl Fit {
     /// there only one: three standard deviations of one number.
     const APART: f64 = 9.0;
 
-    /// The next start from elsewhere, if one is to be tried.
-    pub(super) fn next_elsewhere(&mut self) -> Option<Vec<f64>> {
-        let best = self.best.as_ref().filter(|best| best.sum > Self::NOTHING * self.total)?;
-        let most = Self::ELSEWHERE_VALUES / best.residuals.len().max(1);
-        if self.texture == Texture::Smooth || self.tried_elsewhere >= most.clamp(Self::RETURNED[0], Self::ELSEWHERE) {
+    /// Nothing was tried yet.
+    pub fn new(problem: &Problem) -> Self {
+        Self { texture: texture(problem), around: None, tried: 0, ends: Vec::new() }
+    }
+
+    /// The next search from elsewhere, if one is to be tried.
+    pub fn next(&mut self, problem: &mut Problem, best: &Search) -> Option<Search> {
+        let start = self.next_start(problem, best)?;
+        let limit = if problem.curve.has_states() { Self::TRIALS_OF_MOTION } else { TRIALS };
+        Some(window::search(problem, &start, limit))
+    }
+
+    fn next_start(&mut self, problem: &Problem, best: &Search) -> Option<Vec<f64>> {
+        let most = Self::VALUES / best.residuals.len().max(1);
+        let nothing = best.sum <= Self::NOTHING * problem.total;
+        if nothing || self.texture == Texture::Smooth || self.tried >= most.clamp(Self::RETURNED[0], Self::MOST) {
             return None;
         }
-        let current = |known: &Elsewhere| best.sum >= known.centre * (1.0 - Self::MOVED);
-        let mut known = match self.elsewhere.take().filter(current) {
+        let current = |known: &Around| best.sum >= known.centre * (1.0 - Self::MOVED);
+        let mut known = match self.around.take().filter(current) {
             Some(known) => known,
-            None => {
-                let starts = self.starts_around(best);
-                Elsewhere { starts, centre: best.sum, returned: 0 }
-            }
+            None => Around { starts: Self::starts_around(problem, best), centre: best.sum, returned: 0 },
         };
         let enough = known.returned >= Self::RETURNED[usize::from(self.texture == Texture::Events)];
         let start = if enough { None } else { known.starts.pop() };
-        self.elsewhere = Some(known);
-        self.tried_elsewhere += usize::from(start.is_some());
+        self.around = Some(known);
+        self.tried += usize::from(start.is_some());
         start
     }
 
-    /// Remembers where a search of the whole has ended, before its answer is taken or not.
-    pub(super) fn remember_end(&mut self, search: &Search) {
-        if let (Some(best), Some(known)) = (&self.best, &mut self.elsewhere) {
+    /// Remembers where a search of the whole has ended, before its answer is taken as the best or not.
+    pub fn remember_end(&mut self, search: &Search, best: Option<&Search>) {
+        if let (Some(best), Some(known)) = (best, &mut self.around) {
             let same = (search.sum - best.sum).abs() <= Self::EQUAL * best.sum;
             known.returned += usize::from(same);
         }
@@ -104,37 +125,29 @@ impl Fit {
     }
 
     /// Of all searches so far, the one that has ended lowest in another minimum that fits as well within the noise.
-    pub(super) fn find_rival(&self) -> Option<Rival> {
-        let best = self.best.as_ref()?;
-        let variance = self.variance(best);
+    pub fn rival(&self, problem: &Problem, best: &Search) -> Option<Rival> {
+        let variance = variance(problem, best);
         let rival = |(x, sum): &(Vec<f64>, f64)| {
             let growth = (sum - best.sum) / variance;
             // The same curve from other numbers is no other minimum: terms of a sum have changed places.
             let same = *sum <= best.sum * (1.0 + Self::EQUAL);
-            (growth <= Self::AS_WELL && !same && quadratic(best, x) > Self::APART * variance)
+            (growth <= Self::AS_WELL && !same && growth_at(best, x) > Self::APART * variance)
                 .then(|| Rival { growth, values: x.clone() })
         };
         self.ends.iter().filter_map(rival).min_by(|one, other| one.growth.total_cmp(&other.growth))
     }
 
-    /// The variance of a residual: as given, or as the residuals show it where that is larger.
-    pub(super) fn variance(&self, best: &Search) -> f64 {
-        let dof = (self.problem.independent_values() - best.x.len() as f64).max(1.0);
-        let shown = best.sum / dof;
-        if self.problem.task.errors_given() { shown.max(1.0) } else { shown }
-    }
-
     /// Starts around an answer, the last one first: along the direction that the data determine worst, then spread over a
     /// box of some standard errors of each number. Beside a kink the derivatives do not tell where the valleys lead, so that
     /// the box finds what no direction does.
-    fn starts_around(&self, best: &Search) -> Vec<Vec<f64>> {
+    fn starts_around(problem: &Problem, best: &Search) -> Vec<Vec<f64>> {
         let scale: Vec<f64> = (0..best.x.len()).map(|column| norm(best.jacobian.column(column))).collect();
-        let free = |column: &usize| scale[*column] > 0.0 && self.bounds[*column].0 < self.bounds[*column].1;
+        let free = |column: &usize| scale[*column] > 0.0 && problem.bounds[*column].0 < problem.bounds[*column].1;
         let columns: Vec<usize> = (0..scale.len()).filter(free).collect();
         let decomposition = Decomposition::new(&best.jacobian, &columns, &scale, &best.residuals);
         let least = Self::VAGUE * decomposition.greatest();
         let determined: Vec<usize> = (0..columns.len()).filter(|&k| decomposition.singular[k] > least).collect();
-        let deviation = self.variance(best).sqrt();
+        let deviation = variance(problem, best).sqrt();
         // One standard deviation along direction k, in the number of this place.
         let along = |k: usize, place: usize| {
             let size = scale[columns[place]] * decomposition.singular[k];
@@ -161,9 +174,16 @@ impl Fit {
     }
 }
 
+/// The variance of a residual: as given, or as the residuals show it where that is larger.
+fn variance(problem: &Problem, best: &Search) -> f64 {
+    let dof = (problem.independent_values() - best.x.len() as f64).max(1.0);
+    let shown = best.sum / dof;
+    if problem.task.errors_given() { shown.max(1.0) } else { shown }
+}
+
 /// How much larger the sum of squares would be at `x` than at the end of a search if the curve changed in proportion to the
 /// numbers.
-fn quadratic(best: &Search, x: &[f64]) -> f64 {
+fn growth_at(best: &Search, x: &[f64]) -> f64 {
     let mut change = vec![0.0; best.residuals.len()];
     for (column, (to, from)) in x.iter().zip(&best.x).enumerate() {
         change.iter_mut().zip(best.jacobian.column(column)).for_each(|(change, slope)| *change += (to - from) * slope);
@@ -172,11 +192,12 @@ fn quadratic(best: &Search, x: &[f64]) -> f64 {
 }
 
 /// How the sum of squares depends on the numbers of the search, as far as the model's text tells.
-pub(super) fn texture(model: &Model, problem: &Problem) -> Texture {
+fn texture(problem: &Problem) -> Texture {
+    let model = &problem.model;
     if !model.events.is_empty() {
         return Texture::Events;
     }
-    let mut roots: Vec<NodeId> = problem.expressions.clone();
+    let mut roots: Vec<NodeId> = problem.layout.expressions.clone();
     roots.extend(model.states.iter().flat_map(|state| [state.derivative, state.initial]));
     let varied = |index: &u32| problem.columns.iter().any(|column| column.target == Target::Parameter(*index as usize));
     let branches = |id: &NodeId| {

@@ -87,12 +87,8 @@ pub(super) fn full_name(estimate: &Estimate, problem: &Problem) -> String {
 }
 
 /// What was varied, and the derived quantities of the document that depend on it.
-pub(super) fn estimates(
-    problem: &Problem,
-    model: &Model,
-    best: &Search,
-    covariance: &Covariance,
-) -> (Vec<Estimate>, Vec<Estimate>) {
+pub(super) fn estimates(problem: &Problem, best: &Search, covariance: &Covariance) -> (Vec<Estimate>, Vec<Estimate>) {
+    let model = &problem.model;
     let size = best.x.len();
     let mut parameters = Vec::with_capacity(size);
     for (number, column) in problem.columns.iter().enumerate() {

@@ -1,8 +1,7 @@
 //! The products of scores for residuals that are correlated in time and of uneven size, whatever makes them so: Newey & West
 //! (Econometrica 55 (1987) 703), of residuals whitened before (Andrews & Monahan, Econometrica 60 (1992) 953).
 
-use super::covariance::Covariance;
-use super::linear::{Jacobian, dot};
+use super::linear::{Jacobian, dot, quadratic};
 use super::plan::Plan;
 use super::statistics;
 
@@ -70,7 +69,7 @@ fn add_scores(left: &Left, series: &[(usize, usize)], scores: &mut [Vec<f64>]) {
         for (column, value) in gradient.iter_mut().enumerate() {
             *value = left.jacobian.values[column * left.jacobian.rows + place];
         }
-        let leverage = Covariance::variance(left.inverse, &gradient);
+        let leverage = quadratic(left.inverse, &gradient).max(0.0);
         let before = if number > 0 { residuals[number - 1] } else { 0.0 };
         let new = (residuals[number] - rho * before) / (1.0 - leverage).max(0.1);
         for ((following, value), scores) in following.iter_mut().zip(&gradient).zip(scores.iter_mut()) {

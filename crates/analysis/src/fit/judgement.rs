@@ -1,34 +1,14 @@
-//! What the residuals of a fit say of its model. One value that is off decides nothing here: it is named, and left out.
+//! What the residuals of a fit are like: which values are off the others, and how those others follow each other. One value
+//! that is off decides nothing here: it is named, and left out.
 
 use super::covariance::series;
-use super::criteria::EXACT;
 use super::linear::norm;
 use super::observed::ObservationFit;
-use super::outcome::Outcome;
 use super::outliers::Judged;
 use super::plan::Plan;
 use super::problem::Problem;
 use super::statistics::{self, RunsTest};
-
-/// Fewer independent values than this make standard errors that are uncertain by a quarter and more.
-const FEW: f64 = 15.0;
-
-/// Whether the model is compatible with the data.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// Nothing is left over but rounding.
-    Exact,
-    /// Residuals look random and, where errors were given, have their size.
-    Compatible,
-    /// Residuals look random but are larger than the given errors.
-    TooLarge,
-    /// Residuals look random but are smaller than the given errors.
-    TooSmall,
-    /// Residuals are autocorrelated: the model misses something, or the measurement does.
-    Structured,
-    /// There are too few values to tell.
-    Unknown,
-}
+use super::weights::EXACT;
 
 /// A value far beyond the scatter of the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,38 +85,5 @@ impl Judgement {
             autocorrelation: statistics::autocorrelation(&kept),
             runs: statistics::runs_test(&kept),
         }
-    }
-}
-
-impl Outcome {
-    /// What the residuals say.
-    pub fn verdict(&self) -> Verdict {
-        if self.exact {
-            return Verdict::Exact;
-        }
-        let Some(runs) = self.runs else { return Verdict::Unknown };
-        // 2.6 standard deviations: one in a hundred by chance.
-        let by_chance = 2.6 / (self.judged as f64).sqrt();
-        if runs.z < -2.6 || self.autocorrelation > by_chance {
-            return Verdict::Structured;
-        }
-        match self.chi2_reduced {
-            // Chi-square has the variance of twice its degrees of freedom.
-            Some(reduced) if reduced > 1.0 + 2.6 * (2.0 / self.dof as f64).sqrt() => Verdict::TooLarge,
-            Some(reduced) if reduced < 1.0 - 2.6 * (2.0 / self.dof as f64).sqrt() => Verdict::TooSmall,
-            _ => Verdict::Compatible,
-        }
-    }
-
-    /// Whether the record is short for the correlation of its errors: it is worth fewer than [`FEW`] independent values, and
-    /// would be worth more without it.
-    pub fn is_short(&self) -> bool {
-        let correlated = self.independent < 0.5 * self.judged as f64;
-        self.wanders || (correlated && self.independent < FEW)
-    }
-
-    /// The row of an outlier among its observation's columns.
-    pub fn outlying(&self, outlier: &Outlier) -> Option<&ObservationFit> {
-        self.observations.iter().find(|one| one.record == outlier.record && one.observation == outlier.observation)
     }
 }

@@ -33,6 +33,12 @@ pub(crate) fn norm(vector: &[f64]) -> f64 {
     dot(vector, vector).sqrt()
 }
 
+/// x^T A x, for a matrix that is given row by row.
+pub(crate) fn quadratic(matrix: &[f64], x: &[f64]) -> f64 {
+    let size = x.len();
+    (0..size).fold(0.0, |sum, row| sum + x[row] * dot(&matrix[row * size..(row + 1) * size], x))
+}
+
 /// The sum of products, in four sums at a time: one would wait for itself at every addition.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let length = a.len().min(b.len());

@@ -3,6 +3,8 @@
 
 mod autoregression;
 mod bind;
+mod check;
+mod columns;
 mod covariance;
 mod criteria;
 mod curve;
@@ -13,6 +15,7 @@ mod hac;
 mod identify;
 mod judgement;
 mod linear;
+mod loss;
 mod observed;
 mod outcome;
 mod outliers;
@@ -20,6 +23,7 @@ mod plan;
 mod problem;
 mod profile;
 mod rank;
+mod refine;
 mod robust;
 mod search;
 mod stages;
@@ -29,7 +33,9 @@ mod student;
 mod symmetry;
 mod task;
 mod trace;
+mod verdict;
 mod weights;
+mod window;
 mod words;
 
 pub use bind::{BindError, observation};
@@ -37,15 +43,17 @@ pub use driver::Fit;
 pub use elsewhere::Rival;
 pub use estimate::Estimate;
 pub use identify::Undetermined;
-pub use judgement::{Outlier, Verdict};
+pub use judgement::Outlier;
+pub use loss::Loss;
 pub use observed::{ObservationFit, Outside};
 pub use outcome::Outcome;
 pub use profile::{Interval, profile, profiles};
 pub use rank::{Ranked, rank, worth};
-pub use robust::{Loss, Reweighted};
+pub use robust::Reweighted;
 pub use statistics::RunsTest;
 pub use task::{FitError, Observation, Record, Target, Task, Varied};
 pub use trace::Trace;
+pub use verdict::Verdict;
 
 /// The greatest number of varied numbers, over all records.
 pub const MOST_VARIED: usize = 64;

@@ -1,16 +1,16 @@
 //! What is known when a fit is finished.
 
 use super::criteria::{Criteria, criteria};
-use super::driver::Fit;
 use super::elsewhere::Rival;
 use super::estimate::{self, Estimate};
 use super::identify::{Undetermined, undetermined};
 use super::judgement::{Judgement, Outlier};
 use super::linear::{Jacobian, dot};
+use super::loss::Loss;
 use super::observed::{ObservationFit, Outside};
 use super::plan::{Plan, independent};
 use super::problem::Problem;
-use super::robust::{Loss, Reweighted};
+use super::robust::{self, Reweighted, Reweighting};
 use super::search::Search;
 use super::statistics::RunsTest;
 use std::sync::Arc;
@@ -104,43 +104,51 @@ impl Outcome {
     }
 }
 
-pub(super) fn outcome(fit: &mut Fit) -> Option<Outcome> {
-    let best = fit.best.take()?;
-    let outcome = outcome_of(fit, &best);
-    fit.best = Some(best);
-    Some(outcome)
+/// How a fit went.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Course {
+    /// Whether it is at its end.
+    pub finished: bool,
+    /// See [`Outcome::converged`].
+    pub converged: bool,
+    /// See [`Outcome::starts`].
+    pub starts: usize,
+    /// See [`Outcome::rival`].
+    pub rival: Option<Rival>,
+    /// See [`Outcome::improved`].
+    pub improved: usize,
 }
 
-fn outcome_of(fit: &mut Fit, best: &Search) -> Outcome {
-    let errors_given = fit.problem.task.errors_given();
-    let values = fit.problem.independent_values();
-    let covariance = fit.covariance(best);
-    let observations = observations(fit, best);
-    let (parameters, derived) = estimate::estimates(&fit.problem, &fit.model, best, &covariance);
-    let names: Vec<String> = parameters.iter().map(|one| estimate::full_name(one, &fit.problem)).collect();
+/// What is known where `best` has ended.
+pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweighting, course: &Course) -> Outcome {
+    let errors_given = problem.task.errors_given();
+    let values = problem.independent_values();
+    let covariance = reweighting.covariance(problem, best);
+    let observations = observations(problem, best, course.finished);
+    let (parameters, derived) = estimate::estimates(problem, best, &covariance);
+    let names: Vec<String> = parameters.iter().map(|one| estimate::full_name(one, problem)).collect();
     let first = observations.iter().filter(|one| one.observation == 0);
     let rmse = Outside::together(first.map(|one| one.error_where(|_, inside| inside))).rmse;
-    let residuals = fit.plain_residuals(best);
+    let residuals = robust::plain_residuals(problem, best);
     let chi2 = dot(&residuals, &residuals);
-    let reweighted = fit.reweighted();
+    let reweighted = reweighting.reweighted(problem);
     // A robust loss is not pulled by what it gives no weight.
     let basis = if reweighted.is_none() { &covariance.basis[..] } else { &[] };
-    let judgement = Judgement::new(&fit.problem, &fit.problem.plans, &observations, residuals, basis);
-    let total = fit.problem.spread_sum();
+    let judgement = Judgement::new(problem, &problem.plans, &observations, residuals, basis);
     let determined = covariance.basis.len();
-    let Criteria { aicc, bic, exact } = criteria(&fit.problem, &observations, determined, chi2, values);
+    let Criteria { aicc, bic, exact } = criteria(problem, &observations, determined, chi2, values);
     Outcome {
-        converged: fit.converged,
-        starts: fit.starts,
-        rival: fit.rival.clone(),
-        improved: fit.improved,
+        converged: course.converged,
+        starts: course.starts,
+        rival: course.rival.clone(),
+        improved: course.improved,
         n: values as usize,
         dof: covariance.dof.max(0.0) as usize,
         chi2,
         rmse,
         rmse_unit: observations.first().map_or_else(Unit::dimensionless, |one| one.unit.clone()),
         chi2_reduced: (errors_given && reweighted.is_none() && covariance.dof > 0.0).then(|| chi2 / covariance.dof),
-        r2: if reweighted.is_none() { 1.0 - chi2 / total } else { f64::NAN },
+        r2: if reweighted.is_none() { 1.0 - chi2 / problem.total } else { f64::NAN },
         exact,
         aicc,
         bic,
@@ -153,8 +161,8 @@ fn outcome_of(fit: &mut Fit, best: &Search) -> Outcome {
         wanders: covariance.wanders(),
         correlation: estimate::correlation(&covariance.textbook, best.x.len()),
         undetermined: undetermined(&covariance.flat, &names, &best.x),
-        settings: (0..fit.problem.task.records.len()).map(|record| fit.problem.parameters(record, &best.x)).collect(),
-        origins: origins(&fit.problem, best),
+        settings: (0..problem.task.records.len()).map(|record| problem.parameters(record, &best.x)).collect(),
+        origins: origins(problem, best),
         parameters,
         derived,
         observations,
@@ -168,13 +176,13 @@ fn origins(problem: &Problem, best: &Search) -> Vec<f64> {
 }
 
 /// Every observation beside the curve, in and outside the fitted part.
-fn observations(fit: &mut Fit, best: &Search) -> Vec<ObservationFit> {
-    let whole = fit.problem.plan(|_| true);
+fn observations(problem: &mut Problem, best: &Search, finished: bool) -> Vec<ObservationFit> {
+    let whole = problem.plans_where(|_| true);
     let count = |plans: &[Plan]| plans.iter().map(|plan| plan.points.len()).sum::<usize>();
     // Where nothing lies outside, the search has left all residuals.
-    let plain = fit.problem.task.loss == Loss::Squares;
-    let known = plain && fit.finished && count(&whole) == count(&fit.problem.plans);
-    let plans = if known { fit.problem.plans.clone() } else { Arc::new(whole) };
+    let plain = problem.task.loss == Loss::Squares;
+    let known = plain && finished && count(&whole) == count(&problem.plans);
+    let plans = if known { problem.plans.clone() } else { Arc::new(whole) };
     let mut searched = best.residuals.as_slice();
     let mut fits = Vec::new();
     for (record, plan) in plans.iter().enumerate() {
@@ -183,11 +191,11 @@ fn observations(fit: &mut Fit, best: &Search) -> Vec<ObservationFit> {
                 searched = rest;
                 own.to_vec()
             }
-            None => residuals_of(&mut fit.problem, record, plan, &best.x),
+            None => residuals_of(problem, record, plan, &best.x),
         };
-        let task = &fit.problem.task;
+        let task = &problem.task;
         for (observation, one) in task.records[record].observations.iter().enumerate() {
-            let early = fit.problem.too_early(record, observation);
+            let early = problem.layout.too_early(task, record, observation);
             let mut fit = ObservationFit {
                 record,
                 observation,

@@ -6,7 +6,7 @@
 //! again.
 
 use super::student::student;
-use crate::cycles::median;
+use crate::order::median;
 
 /// How probable it is that a record whose errors are normal gets a value named.
 const BY_CHANCE: f64 = 0.005;

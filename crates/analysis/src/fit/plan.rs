@@ -1,7 +1,7 @@
 //! The measured values of a record in the order in which the model's curve meets them.
 
-use super::problem::Problem;
-use super::task::{FitError, Observation, Record, Target};
+use super::task::{FitError, Observation, Record, Task};
+use program::NodeId;
 
 /// A measured value.
 #[derive(Clone, Copy, Debug)]
@@ -57,27 +57,38 @@ impl Observation {
     }
 }
 
-impl Problem {
+/// Which of the measured values are fitted, and where the model's 0 lies on their clock.
+#[derive(Clone, Debug)]
+pub(crate) struct Layout {
+    /// The expressions that the curve gives.
+    pub expressions: Vec<NodeId>,
+    /// Whether records may begin at any reading of the clock.
+    pub autonomous: bool,
+    /// Whether the model has no values before its 0: equations of motion are not followed to times before their initial values,
+    /// except where the origin is varied, and nothing has moved before it.
+    pub forwards: bool,
+}
+
+impl Layout {
     /// The points whose times are `inside`, each with the weight of its given error, or 1, by the root of its share.
-    pub fn plan(&self, inside: impl Fn(f64) -> bool) -> Vec<Plan> {
+    pub fn plans(&self, task: &Task, inside: impl Fn(f64) -> bool) -> Vec<Plan> {
         let plan = |record| {
-            let earliest = self.earliest(record);
-            self.plan_of(record, self.fixed_origin(record), |time| time >= earliest && inside(time))
+            let origin = self.fixed_origin(task, record);
+            let earliest = self.earliest(origin);
+            self.plan_of(record, origin, |time| time >= earliest && inside(time))
         };
-        self.task.records.iter().map(plan).collect()
+        task.records.iter().map(plan).collect()
     }
 
-    /// The first reading of a record's clock at which the model has values: equations of motion are not followed to times
-    /// before their initial values, except where the origin is varied, and nothing has moved before it.
-    fn earliest(&self, record: &Record) -> f64 {
-        let varies_origin = self.columns.iter().any(|column| column.target == Target::Origin);
-        if self.curve.has_states() && !varies_origin { self.fixed_origin(record) } else { f64::NEG_INFINITY }
+    /// The first reading of a record's clock at which the model has values, where its 0 is at `origin`.
+    fn earliest(&self, origin: f64) -> f64 {
+        if self.forwards { origin } else { f64::NEG_INFINITY }
     }
 
     /// The clock's reading at the model's 0, where it is not varied.
-    fn fixed_origin(&self, record: &Record) -> f64 {
+    fn fixed_origin(&self, task: &Task, record: &Record) -> f64 {
         let times = record.observations.iter().flat_map(|one| one.rows().map(|(_, time, _)| time));
-        let first = times.filter(|time| self.task.covers(*time)).fold(f64::INFINITY, f64::min);
+        let first = times.filter(|time| task.covers(*time)).fold(f64::INFINITY, f64::min);
         match record.origin {
             Some(origin) => origin,
             None if self.autonomous && first.is_finite() => first,
@@ -87,9 +98,9 @@ impl Problem {
 
     /// The measured values of an observation that are too early for the model to have a value beside them: times and values,
     /// in the order of time.
-    pub fn too_early(&self, record: usize, observation: usize) -> Vec<(f64, f64)> {
-        let record = &self.task.records[record];
-        let earliest = self.earliest(record);
+    pub fn too_early(&self, task: &Task, record: usize, observation: usize) -> Vec<(f64, f64)> {
+        let record = &task.records[record];
+        let earliest = self.earliest(self.fixed_origin(task, record));
         let rows = record.observations[observation].rows().map(|(_, time, value)| (time, value));
         let mut early: Vec<(f64, f64)> = rows.filter(|(time, _)| *time < earliest).collect();
         early.sort_by(|one, other| one.0.total_cmp(&other.0));
@@ -97,10 +108,10 @@ impl Problem {
     }
 
     /// Checks that all values in the fitted part have errors where errors are given.
-    pub fn check_errors(&self) -> Result<(), FitError> {
-        for (record, of_record) in self.task.records.iter().enumerate() {
-            let earliest = self.earliest(of_record);
-            let fitted = |time: f64| time >= earliest && self.task.covers(time);
+    pub fn check_errors(&self, task: &Task) -> Result<(), FitError> {
+        for (record, of_record) in task.records.iter().enumerate() {
+            let earliest = self.earliest(self.fixed_origin(task, of_record));
+            let fitted = |time: f64| time >= earliest && task.covers(time);
             for (observation, one) in of_record.observations.iter().enumerate().filter(|(_, one)| one.errors.is_some())
             {
                 let bad = || one.rows().filter(|(place, time, _)| fitted(*time) && one.error(*place).is_none());
@@ -152,4 +163,10 @@ pub(crate) fn independent(record: &Record, mut index: usize) -> usize {
 pub(crate) fn equal(record: &Record, index: usize) -> usize {
     let root = independent(record, index);
     (0..record.observations.len()).filter(|&other| independent(record, other) == root).count()
+}
+
+/// How many of the points no other one repeats.
+pub(crate) fn independent_values(plans: &[Plan]) -> f64 {
+    let shares = plans.iter().flat_map(|plan| &plan.points).map(|point| point.share);
+    shares.sum::<f64>().round()
 }

@@ -1,78 +1,55 @@
-//! The residuals of a task: measured values beside the model's, weighted, with derivatives by every varied number.
+//! What a fit is asked, and how that is computed: measured values beside the model's, weighted, with derivatives by every
+//! varied number.
 
-use super::curve::Curve;
+use super::columns::{self, Column};
+use super::curve::{self, Curve};
 use super::linear::Jacobian;
-use super::plan::{Plan, Point};
-use super::search::Residuals;
+use super::plan::{self, Layout, Plan, Point};
 use super::task::{FitError, Record, Target, Task};
-use super::{MOST_VALUES, MOST_VARIED};
+use super::{MOST_VALUES, MOST_VARIED, check, weights};
 use program::{Model, NodeId};
 use std::sync::Arc;
 
-/// One number of the search: a target, in one record or in all.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Column {
-    /// Which of [`Task::varied`].
-    pub varied: usize,
-    /// What it is.
-    pub target: Target,
-    /// The record it belongs to; `None` if it is shared.
-    pub record: Option<usize>,
-}
-
-impl Column {
-    /// Whether it counts in this record.
-    pub fn belongs_to(&self, record: usize) -> bool {
-        self.record.is_none_or(|own| own == record)
-    }
-}
-
-/// A task made ready.
+/// A task made ready: what is asked, and how it is computed.
 #[derive(Clone, Debug)]
 pub(crate) struct Problem {
+    /// The model, without what only its author reads.
+    pub model: Model,
     /// The model's curve.
     pub curve: Curve,
     /// The task.
     pub task: Task,
     /// The numbers of the search.
     pub columns: Vec<Column>,
-    /// The expressions that the curve gives.
-    pub expressions: Vec<NodeId>,
-    /// Whether records may begin at any reading of the clock.
-    pub autonomous: bool,
+    /// Least and greatest value of each: given, else the parameter's own range, else none.
+    pub bounds: Vec<(f64, f64)>,
+    /// Where the search begins: the given starts, else the parameters' own values, 0 for offsets.
+    pub own: Vec<f64>,
+    /// Which values are fitted.
+    pub layout: Layout,
     /// What is fitted, by record.
     pub plans: Arc<Vec<Plan>>,
+    /// The weighted sum of squares about the mean of each observation.
+    pub total: f64,
+    /// Which of [`curve::TOLERANCES`] holds for equations of motion.
+    precision: usize,
+    /// Whether searches need not find the last digits.
+    rough: bool,
     /// Model times are computed here.
     clock: Vec<f64>,
 }
 
 impl Problem {
+    /// The part of the sum of squares that may be left to gain, for formulas.
+    const TOLERANCE: f64 = 1e-18;
+    /// The same for equations of motion, whose solutions carry the error of the integration: with each of the tolerances of the
+    /// curve.
+    const TOLERANCES_OF_MOTION: [f64; curve::TOLERANCES.len()] = [1e-8, 1e-10, 1e-12];
+
     /// Checks a task and makes it ready.
     pub fn new(model: &Model, task: Task) -> Result<Self, FitError> {
-        if task.varied.is_empty() {
-            return Err(FitError::NothingVaried);
-        }
-        for (place, varied) in task.varied.iter().enumerate() {
-            let fixed =
-                |record: &Record| record.fixed.iter().any(|(index, _)| varied.target == Target::Parameter(*index));
-            if task.varied[..place].iter().any(|other| other.target == varied.target) || task.records.iter().any(fixed)
-            {
-                return Err(FitError::VariedTwice(place));
-            }
-            if varied.bounds.is_some_and(|(low, high)| low.is_nan() || high.is_nan() || low >= high) {
-                return Err(FitError::BadBounds(place));
-            }
-            if varied.start.is_some_and(|start| !start.is_finite()) {
-                return Err(FitError::BadStart(place));
-            }
-        }
-        let fixed = task.records.iter().flat_map(|record| &record.fixed).copied();
-        if let Some((index, _)) =
-            task.parameters.iter().copied().enumerate().chain(fixed).find(|(_, value)| !value.is_finite())
-        {
-            return Err(FitError::BadValue(index));
-        }
-        let columns = columns(&task);
+        check::task(&task)?;
+        let columns = columns::of(&task);
         let mut expressions: Vec<NodeId> = Vec::new();
         let mut values = 0;
         for observation in task.records.iter().flat_map(|record| &record.observations) {
@@ -88,34 +65,95 @@ impl Problem {
         let duration = task.records.iter().map(duration).fold(0.0, f64::max);
         let curve = Curve::new(model, &expressions, &targets, &task.parameters, (task.method, duration))
             .map_err(FitError::Model)?;
-        let autonomous = model.is_autonomous();
-        let mut problem =
-            Self { curve, autonomous, columns, expressions, plans: Arc::default(), clock: Vec::new(), task };
-        problem.plans = Arc::new(problem.plan(|time| problem.task.covers(time)));
-        problem.check()?;
+        let varies_origin = targets.contains(&Target::Origin);
+        let forwards = curve.has_states() && !varies_origin;
+        let layout = Layout { expressions, autonomous: model.is_autonomous(), forwards };
+        let plans = layout.plans(&task, |time| task.covers(time));
+        check::points(&layout, &task, &plans, columns.len())?;
+        let mut problem = Self {
+            model: curve::bare(model),
+            bounds: columns::bounds(model, &task, &columns),
+            own: columns::own_start(&task, &columns, &plans),
+            curve,
+            task,
+            columns,
+            layout,
+            plans: Arc::new(plans),
+            total: 0.0,
+            precision: 0,
+            rough: false,
+            clock: Vec::new(),
+        };
+        problem.weigh(&problem.spread());
         Ok(problem)
     }
 
-    fn check(&self) -> Result<(), FitError> {
-        let points: usize = self.plans.iter().map(|plan| plan.points.len()).sum();
-        if points == 0 {
-            return Err(FitError::NothingObserved);
-        }
-        if let Some(record) = self.plans.iter().position(|plan| plan.points.is_empty()) {
-            return Err(FitError::RecordEmpty(record));
-        }
-        self.check_errors()?;
-        let independent = self.independent_values();
-        if (self.columns.len() as f64) > independent {
-            return Err(FitError::TooFew { values: independent as usize, varied: self.columns.len() });
-        }
-        Ok(())
+    /// The points of all records whose times are `inside`.
+    pub fn plans_where(&self, inside: impl Fn(f64) -> bool) -> Vec<Plan> {
+        self.layout.plans(&self.task, inside)
     }
 
     /// How many values are fitted that no other one repeats.
     pub fn independent_values(&self) -> f64 {
-        let shares = self.plans.iter().flat_map(|plan| &plan.points).map(|point| point.share);
-        shares.sum::<f64>().round()
+        plan::independent_values(&self.plans)
+    }
+
+    /// By record and observation: the scatter of the fitted values.
+    pub fn spread(&self) -> Vec<Vec<f64>> {
+        weights::spread(&self.plans)
+    }
+
+    fn weigh(&mut self, sizes: &[Vec<f64>]) {
+        let plans: &mut Vec<Plan> = Arc::make_mut(&mut self.plans);
+        weights::weigh(plans, &self.task, sizes);
+        self.total = weights::spread_sum(&self.plans);
+    }
+
+    /// Weighs several observations by the scatter of their `residuals`; whether that changes the weights.
+    pub fn reweigh(&mut self, residuals: &[f64]) -> bool {
+        let sizes = weights::sizes(&self.plans, &self.task, residuals);
+        if let Some(sizes) = &sizes {
+            self.weigh(sizes);
+        }
+        sizes.is_some()
+    }
+
+    /// All fitted points, to be trusted more or less.
+    pub fn points_mut(&mut self) -> impl Iterator<Item = &mut Point> {
+        Arc::make_mut(&mut self.plans).iter_mut().flat_map(|plan| &mut plan.points)
+    }
+
+    /// The part of the sum of squares that a search may leave to be gained.
+    pub fn tolerance(&self) -> f64 {
+        match self.curve.has_states() {
+            true => Self::TOLERANCES_OF_MOTION[if self.rough { 0 } else { self.precision }],
+            false => Self::TOLERANCE,
+        }
+    }
+
+    /// Searches of equations of motion need not find the last digits from here on: weights that follow the residuals are settled
+    /// in many rounds.
+    pub fn search_roughly(&mut self) {
+        self.rough = true;
+    }
+
+    /// Integrates equations of motion more exactly from here on, if that is possible.
+    pub fn refine(&mut self) -> bool {
+        let possible = self.curve.has_states() && self.precision + 1 < curve::TOLERANCES.len();
+        if possible {
+            self.integrate_to(self.precision + 1);
+        }
+        possible
+    }
+
+    /// Integrates equations of motion as exactly as in the end.
+    pub fn refine_fully(&mut self) {
+        self.integrate_to(curve::TOLERANCES.len() - 1);
+    }
+
+    fn integrate_to(&mut self, precision: usize) {
+        self.precision = precision;
+        self.curve.set_tolerance(curve::TOLERANCES[precision]);
     }
 
     /// All parameters of the model in a record, with the varied ones from `x`.
@@ -135,19 +173,6 @@ impl Problem {
             }
         }
         parameters
-    }
-
-    /// Where the search begins: the given starts, else the parameters' own values, 0 for offsets.
-    pub fn own_start(&self) -> Vec<f64> {
-        self.columns
-            .iter()
-            .map(|column| match (self.task.varied[column.varied].start, column.target) {
-                (Some(start), _) => start,
-                (None, Target::Parameter(index)) => self.task.parameters.get(index).copied().unwrap_or(0.0),
-                (None, Target::Origin) => self.plans.get(column.record.unwrap_or(0)).map_or(0.0, |plan| plan.origin),
-                (None, Target::Offset(_)) => 0.0,
-            })
-            .collect()
     }
 
     /// The residuals of all points of `plans`, model minus measured, times weight, with their derivatives.
@@ -238,40 +263,9 @@ impl Problem {
     }
 }
 
-fn columns(task: &Task) -> Vec<Column> {
-    let mut columns = Vec::new();
-    for (varied, wanted) in task.varied.iter().enumerate() {
-        let target = wanted.target;
-        if wanted.shared || task.records.len() <= 1 {
-            columns.push(Column { varied, target, record: None });
-        } else {
-            columns.extend((0..task.records.len()).map(|record| Column { varied, target, record: Some(record) }));
-        }
-    }
-    columns
-}
-
 fn duration(record: &Record) -> f64 {
     let times = record.observations.iter().flat_map(|observation| &observation.times).filter(|time| time.is_finite());
     let (low, high) =
         times.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &time| (low.min(time), high.max(time)));
     if low < high { high - low } else { 0.0 }
-}
-
-/// The part of a problem that a search works on.
-pub(crate) struct Window<'a> {
-    /// The problem.
-    pub problem: &'a mut Problem,
-    /// What is fitted.
-    pub plans: &'a [Plan],
-}
-
-impl Residuals for Window<'_> {
-    fn evaluate(&mut self, x: &[f64], residuals: &mut [f64], jacobian: &mut Jacobian) -> bool {
-        self.problem.residuals(self.plans, x, residuals, jacobian)
-    }
-
-    fn linear(&self) -> Vec<usize> {
-        self.problem.linear_columns()
-    }
 }

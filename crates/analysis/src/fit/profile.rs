@@ -4,8 +4,9 @@
 use super::covariance::Covariance;
 use super::driver::Fit;
 use super::outcome::Outcome;
-use super::problem::Window;
-use super::search::Status;
+use super::problem::Problem;
+use super::search::{Search, Status};
+use super::window::{TRIALS, Window};
 
 /// The values of a number between which a fit is hardly worse than the best one. An end is `None` where the fit stays good up
 /// to the bound, or as far as was searched.
@@ -27,6 +28,8 @@ const IMPROVEMENTS: usize = 10;
 /// A sum of squares is lower if the difference is more than this part of the variance of a residual: what is less lies within
 /// the errors of integration, and far within those of the fit.
 const LOWER: f64 = 0.01;
+/// Standard deviations, and the probability that a normal value lies within them.
+const LEVELS: [(f64, f64); 2] = [(1.0, 0.6827), (2.0, 0.9545)];
 /// Searches for one end.
 const SEARCHES: usize = 30;
 /// An end is not searched for farther away than so many standard deviations.
@@ -37,15 +40,15 @@ const FAR: f64 = 1000.0;
 /// lower minimum: [`Outcome::improved`] says so.
 pub fn profiles(fit: &mut Fit, outcome: &mut Outcome) -> Vec<Option<[Interval; 2]>> {
     loop {
-        let improved = fit.improved;
+        let improved = fit.improved();
         let mut intervals = Vec::with_capacity(outcome.parameters.len());
         for (index, estimate) in outcome.parameters.iter().enumerate() {
             intervals.push(estimate.stderr.map(|stderr| profile(fit, index, stderr, outcome.dof)));
-            if fit.improved > improved {
+            if fit.improved() > improved {
                 break;
             }
         }
-        match fit.outcome().filter(|_| fit.improved > improved) {
+        match fit.outcome().filter(|_| fit.improved() > improved) {
             Some(better) => *outcome = better,
             None => return intervals,
         }
@@ -60,13 +63,16 @@ pub fn profiles(fit: &mut Fit, outcome: &mut Outcome) -> Vec<Option<[Interval; 2
 /// Watts, Nonlinear Regression Analysis, 1988, section 6.1).
 pub fn profile(fit: &mut Fit, index: usize, mut stderr: f64, mut dof: usize) -> [Interval; 2] {
     loop {
-        match intervals(fit, index, stderr, dof) {
+        let may_leave = fit.improved() < IMPROVEMENTS;
+        let Some((problem, best)) = fit.answer() else {
+            return LEVELS.map(|(_, level)| Interval { level, low: None, high: None });
+        };
+        match (Profile { problem, best, index, dof, may_leave }).intervals(stderr) {
             Ok(intervals) => return intervals,
             Err(Lower(x)) => {
                 fit.go_to(&x);
-                if let Some(best) = fit.best.clone() {
-                    let covariance = fit.covariance(&best);
-                    let mut gradient = vec![0.0; best.x.len()];
+                if let Some(covariance) = fit.covariance() {
+                    let mut gradient = vec![0.0; x.len()];
                     gradient[index] = 1.0;
                     stderr = Covariance::variance(&covariance.textbook, &gradient).sqrt();
                     dof = covariance.dof.max(0.0) as usize;
@@ -76,84 +82,106 @@ pub fn profile(fit: &mut Fit, index: usize, mut stderr: f64, mut dof: usize) -> 
     }
 }
 
-fn intervals(fit: &mut Fit, index: usize, stderr: f64, dof: usize) -> Result<[Interval; 2], Lower> {
-    let mut both = |deviations: f64, level: f64| -> Result<Interval, Lower> {
-        let low = end(fit, index, -stderr, deviations, dof)?;
-        let high = end(fit, index, stderr, deviations, dof)?;
+/// The profile of one number.
+struct Profile<'a> {
+    problem: &'a mut Problem,
+    /// The best answer.
+    best: &'a Search,
+    /// Which number of the search.
+    index: usize,
+    /// Degrees of freedom.
+    dof: usize,
+    /// Whether a lower sum of squares is gone to.
+    may_leave: bool,
+}
+
+impl Profile<'_> {
+    fn intervals(&mut self, stderr: f64) -> Result<[Interval; 2], Lower> {
+        Ok([self.interval(stderr, LEVELS[0])?, self.interval(stderr, LEVELS[1])?])
+    }
+
+    fn interval(&mut self, stderr: f64, (deviations, level): (f64, f64)) -> Result<Interval, Lower> {
+        let low = self.end(-stderr, deviations)?;
+        let high = self.end(stderr, deviations)?;
         Ok(Interval { level, low, high })
-    };
-    Ok([both(1.0, 0.6827)?, both(2.0, 0.9545)?])
-}
-
-/// Where the root of the growth of the sum of squares, in standard deviations, reaches `deviations`: it is nearly straight, so
-/// that the secant finds it in a few steps. Where it is not, the end is kept between a distance that is too short and one that
-/// is too long.
-fn end(fit: &mut Fit, index: usize, unit: f64, deviations: f64, dof: usize) -> Result<Option<f64>, Lower> {
-    let Some(best) = fit.best.clone() else { return Ok(None) };
-    if !(unit != 0.0 && unit.is_finite()) || dof == 0 || best.sum <= 0.0 {
-        return Ok(None);
     }
-    let variance = if fit.problem.task.errors_given() { 1.0 } else { best.sum / dof as f64 };
-    let mut others = best.x.clone();
-    // Without a curve it is as bad as can be.
-    let mut growth = |fit: &mut Fit, distance: f64| -> Result<f64, Lower> {
-        let sum = least_with(fit, &mut others, index, best.x[index] + distance * unit);
-        if sum < best.sum - LOWER * variance && fit.improved < IMPROVEMENTS {
-            return Err(Lower(others.clone()));
+
+    /// Where the root of the growth of the sum of squares, in standard deviations, reaches `deviations`: it is nearly straight,
+    /// so that the secant finds it in a few steps. Where it is not, the end is kept between a distance that is too short and one
+    /// that is too long.
+    fn end(&mut self, unit: f64, deviations: f64) -> Result<Option<f64>, Lower> {
+        let best = self.best;
+        if !(unit != 0.0 && unit.is_finite()) || self.dof == 0 || best.sum <= 0.0 {
+            return Ok(None);
         }
-        Ok(((sum - best.sum).max(0.0) / variance).sqrt())
-    };
-    let (low, high) = fit.bounds[index];
-    let bound = ((if unit > 0.0 { high } else { low }) - best.x[index]) / unit;
-    let (mut near, mut near_growth) = (0.0, 0.0);
-    let mut beyond: Option<(f64, f64)> = None;
-    let mut distance = deviations.min(bound);
-    for _ in 0..SEARCHES {
-        let reached = growth(fit, distance)?;
-        if (reached - deviations).abs() < 1e-3 * deviations {
-            return Ok(Some(best.x[index] + distance * unit));
-        }
-        let slope = (reached - near_growth) / (distance - near);
-        let secant = distance + (deviations - reached) / slope;
-        if reached > deviations {
-            beyond = Some((distance, reached));
-        } else {
-            if distance >= bound || distance > FAR * deviations {
-                return Ok(None);
+        let centre = best.x[self.index];
+        let mut others = best.x.clone();
+        let (low, high) = self.problem.bounds[self.index];
+        let bound = ((if unit > 0.0 { high } else { low }) - centre) / unit;
+        let (mut near, mut near_growth) = (0.0, 0.0);
+        let mut beyond: Option<(f64, f64)> = None;
+        let mut distance = deviations.min(bound);
+        for _ in 0..SEARCHES {
+            let reached = self.growth(&mut others, centre + distance * unit)?;
+            if (reached - deviations).abs() < 1e-3 * deviations {
+                return Ok(Some(centre + distance * unit));
             }
-            (near, near_growth) = (distance, reached);
-        }
-        distance = match beyond {
-            None if slope > 1e-3 => secant.clamp(1.01 * distance, 4.0 * distance).min(bound),
-            None => (4.0 * distance).min(bound),
-            Some((far, far_growth)) => {
-                let width = far - near;
-                if width <= 1e-9 * far {
-                    // A step: the fit is good on this side of it.
-                    return Ok(Some(best.x[index] + near * unit));
+            let slope = (reached - near_growth) / (distance - near);
+            let secant = distance + (deviations - reached) / slope;
+            if reached > deviations {
+                beyond = Some((distance, reached));
+            } else {
+                if distance >= bound || distance > FAR * deviations {
+                    return Ok(None);
                 }
-                let part = (deviations - near_growth) / (far_growth - near_growth);
-                // An infinite growth has no slope.
-                near + width * if part > 0.0 { part.clamp(0.05, 0.95) } else { 0.5 }
+                (near, near_growth) = (distance, reached);
             }
-        };
+            distance = match beyond {
+                None if slope > 1e-3 => secant.clamp(1.01 * distance, 4.0 * distance).min(bound),
+                None => (4.0 * distance).min(bound),
+                Some((far, far_growth)) => {
+                    let width = far - near;
+                    if width <= 1e-9 * far {
+                        // A step: the fit is good on this side of it.
+                        return Ok(Some(centre + near * unit));
+                    }
+                    let part = (deviations - near_growth) / (far_growth - near_growth);
+                    // An infinite growth has no slope.
+                    near + width * if part > 0.0 { part.clamp(0.05, 0.95) } else { 0.5 }
+                }
+            };
+        }
+        Ok(None)
     }
-    Ok(None)
-}
 
-/// The least sum of squares with one number held at `value`, infinite if there is none; `x` is where the others begin, and
-/// where they end.
-fn least_with(fit: &mut Fit, x: &mut [f64], index: usize, value: f64) -> f64 {
-    let before = std::mem::replace(&mut x[index], value);
-    let plans = fit.problem.plans.clone();
-    let Some(mut search) = fit.search_holding(x, &plans, index) else {
-        x[index] = before;
-        return f64::INFINITY;
-    };
-    let mut window = Window { problem: &mut fit.problem, plans: &plans };
-    while search.advance(&mut window) == Status::Searching {}
-    if search.sum.is_finite() {
-        x.copy_from_slice(&search.x);
+    /// The root of the growth of the sum of squares where the number is held at `value`, in standard deviations; `x` is where the
+    /// others begin, and where they end. Without a curve it is as bad as can be.
+    fn growth(&mut self, x: &mut [f64], value: f64) -> Result<f64, Lower> {
+        let best = self.best.sum;
+        let variance = if self.problem.task.errors_given() { 1.0 } else { best / self.dof as f64 };
+        let sum = self.least_with(x, value);
+        if sum < best - LOWER * variance && self.may_leave {
+            return Err(Lower(x.to_vec()));
+        }
+        Ok(((sum - best).max(0.0) / variance).sqrt())
     }
-    search.sum
+
+    /// The least sum of squares with the number held at `value`, infinite if there is none or it lies outside its bounds.
+    fn least_with(&mut self, x: &mut [f64], value: f64) -> f64 {
+        let mut bounds = self.problem.bounds.clone();
+        let (low, high) = bounds[self.index];
+        if !(value >= low && value <= high) {
+            return f64::INFINITY;
+        }
+        bounds[self.index] = (value, value);
+        x[self.index] = value;
+        let plans = self.problem.plans.clone();
+        let mut window = Window { problem: self.problem, plans: &plans };
+        let mut search = window.search_within(x, bounds, TRIALS);
+        while search.advance(&mut window) == Status::Searching {}
+        if search.sum.is_finite() {
+            x.copy_from_slice(&search.x);
+        }
+        search.sum
+    }
 }

@@ -6,90 +6,14 @@
 //! where the curve is linear in what is varied, and from there the chosen loss, with the scale computed again in every round,
 //! until neither changes. Tukey's loss has several minima: so it begins where Huber's ends.
 
-use super::covariance::series;
-use super::criteria::EXACT;
-use super::driver::Fit;
+use super::covariance::{Covariance, series};
 use super::linear::dot;
+use super::loss::Loss;
 use super::outliers::NORMAL;
+use super::problem::Problem;
 use super::search::Search;
-use crate::cycles::median;
-use units::Language;
-
-/// What a residual costs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Loss {
-    /// Its square.
-    #[default]
-    Squares,
-    /// Its square up to 1.345 standard deviations, beyond it a straight line (P. J. Huber, Ann. Math. Statist. 35 (1964) 73): as
-    /// good as 95 % of the values with least squares, where these are normal.
-    Huber,
-    /// The biweight (A. E. Beaton & J. W. Tukey, Technometrics 16 (1974) 147): what is beyond 4.685 standard deviations counts
-    /// nothing; 95 % as well.
-    Tukey,
-}
-
-impl Loss {
-    /// All of them, the usual one first.
-    pub const ALL: [Self; 3] = [Self::Squares, Self::Huber, Self::Tukey];
-
-    /// Where it leaves the square, in standard deviations.
-    const fn tuning(self) -> f64 {
-        match self {
-            Self::Squares => f64::INFINITY,
-            Self::Huber => 1.345,
-            Self::Tukey => 4.685,
-        }
-    }
-
-    /// A short name that [`Loss::from_code`] reads.
-    pub const fn code(self) -> &'static str {
-        match self {
-            Self::Squares => "least-squares",
-            Self::Huber => "huber",
-            Self::Tukey => "tukey",
-        }
-    }
-
-    /// What [`Loss::code`] has written.
-    pub fn from_code(code: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|loss| loss.code() == code)
-    }
-
-    /// What it is called.
-    pub const fn name(self, language: Language) -> &'static str {
-        match (self, language) {
-            (Self::Squares, Language::English) => "least squares",
-            (Self::Squares, Language::Spanish) => "mínimos cuadrados",
-            (Self::Huber, Language::English) => "Huber's loss",
-            (Self::Huber, Language::Spanish) => "pérdida de Huber",
-            (Self::Tukey, Language::English) => "Tukey's loss",
-            (Self::Tukey, Language::Spanish) => "pérdida de Tukey",
-        }
-    }
-
-    /// How much a residual of so many standard deviations counts, beside its square.
-    fn weight(self, z: f64) -> f64 {
-        let part = z.abs() / self.tuning();
-        match self {
-            Self::Squares => 1.0,
-            Self::Huber => 1.0 / part.max(1.0),
-            Self::Tukey if part < 1.0 => (1.0 - part * part) * (1.0 - part * part),
-            Self::Tukey => 0.0,
-        }
-    }
-
-    /// The derivative of the residual times its weight.
-    fn slope(self, z: f64) -> f64 {
-        let square = (z / self.tuning()) * (z / self.tuning());
-        match self {
-            Self::Squares => 1.0,
-            _ if square > 1.0 => 0.0,
-            Self::Huber => 1.0,
-            Self::Tukey => (1.0 - square) * (1.0 - 5.0 * square),
-        }
-    }
-}
+use super::weights::EXACT;
+use crate::order::median;
 
 /// What a robust loss has changed.
 #[derive(Clone, Debug, PartialEq)]
@@ -108,11 +32,23 @@ pub struct Reweighted {
     pub least_squares: Vec<f64>,
 }
 
+/// What follows where a search of the whole has ended.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Continuation {
+    /// Another one from here.
+    From(Vec<f64>),
+    /// Nothing.
+    End {
+        /// Whether weights that follow the residuals no longer change, if there are any.
+        settled: bool,
+    },
+}
+
 /// How far the weights are.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Reweighting {
     /// What least squares has found, where it is finished, and the part of the scatter that it explains.
-    pub least_squares: Option<(Vec<f64>, f64)>,
+    least_squares: Option<(Vec<f64>, f64)>,
     /// By series: the scale of the weighted residuals.
     scales: Vec<f64>,
     /// Rounds with this loss so far.
@@ -130,29 +66,30 @@ impl Reweighting {
     /// Weights that change less than this are settled, in the first pass and in the end.
     const FIRST: f64 = 1e-2;
     const LAST: f64 = 1e-5;
-}
 
-impl Fit {
+    /// What least squares has found, where it is finished, and the part of the scatter that it explains.
+    pub fn least_squares(&self) -> Option<&(Vec<f64>, f64)> {
+        self.least_squares.as_ref()
+    }
+
     /// Weighs all values by their residuals; where to search with these weights, or nothing where they no longer change.
-    pub(super) fn reweigh_by_loss(&mut self, best: &Search) -> Option<Vec<f64>> {
-        let loss = self.problem.task.loss;
-        if loss == Loss::Squares || self.reweighting.settled {
-            return None;
+    pub fn next(&mut self, problem: &mut Problem, best: &Search) -> Continuation {
+        let loss = problem.task.loss;
+        if loss == Loss::Squares || self.settled {
+            return Continuation::End { settled: true };
         }
-        let mut state = std::mem::take(&mut self.reweighting);
-        let explained = 1.0 - best.sum / self.total;
-        state.least_squares.get_or_insert_with(|| (best.x.clone(), explained));
-        let raw = self.unweighted(best);
-        let series = series(&self.problem.plans, |_| true);
-        if state.scales.is_empty() || (state.begun && state.rounds < Reweighting::SCALES) {
-            state.scales = self.scales(&raw, &series);
+        let explained = 1.0 - best.sum / problem.total;
+        self.least_squares.get_or_insert_with(|| (best.x.clone(), explained));
+        problem.search_roughly();
+        let raw = unweighted(problem, best);
+        let series = series(&problem.plans, |_| true);
+        if self.scales.is_empty() || (self.begun && self.rounds < Self::SCALES) {
+            self.scales = scales(problem, &raw, &series);
         }
-        let present = if state.begun { loss } else { Loss::Huber };
-        let mut plans = std::mem::take(&mut self.problem.plans);
+        let present = if self.begun { loss } else { Loss::Huber };
         let mut changed: f64 = 0.0;
-        let mut points: Vec<_> =
-            std::sync::Arc::make_mut(&mut plans).iter_mut().flat_map(|plan| &mut plan.points).collect();
-        for (places, scale) in series.iter().zip(&state.scales) {
+        let mut points: Vec<_> = problem.points_mut().collect();
+        for (places, scale) in series.iter().zip(&self.scales) {
             for &place in places {
                 let weight = present.weight(raw.residuals[place] / scale);
                 // Each series in units of its own scatter, unless its errors are given.
@@ -161,61 +98,34 @@ impl Fit {
                 points[place].trust = trust;
             }
         }
-        drop(points);
-        self.problem.plans = plans;
-        state.rounds += 1;
-        let last = state.rounds >= Reweighting::ROUNDS;
-        if !state.begun && (changed < Reweighting::FIRST || last) {
-            (state.begun, state.rounds) = (true, 0);
-        } else if state.begun && (changed < Reweighting::LAST || last) {
-            state.settled = true;
-            self.converged &= !last;
+        self.rounds += 1;
+        let last = self.rounds >= Self::ROUNDS;
+        if !self.begun && (changed < Self::FIRST || last) {
+            (self.begun, self.rounds) = (true, 0);
+        } else if self.begun && (changed < Self::LAST || last) {
+            self.settled = true;
+            return Continuation::End { settled: !last };
         }
-        let settled = state.settled;
-        self.reweighting = state;
-        (!settled).then(|| best.x.clone())
+        Continuation::From(best.x.clone())
     }
 
-    /// The residuals of a search of the whole and their derivatives as if all values counted fully.
-    fn unweighted(&mut self, best: &Search) -> Search {
-        let mut plans = (*self.problem.plans).clone();
-        plans.iter_mut().flat_map(|plan| &mut plan.points).for_each(|point| point.trust = 1.0);
-        let mut raw = best.clone();
-        self.problem.residuals(&plans, &best.x, &mut raw.residuals, &mut raw.jacobian);
-        raw.sum = dot(&raw.residuals, &raw.residuals);
-        raw
-    }
-
-    /// The scale of each series of weighted residuals, not below that of rounding.
-    fn scales(&self, raw: &Search, series: &[Vec<usize>]) -> Vec<f64> {
-        let spread = self.problem.spread();
-        let points = || {
-            self.problem
-                .plans
-                .iter()
-                .zip(0..)
-                .flat_map(|(plan, record)| plan.points.iter().map(move |one| (record, one)))
-        };
-        let scale = |places: &Vec<usize>| {
-            let sizes = places.iter().map(|&place| raw.residuals[place].abs()).collect();
-            let least = points()
-                .nth(places[0])
-                .map_or(0.0, |(record, point): (usize, _)| EXACT * spread[record][point.observation] * point.weight);
-            (NORMAL * median(sizes)).max(least).max(f64::MIN_POSITIVE)
-        };
-        series.iter().map(scale).collect()
+    /// What is known of the uncertainties at the end of a search of the whole.
+    pub fn covariance(&self, problem: &mut Problem, best: &Search) -> Covariance {
+        let best = self.linearised(problem, best);
+        let errors_given = problem.task.errors_given() && problem.task.loss == Loss::Squares;
+        Covariance::new(&best, &problem.plans, problem.independent_values(), errors_given)
     }
 
     /// A search of the whole as the statistics need it: of a robust loss with pseudo-residuals s psi(r/s)/mean(psi') instead
     /// of residuals, whose covariance is that of the estimate (Huber 1981, section 7.6, with the correction K of (6.5)).
-    pub(super) fn linearised(&mut self, best: &Search) -> Search {
-        let loss = self.problem.task.loss;
-        if loss == Loss::Squares || self.reweighting.scales.is_empty() {
+    fn linearised(&self, problem: &mut Problem, best: &Search) -> Search {
+        let loss = problem.task.loss;
+        if loss == Loss::Squares || self.scales.is_empty() {
             return best.clone();
         }
-        let mut raw = self.unweighted(best);
-        let series = series(&self.problem.plans, |_| true);
-        for (places, scale) in series.iter().zip(&self.reweighting.scales) {
+        let mut raw = unweighted(problem, best);
+        let series = series(&problem.plans, |_| true);
+        for (places, scale) in series.iter().zip(&self.scales) {
             let count = places.len() as f64;
             let slopes = || places.iter().map(|&place| loss.slope(raw.residuals[place] / scale));
             let mean = (slopes().sum::<f64>() / count).max(0.05);
@@ -230,17 +140,12 @@ impl Fit {
         raw
     }
 
-    /// The residuals of a search of the whole as they are, weighted by their errors alone.
-    pub(super) fn plain_residuals(&mut self, best: &Search) -> Vec<f64> {
-        if self.problem.task.loss == Loss::Squares { best.residuals.clone() } else { self.unweighted(best).residuals }
-    }
-
     /// What the loss has changed, once a fit is finished.
-    pub(super) fn reweighted(&self) -> Option<Reweighted> {
-        let (least_squares, _) = self.reweighting.least_squares.clone()?;
-        let scales = &self.reweighting.scales;
-        let points: Vec<_> = self.problem.plans.iter().flat_map(|plan| &plan.points).collect();
-        let series = series(&self.problem.plans, |_| true);
+    pub fn reweighted(&self, problem: &Problem) -> Option<Reweighted> {
+        let (least_squares, _) = self.least_squares.clone()?;
+        let scales = &self.scales;
+        let points: Vec<_> = problem.plans.iter().flat_map(|plan| &plan.points).collect();
+        let series = series(&problem.plans, |_| true);
         let weight = |(places, scale): (&Vec<usize>, &f64)| -> Vec<f64> {
             places.iter().map(|&place| points[place].trust * points[place].trust * scale * scale).collect()
         };
@@ -248,7 +153,7 @@ impl Fit {
         let below = |limit: f64| weights.iter().filter(|weight| **weight < limit).count();
         let first = points.first().map_or(1.0, |point| point.weight);
         Some(Reweighted {
-            loss: self.problem.task.loss,
+            loss: problem.task.loss,
             scale: scales.first().copied().unwrap_or(0.0) / first,
             count: weights.len(),
             less: below(1.0 - 1e-9),
@@ -256,6 +161,36 @@ impl Fit {
             least_squares,
         })
     }
+}
+
+/// The residuals of a search of the whole and their derivatives as if all values counted fully.
+fn unweighted(problem: &mut Problem, best: &Search) -> Search {
+    let mut plans = (*problem.plans).clone();
+    plans.iter_mut().flat_map(|plan| &mut plan.points).for_each(|point| point.trust = 1.0);
+    let mut raw = best.clone();
+    problem.residuals(&plans, &best.x, &mut raw.residuals, &mut raw.jacobian);
+    raw.sum = dot(&raw.residuals, &raw.residuals);
+    raw
+}
+
+/// The scale of each series of weighted residuals, not below that of rounding.
+fn scales(problem: &Problem, raw: &Search, series: &[Vec<usize>]) -> Vec<f64> {
+    let spread = problem.spread();
+    let plans = || problem.plans.iter().zip(0..);
+    let points = || plans().flat_map(|(plan, record)| plan.points.iter().map(move |one| (record, one)));
+    let scale = |places: &Vec<usize>| {
+        let sizes = places.iter().map(|&place| raw.residuals[place].abs()).collect();
+        let least = points()
+            .nth(places[0])
+            .map_or(0.0, |(record, point): (usize, _)| EXACT * spread[record][point.observation] * point.weight);
+        (NORMAL * median(sizes)).max(least).max(f64::MIN_POSITIVE)
+    };
+    series.iter().map(scale).collect()
+}
+
+/// The residuals of a search of the whole as they are, weighted by their errors alone.
+pub(super) fn plain_residuals(problem: &mut Problem, best: &Search) -> Vec<f64> {
+    if problem.task.loss == Loss::Squares { best.residuals.clone() } else { unweighted(problem, best).residuals }
 }
 
 /// The degrees of freedom of the distribution by whose likelihood theories with outliers are compared.

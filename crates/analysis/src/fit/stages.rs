@@ -1,14 +1,18 @@
-//! The stages of a fit: from where it searches, one after the other.
+//! From where a fit searches, one start after the other.
 
-use super::driver::Fit;
+use super::linear::{Decomposition, norm};
 use super::plan::Plan;
-use super::search::Search;
+use super::problem::Problem;
+use super::search::{Search, Status};
 use super::start;
+use super::task::Target;
+use super::window::{self, TRIALS, Window};
+use crate::cycles::Estimate;
 use std::sync::Arc;
 
 /// From where a fit searches.
 #[derive(Clone, Debug)]
-pub(super) enum Stage {
+enum Stage {
     /// The given or the parameters' own values, where a search stands ready.
     Own(Box<Search>),
     /// The frequency and the damping that the data show.
@@ -36,12 +40,37 @@ pub(super) struct Current {
     /// The search.
     pub search: Search,
     /// What it searches over.
-    pub plans: Arc<Vec<Plan>>,
+    plans: Arc<Vec<Plan>>,
     /// Windows still to come, the last one first; the search is of the whole where there are none.
     pub windows: Vec<Span>,
 }
 
-impl Fit {
+impl Current {
+    /// A search of all that is fitted.
+    pub fn whole(problem: &Problem, search: Search) -> Self {
+        Self { search, plans: problem.plans.clone(), windows: Vec::new() }
+    }
+
+    /// Makes one trial.
+    pub fn advance(&mut self, problem: &mut Problem) -> Status {
+        self.search.advance(&mut Window { problem, plans: &self.plans })
+    }
+}
+
+/// What is still to be tried.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Stages {
+    /// The last one first.
+    pending: Vec<Stage>,
+    /// By record: the oscillation that the data show.
+    estimates: Vec<Option<Estimate>>,
+    /// By number of the search: whether equations of motion themselves depend on it, not only how they begin.
+    moving: Vec<bool>,
+    /// In how many directions the curve does not change at the own values.
+    flat: usize,
+}
+
+impl Stages {
     /// Windows in which only the beginning of a motion is searched.
     const HELD: usize = 2;
     /// Trials in a window that is not yet the whole.
@@ -55,97 +84,122 @@ impl Fit {
     /// How many of these are searched from.
     const CHOSEN: usize = 10;
 
-    /// Begins the next stage, or ends.
-    pub(super) fn begin(&mut self) {
-        let Some(stage) = self.stages.pop().filter(|_| !self.is_enough()) else {
-            self.stages.clear();
-            self.try_elsewhere();
-            return;
+    /// All of them: the own values first, unless they explain nothing while the data show an oscillation.
+    pub fn new(problem: &mut Problem) -> Self {
+        let estimates = start::estimates(problem);
+        let own = window::search(problem, &problem.own.clone(), TRIALS);
+        let flat = flat(&own);
+        let explains = own.sum < problem.total || estimates.iter().all(Option::is_none);
+        let own = Stage::Own(Box::new(own));
+        let pending = match (explains, problem.curve.has_states()) {
+            (true, _) => vec![Stage::Spread, Stage::Windows, Stage::Estimated, own],
+            (false, true) => vec![Stage::Spread, own, Stage::Windows],
+            (false, false) => vec![Stage::Spread, Stage::Windows, own, Stage::Estimated],
         };
-        let far = matches!(stage, Stage::From(_));
-        let start = match stage {
-            Stage::Own(search) => {
-                self.starts += 1;
-                self.search_whole(*search);
-                return;
-            }
-            Stage::From(start) => start,
-            Stage::Spread => {
-                let starts = self.spread();
-                self.stages.extend(starts.into_iter().rev().map(Stage::From));
-                return;
-            }
-            Stage::Estimated => {
-                match start::from_estimates(&mut self.problem, &self.model, &self.estimates, &self.own) {
-                    Some(start) => start,
-                    None => return,
-                }
-            }
-            Stage::Windows => {
-                let mut windows = self.windows();
-                if let Some(first) = windows.pop().filter(|first| first.duration.is_finite()) {
-                    self.starts += 1;
-                    self.current = Some(self.window(&self.own.clone(), first, windows));
-                }
-                return;
-            }
-        };
-        let limit = if far && self.problem.curve.has_states() { Self::SPREAD_TRIALS } else { Self::TRIALS };
-        self.starts += 1;
-        let search = self.search(&start, &self.problem.plans.clone(), limit);
-        self.search_whole(search);
+        Self { pending, estimates, moving: moving(problem), flat }
     }
 
-    /// Begins the next search from elsewhere; after the last one the best answer is gone on with.
-    fn try_elsewhere(&mut self) {
-        let Some(start) = self.next_elsewhere() else {
-            self.rival = self.find_rival();
-            self.conclude();
-            return;
+    /// Whether nothing is left to be tried.
+    pub fn is_empty(&self) -> bool {
+        self.pending.is_empty()
+    }
+
+    /// Tries nothing more.
+    pub fn clear(&mut self) {
+        self.pending.clear();
+    }
+
+    /// Whether a search stands in a place as definite as the own values. Where terms have become one, or a number has run away
+    /// to the end of its range, it does not.
+    pub fn is_definite(&self, search: &Search) -> bool {
+        flat(search) <= self.flat && (0..search.x.len()).all(|column| !search.at_bound(column))
+    }
+
+    /// The search of the next stage, if it has one.
+    pub fn next(&mut self, problem: &mut Problem) -> Option<Current> {
+        let (start, limit) = match self.pending.pop()? {
+            Stage::Own(search) => return Some(Current::whole(problem, *search)),
+            Stage::From(start) if problem.curve.has_states() => (start, Self::SPREAD_TRIALS),
+            Stage::From(start) => (start, TRIALS),
+            Stage::Spread => {
+                self.pending.extend(Self::spread(problem).into_iter().rev().map(Stage::From));
+                return None;
+            }
+            Stage::Estimated => (start::from_estimates(problem, &self.estimates)?, TRIALS),
+            Stage::Windows => {
+                let mut windows = self.windows(problem);
+                let first = windows.pop().filter(|first| first.duration.is_finite())?;
+                let start = problem.own.clone();
+                return Some(self.window(problem, &start, first, windows));
+            }
         };
-        self.starts += 1;
-        let limit = if self.problem.curve.has_states() { Self::ELSEWHERE_TRIALS } else { Self::TRIALS };
-        let search = self.search(&start, &self.problem.plans.clone(), limit);
-        self.search_whole(search);
+        let search = window::search(problem, &start, limit);
+        Some(Current::whole(problem, search))
     }
 
     /// A search of a part of the records.
-    pub(super) fn window(&mut self, start: &[f64], span: Span, windows: Vec<Span>) -> Current {
-        let plans = Arc::new(start::cut(&self.problem.plans, span.duration));
-        let limit = if windows.is_empty() { Self::TRIALS } else { Self::WINDOW_TRIALS };
-        let bounds = self.bounds.clone();
+    pub fn window(&self, problem: &mut Problem, start: &[f64], span: Span, windows: Vec<Span>) -> Current {
+        let plans = Arc::new(start::cut(&problem.plans, span.duration));
+        let limit = if windows.is_empty() { TRIALS } else { Self::WINDOW_TRIALS };
+        let mut bounds = problem.bounds.clone();
         if span.held {
-            for (number, bounds) in self.bounds.iter_mut().enumerate().filter(|(number, _)| self.moving[*number]) {
+            for (number, bounds) in bounds.iter_mut().enumerate().filter(|(number, _)| self.moving[*number]) {
                 *bounds = (start[number], start[number]);
             }
         }
-        let search = self.search(start, &plans, limit);
-        self.bounds = bounds;
+        let search = Window { problem, plans: &plans }.search_within(start, bounds, limit);
         Current { search, plans, windows }
     }
 
     /// The windows of the records, the last one first. In the first ones the motion is held: as long as it is not known where
     /// it began, it would be bent to make up for that.
-    fn windows(&self) -> Vec<Span> {
+    fn windows(&self, problem: &Problem) -> Vec<Span> {
         let held = if self.moving.contains(&false) { Self::HELD } else { 0 };
-        let durations = start::windows(&self.problem, &self.estimates);
+        let durations = start::windows(problem, &self.estimates);
         let spans = durations.into_iter().enumerate();
         spans.map(|(place, duration)| Span { duration, held: place < held && duration.is_finite() }).rev().collect()
     }
 
     /// Starts spread over the ranges. Those of a formula are cheap enough to look at many, and to begin with the best.
-    fn spread(&mut self) -> Vec<Vec<f64>> {
-        let start = |index| start::spread(&self.own, &self.bounds, index);
-        if self.problem.curve.has_states() {
+    fn spread(problem: &mut Problem) -> Vec<Vec<f64>> {
+        let start = |index| start::spread(&problem.own, &problem.bounds, index);
+        if problem.curve.has_states() {
             return (0..Self::SPREAD).map(start).collect();
         }
-        let plans: Vec<Plan> = self.problem.plans.iter().map(start::thinned).collect();
+        let plans: Vec<Plan> = problem.plans.iter().map(start::thinned).collect();
         let points: usize = plans.iter().map(|plan| plan.points.len()).sum();
         // The more points, the fewer: nothing else goes on meanwhile.
         let count = (Self::SCREENED * start::ROWS / points.max(start::ROWS)).max(Self::CHOSEN);
         let candidates: Vec<Vec<f64>> = (0..count).map(start).collect();
-        let mut looked: Vec<Search> = candidates.iter().map(|start| self.look(start, &plans)).collect();
+        let mut window = Window { problem, plans: &plans };
+        let mut looked: Vec<Search> = candidates.iter().map(|start| window.look(start)).collect();
         looked.sort_by(|one, other| one.sum.total_cmp(&other.sum));
         looked.into_iter().filter(|one| one.sum.is_finite()).take(Self::CHOSEN).map(|one| one.x).collect()
     }
+}
+
+/// A direction in which the curve changes by less than this part of the greatest change is no direction to search in.
+const FLAT: f64 = 1e-8;
+
+/// In how many directions the curve does not change where a search is.
+fn flat(search: &Search) -> usize {
+    let scale: Vec<f64> = (0..search.x.len()).map(|column| norm(search.jacobian.column(column))).collect();
+    let moving: Vec<usize> = (0..scale.len()).filter(|&column| scale[column] > 0.0).collect();
+    let decomposition = Decomposition::new(&search.jacobian, &moving, &scale, &search.residuals);
+    let least = FLAT * decomposition.greatest();
+    scale.len() - decomposition.singular.iter().filter(|value| **value > least).count()
+}
+
+/// Whether equations of motion, their events or the observed expressions depend on a parameter in another way than through
+/// initial values and scales; for formulas, never.
+fn moving(problem: &Problem) -> Vec<bool> {
+    let model = &problem.model;
+    let mut parameters = Vec::new();
+    for node in
+        model.states.iter().map(|state| state.derivative).chain(model.events.iter().map(|event| event.condition))
+    {
+        parameters.extend(model.depends(node).parameters);
+    }
+    let moves = |target| matches!(target, Target::Parameter(index) if parameters.contains(&(index as u32)));
+    problem.columns.iter().map(|column| moves(column.target)).collect()
 }

@@ -9,7 +9,6 @@ use super::plan::{Plan, Point};
 use super::problem::Problem;
 use super::task::Target;
 use crate::cycles::{Estimate, estimate};
-use program::Model;
 use units::Dimension;
 
 /// What a varied parameter does in a formula.
@@ -47,17 +46,12 @@ pub(crate) fn estimates(problem: &Problem) -> Vec<Option<Estimate>> {
 
 /// A start for a formula, from the estimated oscillation of each record; `None` for equations of motion, or where nothing
 /// varied is a rate or a time.
-pub(crate) fn from_estimates(
-    problem: &mut Problem,
-    model: &Model,
-    estimates: &[Option<Estimate>],
-    own: &[f64],
-) -> Option<Vec<f64>> {
+pub(crate) fn from_estimates(problem: &mut Problem, estimates: &[Option<Estimate>]) -> Option<Vec<f64>> {
     if problem.curve.has_states() {
         return None;
     }
-    let roles = roles(problem, model);
-    let mut start = own.to_vec();
+    let roles = roles(problem);
+    let mut start = problem.own.clone();
     // A shared number comes from the first record; those of each record from its own.
     for (record, estimate) in estimates.iter().enumerate() {
         let Some(estimate) = estimate else { continue };
@@ -78,7 +72,7 @@ pub(crate) fn from_estimates(
                     (Shown::Frequency, _) => 2.0 * std::f64::consts::PI / estimate.angular_frequency,
                     (Shown::Damping, Role::Rate) => damping,
                     (Shown::Damping, _) => 1.0 / damping,
-                    (Shown::Own, _) => own[number],
+                    (Shown::Own, _) => problem.own[number],
                 };
             }
             if let Some(sum) = complete(problem, record, &plan, &roles, &mine, &mut trial)
@@ -89,7 +83,7 @@ pub(crate) fn from_estimates(
         }
         start = best.1;
     }
-    (start != own).then_some(start)
+    (start != problem.own).then_some(start)
 }
 
 /// What the data show of an oscillation.
@@ -121,7 +115,7 @@ fn orders(rates: usize) -> Vec<Vec<Shown>> {
     orders
 }
 
-fn roles(problem: &Problem, model: &Model) -> Vec<Role> {
+fn roles(problem: &Problem) -> Vec<Role> {
     let rate = Dimension::TIME.inverse();
     problem
         .columns
@@ -130,7 +124,7 @@ fn roles(problem: &Problem, model: &Model) -> Vec<Role> {
             Target::Offset(_) => Role::Linear,
             Target::Origin => Role::Other,
             Target::Parameter(index) => {
-                let dimension = model.parameters.get(index).map(|parameter| parameter.unit.dimension);
+                let dimension = problem.model.parameters.get(index).map(|parameter| parameter.unit.dimension);
                 if problem.curve.is_linear_in(index) {
                     Role::Linear
                 } else if dimension == Some(rate) {

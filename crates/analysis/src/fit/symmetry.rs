@@ -1,9 +1,10 @@
 //! Answers that fit equally well, because the formula is symmetric: two terms of a sum may change places, a width may be
 //! negative. Of these the one is given that is like the start: its signs, its order.
 
-use super::driver::Fit;
+use super::problem::Problem;
 use super::search::Search;
 use super::task::Target;
+use super::window;
 use units::Dimension;
 
 /// Sums of squares that differ by less than this part are equal.
@@ -13,17 +14,18 @@ const NOTHING: f64 = 1e-20;
 /// Exchanges that are tried, at most.
 const TRIES: usize = 60;
 
-/// The numbers of a search that is at its end, with signs and order more like those of `own` than they are, if that fits as
+/// The numbers of a search that is at its end, with signs and order more like those of the start than they are, if that fits as
 /// well.
-pub(crate) fn like_start(fit: &mut Fit, best: &Search, own: &[f64]) -> Option<Vec<f64>> {
-    let linear = fit.problem.linear_columns();
+pub(crate) fn like_start(problem: &mut Problem, best: &Search) -> Option<Vec<f64>> {
+    let own = problem.own.clone();
+    let linear = problem.linear_columns();
     let others: Vec<usize> = (0..own.len()).filter(|column| !linear.contains(column)).collect();
     let mut x = best.x.clone();
     for &column in &others {
         if x[column] * own[column] < 0.0 {
             let mut turned = x.clone();
             turned[column] = -x[column];
-            x = equal(fit, best, turned).unwrap_or(x);
+            x = equal(problem, best, turned).unwrap_or(x);
         }
     }
     // Terms may have more than one number each, which stand together.
@@ -39,11 +41,11 @@ pub(crate) fn like_start(fit: &mut Fit, best: &Search, own: &[f64]) -> Option<Ve
                 let unchanged = (0..length).all(|place| {
                     let (a, b) = (others[first + place], others[second + place]);
                     exchanged.swap(a, b);
-                    sort(fit, a) == sort(fit, b)
+                    sort(problem, a) == sort(problem, b)
                 });
                 if unchanged && tries < TRIES {
                     tries += 1;
-                    x = equal(fit, best, exchanged).unwrap_or(x);
+                    x = equal(problem, best, exchanged).unwrap_or(x);
                 }
             }
         }
@@ -52,17 +54,17 @@ pub(crate) fn like_start(fit: &mut Fit, best: &Search, own: &[f64]) -> Option<Ve
 }
 
 /// These numbers, with what is linear at its best values, if they fit as well as the best.
-fn equal(fit: &mut Fit, best: &Search, x: Vec<f64>) -> Option<Vec<f64>> {
-    let search = fit.look(&x, &fit.problem.plans.clone());
-    let as_good = search.sum <= best.sum * (1.0 + EQUAL) || search.sum <= NOTHING * fit.total;
+fn equal(problem: &mut Problem, best: &Search, x: Vec<f64>) -> Option<Vec<f64>> {
+    let search = window::look(problem, &x);
+    let as_good = search.sum <= best.sum * (1.0 + EQUAL) || search.sum <= NOTHING * problem.total;
     as_good.then_some(search.x)
 }
 
 /// What must be the same of two numbers that may change places: the unit's dimension, and the record they belong to.
-fn sort(fit: &Fit, column: usize) -> (Option<Dimension>, Option<usize>) {
-    let column = fit.problem.columns[column];
+fn sort(problem: &Problem, column: usize) -> (Option<Dimension>, Option<usize>) {
+    let column = problem.columns[column];
     let dimension = match column.target {
-        Target::Parameter(index) => fit.model.parameters.get(index).map(|parameter| parameter.unit.dimension),
+        Target::Parameter(index) => problem.model.parameters.get(index).map(|parameter| parameter.unit.dimension),
         Target::Origin | Target::Offset(_) => None,
     };
     (dimension, column.record)

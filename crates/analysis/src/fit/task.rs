@@ -1,6 +1,6 @@
 //! What is to be fitted. All numbers are SI.
 
-use super::robust::Loss;
+use super::loss::Loss;
 use engine::Method;
 use program::Compiled;
 

@@ -1,8 +1,10 @@
 //! The fitted curve between the measured values, finely enough to be drawn, and how far it may be off.
 
-use super::driver::Fit;
+use super::covariance::Covariance;
 use super::linear::Jacobian;
 use super::plan::{Plan, Point};
+use super::problem::Problem;
+use super::search::Search;
 
 /// The fitted curve of one observation. All numbers are SI.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,37 +21,31 @@ pub struct Trace {
     pub stderr: Vec<f64>,
 }
 
-impl Fit {
-    /// The curves of a finished fit, each of `count` points (at least 2): those of all observations, by record. Empty if
-    /// nothing was found.
-    pub fn traces(&mut self, count: usize) -> Vec<Trace> {
-        let Some(best) = self.best.clone() else { return Vec::new() };
-        let covariance = self.covariance(&best);
-        let whole = self.problem.plan(|_| true);
-        let mut traces = Vec::new();
-        for (record, plan) in whole.iter().enumerate() {
-            let (Some(&first), Some(&last)) = (plan.times.first(), plan.times.last()) else { continue };
-            let steps = count.max(2) - 1;
-            let times: Vec<f64> =
-                (0..=steps).map(|step| first + (last - first) * (step as f64 / steps as f64)).collect();
-            for observation in 0..plan.expressions.len() {
-                // Beside a measured 0, the residual is the model's value.
-                let point =
-                    |row| Point { row, observation, value: 0.0, weight: 1.0, trust: 1.0, share: 1.0, measured: true };
-                let points = (0..times.len()).map(point).collect();
-                let plan =
-                    Plan { times: times.clone(), points, expressions: plan.expressions.clone(), origin: plan.origin };
-                let mut values = vec![f64::NAN; times.len()];
-                let mut slopes = Jacobian::new(times.len(), best.x.len());
-                self.problem.record_residuals(record, &plan, &best.x, 0, &mut values, &mut slopes);
-                let error = |row| {
-                    let gradient: Vec<f64> = (0..best.x.len()).map(|column| slopes.column(column)[row]).collect();
-                    covariance.robust(&gradient).sqrt()
-                };
-                let stderr = (0..times.len()).map(error).collect();
-                traces.push(Trace { record, observation, times: times.clone(), values, stderr });
-            }
+/// The curves of all observations by record, each of `count` points (at least 2), where a search has ended.
+pub(super) fn traces(problem: &mut Problem, best: &Search, covariance: &Covariance, count: usize) -> Vec<Trace> {
+    let whole = problem.plans_where(|_| true);
+    let mut traces = Vec::new();
+    for (record, plan) in whole.iter().enumerate() {
+        let (Some(&first), Some(&last)) = (plan.times.first(), plan.times.last()) else { continue };
+        let steps = count.max(2) - 1;
+        let times: Vec<f64> = (0..=steps).map(|step| first + (last - first) * (step as f64 / steps as f64)).collect();
+        for observation in 0..plan.expressions.len() {
+            // Beside a measured 0, the residual is the model's value.
+            let point =
+                |row| Point { row, observation, value: 0.0, weight: 1.0, trust: 1.0, share: 1.0, measured: true };
+            let points = (0..times.len()).map(point).collect();
+            let plan =
+                Plan { times: times.clone(), points, expressions: plan.expressions.clone(), origin: plan.origin };
+            let mut values = vec![f64::NAN; times.len()];
+            let mut slopes = Jacobian::new(times.len(), best.x.len());
+            problem.record_residuals(record, &plan, &best.x, 0, &mut values, &mut slopes);
+            let error = |row| {
+                let gradient: Vec<f64> = (0..best.x.len()).map(|column| slopes.column(column)[row]).collect();
+                covariance.robust(&gradient).sqrt()
+            };
+            let stderr = (0..times.len()).map(error).collect();
+            traces.push(Trace { record, observation, times: times.clone(), values, stderr });
         }
-        traces
     }
+    traces
 }

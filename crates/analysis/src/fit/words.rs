@@ -2,8 +2,8 @@
 
 use super::estimate::Estimate;
 use super::identify::Undetermined;
-use super::judgement::Verdict;
 use super::outcome::Outcome;
+use super::verdict::Verdict;
 use units::Language::{self, English, Spanish};
 
 impl Outcome {

@@ -1,5 +1,8 @@
 //! The cells of a line.
 
+/// No table of measured data has more columns.
+pub(super) const COLUMNS: usize = 10_000;
+
 /// What stands between two cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Delimiter {

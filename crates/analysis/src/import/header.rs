@@ -4,9 +4,10 @@ use super::cells::{Cells, Delimiter};
 use super::label::{self, Label};
 use super::number;
 use super::roles::is_time;
-use super::{clock, run_name, unit_words};
+use super::{clock, unit_words};
 use crate::finding::Finding;
 use crate::origin::UnitOrigin;
+use crate::run_name;
 use units::Unit;
 
 /// What is known of a column before its numbers.

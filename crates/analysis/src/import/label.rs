@@ -1,8 +1,9 @@
 //! One cell of a header: the name of a column, its unit, and the run that it belongs to.
 
 use super::roles::is_time;
-use super::{clock, run_name, unit_words};
+use super::{clock, unit_words};
 use crate::origin::UnitOrigin;
+use crate::run_name;
 use units::{Dimension, Unit};
 
 /// What a cell of the header says of its column.

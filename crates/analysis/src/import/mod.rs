@@ -14,18 +14,16 @@ mod others;
 mod refusal;
 mod roles;
 mod rows;
-mod run_name;
 mod runs;
 mod separators;
+mod settle;
 mod stamp;
 mod unit_words;
 
 pub use cells::Delimiter;
 pub use decode::look;
 pub use format::Format;
-pub(crate) use refusal::readings;
 pub use refusal::{ImportError, Refusal};
-pub(crate) use run_name::name as run_name;
 
 use crate::finding::Finding;
 use crate::origin::Origin;
@@ -34,8 +32,8 @@ use clock::Form;
 use first::First;
 use header::Head;
 use number::Signs;
-use others::ClockColumn;
 use rows::Rows;
+use settle::ClockColumn;
 use std::borrow::Cow;
 use units::Unit;
 
@@ -52,9 +50,6 @@ pub struct Import {
 
 /// The most findings about columns that are reported.
 const FINDINGS: usize = 20;
-
-/// No table of measured data has more columns.
-const COLUMNS: usize = 10_000;
 
 /// Reads delimited text.
 ///
@@ -169,7 +164,7 @@ impl<'a> Importer<'a> {
         refuse_double_commas(&heads, &rows, &format)?;
         rows.widen(heads.len(), &text);
         heads.resize(rows.columns.len(), Head::default());
-        let clocks = others::settle(&mut rows, &mut heads);
+        let clocks = settle::columns(&mut rows, &mut heads);
         rows.refuse_words(first.line)?;
         refuse_unread_times(&heads, &rows)?;
         let (mut columns, mut kept) = columns(heads, &mut rows, &mut findings);
@@ -236,11 +231,6 @@ fn columns(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (V
 /// The unit of this name, as people write it over their columns: `ms`, `msec`, `Sekunden`.
 pub fn unit(text: &str) -> Option<Unit> {
     unit_words::read(text)
-}
-
-/// Whether this is the name of a run as loggers give it: `Run 2`, `Data Set 1`.
-pub(crate) fn is_run(name: &str) -> bool {
-    run_name::name(name).is_some()
 }
 
 fn called(name: &str, index: usize) -> String {

@@ -1,5 +1,6 @@
 //! Why a file cannot be read as a table.
 
+use crate::finding::readings;
 use std::fmt;
 use units::Language::{self, English, Spanish};
 
@@ -162,12 +163,6 @@ impl ImportError {
             }
         }
     }
-}
-
-/// `1,295` with a decimal sign and with groups of digits: `1.295` and `1295`.
-pub(crate) fn readings(text: &str, language: Language) -> [String; 2] {
-    let digits = |replacement: &str| text.replace([',', '.'], replacement);
-    [digits(if language == Spanish { "," } else { "." }), digits("")]
 }
 
 impl fmt::Display for ImportError {

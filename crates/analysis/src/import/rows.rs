@@ -1,11 +1,11 @@
 //! The rows: one pass over the bytes, numbers straight into columns.
 
-use super::cells::{Cells, Delimiter};
+use super::cells::{COLUMNS, Cells, Delimiter};
 use super::format::Format;
+use super::header;
 use super::number::{self, Cell};
 use super::others::{Other, Others};
 use super::refusal::{ImportError, Refusal};
-use super::{COLUMNS, header};
 use crate::finding::Finding;
 
 /// So many words are reported one by one.

@@ -1,6 +1,6 @@
 //! Runs that stand below each other, each under the same header and with a clock that begins again.
 
-use super::COLUMNS;
+use super::cells::COLUMNS;
 use crate::table::{Column, Table};
 
 /// Puts runs beside each other as bodies, `Run 1` and `Run 2`, if the times begin again where the header stands again. `repeats`

@@ -1,12 +1,12 @@
 //! Whether a comma or a point in the numbers is the decimal sign or groups their digits, where a column contradicts itself:
 //! `1,295` beside `926`.
 
-use super::cells::{Cells, Delimiter};
+use super::cells::{COLUMNS, Cells, Delimiter};
 use super::first::First;
 use super::format::Format;
 use super::number::{self, Cell, Signs};
 use super::refusal::{ImportError, Refusal};
-use super::{COLUMNS, rows};
+use super::rows;
 use crate::finding::Finding;
 
 /// One reading is the smoother one if its roughness is so many times less. A wrong reading leaps wherever the values pass 1000.

@@ -40,7 +40,7 @@ pub(crate) fn name(text: &str) -> Option<String> {
 }
 
 /// A cell without the run before or behind it: `Run 2: Time (s)`, `Time (s) Run #2`.
-pub(super) fn without(cell: &str) -> (&str, Option<String>) {
+pub(crate) fn without(cell: &str) -> (&str, Option<String>) {
     if let Some((before, rest)) = cell.split_once(':')
         && let Some(run) = name(before)
         && !rest.trim().is_empty()

@@ -1,0 +1,86 @@
+//! Columns whose cells hold times of day, or numbers with a unit behind them.
+
+use super::clock::{self, Form, Reading, Times};
+use super::header::Head;
+use super::rows::Rows;
+use super::unit_words;
+use crate::origin::UnitOrigin;
+use units::Unit;
+
+/// A column of clock times, and how it was read.
+#[derive(Debug)]
+pub(super) struct ClockColumn {
+    pub column: usize,
+    /// The form of the first time.
+    pub form: Form,
+    pub times: Times,
+}
+
+/// Makes numbers of what is neither a plain number nor a word, where a column holds more of it than of numbers; the rest are
+/// words. The unit is that of the cells, whatever the header says.
+pub(super) fn columns(rows: &mut Rows, heads: &mut [Head]) -> Vec<ClockColumn> {
+    let mut clocks = Vec::new();
+    for (column, head) in heads.iter_mut().enumerate().take(rows.columns.len()) {
+        let Some(others) = rows.others_mut(column) else { continue };
+        let (readings, with_units) = (std::mem::take(&mut others.clocks), std::mem::take(&mut others.with_units));
+        let unit = others.unit.take();
+        if readings.is_empty() && with_units.is_empty() {
+            continue;
+        }
+        let numbers = rows.columns[column].iter().filter(|value| value.is_finite()).count();
+        if readings.len() >= numbers.max(with_units.len()).max(1) {
+            clocks.extend(take_clocks(rows, column, readings, head));
+        } else if let Some(unit) = common(unit).filter(|_| with_units.len() >= numbers) {
+            head.unit = Some(unit);
+            head.origin = UnitOrigin::Cells;
+            rows.accept(column, with_units.into_iter(), false);
+        } else if let Some(others) = rows.others_mut(column) {
+            (others.clocks, others.with_units) = (readings, with_units);
+        }
+        rows.reject(column);
+    }
+    drop_dates(rows, &mut clocks);
+    clocks
+}
+
+/// The unit that all cells have.
+fn common(unit: Option<(String, bool)>) -> Option<Unit> {
+    unit.filter(|(_, same)| *same).and_then(|(text, _)| unit_words::read(&text))
+}
+
+fn take_clocks(
+    rows: &mut Rows,
+    column: usize,
+    mut readings: Vec<(usize, Reading)>,
+    head: &mut Head,
+) -> Option<ClockColumn> {
+    let form = readings.first()?.1.form;
+    // A stopwatch shows `59.9` before `1:00.0`. Beside times of day a plain number is nothing.
+    let stopwatch = readings.iter().all(|(_, reading)| matches!(reading.form, Form::Two | Form::Minutes));
+    for (row, value) in rows.columns[column].iter_mut().enumerate() {
+        if value.is_finite() {
+            if stopwatch {
+                readings.push((row, Reading { seconds: *value, form: Form::Minutes }));
+            }
+            *value = f64::NAN;
+        }
+    }
+    readings.sort_by_key(|(row, _)| *row);
+    let plain: Vec<Reading> = readings.iter().map(|(_, reading)| *reading).collect();
+    let times = clock::times(&plain, head.clock);
+    rows.accept(column, readings.iter().map(|(row, _)| *row).zip(times.seconds.iter().copied()), true);
+    head.unit = Unit::parse("s").ok();
+    head.origin = UnitOrigin::Clock;
+    Some(ClockColumn { column, form, times })
+}
+
+/// Leaves out the dates beside a column of times of day, which pass midnight by themselves.
+fn drop_dates(rows: &mut Rows, clocks: &mut Vec<ClockColumn>) {
+    if !clocks.iter().any(|clock| clock.form == Form::Hours) {
+        return;
+    }
+    for clock in clocks.iter().filter(|clock| clock.form == Form::Date) {
+        rows.leave_out(clock.column);
+    }
+    clocks.retain(|clock| clock.form != Form::Date);
+}

@@ -55,8 +55,8 @@ visit("the recorded run is scrubbed and continued from there", async (lab) => {
   assert.equal(await lab.number("Displacement"), 0.5);
   // The line ends later than what is recorded.
   const box = await line.boundingBox();
-  const recorded = parseFloat(await line.evaluate((line) => line.style.getPropertyValue("--recorded"))) / 100;
-  await lab.page.mouse.click(box.x + (box.width * recorded) / 2, box.y + box.height / 2);
+  const recorded = await lab.page.locator("#transport .recorded").boundingBox();
+  await lab.page.mouse.click(recorded.x + recorded.width / 2, box.y + box.height / 2);
   await eventually(async () => assert.ok(Math.abs((await lab.time()) - end / 2) < end / 10, `half of ${end}`));
   const from = await lab.time();
   await lab.press("Play");

@@ -2,6 +2,7 @@
 
 use crate::app::App;
 use crate::parameters;
+use crate::readouts::followed;
 use crate::views::*;
 use play::{MethodView, Play, PresetGroup, PresetView, StateView};
 use web_sys::HtmlDetailsElement;
@@ -89,13 +90,11 @@ fn states(app: App) -> View {
     if states.is_empty() {
         return View::new();
     }
+    let mut block = div().class("block");
+    let now = followed(app, &block.node(), |play| play.states());
     let field = |state: StateView| {
         let (index, id) = (state.index, format!("state-{}", state.index));
-        let view = move || {
-            app.changes.frame.track();
-            app.changes.transport.track();
-            app.read(|play| play.states().into_iter().nth(index))
-        };
+        let view = move || now.with(|states| states.get(index).cloned());
         let error = create_signal(None::<String>);
         let field = parameters::Field {
             id: id.clone(),
@@ -117,8 +116,7 @@ fn states(app: App) -> View {
         let by_hand = app.read(|play| play.is_started_by_hand());
         (if by_hand { words.started_by_hand } else { words.state_hint }).to_owned()
     };
-    div()
-        .class("block")
+    block
         .child(div().class("block-head").child(h3().child(words.state)))
         .each(states, field)
         .child(note(text(hint)))

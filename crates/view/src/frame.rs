@@ -91,17 +91,18 @@ fn advance(nodes: &mut Nodes, play: &mut Play, now: f64) -> (bool, bool) {
     if values {
         nodes.shown = now;
     }
-    if let Some(transport) = &mut nodes.transport {
-        transport.draw(play);
-    }
-    if let Some(scene) = &mut nodes.scene {
-        scene.draw(play);
-    }
+    // Canvases first: where a part of the page has changed, a canvas that sets its font makes the browser work out all styles.
     let mut unfinished = false;
     for (place, plot) in nodes.plots.iter_mut().enumerate() {
         if let Some(plot) = plot {
             unfinished |= plot.draw(PlotId::at(place), play, &nodes.colours, nodes.font_size);
         }
+    }
+    if let Some(transport) = &mut nodes.transport {
+        transport.draw(play);
+    }
+    if let Some(scene) = &mut nodes.scene {
+        scene.draw(play);
     }
     nodes.sound.follow(play);
     (playing || unfinished, values)

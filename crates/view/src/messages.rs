@@ -93,6 +93,10 @@ pub fn undo(app: App) -> bool {
 pub fn view(app: App) -> View {
     changing(move || {
         let messages = app.messages.get_clone();
+        // Of the root, not asked with `:has()`: that would be asked again of the whole page for each text that changes.
+        if let Some(root) = document().document_element() {
+            let _ = root.class_list().toggle_with_force("with-messages", !messages.is_empty());
+        }
         if messages.is_empty() {
             return View::new();
         }

@@ -151,9 +151,10 @@ pub fn control(app: App, first: ParameterView) -> HtmlDiv {
         (None, true) => words.restarts.to_owned(),
         (None, false) => String::new(),
     };
+    let slides = if slider.is_some() { " with-slider" } else { "" };
     let changed = move || now.with(|view| view.as_ref().is_some_and(|view| !view.is_default));
     div()
-        .class(move || if changed() { "parameter changed" } else { "parameter" })
+        .class(move || format!("parameter{slides}{}", if changed() { " changed" } else { "" }))
         .child(label().r#for(id.clone()).title(title).child(name_and_symbol(&first.label, &first.name)))
         .child(with_unit(field.view(), first.unit))
         .maybe(slider)

@@ -1,18 +1,17 @@
 //! The values that can be read off, with their symbols.
 
 use crate::app::App;
+use crate::sight::in_sight;
+use crate::steady::steady;
 use crate::views::*;
-use play::{Readout, ReadoutKind};
+use play::{Play, Readout, ReadoutKind};
 
 /// The readouts: what changes with time, and what does not.
 pub fn view(app: App) -> HtmlSection {
     let words = app.words();
     let first: Vec<Readout> = app.read(|play| play.readouts());
-    let now = memo(move || {
-        app.changes.frame.track();
-        app.changes.parameters.track();
-        app.read(|play| play.readouts())
-    });
+    let mut readouts = part("readouts", "readouts card", words.readouts);
+    let now = followed(app, &readouts.node(), |play| play.readouts());
     // The clock shows the independent variable.
     let list = |varies: bool, title: &'static str| {
         let belongs = |readout: &Readout| readout.varies == varies && readout.kind != ReadoutKind::Independent;
@@ -31,10 +30,34 @@ pub fn view(app: App) -> HtmlSection {
             app.read(|play| play.shows_hidden())
         })
         .when(events::change, move |event| app.act(|play| play.show_hidden(is_checked(&event))));
-    part("readouts", "readouts card", words.readouts)
+    readouts
         .maybe(list(true, words.changing))
         .maybe(list(false, words.constants))
         .maybe(hides.then(|| switch(shown, words.show_hidden)))
+}
+
+/// Something that changes with time, as it is now, in the same frame as the curves. While the run goes on it is read only where
+/// `element` is in sight.
+pub fn followed<T: Clone + Default + PartialEq>(
+    app: App,
+    element: &web_sys::Element,
+    mut read: impl FnMut(&mut Play) -> T + 'static,
+) -> ReadSignal<T> {
+    let seen = in_sight(element);
+    let now = create_signal(T::default());
+    effect(move || {
+        app.changes.transport.track();
+        app.changes.parameters.track();
+        if !seen.get() && app.read(|play| play.is_playing()) {
+            return;
+        }
+        app.changes.frame.track();
+        let read = app.read(&mut read);
+        if now.with_untracked(|now| *now != read) {
+            now.set(read);
+        }
+    });
+    *now
 }
 
 /// A row; `why` says why its value is hidden, where it is.
@@ -47,7 +70,7 @@ fn row(now: ReadSignal<Vec<Readout>>, index: usize, readout: &Readout, why: &'st
     div().child(dt().child(span().class("label").child(readout.label.clone())).maybe(symbol)).child(
         dd().attr("title", move || hidden().then_some(why))
             .attr("data-hidden", move || hidden().then_some("true"))
-            .child(span().class("value").child(text(move || get(|readout| &readout.value))))
+            .child(span().class("value").child(steady(move || get(|readout| &readout.value))))
             .child(unit_of(text(move || get(|readout| &readout.unit)))),
     )
 }

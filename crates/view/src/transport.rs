@@ -2,6 +2,7 @@
 
 use crate::app::App;
 use crate::stage::full_screen;
+use crate::steady::Steady;
 use crate::views::*;
 use crate::{browser, frame, icons};
 use play::{Play, SPEEDS, Status};
@@ -14,9 +15,10 @@ const MOVING: f64 = 500.0;
 
 /// What changes in each frame.
 pub struct TransportNodes {
-    clock: HtmlElement,
+    clock: Steady,
     line: HtmlInputElement,
-    shown: String,
+    /// The bars beneath it: what is recorded, and what lies behind.
+    bars: [HtmlElement; 2],
     /// Which parts of the line lie behind and are recorded.
     parts: (f64, f64),
 }
@@ -25,13 +27,12 @@ impl TransportNodes {
     /// Shows the time.
     pub fn draw(&mut self, play: &mut Play) {
         let text = play.time_text();
-        if text != self.shown {
-            self.clock.set_text_content(Some(&text));
+        if text != self.clock.shown() {
             // Read only when the slider has the focus and moves; otherwise it costs nothing.
-            if !play.is_playing() || self.shown.is_empty() {
+            if !play.is_playing() || self.clock.shown().is_empty() {
                 let _ = self.line.set_attribute("aria-valuetext", &text);
             }
-            self.shown = text;
+            self.clock.show(&text);
         }
         let places = if play.is_playing() { MOVING } else { POSITIONS };
         let part = |time: f64| ((time / play.horizon()).clamp(0.0, 1.0) * places).round() / places;
@@ -42,10 +43,10 @@ impl TransportNodes {
             self.line.set_value(&position.to_string());
         }
         if (fraction, recorded) != self.parts {
-            // What lies behind, and how far one can go, for the style sheet.
-            let style = HtmlElement::style(&self.line);
-            let _ = style.set_property("--part", &format!("{:.2}%", fraction * 100.0));
-            let _ = style.set_property("--recorded", &format!("{:.2}%", recorded * 100.0));
+            for (bar, length) in self.bars.iter().zip([recorded, fraction]) {
+                // Scaled and not made wider: that needs no layout.
+                let _ = bar.style().set_property("transform", &format!("scaleX({length:.4})"));
+            }
             self.parts = (fraction, recorded);
         }
     }
@@ -59,11 +60,18 @@ pub fn view(app: App) -> HtmlSection {
         app.read(|play| Some(play.status()))
     };
     let playing = memo(move || status() == Some(Status::Playing));
-    let mut clock = output().class("clock").id("clock").attr("aria-label", words.time).attr("aria-live", "off");
+    let (steady, digits) = Steady::new();
+    let clock =
+        output().class("clock").id("clock").attr("aria-label", words.time).attr("aria-live", "off").child(digits);
     let mut line =
         input().r#type("range").class("line").id("time-line").min("0").max(POSITIONS.to_string()).step("any");
-    let nodes =
-        TransportNodes { clock: clock.node(), line: line.node(), shown: String::new(), parts: (f64::NAN, f64::NAN) };
+    let [mut recorded, mut behind] = ["recorded", "behind"].map(|class| span().class(class));
+    let nodes = TransportNodes {
+        clock: steady,
+        line: line.node(),
+        bars: [recorded.node(), behind.node()],
+        parts: (f64::NAN, f64::NAN),
+    };
     app.nodes(|all| all.transport = Some(nodes));
     frame::wake(app);
     let step = |id: &'static str, name: &'static str, key: char, icon: SvgSvg, act: fn(&mut Play)| {
@@ -94,6 +102,7 @@ pub fn view(app: App) -> HtmlSection {
         .attr("aria-label", words.time_line)
         .when(events::input, move |event| scrub(app, &value_of(&event)))
         .when(events::keydown, move |event| line_key(app, &event));
+    let place_of_line = div().class("line-place").child(recorded).child(behind).child(line);
     let trouble = move |announced: bool| {
         app.changes.values.track();
         status();
@@ -104,7 +113,7 @@ pub fn view(app: App) -> HtmlSection {
         .id("transport")
         .attr("aria-label", words.transport)
         .child(buttons)
-        .child(div().class("time").child(clock).child(line))
+        .child(div().class("time").child(clock).child(place_of_line))
         .child(div().class("extras").child(speed(app)).child(sound(app)).maybe(fill_screen(app)))
         // Why the run has stopped is announced by the play; only the other has to be spoken from here.
         .child(p().class("trouble").child(text(move || trouble(true))))

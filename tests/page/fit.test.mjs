@@ -241,3 +241,55 @@ for (const language of ["en-GB", "es-ES"]) {
     }
   }
 }
+
+visit("the part that is fitted is brushed in the plot", async (lab) => {
+  await openTheory(lab, "Linear damping");
+  await drop(lab, { name: "film.csv", text: film() });
+  await records(lab).waitFor();
+  await lab.tab("Fit");
+  const end = async (number) => lab.page.locator(`#fit-end-${number}`).inputValue();
+  assert.deepEqual(await Promise.all([end(0), end(1)]), ["", ""]);
+  // An open end lies at the edge of the panel, on the vertical axis.
+  const plot = await lab.page.locator("#canvas-0").boundingBox();
+  const row = plot.y + plot.height / 2;
+  const cursor = () => lab.page.locator("#canvas-0").evaluate((canvas) => canvas.style.cursor);
+  /** Where the pointer says, from the left, that something can be dragged to the sides. */
+  const grip = async () => {
+    for (let x = plot.x + 20; x < plot.x + plot.width; x += 4) {
+      await lab.page.mouse.move(x, row);
+      if ((await cursor()) === "ew-resize") return x;
+    }
+    throw new Error("nothing can be dragged to the sides");
+  };
+  const edge = await eventually(grip);
+  const middle = plot.x + plot.width / 2;
+  const drag = async (from, to) => {
+    await lab.page.mouse.move(from, row);
+    await lab.page.mouse.down();
+    await lab.page.mouse.move((from + to) / 2, row, { steps: 4 });
+    await lab.page.mouse.move(to, row, { steps: 4 });
+    await lab.page.mouse.up();
+  };
+  await drag(edge, middle);
+  const half = await eventually(async () => {
+    const from = Number(await end(0));
+    assert.ok(from > 2 && from < 7, `from ${from}`);
+    return from;
+  });
+  // Elsewhere a drag moves the plot, as ever; the brush goes with it and keeps its time.
+  await drag(middle + 60, middle + 20);
+  assert.equal(Number(await end(0)), half);
+  assert.equal(await lab.page.getByRole("button", { name: "Take the part in the plot" }).isVisible(), true, "it is zoomed");
+  await lab.page.locator("#canvas-0").dblclick({ position: { x: plot.width * 0.8, y: 20 } });
+  // What is fitted is the rest of the record.
+  await lab.page.locator("#fit").click();
+  await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
+  const before = Number((await lab.page.locator(".detail").innerText()).match(/(\d+) values before/)[1]);
+  assert.equal(before, Math.ceil(half * 30), "30 values a second");
+  // Back at the edge it is open again, and in no other tab does it lie over the plots.
+  await drag(await grip(), plot.x + 5);
+  await eventually(async () => assert.equal(await end(0), ""));
+  await lab.tab("Play");
+  await lab.page.mouse.move(edge, row);
+  assert.equal(await cursor(), "");
+});

@@ -13,6 +13,7 @@ use std::ops::Deref;
 use units::Language;
 use view::browser;
 use view::messages::Message;
+use view::stage::brush::Part;
 use view::views::*;
 use view::{Host, News};
 use web_sys::File;
@@ -156,6 +157,17 @@ impl Host for Store {
             if changed {
                 counter.update(|count| *count += 1);
             }
+        }
+    }
+
+    fn part(&self) -> Option<Part> {
+        let is_fitting = self.app.get().is_some_and(|app| app.tab.get_untracked() == panel::FIT);
+        self.desk().filter(|desk| is_fitting && !desk.records().is_empty()).map(|desk| desk.fitted_part())
+    }
+
+    fn set_part(&self, part: Part) {
+        if let Some(mut desk) = self.desk() {
+            desk.set_fitted_part(part);
         }
     }
 

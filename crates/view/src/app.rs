@@ -4,6 +4,7 @@ use crate::browser;
 use crate::frame::{self, Nodes};
 use crate::messages::{self, Message};
 use crate::stage;
+use crate::stage::brush::Part;
 use crate::views::*;
 use crate::words::{Words, words_in};
 use play::{Announcement, Play, PlotId, Prominence, Refusal, Revision};
@@ -38,6 +39,14 @@ pub trait Host {
 
     /// Raises the counters of what has changed besides the simulation.
     fn raise(&self) {}
+
+    /// The part of the time that something is limited to, if the plots are to show it.
+    fn part(&self) -> Option<Part> {
+        None
+    }
+
+    /// Limits it to another part.
+    fn set_part(&self, _part: Part) {}
 
     /// Puts back what the removal of this number took away. Whether it was the last one.
     fn undo(&self, number: u32) -> bool {

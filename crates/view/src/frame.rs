@@ -5,6 +5,7 @@
 use crate::app::App;
 use crate::scene::SceneNodes;
 use crate::sound::Sound;
+use crate::stage::brush::Part;
 use crate::stage::plot::PlotNodes;
 use crate::theme::Colours;
 use crate::transport::TransportNodes;
@@ -70,7 +71,8 @@ fn draw(app: App, now: f64) {
     let more = app.host().follow();
     let advanced = app.nodes(|nodes| {
         nodes.asked = false;
-        app.read(|play| advance(nodes, play, now))
+        let part = app.host().part();
+        app.read(|play| advance(nodes, play, part, now))
     });
     let Some((goes_on, values)) = advanced else { return };
     app.publish(values, false);
@@ -80,7 +82,7 @@ fn draw(app: App, now: f64) {
 }
 
 /// One frame. Whether the run or a long figure goes on, and whether it is time to show changing values.
-fn advance(nodes: &mut Nodes, play: &mut Play, now: f64) -> (bool, bool) {
+fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64) -> (bool, bool) {
     let seconds = nodes.moved.map_or(0.0, |moved| (now - moved) / 1000.0);
     if play.is_playing() && seconds > 0.0 {
         play.tick(seconds);
@@ -95,7 +97,7 @@ fn advance(nodes: &mut Nodes, play: &mut Play, now: f64) -> (bool, bool) {
     let mut unfinished = false;
     for (place, plot) in nodes.plots.iter_mut().enumerate() {
         if let Some(plot) = plot {
-            unfinished |= plot.draw(PlotId::at(place), play, &nodes.colours, nodes.font_size);
+            unfinished |= plot.draw(PlotId::at(place), play, part, &nodes.colours, nodes.font_size);
         }
     }
     if let Some(transport) = &mut nodes.transport {

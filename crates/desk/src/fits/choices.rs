@@ -247,6 +247,19 @@ impl Desk {
         Ok(())
     }
 
+    /// The part of the records that is fitted, SI: from and until when. An end that is not set is open.
+    pub fn fitted_part(&self) -> [Option<f64>; 2] {
+        self.fits.setup.window
+    }
+
+    /// Fits this part of the records, SI.
+    pub fn set_fitted_part(&mut self, part: [Option<f64>; 2]) {
+        if self.fits.setup.window != part {
+            self.fits.setup.window = part;
+            self.revision.fits += 1;
+        }
+    }
+
     /// Whether a plot shows a part of the records that can be taken for the one that is fitted.
     pub fn has_part_in_plot(&self) -> bool {
         self.play.zoomed_part().is_some()

@@ -8,8 +8,8 @@ use crate::app::App;
 use crate::panel;
 use crate::{library, measurements};
 use desk::{Desk, FitProgress};
-use view::browser;
 use view::views::*;
+use view::{browser, frame};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 
@@ -21,6 +21,11 @@ pub fn view(app: App) -> View {
     let has_records = memo(move || {
         app.records.track();
         app.read_desk(|desk| !desk.records().is_empty())
+    });
+    // With this tab the plots show the part that is fitted.
+    effect(move || {
+        app.tab.track();
+        frame::wake(app.page);
     });
     changing(move || if has_records.get() { steps(app) } else { nothing_yet(app) })
 }

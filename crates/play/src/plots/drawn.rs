@@ -1,10 +1,12 @@
 //! What is drawn in a plot: the series, behind one another, with their axes.
 
 use super::added::{AddedPlot, POINTS};
+use super::plot::PlotId;
 use crate::time::transport::STEPS_AT_FIRST;
 use crate::{Play, words};
 use figure::{Axis, Interval, Plot, Series, Style, View};
 use program::Node;
+use units::Unit;
 
 impl Play {
     /// What is drawn in a plot.
@@ -78,6 +80,13 @@ impl Play {
     pub fn zoomed_part(&self) -> Option<Interval> {
         let against = (0..self.program.plots.len()).filter(|index| self.is_against_independent(*index));
         against.filter_map(|index| self.plots.get(index)?.view.x).next()
+    }
+
+    /// The unit of the horizontal axis of a plot that shows points against the independent variable; `None` for others.
+    pub fn unit_of_time_axis(&self, PlotId(index): PlotId) -> Option<&Unit> {
+        let has_points = self.plots.get(index).is_some_and(|plot| !plot.points.is_empty());
+        let plot = self.program.plots.get(index).filter(|_| has_points && self.is_against_independent(index));
+        plot.map(|plot| &plot.x.value.unit)
     }
 
     fn is_against_independent(&self, index: usize) -> bool {

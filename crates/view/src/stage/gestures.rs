@@ -5,12 +5,15 @@
 use super::pins;
 use crate::app::App;
 use crate::frame;
-use crate::stage::plot::with_plot;
+use crate::stage::plot::{brush, with_plot};
 use figure::{Direction, Point};
 use play::PlotId;
 use wasm_bindgen::JsCast;
-use web_sys::{Element, KeyboardEvent, PointerEvent, WheelEvent};
+use web_sys::{Element, HtmlElement, KeyboardEvent, PointerEvent, WheelEvent};
 
+/// So near to an end of the brush a mouse, or a finger, takes hold of it, in CSS pixels.
+const REACH: f64 = 6.0;
+const REACH_OF_FINGER: f64 = 20.0;
 /// A rectangle smaller than this in CSS pixels is a click.
 const SMALLEST: f64 = 6.0;
 /// A mouse that has moved less than this in CSS pixels has pressed and not dragged.
@@ -24,6 +27,8 @@ pub struct Gesture {
     rectangle: Option<((f64, f64), (f64, f64))>,
     /// Where a single pointer went down, as long as it may become a press: a mouse that moves pans, a finger reads.
     pressed: Option<(f64, f64)>,
+    /// The end of the brush that is being dragged.
+    end: Option<usize>,
 }
 
 impl Gesture {
@@ -53,6 +58,22 @@ fn is_touch(event: &PointerEvent) -> bool {
     event.pointer_type() == "touch"
 }
 
+/// The end of the brush that a pointer takes hold of.
+fn grabbed(app: App, id: PlotId, event: &PointerEvent) -> Option<usize> {
+    let part = app.host().part()?;
+    let reach = if is_touch(event) { REACH_OF_FINGER } else { REACH };
+    app.read(|play| brush(play, id, Some(part))?.grabbed(place(event).0, reach))
+}
+
+/// Moves an end of the brush to the pointer.
+fn brush_to(app: App, id: PlotId, end: usize, event: &PointerEvent) {
+    let Some(part) = app.host().part() else { return };
+    if let Some(part) = app.read(|play| Some(brush(play, id, Some(part))?.with_end(end, place(event).0))) {
+        app.host().set_part(part);
+        app.acted(true);
+    }
+}
+
 /// A pointer went down.
 pub fn down(app: App, id: PlotId, event: &PointerEvent) {
     if event.button() != 0 {
@@ -63,9 +84,14 @@ pub fn down(app: App, id: PlotId, event: &PointerEvent) {
     }
     let at = place(event);
     let (rectangle, touch) = (event.shift_key() && !is_touch(event), is_touch(event));
+    let end = grabbed(app, id, event);
     with_plot(app, id, |plot| {
         plot.gesture.fingers.retain(|finger| finger.0 != event.pointer_id());
         plot.gesture.fingers.push((event.pointer_id(), at.0, at.1));
+        if end.is_some() {
+            (plot.gesture.end, plot.gesture.pressed, plot.pointer) = (end, None, None);
+            return;
+        }
         plot.gesture.rectangle = rectangle.then_some((at, at));
         plot.gesture.pressed = (plot.gesture.fingers.len() == 1 && !rectangle).then_some(at);
         plot.pointer = (plot.gesture.fingers.len() == 1 && (touch || !rectangle)).then(|| point(at));
@@ -76,6 +102,14 @@ pub fn down(app: App, id: PlotId, event: &PointerEvent) {
 /// A pointer moved, whether down or not.
 pub fn moved(app: App, id: PlotId, event: &PointerEvent) {
     let (at, pointer, touch) = (place(event), event.pointer_id(), is_touch(event));
+    if let Some(end) = with_plot(app, id, |plot| plot.gesture.end).flatten() {
+        brush_to(app, id, end, event);
+        return;
+    }
+    if let Some(target) = event.target().and_then(|target| target.dyn_into::<HtmlElement>().ok()) {
+        let over_end = event.buttons() == 0 && grabbed(app, id, event).is_some();
+        let _ = target.style().set_property("cursor", if over_end { "ew-resize" } else { "" });
+    }
     let motion = with_plot(app, id, |plot| {
         let gesture = &mut plot.gesture;
         if let Some((_, end)) = &mut gesture.rectangle {
@@ -133,6 +167,7 @@ pub fn moved(app: App, id: PlotId, event: &PointerEvent) {
 pub fn up(app: App, id: PlotId, event: &PointerEvent) {
     let ended = with_plot(app, id, |plot| {
         plot.gesture.fingers.retain(|finger| finger.0 != event.pointer_id());
+        plot.gesture.end = None;
         (plot.gesture.rectangle.take(), plot.gesture.pressed.take())
     });
     let Some((rectangle, pressed)) = ended else { return };
@@ -153,6 +188,7 @@ pub fn cancelled(app: App, id: PlotId, event: &PointerEvent) {
     with_plot(app, id, |plot| {
         plot.gesture.fingers.retain(|finger| finger.0 != event.pointer_id());
         (plot.gesture.rectangle, plot.gesture.pressed, plot.pointer) = (None, None, None);
+        plot.gesture.end = None;
     });
     frame::wake(app);
 }

@@ -1,5 +1,6 @@
 //! The stage: scene, plots and transport, always in sight.
 
+pub mod brush;
 pub mod canvas;
 pub mod full_screen;
 mod gestures;

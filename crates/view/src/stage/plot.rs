@@ -1,5 +1,6 @@
 //! A plot's canvas: drawn when something in it has changed, in the size that its box has.
 
+use super::brush::{Brush, Part};
 use super::canvas;
 use super::gestures::Gesture;
 use super::pins::{self, Pinned};
@@ -27,6 +28,8 @@ pub struct PlotNodes {
     /// Whether something other than the simulation has changed.
     stale: bool,
     drawn: Option<play::Revision>,
+    /// The part of the time that was shown.
+    part: Option<Part>,
     /// Where the pointer reads.
     pub pointer: Option<Point>,
     /// What the keyboard's cursor reads.
@@ -67,8 +70,9 @@ impl PlotNodes {
     }
 
     /// Draws the figure if anything in it has changed. Whether a further frame is to go on with it.
-    pub fn draw(&mut self, id: PlotId, play: &mut Play, colours: &Colours, font_size: f64) -> bool {
+    pub fn draw(&mut self, id: PlotId, play: &mut Play, part: Option<Part>, colours: &Colours, font_size: f64) -> bool {
         let revision = play.revision();
+        self.stale |= std::mem::replace(&mut self.part, part) != part;
         let seen = self.visible || self.drawn.is_none();
         if !seen || self.size.0 < 40.0 || !(self.stale || self.drawn != Some(revision)) {
             return false;
@@ -78,6 +82,9 @@ impl PlotNodes {
         let Some(figure) = play.layout_plot(id, &settings) else { return false };
         canvas::paint(&self.context, figure, colours, self.scale);
         self.stale = figure.is_unfinished();
+        if let Some(brush) = brush(play, id, self.part) {
+            brush.paint(&self.context, colours);
+        }
         let readout = match self.pointer {
             Some(at) => play.hover_plot(id, at),
             None => self.cursor.clone(),
@@ -135,6 +142,11 @@ impl Drop for PlotNodes {
     }
 }
 
+/// The brush of a plot, where the part is to be shown and the plot is one against time.
+pub fn brush(play: &Play, id: PlotId, part: Option<Part>) -> Option<Brush<'_>> {
+    Some(Brush { part: part?, figure: play.plot_figure(id)?, unit: play.unit_of_time_axis(id)? })
+}
+
 /// Takes a canvas that has come into the page.
 pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElement, pinned: Signal<Pinned>) {
     let Some(context) = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok()) else {
@@ -164,6 +176,7 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
         visible: true,
         stale: true,
         drawn: None,
+        part: None,
         pointer: None,
         cursor: None,
         pins: Vec::new(),

@@ -3,6 +3,7 @@
 
 mod app;
 pub mod browser;
+mod colours;
 pub mod controls;
 mod data;
 mod drag;
@@ -24,6 +25,7 @@ mod scene;
 pub mod shell;
 mod sound;
 pub mod stage;
+mod tabs;
 pub mod theme;
 mod transport;
 pub mod views;

@@ -1,7 +1,7 @@
 //! Every check of the project, in the order in which the quick ones fail first and nothing is built twice.
 
 use crate::steps::{cargo, run, step};
-use crate::{golden, page, steps, tools, wasm};
+use crate::{golden, page, steps, tools};
 use anyhow::Result;
 
 /// Runs all checks; stops at the first that fails.
@@ -27,7 +27,7 @@ fn lints() -> Result<()> {
     run(cargo(&["clippy", "--all-targets"]).args(STRICT))?;
     tools::wasm_target()?;
     let browser = ["clippy", "--package", "lab", "--package", "probe"];
-    run(cargo(&browser).args(["--target", wasm::TARGET]).args(STRICT))
+    run(cargo(&browser).args(["--target", tools::TARGET]).args(STRICT))
 }
 
 fn browsers() -> Result<()> {

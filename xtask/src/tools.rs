@@ -1,10 +1,12 @@
 //! What the builds and tests need of the machine: found, or installed where that can be done without asking.
 
 use crate::steps;
-use crate::wasm::TARGET;
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
 use std::process::Command;
+
+/// What is built for WebAssembly.
+pub const TARGET: &str = "wasm32-unknown-unknown";
 
 /// The standard library for WebAssembly.
 pub fn wasm_target() -> Result<()> {

@@ -1,13 +1,11 @@
 //! WebAssembly modules: built by cargo in the profile `page`, and given their JavaScript by wasm-bindgen's library, so
 //! that no other program has to be installed.
 
+use crate::tools::TARGET;
 use crate::{steps, tools};
 use anyhow::{Context, Result};
 use std::path::{Path, PathBuf};
 use wasm_bindgen_cli_support::Bindgen;
-
-/// What is built for.
-pub const TARGET: &str = "wasm32-unknown-unknown";
 
 /// What the JavaScript is for.
 #[derive(Clone, Copy, Debug)]

@@ -1,5 +1,6 @@
 //! What can be typed after `meniscus`.
 
+use crate::assignments::{Assignment, Observe, assignment, observe};
 use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -157,25 +158,6 @@ pub struct Run {
     pub output: Option<PathBuf>,
 }
 
-/// A name and what it shall be.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Assignment {
-    /// Before the equals sign.
-    pub name: String,
-    /// After it.
-    pub value: String,
-}
-
-/// Reads `NAME=VALUE`.
-pub fn assignment(text: &str) -> Result<Assignment, String> {
-    match text.split_once('=') {
-        Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
-            Ok(Assignment { name: name.trim().to_owned(), value: value.trim().to_owned() })
-        }
-        _ => Err("write NAME=VALUE, such as b=200 or h_l='40 [dm]'".to_owned()),
-    }
-}
-
 /// The forms of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
@@ -235,8 +217,8 @@ pub struct Cycles {
     pub data: PathBuf,
 
     /// What is observed, and its column by name, body.name or number [default: the column that moves most]
-    #[arg(long, value_name = "y[=COLUMN]", value_parser = crate::data::observe)]
-    pub observe: Option<crate::data::Observe>,
+    #[arg(long, value_name = "y[=COLUMN]", value_parser = observe)]
+    pub observe: Option<Observe>,
 
     /// State the unit of a column that the file does not, such as t=ms
     #[arg(long, value_name = "NAME=UNIT", value_parser = assignment)]
@@ -279,8 +261,8 @@ pub struct Derivatives {
     pub data: PathBuf,
 
     /// What is differentiated, and its column by name, body.name or number
-    #[arg(long, value_name = "y[=COLUMN]", value_parser = crate::data::observe)]
-    pub observe: crate::data::Observe,
+    #[arg(long, value_name = "y[=COLUMN]", value_parser = observe)]
+    pub observe: Observe,
 
     /// State the unit of a column that the file does not, such as t=ms
     #[arg(long, value_name = "NAME=UNIT", value_parser = assignment)]
@@ -390,13 +372,5 @@ mod tests {
         for method in engine::Method::ALL {
             assert!(RUN_EXAMPLES.contains(method.name()), "{method}");
         }
-    }
-
-    #[test]
-    fn assignments_keep_their_unit() {
-        let expected = Assignment { name: "h_l".to_owned(), value: "40 [cm]".to_owned() };
-        assert_eq!(assignment("h_l = 40 [cm]"), Ok(expected));
-        assert!(assignment("h_l").is_err());
-        assert!(assignment("=3").is_err());
     }
 }

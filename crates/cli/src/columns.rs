@@ -1,11 +1,7 @@
-//! What was understood of the columns of a file, for people and for programs, and the units that a person states.
+//! What was understood of the columns of a file, for people and for programs.
 
-use crate::arguments::Assignment;
 use crate::data::Measured;
-use crate::failure::{Failure, listed};
-use analysis::import;
-use analysis::origin::UnitOrigin;
-use analysis::table::{Column, Table};
+use analysis::table::Column;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use units::Language;
@@ -84,36 +80,4 @@ fn name(data: &Measured, index: usize) -> String {
 
 fn unit(column: &Column) -> String {
     column.unit.as_ref().map_or_else(|| "-".to_owned(), |unit| format!("[{}]", unit.text))
-}
-
-/// Gives columns the units that a person states: `t=ms`, `Run 2.Angle=deg`. A name without a body means all columns of that
-/// name.
-pub fn state_units(file: &str, table: &mut Table, units: &[Assignment]) -> Result<(), Failure> {
-    for Assignment { name, value } in units {
-        let unit = import::unit(value.trim_matches(['[', ']'])).ok_or_else(|| {
-            Failure::with_hint(format!("--unit {name}={value}: `{value}` is not a known unit"), "write --unit t=ms")
-        })?;
-        let Some(found) = table.column(name) else {
-            let labels = (0..table.columns.len()).map(|index| table.label(index));
-            return Err(Failure::with_hint(
-                format!("--unit {name}={value}: {file} has no column `{name}`"),
-                format!("its columns are {}", listed(labels)),
-            ));
-        };
-        let called = table.columns[found].name.clone();
-        let all_bodies = called.to_lowercase() == name.to_lowercase() && !called.is_empty();
-        for (index, column) in table.columns.iter_mut().enumerate() {
-            if index != found && !(all_bodies && column.name == called) {
-                continue;
-            }
-            if column.origin.unit == UnitOrigin::Clock {
-                return Err(Failure::request(format!(
-                    "--unit {name}={value}: {file} holds clock times there, which are read in seconds"
-                )));
-            }
-            column.unit = Some(unit.clone());
-            column.origin.unit = UnitOrigin::Person;
-        }
-    }
-    Ok(())
 }

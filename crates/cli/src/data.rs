@@ -1,8 +1,7 @@
 //! Files of measured data: text in any form, and spreadsheets.
 
-use crate::arguments::Assignment;
-use crate::columns;
-use crate::failure::Failure;
+use crate::assignments::{Assignment, Observe};
+use crate::failure::{Failure, listed};
 use analysis::finding::Finding;
 use analysis::import::{self, Format, Import};
 use analysis::inspection::{Derived, doubtful_times, inspect};
@@ -60,7 +59,7 @@ pub fn read(path: &Path, units: &[Assignment]) -> Result<Measured, Failure> {
         reading::read(bytes, MOST_BYTES as usize).map_err(|error| refused(&name, &error))?.import
     };
     let mut table = import.table;
-    columns::state_units(&name, &mut table, units)?;
+    state_units(&name, &mut table, units)?;
     let inspection = inspect(&table);
     let mut findings = import.findings;
     findings.extend(inspection.findings);
@@ -148,35 +147,36 @@ fn as_text(range: &Range<Data>) -> String {
     text
 }
 
-/// What `--observe y` or `--observe y=COLUMN` asks for.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Observe {
-    /// What is observed: an expression of the model, or just a name.
-    pub quantity: String,
-    /// The column, if one is named.
-    pub column: Option<String>,
-}
-
-/// Reads `y`, `y=COLUMN`, `y'=v`, and `Run 2.y`, which is the `y` of a run or body.
-pub fn observe(text: &str) -> Result<Observe, String> {
-    let (quantity, column) = match text.split_once('=') {
-        Some((quantity, column)) => (quantity.trim(), Some(column.trim())),
-        None => match text.rsplit_once('.').filter(|(body, name)| is_body(body, name)) {
-            Some((_, name)) => (name.trim(), Some(text.trim())),
-            None => (text.trim(), None),
-        },
-    };
-    if quantity.is_empty() || column.is_some_and(str::is_empty) {
-        return Err("write NAME or NAME=COLUMN, such as y, y=2 or y=mass_A.y".to_owned());
+/// Gives columns the units that a person states: `t=ms`, `Run 2.Angle=deg`. A name without a body means all columns of that
+/// name.
+fn state_units(file: &str, table: &mut Table, units: &[Assignment]) -> Result<(), Failure> {
+    for Assignment { name, value } in units {
+        let unit = import::unit(value.trim_matches(['[', ']'])).ok_or_else(|| {
+            Failure::with_hint(format!("--unit {name}={value}: `{value}` is not a known unit"), "write --unit t=ms")
+        })?;
+        let Some(found) = table.column(name) else {
+            let labels = (0..table.columns.len()).map(|index| table.label(index));
+            return Err(Failure::with_hint(
+                format!("--unit {name}={value}: {file} has no column `{name}`"),
+                format!("its columns are {}", listed(labels)),
+            ));
+        };
+        let called = table.columns[found].name.clone();
+        let all_bodies = called.to_lowercase() == name.to_lowercase() && !called.is_empty();
+        for (index, column) in table.columns.iter_mut().enumerate() {
+            if index != found && !(all_bodies && column.name == called) {
+                continue;
+            }
+            if column.origin.unit == UnitOrigin::Clock {
+                return Err(Failure::request(format!(
+                    "--unit {name}={value}: {file} holds clock times there, which are read in seconds"
+                )));
+            }
+            column.unit = Some(unit.clone());
+            column.origin.unit = UnitOrigin::Person;
+        }
     }
-    Ok(Observe { quantity: quantity.to_owned(), column: column.map(str::to_owned) })
-}
-
-/// Whether what stands before a point is a body, and no part of an expression such as `2.5*y`.
-fn is_body(body: &str, name: &str) -> bool {
-    body.contains(char::is_alphabetic)
-        && !body.contains(['*', '/', '+', '^', '(', ')'])
-        && name.trim().starts_with(char::is_alphabetic)
+    Ok(())
 }
 
 impl Measured {
@@ -199,11 +199,7 @@ impl Measured {
             let labels = (0..table.columns.len()).map(|index| table.label(index));
             Failure::with_hint(
                 format!("{} has no column `{which}`", self.name),
-                format!(
-                    "its columns are {}; choose one with --observe {}=COLUMN",
-                    crate::failure::listed(labels),
-                    observe.quantity
-                ),
+                format!("its columns are {}; choose one with --observe {}=COLUMN", listed(labels), observe.quantity),
             )
         })?;
         if table.columns.get(column).is_some_and(|found| found.independent == column) {
@@ -283,17 +279,6 @@ pub fn reading(name: &str, text: &str, unit: Option<&Unit>) -> Result<f64, Failu
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn observations_name_a_quantity_and_perhaps_a_column() {
-        let expected = Observe { quantity: "y'".to_owned(), column: Some("v".to_owned()) };
-        assert_eq!(observe("y' = v"), Ok(expected));
-        assert_eq!(observe("y").map(|observe| observe.column), Ok(None));
-        let of_run = Observe { quantity: "y".to_owned(), column: Some("Run 2.y".to_owned()) };
-        assert_eq!(observe("Run 2.y"), Ok(of_run));
-        assert_eq!(observe("2.5*y").map(|observe| observe.column), Ok(None));
-        assert!(observe("=v").is_err() && observe("y=").is_err() && observe("").is_err());
-    }
 
     #[test]
     fn readings_have_the_unit_of_the_file_or_their_own() {

@@ -1,8 +1,9 @@
 //! `meniscus derivatives`: velocity and acceleration computed from a measured column.
 
 use crate::arguments::{Derivatives, Difference};
+use crate::assignments::Observe;
 use crate::columns;
-use crate::data::{self, Observe};
+use crate::data;
 use crate::failure::Failure;
 use crate::output;
 use crate::terminal::Terminal;

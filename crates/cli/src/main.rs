@@ -1,6 +1,7 @@
 //! The `meniscus` command line: a thin layer over the other crates that adds files, the terminal and a server.
 
 mod arguments;
+mod assignments;
 mod check;
 mod columns;
 mod cycles;

@@ -1,7 +1,7 @@
 //! A translation: the words of a document in another language.
 
+use crate::block::BlockKind;
 use crate::open::{File, Read};
-use crate::outline::BlockKind;
 use crate::translation::Texts;
 use crate::{questions, scene, settings};
 use model::{Diagnostic, Span};

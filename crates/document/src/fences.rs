@@ -1,6 +1,6 @@
 //! Where the blocks of a document begin and end.
 
-use crate::outline::{Block, BlockKind, Fence};
+use crate::block::{Block, BlockKind, Fence};
 use crate::source::{Line, lines};
 use model::{Diagnostic, Span};
 use std::ops::Range;

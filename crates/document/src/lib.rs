@@ -5,6 +5,7 @@
 //! model has no errors. Neither fails: what cannot be read is a [`model::Diagnostic`] with its
 //! place. [`edit`] changes a text by its structure.
 
+mod block;
 mod document;
 pub mod edit;
 mod edition;
@@ -26,7 +27,8 @@ mod source;
 mod translation;
 mod vary;
 
+pub use block::{Block, BlockKind, Fence};
 pub use document::{Document, Opened};
 pub use front_matter::{Entry, FrontMatter, Value, translates};
 pub use open::open;
-pub use outline::{Block, BlockKind, Fence, Outline, read};
+pub use outline::{Outline, read};

@@ -1,9 +1,10 @@
 //! From text to document.
 
+use crate::block::BlockKind;
 use crate::document::{Document, Opened};
 use crate::expressions::Expressions;
 use crate::findings::limited;
-use crate::outline::{BlockKind, Outline};
+use crate::outline::Outline;
 use crate::prose::Prose;
 use crate::questions::{self, QUESTIONS, RawQuestion};
 use crate::scene::SceneText;

@@ -1,6 +1,7 @@
 //! The structure of a document's text: its front matter and its blocks, with their places. The text need not make sense:
 //! names, units and values are not checked, so that an author sees the structure while there are errors in it.
 
+use crate::block::{Block, BlockKind};
 use crate::findings::limited;
 use crate::{FrontMatter, fences, front_matter};
 use model::{Diagnostic, Span, Statement};
@@ -9,80 +10,6 @@ use units::words;
 
 /// How long a document may be, in bytes.
 pub(crate) const LENGTH: usize = 1 << 20;
-
-/// What a block of a document holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BlockKind {
-    /// Markdown between the fenced blocks. Fenced code of other kinds belongs to it.
-    Prose,
-    /// Statements of the equation language.
-    Model,
-    /// An SVG drawing.
-    Scene,
-    /// Descriptions of figures.
-    Plots,
-    /// Named sets of parameter values.
-    Presets,
-    /// A question.
-    Question,
-    /// Texts and their translations.
-    Translations,
-}
-
-impl BlockKind {
-    /// The kinds that stand between fence lines: all but prose.
-    pub const FENCED: [Self; 6] =
-        [Self::Model, Self::Scene, Self::Plots, Self::Presets, Self::Question, Self::Translations];
-
-    /// The name; of a fenced block, the word after the backquotes.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Prose => "prose",
-            Self::Model => "model",
-            Self::Scene => "scene",
-            Self::Plots => "plots",
-            Self::Presets => "presets",
-            Self::Question => "question",
-            Self::Translations => "translations",
-        }
-    }
-}
-
-/// A block of a document.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Block {
-    /// What it holds.
-    pub kind: BlockKind,
-    /// All of it: fence lines and line ends included.
-    pub span: Span,
-    /// What stands between the fence lines, with its last line end. Of prose, all of it.
-    pub content: Span,
-    /// The lines around the content; none around prose.
-    pub fence: Option<Fence>,
-    /// The statements of a model, in the order of the text; see [`model::parse`] for those that have errors. None of
-    /// other kinds, and none if the models of the document are too long to be parsed.
-    pub statements: Vec<Statement>,
-}
-
-/// The lines that begin and end a block, without their line ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Fence {
-    /// The opening line.
-    pub opening: Span,
-    /// The closing line. None if it is missing; the block ends with the text or where the next block begins.
-    pub closing: Option<Span>,
-}
-
-impl Block {
-    pub(crate) fn prose(span: Span) -> Self {
-        Self { kind: BlockKind::Prose, span, content: span, fence: None, statements: Vec::new() }
-    }
-
-    /// Where to report a finding about the whole block: its opening line.
-    pub(crate) fn head(&self) -> Span {
-        self.fence.map_or(self.span, |fence| fence.opening)
-    }
-}
 
 /// The structure of a document's text. Front matter and blocks together cover the text without gaps, but for a byte
 /// order mark before them.

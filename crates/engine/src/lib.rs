@@ -20,6 +20,7 @@ mod rosenbrock;
 mod routine;
 mod run;
 mod setup;
+mod start;
 mod stepper;
 pub mod table;
 

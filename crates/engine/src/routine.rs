@@ -1,7 +1,7 @@
 //! Compiles expressions of a model to register code and evaluates them.
 
-use crate::instruction::{self, Instruction, Register};
-use crate::linear::{Elimination, Factors};
+use crate::instruction::{self, Elimination, Instruction, Register};
+use crate::linear::Factors;
 use program::{Binary, Graph, Model, Node, NodeId, Unary};
 
 /// How many rows are computed at a time.

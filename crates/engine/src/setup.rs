@@ -1,6 +1,6 @@
 //! What a run is started with.
 
-use crate::{Cause, Method, RunError, fixed};
+use crate::Method;
 use program::Model;
 
 /// What a run is started with; all values SI. The independent variable starts at 0.
@@ -37,37 +37,5 @@ impl Setup {
             tolerance: Self::TOLERANCE,
             start: None,
         }
-    }
-
-    /// Whether a run of `model` can start with this.
-    pub(crate) fn check(&self, model: &Model) -> Result<(), RunError> {
-        let (parameters, states) = (model.parameters.len(), model.states.len());
-        let start = self.start.as_ref().map_or(states, Vec::len);
-        let cause = if self.parameters.len() != parameters {
-            Cause::WrongParameters(self.parameters.len(), parameters)
-        } else if let Some(index) = self.parameters.iter().position(|value| !value.is_finite()) {
-            Cause::ParameterNotFinite(index)
-        } else if start != states {
-            Cause::WrongStart(start, states)
-        } else if !(self.step > 0.0 && self.step < Setup::GREATEST_STEP) {
-            Cause::StepNotPositive
-        } else if self.method.adaptive() && !(self.tolerance >= Setup::LEAST_TOLERANCE && self.tolerance < 1.0) {
-            Cause::BadTolerance
-        } else if self.method == Method::VelocityVerlet
-            && let Some(first) = fixed::not_of_second_order(model)
-        {
-            Cause::NotSecondOrder(first)
-        } else {
-            return Ok(());
-        };
-        Err(RunError::at_start(cause))
-    }
-}
-
-/// The initial values are finite.
-pub(crate) fn check_initial(initial: &[f64]) -> Result<(), RunError> {
-    match initial.iter().position(|value| !value.is_finite()) {
-        None => Ok(()),
-        Some(index) => Err(RunError::at_start(Cause::InitialNotFinite(index))),
     }
 }

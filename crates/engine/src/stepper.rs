@@ -12,9 +12,8 @@ use crate::equations::Equations;
 use crate::events::Events;
 use crate::fixed::Fixed;
 use crate::rosenbrock::Rosenbrock;
-use crate::setup;
+use crate::start;
 use crate::{Cause, Method, Routine, RunError, Setup};
-use advance::RowWork;
 use program::{Model, NodeId};
 
 /// A model in motion: goes from one point of the grid t_n = n h to the next.
@@ -41,6 +40,13 @@ pub struct Stepper {
     stopped: Option<RunError>,
 }
 
+/// What it took to come from one point of the grid towards the next.
+#[derive(Clone, Copy, Debug, Default)]
+struct RowWork {
+    steps: usize,
+    events: usize,
+}
+
 #[derive(Clone, Debug)]
 enum Solver {
     Fixed(Fixed),
@@ -53,12 +59,12 @@ impl Stepper {
     /// # Errors
     /// A step or tolerance that is not positive, an initial state that is not finite, a method that cannot treat the model.
     pub fn new(model: &Model, setup: &Setup) -> Result<Self, RunError> {
-        setup.check(model)?;
+        start::check(setup, model)?;
         let initial = match &setup.start {
             Some(start) => start.clone(),
             None => initial_state(model, &setup.parameters),
         };
-        setup::check_initial(&initial)?;
+        start::check_initial(&initial)?;
         let states = model.states.len();
         let adaptive = |pair| Solver::Adaptive(Box::new(Adaptive::new(pair, model, setup)));
         let (solver, equations) = match setup.method {

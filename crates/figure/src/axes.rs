@@ -1,7 +1,8 @@
 //! The axes of a figure: grid, lines, ticks, labels and titles.
 
-use crate::figure::{Anchor, Dash, Entry, Figure, Ink, Point, Stroke};
-use crate::layout::{GAP, LABEL, ROW, TICK, crisp, point};
+use crate::figure::Figure;
+use crate::items::{Anchor, Dash, Entry, Ink, Point, Stroke, crisp};
+use crate::layout::{GAP, LABEL, ROW, TICK, point};
 use crate::plot::Plot;
 use crate::text::width;
 use crate::ticks::Ticks;

@@ -1,6 +1,7 @@
 //! Reading values off a figure: what lies under the pointer or the keyboard's cursor.
 
-use crate::figure::{Figure, Point};
+use crate::figure::Figure;
+use crate::items::Point;
 use crate::limits::drawable;
 use crate::plot::{Axis, Plot, Series};
 use units::number::{DASH, axis_unit, resolved, write_power};

@@ -1,9 +1,10 @@
 //! From a plot to a figure: room for the texts, limits, ticks, and the series in between.
 
-use crate::figure::{Anchor, Entry, Figure, Ink, Point, Rect, Scale};
+use crate::figure::Figure;
+use crate::items::{Anchor, DATA_RADIUS, Entry, Ink, Point, Rect, Scale};
 use crate::limits::{Extent, growing, sane, shared_limits};
 use crate::plot::{Axis, Interval, Plot, Series, Settings, Style};
-use crate::series::{DATA_RADIUS, stroke};
+use crate::series::stroke;
 use crate::spread;
 use crate::text::{fitted, width};
 use crate::ticks::Ticks;
@@ -321,11 +322,6 @@ impl Figure {
 fn about_the_middle(values: Interval, length: f64) -> Interval {
     let middle = values.low + values.length() / 2.0;
     Interval { low: middle - length / 2.0, high: middle + length / 2.0 }
-}
-
-/// The middle of the pixel, where a line one pixel wide is sharp.
-pub(crate) fn crisp(pixel: f64) -> f32 {
-    (libm::floor(pixel) + 0.5) as f32
 }
 
 pub(crate) fn point(x: f64, y: f64) -> Point {

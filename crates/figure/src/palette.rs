@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::figure::Ink;
+use crate::items::Ink;
 
 /// How many series have colours of their own.
 pub const SERIES_COLOURS: usize = 6;

@@ -2,16 +2,14 @@
 
 use std::ops::Range;
 
-use crate::figure::{Dash, Entry, Figure, Ink, Point, Rect, Scale, Stroke};
-use crate::layout::crisp;
+use crate::figure::Figure;
+use crate::items::{DATA_RADIUS, Dash, Entry, Ink, Point, Rect, Scale, Stroke, crisp};
 use crate::limits::drawable;
 use crate::plot::{Plot, Series, Style};
 use crate::trace::{Tracer, scatter};
 
 /// How far lines may pass the edge of the panel, so that one along the edge is not cut in half.
 const BLEED: f32 = 1.5;
-/// The radius of the dots of measured data.
-pub(crate) const DATA_RADIUS: f32 = 2.5;
 
 impl Figure {
     /// The line or the points of a series.

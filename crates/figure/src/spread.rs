@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use crate::figure::{Dash, Entry, Figure, Ink, Point, Scale, Stroke};
+use crate::figure::Figure;
+use crate::items::{Dash, Entry, Ink, Point, Scale, Stroke};
 use crate::limits::{Extent, drawable};
 use crate::plot::{Plot, Series, Style};
 use crate::series::visible_rows;

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use crate::figure::{Anchor, Figure, Item, Stroke};
+use crate::figure::Figure;
+use crate::items::{Anchor, Item, Stroke};
 use crate::palette::Palette;
 
 /// The fonts of all texts: what the system shows its own in.

@@ -8,7 +8,7 @@
 
 use std::ops::Range;
 
-use crate::figure::{Entry, Ink, Rect, Stroke};
+use crate::items::{Entry, Ink, Rect, Stroke};
 
 /// How far, in pixels, a line may pass by a point that was left out.
 const TOLERANCE: f32 = 0.2;
@@ -231,7 +231,7 @@ pub(crate) fn scatter(
     let start = points.len();
     let mut last = (f32::NEG_INFINITY, f32::NEG_INFINITY);
     for (x, y) in pixels {
-        let inside = area.contains(crate::figure::Point { x, y });
+        let inside = area.contains(crate::items::Point { x, y });
         let coincides = (x - last.0).abs() < TOLERANCE && (y - last.1).abs() < TOLERANCE;
         if inside && !coincides {
             points.extend([x, y]);

@@ -1,6 +1,7 @@
 //! Zooming and panning: from a gesture in pixels to the next view. The default view, all automatic, is the way back.
 
-use crate::figure::{Figure, Point, Scale};
+use crate::figure::Figure;
+use crate::items::{Point, Scale};
 use crate::limits::sane;
 use crate::plot::{Interval, View};
 

@@ -43,7 +43,7 @@ fn card(app: App) -> View {
 fn content(app: App, looked: Signal<u32>) -> View {
     let words = app.words();
     let index = app.read_desk(|desk| desk.cycle_plot());
-    let shown = move || plots::now(app.page, index).is_some_and(|plot| plot.offered);
+    let shown = move || app.plot(index).is_some_and(|plot| plot.offered);
     let found = memo(move || {
         looked.track();
         app.records.track();

@@ -1,6 +1,7 @@
 //! Velocity and acceleration computed from a record's column: which column, by which method.
 
 use crate::app::App;
+use crate::intake;
 use desk::{ColumnView, Differentiation, RecordView};
 use view::browser;
 use view::views::*;
@@ -52,7 +53,7 @@ pub fn view(app: App, record: &RecordView, choice: Choice) -> View {
     let again = place.clone();
     let make = move |_| {
         let refusal = app.attempt_on_desk(|desk| desk.make_derivatives(id, column.get_untracked(), choice.method()));
-        crate::measurements::refuse(app, refusal);
+        intake::refuse(app, refusal);
         browser::focus_later(again.clone());
     };
     let forget_focus = place.clone();

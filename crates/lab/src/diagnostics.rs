@@ -1,7 +1,7 @@
 //! What was found in a document, with its places in the text.
 
 use crate::app::App;
-use crate::{correction, library, opening, titles};
+use crate::{correction, library_list, opening, titles};
 use document::page::Source;
 use model::{Diagnostic, Label, Severity};
 use units::{Language, Words};
@@ -39,7 +39,7 @@ fn ways_back(app: App) -> HtmlDiv {
     let browse = button()
         .class("quiet outlined")
         .attr("aria-haspopup", "dialog")
-        .when(events::click, move |_| library::choose(app))
+        .when(events::click, move |_| library_list::choose(app))
         .child(words.other_documents);
     div().class("actions ways-back").maybe(back).child(browse)
 }

@@ -1,7 +1,7 @@
 //! The top of the page: the mark, the document's title, and what concerns the page as a whole.
 
 use crate::app::App;
-use crate::{library, links, opening};
+use crate::{library_list, links, opening};
 use view::icons;
 use view::views::*;
 use web_sys::HtmlInputElement;
@@ -13,7 +13,7 @@ pub fn view(app: App) -> HtmlHeader {
         .id("browse")
         .title(words.library_title)
         .attr("aria-haspopup", "dialog")
-        .when(events::click, move |_| library::choose(app));
+        .when(events::click, move |_| library_list::choose(app));
     let own = View::from((browse, open_button(app)));
     view::header::view(app.page, own, move || links::share(app))
 }

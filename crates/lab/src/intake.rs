@@ -2,8 +2,7 @@
 //! out.
 
 use crate::app::App;
-use crate::measurements;
-use crate::panel;
+use crate::tabs;
 use desk::{Desk, LONGEST_RECORD, RecordProgress, Refusal};
 use view::browser;
 use view::views::*;
@@ -54,8 +53,8 @@ pub fn read(app: App, files: Vec<File>) {
             while let Some(file) = app.with(|lab| lab.files.pop_front()).flatten() {
                 let refusal = read_file(app, &file).await;
                 app.record_progress.set(None);
-                measurements::refuse(app, refusal);
-                app.tab.set(panel::MEASURE);
+                refuse(app, refusal);
+                app.tab.set(tabs::MEASURE);
             }
             app.with(|lab| lab.reading = false);
         });
@@ -69,9 +68,9 @@ async fn read_file(app: App, file: &File) -> Option<String> {
     if file.size() > LONGEST_RECORD as f64 {
         return app.attempt_on_desk(|_| Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 }));
     }
-    measurements::refuse(app, None);
+    refuse(app, None);
     app.record_progress.set(Some(RecordProgress { name: name.clone(), part: 0.0 }));
-    app.tab.set(panel::MEASURE);
+    app.tab.set(tabs::MEASURE);
     app.say(format!("{} {name}", app.words().reading_record));
     let Ok(buffer) = browser::wait(file.array_buffer()).await else {
         return Some(format!("{} {name}", app.words().file_not_read));
@@ -102,4 +101,12 @@ async fn read_file(app: App, file: &File) -> Option<String> {
     browser::breathe().await;
     app.act(|_| ());
     refusal
+}
+
+/// Shows why a record was not taken: in the line of messages, and where records come in.
+pub fn refuse(app: App, refusal: Option<String>) {
+    if let Some(why) = &refusal {
+        app.complain(why.clone());
+    }
+    app.record_refusal.set(refusal);
 }

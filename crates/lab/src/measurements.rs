@@ -1,8 +1,9 @@
 //! The tab of measured data: records come in and are looked at, cycle by cycle too.
 
 use crate::app::App;
-use crate::panel;
-use crate::{cycles, intake, library, records, virtual_form};
+use crate::intake::{self, refuse};
+use crate::tabs;
+use crate::{cycles, library, records, virtual_form};
 use view::views::*;
 use view::{browser, icons};
 use web_sys::{HtmlInputElement, HtmlTextAreaElement};
@@ -87,14 +88,6 @@ fn add(app: App, name: &str, bytes: &[u8]) -> bool {
     let refusal = app.attempt_on_desk(|desk| desk.add_record(name, bytes).map(|_| ()));
     let added = refusal.is_none();
     refuse(app, refusal);
-    app.tab.set(panel::MEASURE);
+    app.tab.set(tabs::MEASURE);
     added
-}
-
-/// Shows why a record was not taken: in the line of messages, and where records come in.
-pub fn refuse(app: App, refusal: Option<String>) {
-    if let Some(why) = &refusal {
-        app.complain(why.clone());
-    }
-    app.record_refusal.set(refusal);
 }

@@ -6,12 +6,8 @@ use crate::links::Arrival;
 use crate::{fit, intake, saved, visited};
 use desk::Desk;
 use document::page::{self, Source};
-use model::Diagnostic;
 use view::{browser, frame, messages};
 use web_sys::{Event, File, FileList};
-
-/// What was found in the files, each with the number of its file.
-pub type Findings = Vec<(usize, Diagnostic)>;
 
 /// Opens what a link or the history leads to.
 pub fn arrive(app: App, arrival: Arrival) {

@@ -1,7 +1,7 @@
 //! The records: what is drawn of them, what their columns are taken for, what they hide.
 
 use crate::app::App;
-use crate::{derivatives, measurements};
+use crate::{derivatives, intake};
 use desk::{ColumnView, RecordView};
 use view::browser;
 use view::views::*;
@@ -133,7 +133,7 @@ fn unit(app: App, records: Records, record: u32, column: &ColumnView) -> View {
     let take = move |event| {
         let typed = value_of(&event);
         let refusal = app.attempt_on_desk(|desk| desk.set_column_unit(record, index, &typed));
-        measurements::refuse(app, refusal);
+        intake::refuse(app, refusal);
         browser::focus_later(again.clone());
     };
     let words = app.words();

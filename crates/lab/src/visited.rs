@@ -2,13 +2,13 @@
 //! the buttons Back and Forward show it again.
 
 use crate::app::App;
-use crate::{library, links, opening};
+use crate::library;
 use document::page::{self, Source};
 use play::{Link, Subject};
 use view::browser;
 use view::views::window;
 use wasm_bindgen::JsValue;
-use web_sys::{Event, History};
+use web_sys::History;
 
 /// What the state of a step begins with.
 const OURS: &str = "meniscus ";
@@ -48,35 +48,12 @@ pub fn note(app: App, address: Option<&str>) {
     }
 }
 
-/// Follows the history, and links to other states of this page.
-pub fn listen(app: App) {
-    browser::listen("popstate", move |_: &Event| {
-        if let Some(before) = present().filter(|before| *before != sources(app)) {
-            opening::leave(app);
-            opening::open(app, before, "");
-        }
-    });
-    browser::listen("hashchange", move |_: &Event| {
-        if present().is_some() {
-            // Back or forward: the document is open already.
-            return;
-        }
-        let fragment = browser::fragment();
-        if browser::is_heading(&fragment) {
-            return note(app, None);
-        }
-        wasm_bindgen_futures::spawn_local(async move {
-            let arrival = links::read(&fragment).await;
-            opening::arrive(app, arrival);
-        });
-    });
-}
-
 fn history() -> Option<History> {
     window().history().ok()
 }
 
-fn sources(app: App) -> Vec<Source> {
+/// The files of the open document.
+pub fn sources(app: App) -> Vec<Source> {
     app.with(|lab| lab.sources.clone()).unwrap_or_default()
 }
 

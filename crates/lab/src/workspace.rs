@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::links::Arrival;
-use crate::{diagnostics, drop, header, library, links, opening, panel, visited};
+use crate::{diagnostics, drop, header, library_list, links, navigation, opening, panel};
 use units::Language;
 use view::views::*;
 use view::{browser, shell, stage};
@@ -29,7 +29,7 @@ fn prepare(app: App, arrival: Arrival) {
     shell::prepare(app.page);
     opening::arrive(app, arrival);
     opening::save_when_left(app);
-    visited::listen(app);
+    navigation::listen(app);
     drop::listen(app);
 }
 
@@ -45,5 +45,5 @@ fn build(app: App) -> View {
     } else {
         View::from((main().child(diagnostics::view(app)), footer().child(p().child(app.words().footer))))
     };
-    View::from((header::view(app), body, library::dialog(app)))
+    View::from((header::view(app), body, library_list::dialog(app)))
 }

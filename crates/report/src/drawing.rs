@@ -38,7 +38,8 @@ struct Columns {
     predicted: Vec<f64>,
 }
 
-/// See [`crate::figure`].
+/// The figures of all observations as one standalone SVG, one below the other: the measured values over the fitted curve, and
+/// what is left over below.
 pub fn figure(report: &Report<'_>) -> String {
     let language = report.language;
     let title = report.document.program.edition(language.tag()).title.as_str();

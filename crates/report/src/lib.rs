@@ -10,58 +10,15 @@ mod markup;
 mod page;
 mod ranking;
 mod remarks;
+mod report;
 mod results;
 mod theory;
 
-use analysis::fit::{Interval, Outcome, Task, Trace};
-use document::Document;
-use units::Language;
-
+pub use drawing::figure;
 pub use export::{csv, workbook};
 pub use markup::with_math_font;
 pub use page::html;
 pub use ranking::{Ranking, ranking_csv, ranking_html, ranking_workbook};
 pub use remarks::remarks;
+pub use report::Report;
 pub use results::{once, readable_units};
-
-/// A finished fit and where it comes from.
-#[derive(Clone, Copy, Debug)]
-pub struct Report<'a> {
-    /// The theory.
-    pub document: &'a Document,
-    /// Its file, such as `linear.md`.
-    pub document_name: &'a str,
-    /// The language of the report.
-    pub language: Language,
-    /// What was asked for.
-    pub task: &'a Task,
-    /// What came of it.
-    pub outcome: &'a Outcome,
-    /// The fitted curves, from [`analysis::fit::Fit::traces`]. Without them the figures join the values at the measured
-    /// times.
-    pub traces: &'a [Trace],
-    /// The profile of each parameter, in the order of [`Outcome::parameters`]; empty if none were asked for.
-    pub intervals: &'a [Option<[Interval; 2]>],
-    /// What was noticed about the data of each record, in sentences.
-    pub notes: &'a [Vec<String>],
-    /// The command that repeats the fit, or a sentence that says how; may be empty.
-    pub command: &'a str,
-    /// The version of the program.
-    pub version: &'a str,
-    /// When it was made, as it is to be read; may be empty.
-    pub date: &'a str,
-}
-
-impl Report<'_> {
-    /// See [`remarks`].
-    fn remarks(&self) -> Vec<String> {
-        let independent = &self.document.program.model.independent;
-        remarks(self.outcome, self.task, (&independent.name, &independent.unit), self.language)
-    }
-}
-
-/// The figures of all observations as one standalone SVG, one below the other: the measured values over the fitted curve, and
-/// what is left over below.
-pub fn figure(report: &Report<'_>) -> String {
-    drawing::figure(report)
-}

@@ -73,6 +73,17 @@ impl Exponent {
         f64::from(self.numerator) / f64::from(self.denominator)
     }
 
+    /// The power of a symbol, as it is written: `m^2`, `s^(1/2)`.
+    pub(crate) fn power_of(self, symbol: &str) -> String {
+        if self == Self::ONE {
+            symbol.to_owned()
+        } else if self.is_whole() {
+            format!("{symbol}^{self}")
+        } else {
+            format!("{symbol}^({self})")
+        }
+    }
+
     /// The sum.
     pub fn plus(self, other: Self) -> Option<Self> {
         let (a, b) = (i64::from(self.numerator), i64::from(self.denominator));

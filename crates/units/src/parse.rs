@@ -10,19 +10,20 @@
 //! After `/` stands one factor: `J/kg K` could be read in two ways, so it needs parentheses.
 
 use crate::scale::Scale;
-use crate::unit::power_text;
 use crate::unit_error::{error, hinting, too_high, unknown};
-use crate::{Dimension, Exponent, Unit, UnitError, table, words};
+use crate::{Dimension, Exponent, UnitError, table, words};
 use std::ops::Range;
 
 /// Parentheses in parentheses; no unit needs more.
 const DEPTH: usize = 16;
 
-pub(crate) fn parse(text: &str) -> Result<Unit, UnitError> {
+/// The dimension of the unit that `text` names, its SI value as a quotient of exact numbers, and the text with signs and
+/// blanks made one way.
+pub(crate) fn parse(text: &str) -> Result<(Dimension, (f64, f64), String), UnitError> {
     let mut reader = Reader { text, at: 0 };
     reader.blanks();
     if reader.at == text.len() {
-        return Ok(Unit::dimensionless());
+        return Ok((Dimension::NONE, (1.0, 1.0), String::new()));
     }
     let part = reader.unit(0)?;
     if reader.at < text.len() {
@@ -41,7 +42,7 @@ pub(crate) fn parse(text: &str) -> Result<Unit, UnitError> {
         ));
     }
     let text = if part.text == "1" { String::new() } else { part.text };
-    Ok(Unit::new(part.dimension, (multiplier, divisor), text))
+    Ok((part.dimension, (multiplier, divisor), text))
 }
 
 /// A part of a unit and how it is written.
@@ -242,7 +243,7 @@ impl<'a> Reader<'a> {
             let range = exponent_start..self.at;
             let dimension = part.dimension.power(exponent).ok_or_else(|| too_high(range))?;
             let base = grouped(part.text, &[' ', '/', '^']);
-            let text = if base == "1" { base } else { power_text(&base, exponent) };
+            let text = if base == "1" { base } else { exponent.power_of(&base) };
             part = Part { dimension, scale: part.scale.power(exponent), text, range: start..self.at };
         }
         part.range = start..self.at;

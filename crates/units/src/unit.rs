@@ -1,6 +1,6 @@
 //! Units: a dimension, a factor to SI and the text that names it.
 
-use crate::{Dimension, Exponent, UnitError, parse, table};
+use crate::{Dimension, UnitError, parse, table};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::LazyLock;
@@ -28,7 +28,7 @@ impl Unit {
     /// When a symbol is unknown, the division is ambiguous, the scale has its own zero (`degC`), or the text is no
     /// unit at all.
     pub fn parse(text: &str) -> Result<Self, UnitError> {
-        parse::parse(text)
+        parse::parse(text).map(|(dimension, scale, text)| Self::new(dimension, scale, text))
     }
 
     /// The coherent SI unit of a dimension, `kg/m^3`, by its own name where it has one: `N`, `J`, `Pa s`.
@@ -97,7 +97,7 @@ fn base_text(dimension: Dimension) -> String {
         let factors: Vec<String> = dimension
             .base()
             .filter(|(_, exponent)| (exponent.numerator() < 0) == negative)
-            .map(|(symbol, exponent)| power_text(symbol, if negative { exponent.negated() } else { exponent }))
+            .map(|(symbol, exponent)| if negative { exponent.negated() } else { exponent }.power_of(symbol))
             .collect();
         (factors.len(), factors.join(" "))
     };
@@ -107,16 +107,6 @@ fn base_text(dimension: Dimension) -> String {
         ((0, _), (_, below)) => format!("1/({below})"),
         ((_, above), (1, below)) => format!("{above}/{below}"),
         ((_, above), (_, below)) => format!("{above}/({below})"),
-    }
-}
-
-pub(crate) fn power_text(symbol: &str, exponent: Exponent) -> String {
-    if exponent == Exponent::ONE {
-        symbol.to_owned()
-    } else if exponent.is_whole() {
-        format!("{symbol}^{exponent}")
-    } else {
-        format!("{symbol}^({exponent})")
     }
 }
 

@@ -5,9 +5,10 @@ use crate::frame::{self, Nodes};
 use crate::messages::{self, Message};
 use crate::stage;
 use crate::stage::brush::Part;
+use crate::tabs;
 use crate::views::*;
 use crate::words::{Words, words_in};
-use play::{Announcement, Play, PlotId, Prominence, Refusal, Revision};
+use play::{Announcement, Play, PlotId, PlotView, Prominence, Refusal, Revision};
 use std::cell::{Cell, RefCell};
 use std::ops::Deref;
 use sycamore_reactive::{NodeHandle, batch, use_current_scope};
@@ -189,7 +190,7 @@ impl App {
             messages: create_signal(Vec::new()),
             printing: create_signal(false),
             single_keys: create_signal(browser::remembered("keys").is_none()),
-            tab: create_signal(crate::panel::PLAY),
+            tab: create_signal(tabs::PLAY),
             table_open: create_signal(false),
             narrow: create_signal(browser::matches(stage::NARROW)),
             front_plot: create_signal(None),
@@ -218,6 +219,12 @@ impl App {
         let (mut read, mut result) = (Some(read), None);
         self.host().with_play(&mut |play| result = read.take().map(|read| read(play)));
         result.unwrap_or_default()
+    }
+
+    /// A plot as it is now; tracks which plots are shown.
+    pub fn plot(self, id: PlotId) -> Option<PlotView> {
+        self.changes.plots.track();
+        self.read(|play| play.plots().into_iter().nth(id.place()))
     }
 
     /// Does something in the simulation, tells the views and draws.

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use crate::{browser, panel};
+use crate::{browser, tabs};
 
 /// Rows in the window.
 const ROWS: usize = 20;
@@ -18,7 +18,7 @@ pub fn view(app: App) -> HtmlDiv {
         app.read(|play| play.table_length())
     };
     let last_start = move || length().saturating_sub(ROWS);
-    let open = memo(move || app.tab.get() == panel::PLAY && app.table_open.get());
+    let open = memo(move || app.tab.get() == tabs::PLAY && app.table_open.get());
     let body = move || {
         if !open.get() {
             return View::new();

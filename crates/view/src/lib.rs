@@ -3,6 +3,7 @@
 
 mod app;
 pub mod browser;
+mod colours;
 pub mod controls;
 mod data;
 mod drag;
@@ -26,6 +27,7 @@ mod sight;
 mod sound;
 pub mod stage;
 mod steady;
+mod tabs;
 pub mod theme;
 mod transport;
 pub mod views;

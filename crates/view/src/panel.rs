@@ -1,17 +1,11 @@
 //! The panel beside the stage: what a person sets, answers and reads, and whatever else the page offers, one tab for each.
 
 use crate::app::App;
+use crate::tabs::{ACTIVITIES, PLAY, THEORY};
 use crate::views::*;
 use crate::{browser, playing, reading};
 use sycamore_reactive::untrack;
 use web_sys::KeyboardEvent;
-
-/// The tab of parameters, presets and values.
-pub const PLAY: &str = "play";
-/// The tab of the questions.
-pub const ACTIVITIES: &str = "activities";
-/// The tab of prose and equations.
-pub const THEORY: &str = "theory";
 
 /// A tab of the panel.
 #[derive(Clone)]

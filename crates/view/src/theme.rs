@@ -1,5 +1,7 @@
 //! Light and dark: chosen, or as the system has it.
 
+pub use crate::colours::Colours;
+
 use crate::app::App;
 use crate::views::*;
 use crate::{browser, frame};
@@ -75,49 +77,5 @@ impl Theme {
             Self::Light => "light",
             Self::Dark => "dark",
         }
-    }
-}
-
-/// A palette as the canvas wants it: colours as texts, made once and not in every frame.
-pub struct Colours {
-    plain: [String; 6],
-    series: [String; SERIES_COLOURS],
-    runs: [String; RUN_COLOURS],
-    ghosts: [String; SERIES_COLOURS],
-    bands: [String; SERIES_COLOURS],
-}
-
-impl Colours {
-    fn new(palette: &Palette) -> Self {
-        let text = |ink| palette.colour(ink).to_string();
-        Self {
-            plain: [Ink::Ground, Ink::Text, Ink::Grid, Ink::Zero, Ink::Axis, Ink::Marker].map(text),
-            series: std::array::from_fn(|number| text(Ink::Series(number as u8))),
-            runs: std::array::from_fn(|number| text(Ink::Run(number as u8))),
-            ghosts: std::array::from_fn(|number| text(Ink::Ghost(number as u8))),
-            bands: std::array::from_fn(|number| text(Ink::Band(number as u8))),
-        }
-    }
-
-    /// The colour of an ink, such as `#005fb8`.
-    pub fn of(&self, ink: Ink) -> &str {
-        match ink {
-            Ink::Ground => &self.plain[0],
-            Ink::Text => &self.plain[1],
-            Ink::Grid => &self.plain[2],
-            Ink::Zero => &self.plain[3],
-            Ink::Axis => &self.plain[4],
-            Ink::Marker => &self.plain[5],
-            Ink::Series(number) => &self.series[usize::from(number) % SERIES_COLOURS],
-            Ink::Run(number) => &self.runs[usize::from(number) % RUN_COLOURS],
-            Ink::Ghost(number) => &self.ghosts[usize::from(number) % SERIES_COLOURS],
-            Ink::Band(number) => &self.bands[usize::from(number) % SERIES_COLOURS],
-        }
-    }
-}
-
-impl Default for Colours {
-    fn default() -> Self {
-        Self::new(&Palette::LIGHT)
     }
 }

@@ -1,6 +1,6 @@
 //! The cycles drawn: the record, and each quantity against time and against amplitude.
 
-use super::Record;
+use super::record::Record;
 use analysis::cycles::{Cycle, Measured, Quantity, well_known};
 use figure::{Axis, Interval, Palette, Plot, Series, Settings, Style, View, layout};
 use std::fmt::Write;

@@ -1,6 +1,6 @@
 //! The table of cycles for people.
 
-use super::Record;
+use super::record::Record;
 use crate::columns;
 use analysis::cycles::{Constancy, Cycle, Measured, Quantity};
 use units::Language;

@@ -1,6 +1,7 @@
 //! `meniscus fit`: one theory, one or more records.
 
 use super::arguments::{Common, Fit as Arguments, Form, LossName};
+use super::fitted::Fitted;
 use super::prepare::{self, Theory};
 use super::{json, text};
 use crate::columns;
@@ -8,7 +9,7 @@ use crate::data::{self, Measured};
 use crate::failure::Failure;
 use crate::output;
 use crate::terminal::Terminal;
-use analysis::fit::{Fit, FitError, Interval, Outcome, Task, Trace, profiles};
+use analysis::fit::{Fit, FitError, Task, profiles};
 use base64::Engine as _;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use report::Report;
@@ -19,20 +20,6 @@ use units::number::{Style, plain};
 
 /// Points of a drawn curve.
 const POINTS: usize = 600;
-
-/// A theory that has been fitted.
-pub struct Fitted {
-    /// The theory.
-    pub theory: Theory,
-    /// What was asked for.
-    pub task: Task,
-    /// What came of it.
-    pub outcome: Outcome,
-    /// The fitted curves.
-    pub traces: Vec<Trace>,
-    /// Profile intervals by parameter, where they were asked for.
-    pub intervals: Vec<Option<[Interval; 2]>>,
-}
 
 /// Fits the document to the data, prints what came of it and writes what is asked for.
 pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
@@ -121,32 +108,6 @@ fn refused(theory: &Theory, task: &Task, error: &FitError) -> Failure {
             Failure::with_hint(message, "look at --from and --until, and at the column")
         }
         _ => Failure::request(message),
-    }
-}
-
-impl Fitted {
-    /// What has to be known beside the numbers, in sentences.
-    pub fn remarks(&self) -> Vec<String> {
-        let independent = &self.theory.document.program.model.independent;
-        report::remarks(&self.outcome, &self.task, (&independent.name, &independent.unit), Language::English)
-    }
-
-    /// As the report shows it.
-    pub fn report<'a>(&'a self, notes: &'a [Vec<String>], command: &'a str) -> Report<'a> {
-        let name = self.theory.sources.path().file_name().and_then(|name| name.to_str());
-        Report {
-            document: &self.theory.document,
-            document_name: name.unwrap_or("the document"),
-            language: Language::of(&self.theory.document.program.language),
-            task: &self.task,
-            outcome: &self.outcome,
-            traces: &self.traces,
-            intervals: &self.intervals,
-            notes,
-            command,
-            version: env!("CARGO_PKG_VERSION"),
-            date: "",
-        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Results as JSON, in declared units; what is not known is null.
 
-use super::fit::Fitted;
+use super::fitted::Fitted;
 use crate::columns;
 use crate::data::Measured;
 use analysis::fit::{Estimate, Interval, ObservationFit, Outcome, Outlier, Record};

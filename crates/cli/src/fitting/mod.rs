@@ -2,6 +2,7 @@
 
 pub mod arguments;
 mod fit;
+mod fitted;
 mod json;
 mod prepare;
 mod rank;

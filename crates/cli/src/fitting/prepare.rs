@@ -1,7 +1,7 @@
 //! From the words of a command line to a task.
 
 use super::arguments::Common;
-use crate::arguments::Assignment;
+use crate::assignments::Assignment;
 use crate::data::Measured;
 use crate::failure::Failure;
 use crate::load::{self, Loaded, Sources};

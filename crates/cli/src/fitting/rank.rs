@@ -1,7 +1,8 @@
 //! `meniscus rank`: several theories of the same data, best first.
 
 use super::arguments::{Form, Rank as Arguments};
-use super::fit::{FileKind, Fitted, command, complete, kind, notes, read, with_font};
+use super::fit::{FileKind, command, complete, kind, notes, read, with_font};
+use super::fitted::Fitted;
 use super::prepare;
 use super::text::{Columns, beginnings, searches};
 use crate::data::Measured;

@@ -1,6 +1,6 @@
 //! Results for people, on a terminal.
 
-use super::fit::Fitted;
+use super::fitted::Fitted;
 use analysis::fit::{Estimate, Interval, ObservationFit, Outcome};
 use report::readable_units;
 use std::fmt::Write;

@@ -1,6 +1,6 @@
 //! The documents of a folder, in the order in which the site lists them.
 
-use super::{INDEX, LABORATORY};
+use super::names::{INDEX, LABORATORY, percent_encoded};
 use crate::failure::{Failure, listed};
 use crate::load::{self, Loaded};
 use crate::terminal::Terminal;
@@ -53,12 +53,6 @@ impl Simulation {
             .iter()
             .map(move |file| Source { name: [folder, slash, &file.name].concat(), text: file.text.clone() })
     }
-}
-
-/// A path of the site as an address.
-pub fn percent_encoded(path: &str) -> String {
-    let keep = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte);
-    path.bytes().map(|byte| if keep(byte) { char::from(byte).to_string() } else { format!("%{byte:02X}") }).collect()
 }
 
 /// The documents below `directory`, those of a folder before the folders in it. Reports what is wrong with them, and names
@@ -205,16 +199,4 @@ fn name_left_out(paths: &[PathBuf], directory: &Path, terminal: Terminal) {
             format!("sin página, porque no contiene ninguna simulación: {}\n", language.join(&names))
         }
     });
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn addresses_hold_nothing_that_means_something() {
-        assert_eq!(percent_encoded("a/b-1_2.html"), "a/b-1_2.html");
-        assert_eq!(percent_encoded("mi péndulo & #1?.html"), "mi%20p%C3%A9ndulo%20%26%20%231%3F.html");
-        assert_eq!(percent_encoded("\"><script>"), "%22%3E%3Cscript%3E");
-    }
 }

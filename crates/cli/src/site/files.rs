@@ -1,5 +1,6 @@
 //! The files of a site before they are written.
 
+use super::names::FROM_DISK;
 use crate::failure::Failure;
 use flate2::{Compression, write::GzEncoder};
 use sha2::{Digest, Sha256};
@@ -48,7 +49,7 @@ impl Files {
 
 fn is_text(path: &str) -> bool {
     let texts = [".html", ".css", ".js"];
-    texts.iter().any(|ending| path.ends_with(ending)) && !path.ends_with(super::parts::FROM_DISK)
+    texts.iter().any(|ending| path.ends_with(ending)) && !path.ends_with(FROM_DISK)
 }
 
 /// Without a time or a name in it: the same content gives the same bytes.

@@ -2,7 +2,7 @@
 //! and nothing else.
 
 use super::files::Files;
-use super::worker;
+use super::names::WORKER;
 use crate::failure::Failure;
 use crate::unfinished::Unfinished;
 use std::collections::BTreeSet;
@@ -156,6 +156,6 @@ fn replace(fresh: &Path, place: &Path) -> io::Result<()> {
 /// Shared files, then pages, then the service worker.
 fn in_order(files: &BTreeSet<String>) -> Vec<&String> {
     let mut files: Vec<&String> = files.iter().collect();
-    files.sort_by_key(|path| (path.starts_with(worker::NAME), !path.starts_with("assets/")));
+    files.sort_by_key(|path| (path.starts_with(WORKER), !path.starts_with("assets/")));
     files
 }

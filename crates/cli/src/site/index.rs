@@ -1,9 +1,10 @@
 //! The list of the simulations, as a plain page: a card for each, in every language of the interface that the documents have.
 
-use super::collect::{Simulation, percent_encoded};
+use super::collect::Simulation;
+use super::curve;
 use super::files::Files;
+use super::names::{LABORATORY, percent_encoded};
 use super::parts::{Parts, SITE_POLICY, between};
-use super::{LABORATORY, curve};
 use program::{Block, Edition};
 use std::fmt::Write as _;
 use units::Language;

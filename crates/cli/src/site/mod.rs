@@ -6,6 +6,7 @@ mod curve;
 mod files;
 mod folder;
 mod index;
+mod names;
 mod parts;
 mod worker;
 
@@ -17,13 +18,10 @@ use collect::Simulation;
 use document::page::{Options, Source, embed, read_list, write_list};
 use files::Files;
 use folder::Folder;
+use names::{INDEX, LABORATORY, WORKER};
 use parts::{Parts, ROOT};
 use units::mathml::escaped;
 
-/// The laboratory of the site.
-const LABORATORY: &str = "laboratory.html";
-/// The list of the simulations.
-const INDEX: &str = "index.html";
 /// The documents of this folder are theories, which the laboratory offers for fits.
 const THEORIES: &str = "theories/";
 
@@ -54,7 +52,7 @@ fn site(laboratory: &str, player: &str, simulations: &[Simulation]) -> Result<Fi
     files.add(LABORATORY, laboratory_page(&laboratory, simulations)?);
     let index = index::page(simulations, &player, &mut files);
     files.add(INDEX, index);
-    files.add(worker::NAME, worker::script(&files));
+    files.add(WORKER, worker::script(&files));
     files.compress()?;
     Ok(files)
 }

@@ -1,6 +1,7 @@
 //! A page of one file, taken apart: its styles, scripts and module become files that pages share.
 
 use super::files::Files;
+use super::names::{FROM_DISK, WORKER};
 use crate::failure::Failure;
 use crate::page;
 use base64::Engine as _;
@@ -12,8 +13,6 @@ pub const ROOT: &str = "<!--root-->";
 pub const LINKS: &str = "<!--links-->";
 /// The element with the documents that the laboratory carries.
 pub const LIBRARY: &str = "<script type=\"application/json\" id=\"library\">";
-/// What the name of a module ends with that is read from a disk.
-pub const FROM_DISK: &str = ".text.js";
 
 /// What a page of the site may load: files of the site alone. No script in the page itself runs.
 pub const SITE_POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; \
@@ -92,7 +91,7 @@ impl Parts {
 
 /// The element of the script that every page begins with. `root` is the way to the top of the site.
 fn begin(first_script: &str, root: &str, module: &str) -> String {
-    format!("<script src=\"{root}{first_script}\" data-worker=\"{root}{}\"{module}></script>", super::worker::NAME)
+    format!("<script src=\"{root}{first_script}\" data-worker=\"{root}{}\"{module}></script>", WORKER)
 }
 
 const HEAD: &str = "<!--head-->";

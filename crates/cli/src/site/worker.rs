@@ -1,12 +1,8 @@
 //! The service worker of a site.
 
-use super::collect::percent_encoded;
 use super::files::{Files, hash};
-use super::parts::FROM_DISK;
+use super::names::{FROM_DISK, percent_encoded};
 use std::collections::BTreeMap;
-
-/// Its file, at the top of the site: it answers for everything below.
-pub const NAME: &str = "sw.js";
 
 const SCRIPT: &str = include_str!("worker.js");
 

@@ -1,4 +1,4 @@
-//! `meniscus fit` and `meniscus rank` as a person uses them.
+//! `meniscus fit` as a person uses them.
 use crate::common::{Done, meniscus};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -19,11 +19,11 @@ fn record(directory: &Path, name: &str, damping: f64, scatter: f64) -> PathBuf {
     path
 }
 
-fn word(path: &Path) -> &str {
+pub fn word(path: &Path) -> &str {
     path.to_str().expect("UTF-8")
 }
 
-fn object(done: &Done) -> Value {
+pub fn object(done: &Done) -> Value {
     assert_eq!(done.code, 0, "{}", done.stderr);
     serde_json::from_str(&done.stdout).expect("JSON")
 }
@@ -299,80 +299,6 @@ fn reports_workbooks_tables_and_figures_are_written() {
     assert!(cells.iter().any(|cell| cell == "gamma" || cell == "γ"), "{cells:?}");
     // The measured levels themselves stand in it.
     assert!(cells.len() > 3 * 210);
-}
-
-/// The measured column: the theories of its friction. What each costs and gains, before and after 6 s, and predicted from what
-/// is before 6 s. The reference data lie beside the project; without them this says so and does nothing.
-#[test]
-fn the_theories_of_the_measured_column_are_ranked() {
-    let data = crate::common::root().join("../shared/data/utube");
-    if !data.is_dir() {
-        eprintln!("skipped: {} is not there", data.display());
-        return;
-    }
-    let theories =
-        ["linear", "quadratic", "dry-friction", "linear-contact-line", "quadratic-contact-line", "power-law"];
-    for name in ["U1", "U2", "U3", "U4"] {
-        let file = data.join(format!("{name}.txt"));
-        let mut words =
-            vec!["rank", word(&file), "--observe", "y", "--from", "1", "--predict-from", "6", "--format", "json"];
-        let models: Vec<String> = theories.iter().map(|theory| format!("simulations/theories/{theory}.md")).collect();
-        for model in &models {
-            words.extend(["--model", model]);
-        }
-        let ranked = object(&meniscus(&words));
-        let rows = ranked.as_array().unwrap();
-        let row = |theory: &str| {
-            let ending = format!("{theory}.md");
-            rows.iter().find(|row| row["document"].as_str().unwrap().ends_with(&format!("/{ending}"))).unwrap()
-        };
-        let number = |theory: &str, key: &str| row(theory)[key].as_f64().unwrap();
-        for theory in theories {
-            let [all, before, after, predicted] =
-                ["rmse", "rmse_before", "rmse_after", "rmse_predicted"].map(|key| 1000.0 * number(theory, key));
-            println!(
-                "{name} {theory:24} {all:.3} mm, before 6 s {before:.3}, after {after:.3}, predicted {predicted:.3}"
-            );
-            assert_eq!(row(theory)["converged"], true, "{name} {theory}");
-        }
-        // The contact line explains what viscous friction does not, and predicts it.
-        let best = rows[0]["document"].as_str().unwrap();
-        assert!(best.ends_with("contact-line.md"), "{name}: {best}");
-        for theory in ["linear", "quadratic", "dry-friction", "power-law"] {
-            assert!(number(theory, "rmse") > 1.3 * number("quadratic-contact-line", "rmse"), "{name} {theory}");
-        }
-        let by_best = rows[0]["rmse_predicted"].as_f64().unwrap();
-        assert!(number("linear", "rmse_predicted") > 1.3 * by_best, "{name}");
-    }
-}
-
-#[test]
-fn derivatives_are_made_anew() {
-    let directory = tempfile::tempdir().unwrap();
-    let path = directory.path().join("fall.txt");
-    // y = 5 t^2 in cm at 10 rows a second, with a row missing: both ways are exact for a parabola.
-    let row = |frame: u32| format!("{:.1}\t{:.2}\n", f64::from(frame) / 10.0, 0.05 * f64::from(frame * frame));
-    let rows: String = (0..12).filter(|frame| *frame != 7).map(row).collect();
-    std::fs::write(&path, format!("t [s]\ty [cm]\n{rows}")).unwrap();
-    let table = |words: &[&str]| {
-        let done = meniscus(&[&["derivatives", word(&path), "--observe", "y"], words].concat());
-        assert_eq!(done.code, 0, "{}", done.stderr);
-        let mut lines = done.stdout.lines().map(str::to_owned).collect::<Vec<_>>();
-        assert_eq!(lines.remove(0), "t [s],y [cm],y' [cm/s],y'' [cm/s^2]");
-        let number = |cell: &str| cell.parse().unwrap_or(f64::NAN);
-        lines.iter().map(|line| line.split(',').map(number).collect()).collect::<Vec<Vec<f64>>>()
-    };
-    let near = |found: f64, truth: f64| (found - truth).abs() < 1e-9;
-    for (place, row) in table(&[]).iter().enumerate() {
-        // Rows beside the missing one and at the ends have no neighbours.
-        assert_eq!(row[2].is_nan(), [0, 6, 7, 10].contains(&place), "{row:?}");
-        assert!(row[2].is_nan() || near(row[2], 10.0 * row[0]), "{row:?}");
-        assert!(row[3].is_nan() || near(row[3], 10.0), "{row:?}");
-    }
-    for row in table(&["--smooth", "5"]) {
-        assert!(near(row[1], 5.0 * row[0] * row[0]) && near(row[2], 10.0 * row[0]) && near(row[3], 10.0), "{row:?}");
-    }
-    assert_eq!(meniscus(&["derivatives", word(&path), "--observe", "y", "--smooth", "4"]).code, 2);
 }
 
 /// One value of a record is off by 2 cm: it is named, and a robust loss takes its pull away.

@@ -1,7 +1,8 @@
 //! What the text must be read as after an edit.
 
 use super::{Edit, EditError, apply};
-use crate::outline::{Block, BlockKind, LENGTH, Outline};
+use crate::block::{Block, BlockKind};
+use crate::outline::{LENGTH, Outline};
 use crate::{FrontMatter, fences, front_matter};
 
 /// The entries of the front matter and the contents of the blocks, without places.

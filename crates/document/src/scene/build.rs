@@ -1,9 +1,8 @@
 //! From elements as written to a scene: what is not allowed is left out, what is written in braces is compiled.
 
 use super::allowed::{ELEMENTS, is_id};
-use super::drag::Dragging;
 use super::style;
-use super::values::SceneText;
+use super::translate::SceneText;
 use super::xml::{RawChild, RawElement, parse};
 use crate::expressions::Expressions;
 use model::{Diagnostic, Span};
@@ -75,6 +74,17 @@ pub struct Builder<'b, 'a> {
     ids: BTreeSet<String>,
     /// The ids that attributes refer to.
     pub references: Vec<(String, Range<usize>)>,
+}
+
+/// Where the values of the attributes for dragging stand.
+#[derive(Default)]
+pub struct Dragging {
+    /// `drag`: the name of a state.
+    pub state: Option<Range<usize>>,
+    /// `drag-up`: what one unit upwards adds to it.
+    pub up: Option<Range<usize>>,
+    /// `drag-right`: what one unit to the right adds to it.
+    pub right: Option<Range<usize>>,
 }
 
 impl Builder<'_, '_> {

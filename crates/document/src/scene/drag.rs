@@ -1,21 +1,10 @@
 //! Parts of a scene that follow the hand.
 
-use super::build::Builder;
+use super::build::{Builder, Dragging};
 use crate::expressions::dimension_error;
 use program::Drag;
 use std::ops::Range;
 use units::words;
-
-/// Where the values of the attributes for dragging stand.
-#[derive(Default)]
-pub struct Dragging {
-    /// `drag`: the name of a state.
-    pub state: Option<Range<usize>>,
-    /// `drag-up`: what one unit upwards adds to it.
-    pub up: Option<Range<usize>>,
-    /// `drag-right`: what one unit to the right adds to it.
-    pub right: Option<Range<usize>>,
-}
 
 impl Builder<'_, '_> {
     /// What dragging an element does.

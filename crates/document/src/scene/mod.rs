@@ -6,9 +6,10 @@ mod build;
 mod drag;
 mod style;
 mod template;
+mod translate;
 mod values;
 mod xml;
 
 pub(crate) use build::build;
 pub(crate) use template::normalised;
-pub(crate) use values::{SceneText, has_word, translated};
+pub(crate) use translate::{SceneText, has_word, translated};

@@ -1,15 +1,8 @@
 //! From one point of the grid to the next: steps of the method, events on the way.
 
-use super::{Solver, Stepper};
+use super::{RowWork, Solver, Stepper};
 use crate::adaptive::Stalled;
 use crate::{AfterJump, Cause, Method, Record, RunError};
-
-/// What it took to come from one point of the grid towards the next.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct RowWork {
-    steps: usize,
-    events: usize,
-}
 
 /// How far [`Stepper::advance_within`] got.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,6 @@
 //! Moments: what decides how a stepper goes on, and how it goes on from there.
 
-use super::advance::RowWork;
-use super::{Solver, Stepper};
+use super::{RowWork, Solver, Stepper};
 use crate::AfterJump;
 use crate::adaptive::LastStep;
 

@@ -6,4 +6,5 @@ mod arbitrary;
 mod cloud;
 mod gestures;
 mod layout;
+mod lines;
 mod svg;

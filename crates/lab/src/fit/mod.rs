@@ -3,18 +3,16 @@
 mod results;
 mod setup;
 mod theories;
+mod work;
+
+pub use work::go_on;
 
 use crate::app::App;
-use crate::panel;
+use crate::tabs;
 use crate::{library, measurements};
 use desk::{Desk, FitProgress};
 use view::views::*;
 use view::{browser, frame};
-use wasm_bindgen::JsCast;
-use wasm_bindgen::closure::Closure;
-
-/// A slice of work takes so many milliseconds: half a frame.
-const SLICE: f64 = 8.0;
 
 /// The tab: which record, which theory, the fit.
 pub fn view(app: App) -> View {
@@ -44,7 +42,7 @@ fn nothing_yet(app: App) -> View {
         .each(names.into_iter().enumerate(), choose);
     let measure = button()
         .class("primary")
-        .when(events::click, move |_| view::panel::show(app.page, panel::MEASURE))
+        .when(events::click, move |_| view::panel::show(app.page, tabs::MEASURE))
         .child(words.add_record);
     let card = section().class("card step").attr("aria-label", words.tab_fit);
     card.child(p().child(words.fit_none)).child(samples).child(measure).into()
@@ -128,41 +126,4 @@ fn running(app: App) -> View {
         span().class("note").child(text(reported)),
         button().class("quiet").id("cancel-fit").when(events::click, cancel).child(words.fit_cancel),
     ))
-}
-
-/// Works on what is to be fitted, and on what an earlier visit has left to be made again.
-pub fn go_on(app: App) {
-    app.fit_progress.set(app.read_desk(|desk| desk.fit_progress()));
-    let begins = app.with(|lab| !std::mem::replace(&mut lab.fitting, true)).unwrap_or_default();
-    if begins {
-        work(app);
-    }
-}
-
-/// Works on the fits for a slice, then lets the page breathe.
-fn work(app: App) {
-    let step = Closure::once_into_js(move || {
-        let end = js_sys::Date::now() + SLICE;
-        let more = app.read_desk(|desk| {
-            let mut more = desk.advance_fit();
-            while more && js_sys::Date::now() < end {
-                more = desk.advance_fit();
-            }
-            more
-        });
-        let asked_for = app.fit_progress.with_untracked(Option::is_some);
-        app.fit_progress.set(app.read_desk(|desk| desk.fit_progress()));
-        app.publish(false, false);
-        if more {
-            work(app);
-        } else {
-            app.with(|lab| lab.fitting = false);
-            // What has come of it stands below the button.
-            if asked_for && app.tab.get_untracked() == panel::FIT {
-                browser::bring_to_top("fit-step");
-            }
-            view::frame::wake(app.page);
-        }
-    });
-    let _ = window().set_timeout_with_callback(step.unchecked_ref());
 }

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::opening;
-use crate::panel;
+use crate::tabs;
 use desk::{ExportKind, FitDetail, FitView, Imprint};
 use document::page::Source;
 use view::browser;
@@ -68,7 +68,7 @@ fn row(app: App, fit: FitView, shown: Option<u32>, chosen: Signal<Option<u32>>) 
             opening::change_theory(app, texts.into_iter().map(|(name, text)| Source { name, text }).collect());
         }
         app.act_on_desk(|desk| desk.apply_fit(id));
-        app.tab.set(panel::FIT);
+        app.tab.set(tabs::FIT);
     };
     let forget = move |_| {
         app.act_on_desk(|desk| desk.remove_fit(id));

@@ -3,14 +3,10 @@
 mod source;
 
 use crate::app::App;
+use crate::tabs::{FIT, MEASURE};
 use crate::{fit, measurements};
 use view::panel::Tab;
 use view::views::*;
-
-/// The tab of records and cycles.
-pub const MEASURE: &str = "measure";
-/// The tab of fits.
-pub const FIT: &str = "fit";
 
 /// The panel.
 pub fn view(app: App) -> HtmlSection {

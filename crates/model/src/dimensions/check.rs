@@ -8,7 +8,8 @@
 use super::describe::with_article;
 use super::form::{Conflict, Form, Solver};
 use super::infer::Inference;
-use super::mismatch::{Place, Term, is_bare};
+use super::mismatch::is_bare;
+use super::terms::{Place, Term};
 use super::types::{Type, Types};
 use crate::names::{Declarations, Equation, EventEntry, InitialEntry, Meaning, Unknown};
 use crate::notation::primed;

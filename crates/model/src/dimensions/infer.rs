@@ -1,7 +1,7 @@
 //! Infers what kind of value an expression has, and of which dimension.
 
 use super::form::{Conflict, Form, Solver};
-use super::mismatch::{Place, Term};
+use super::terms::{Place, Term};
 use super::types::{Type, Types};
 use crate::names::{Meaning, Scope};
 use crate::notation::quote;

@@ -3,34 +3,12 @@
 use super::describe::{Factor, Row, as_factor, table, with_article};
 use super::form::{Conflict, Form};
 use super::infer::Inference;
+use super::terms::{LEFT_SIDE, Place, RIGHT_SIDE, Term};
 use super::types::Type;
 use crate::limits;
 use crate::notation::quote;
 use crate::{Diagnostic, Expression, ExpressionKind, Span, UnaryOperator};
 use units::{Dimension, Exponent, Words, words};
-
-const LEFT_SIDE: Words = words("left side", "miembro izquierdo");
-const RIGHT_SIDE: Words = words("right side", "miembro derecho");
-
-/// One of several expressions that must have one dimension; without a form when something is wrong with it already.
-#[derive(Clone, Debug)]
-pub(crate) struct Term<'e> {
-    pub expression: &'e Expression,
-    pub form: Option<Form>,
-}
-
-/// Where several expressions must have one dimension.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
-    /// The terms of a sum, or of both sides of an equation.
-    Sum,
-    /// The sides of a comparison or an equation.
-    Sides,
-    /// The arguments of a function.
-    Arguments,
-    /// The branches of `if`.
-    Branches,
-}
 
 /// Whether it is a number without a unit.
 pub(crate) fn is_bare(expression: &Expression) -> bool {
@@ -38,18 +16,6 @@ pub(crate) fn is_bare(expression: &Expression) -> bool {
         ExpressionKind::Number { unit, .. } => unit.is_none(),
         ExpressionKind::Unary(UnaryOperator::Negate, operand) => is_bare(operand),
         _ => false,
-    }
-}
-
-impl Place {
-    fn part(self, index: usize, term: &Expression) -> Words {
-        match (self, index) {
-            (Self::Sum, _) => words!("the term `{}`", "el término `{}`", quote(term)),
-            (Self::Sides, 0) => words!("the {side}", "el {side}", side = LEFT_SIDE),
-            (Self::Sides, _) => words!("the {side}", "el {side}", side = RIGHT_SIDE),
-            (Self::Arguments, _) => words!("the argument `{}`", "el argumento `{}`", quote(term)),
-            (Self::Branches, _) => words!("the branch `{}`", "la rama `{}`", quote(term)),
-        }
     }
 }
 

@@ -6,6 +6,7 @@ mod form;
 mod infer;
 mod mismatch;
 mod remedy;
+mod terms;
 mod types;
 
 pub(crate) use check::check_dimensions;

@@ -2,9 +2,8 @@
 
 use super::affine::{Shape, Shapes};
 use super::expression::{Lowering, TooManyNodes};
-use super::solve::highest_names;
-use crate::names::{Declarations, Equation, Meaning, Unknown, children};
-use crate::notation::quote;
+use crate::names::{Declarations, Equation, Meaning, Unknown, children, list};
+use crate::notation::{primed, quote};
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span};
 use program::Node;
 use units::{Words, words};
@@ -149,4 +148,10 @@ pub(crate) fn dependent(unknowns: &[Unknown], members: &[usize], equations: &[Sp
         "replace one of them by an equation that says something else",
         "sustituye una de ellas por una ecuación que diga otra cosa",
     ))
+}
+
+/// `y''`, `x''` and so on, in quotation marks.
+fn highest_names(unknowns: &[Unknown], members: &[usize]) -> Words {
+    let quoted = |&member: &usize| format!("`{}`", primed(unknowns[member].name, unknowns[member].highest));
+    list(&members.iter().map(quoted).collect::<Vec<_>>())
 }

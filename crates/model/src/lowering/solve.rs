@@ -6,11 +6,10 @@ use super::explain::{dependent, nonlinear, not_solvable};
 use super::expression::{Chain, Lowered, Lowering, TooManyNodes};
 use super::rank::is_singular;
 use crate::matching::{blocks, match_equations};
-use crate::names::{Declarations, Equation, Meaning, Unknown, for_each_name, list};
-use crate::notation::primed;
+use crate::names::{Declarations, Equation, Meaning, Unknown, for_each_name};
 use crate::{Diagnostic, Span, limits};
 use program::{Graph, LinearSystem, Node, NodeId};
-use units::{Words, words};
+use units::words;
 
 /// The highest derivative of each unknown as an expression in `graph`. `order` is that of the definitions.
 pub(crate) fn solve(
@@ -228,10 +227,4 @@ impl Solved<'_> {
         }
         regular
     }
-}
-
-/// `y''`, `x''` and so on, in quotation marks.
-pub(crate) fn highest_names(unknowns: &[Unknown], members: &[usize]) -> Words {
-    let quoted = |&member: &usize| format!("`{}`", primed(unknowns[member].name, unknowns[member].highest));
-    list(&members.iter().map(quoted).collect::<Vec<_>>())
 }

@@ -2,7 +2,7 @@
 
 use super::declarations::{Declarations, EventEntry};
 use super::scope::Meaning;
-use super::unknowns::Unknown;
+use super::unknown::Unknown;
 use crate::notation::{primed, quote};
 use crate::{Action, BinaryOperator, Diagnostic, ExpressionKind};
 use units::{Words, words};

@@ -2,11 +2,13 @@
 //! unknowns of the equations.
 
 mod check;
+mod counts;
 mod declarations;
 mod events;
 mod order;
 mod scope;
 mod traverse;
+mod unknown;
 mod unknowns;
 
 pub(crate) use check::NameCheck;
@@ -15,4 +17,5 @@ pub(crate) use events::check_event;
 pub(crate) use order::{alternatives, definition_order, list};
 pub(crate) use scope::{Meaning, Scope};
 pub(crate) use traverse::{children, for_each, for_each_name};
-pub(crate) use unknowns::{Unknown, find_unknowns};
+pub(crate) use unknown::Unknown;
+pub(crate) use unknowns::find_unknowns;

@@ -1,34 +1,16 @@
 //! The unknown functions: names with primes that nothing defines. Their highest derivatives are what the equations are
 //! solved for; the lower ones are the states and need initial values.
 
-use super::declarations::{Declarations, InitialEntry};
+use super::counts::check_counts;
+use super::declarations::Declarations;
+use super::list;
 use super::scope::Meaning;
 use super::traverse::for_each_name;
-use super::{Scope, list};
-use crate::matching::match_equations;
+use super::unknown::{Orders, Unknown};
 use crate::notation::primed;
-use crate::{Diagnostic, Expression, Span, limits};
+use crate::{Diagnostic, Expression, limits};
 use program::functions::Function;
-use std::collections::BTreeMap;
 use units::{Words, words};
-
-/// An unknown function of the independent variable.
-#[derive(Clone, Debug)]
-pub(crate) struct Unknown<'a> {
-    /// Its name.
-    pub name: &'a str,
-    /// How many primes its highest derivative has; as many states belong to it.
-    pub highest: u32,
-    /// The index of the first of its states.
-    pub first_state: usize,
-    /// Where its highest derivative stands in an equation.
-    pub span: Span,
-    /// Its initial values, by their primes.
-    pub initial: Vec<Option<InitialEntry<'a>>>,
-}
-
-/// How often each unknown is primed at most.
-type Orders<'a> = BTreeMap<&'a str, (u32, Span)>;
 
 /// Finds the unknowns, declares them, and tells where there are more of them than equations or fewer, and which initial
 /// values are missing or pointless. `order` is that of the definitions.
@@ -130,153 +112,6 @@ fn orders_in_definitions<'a>(declarations: &Declarations<'a>, order: &[usize]) -
         all[index] = orders;
     }
     all
-}
-
-/// For each unknown, whether there is an equation to determine it.
-fn check_counts(
-    declarations: &Declarations,
-    in_equations: &[Orders],
-    unknowns: &[Unknown],
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Vec<bool> {
-    let contains: Vec<Vec<usize>> = in_equations
-        .iter()
-        .map(|orders| {
-            let is_highest =
-                |unknown: &Unknown| orders.get(unknown.name).is_some_and(|&(order, _)| order == unknown.highest);
-            (0..unknowns.len()).filter(|&index| is_highest(&unknowns[index])).collect()
-        })
-        .collect();
-    let equation_of = match_equations(&contains, unknowns.len());
-    let highest: Vec<String> =
-        unknowns.iter().map(|unknown| format!("`{}`", primed(unknown.name, unknown.highest))).collect();
-    for (index, equation) in declarations.equations.iter().enumerate() {
-        if equation_of.contains(&Some(index)) {
-            continue;
-        }
-        diagnostics.push(if contains[index].is_empty() {
-            nothing_to_solve_for(declarations, equation, &in_equations[index], unknowns)
-        } else {
-            let solved: Vec<String> = contains[index].iter().map(|&unknown| highest[unknown].clone()).collect();
-            let count = declarations.equations.len();
-            let message = words!(
-                "there are more equations than unknowns: {count} for {highest}",
-                "hay más ecuaciones que incógnitas: {count} para {highest}",
-                highest = list(&highest)
-            );
-            let mut diagnostic = Diagnostic::error("too-many-equations", message, equation.span).saying(words!(
-                "{solved} is already determined without this one",
-                "{solved} ya se determina sin esta",
-                solved = list(&solved)
-            ));
-            let shares = |other: &usize| contains[*other].iter().any(|unknown| contains[index].contains(unknown));
-            let others = (0..declarations.equations.len()).filter(|other| *other != index && shares(other));
-            for other in others.take(limits::PLACES) {
-                diagnostic =
-                    diagnostic.with_label(declarations.equations[other].span, words("by this one", "por esta"));
-            }
-            diagnostic.with_hint(words("leave one of them out", "omite una de ellas"))
-        });
-    }
-    // If an equation is left over and the number is right, that equation was meant for the unknown and has been reported.
-    let paired = equation_of.iter().flatten().count();
-    let too_few = unknowns.len() > declarations.equations.len() || paired == declarations.equations.len();
-    for (index, unknown) in unknowns.iter().enumerate() {
-        if equation_of[index].is_none() && too_few {
-            diagnostics.push(no_equation_for(declarations, unknown, &highest, unknowns));
-        }
-    }
-    equation_of.iter().map(Option::is_some).collect()
-}
-
-fn nothing_to_solve_for(
-    declarations: &Declarations,
-    equation: &super::Equation,
-    orders: &Orders,
-    unknowns: &[Unknown],
-) -> Diagnostic {
-    let message =
-        words("there is nothing that this equation could be solved for", "esta ecuación no tiene nada que despejar");
-    let mut diagnostic = Diagnostic::error("nothing-to-solve-for", message, equation.span);
-    let lower: Vec<&Unknown> = unknowns.iter().filter(|unknown| orders.contains_key(unknown.name)).collect();
-    if let Some(unknown) = lower.first() {
-        let highest = primed(unknown.name, unknown.highest);
-        diagnostic = diagnostic.saying(words!("contains no `{highest}`", "no contiene `{highest}`")).with_label(
-            unknown.span,
-            words!(
-                "`{highest}`, the highest derivative, is here",
-                "`{highest}`, la derivada de mayor orden, está aquí"
-            ),
-        );
-    } else {
-        diagnostic = diagnostic
-            .saying(words("contains no derivative of an unknown", "no contiene ninguna derivada de una incógnita"));
-    }
-    let mut defined = None;
-    for side in [equation.left, equation.right] {
-        for_each_name(side, |name, order, _| {
-            if order > 0
-                && let Some(Meaning::Definition(index)) = declarations.scope.meaning(name)
-            {
-                defined = defined.or(Some(index));
-            }
-        });
-    }
-    if let Some(index) = defined {
-        let name = declarations.definitions[index].name;
-        diagnostic = diagnostic.with_label(
-            name.span,
-            words!(
-                "`{}` is defined here, and so is no unknown",
-                "`{}` se define aquí, así que no es una incógnita",
-                name.text
-            ),
-        );
-    }
-    diagnostic.with_hint(words(
-        "to define a quantity, write its name alone on the left: `v = y'`",
-        "para definir una magnitud, escribe solo su nombre a la izquierda: `v = y'`",
-    ))
-}
-
-fn no_equation_for(
-    declarations: &Declarations,
-    unknown: &Unknown,
-    highest: &[String],
-    unknowns: &[Unknown],
-) -> Diagnostic {
-    let equations = match declarations.equations.len() {
-        1 => words("1 equation", "1 ecuación"),
-        count => words!("{count} equations", "{count} ecuaciones"),
-    };
-    let missing = primed(unknown.name, unknown.highest);
-    let message = words!(
-        "there are more unknowns than equations: {highest} and {equations}",
-        "hay más incógnitas que ecuaciones: {highest} frente a {equations}",
-        highest = list(highest),
-        equations = equations
-    );
-    let diagnostic = Diagnostic::error("too-few-equations", message, unknown.span).saying(words!(
-        "no equation is left to determine `{missing}`",
-        "no queda ninguna ecuación que determine `{missing}`"
-    ));
-    let mut known = Scope::new(&declarations.independent.0);
-    for other in unknowns.iter().filter(|other| other.name != unknown.name) {
-        known.declare(other.name, Meaning::Pi);
-    }
-    for entry in &declarations.definitions {
-        known.declare(&entry.name.text, Meaning::Pi);
-    }
-    match known.near(unknown.name) {
-        Some(near) => {
-            diagnostic.with_hint(words!("did you mean `{}`?", "¿querías decir `{}`?", primed(near, unknown.highest)))
-        }
-        None => diagnostic.with_hint(words!(
-            "write an equation for `{missing}`, or define it: `{} = ...`",
-            "escribe una ecuación para `{missing}`, o define `{} = ...`",
-            unknown.name
-        )),
-    }
 }
 
 /// Gives each unknown its initial values; tells those that belong to nothing.

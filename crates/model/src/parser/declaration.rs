@@ -2,7 +2,8 @@
 
 use super::Assignment;
 use super::cursor::{Cursor, Read, Told};
-use super::statement::{Salvaged, nothing, unread};
+use super::statement::{Salvaged, nothing};
+use super::unread;
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{Action, Bounds, Diagnostic, ParameterStatement, Span, StatedUnit, StatementKind};
 use units::{Words, words};

@@ -1,8 +1,7 @@
 //! Expressions, by precedence climbing (Pratt's method): each operator binds the operands around it with a strength.
 
-use super::after;
 use super::cursor::{Cursor, Read};
-use super::statement::unread;
+use super::{after, unread};
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, StatedUnit, UnaryOperator};
 use program::functions::Function;

@@ -36,6 +36,7 @@
 
 mod cursor;
 mod declaration;
+mod ending;
 mod expression;
 mod layout;
 mod operand;
@@ -43,7 +44,7 @@ mod statement;
 #[cfg(test)]
 mod tests;
 
-use crate::{Diagnostic, Expression, Name, Span, StatedUnit, Statement, lexer};
+use crate::{Diagnostic, Expression, ExpressionKind, Name, Span, StatedUnit, Statement, lexer};
 use cursor::Cursor;
 use std::ops::Range;
 
@@ -95,6 +96,11 @@ fn on_boundaries(source: &str, range: &Range<usize>) -> Range<usize> {
     let boundary = |at: usize| (0..=at.min(source.len())).rev().find(|at| source.is_char_boundary(*at)).unwrap_or(0);
     let start = boundary(range.start);
     start..boundary(range.end).max(start)
+}
+
+/// The place of what could not be read.
+fn unread(span: Span) -> Expression {
+    Expression { kind: ExpressionKind::Error, span }
 }
 
 /// The place just after something.

@@ -1,9 +1,9 @@
 //! Statements, and where one ends after an error. What could be read of a wrong statement is kept, so that the names
 //! it defines are known to the others.
 
-use super::after;
 use super::cursor::{Cursor, Read, Told};
 use super::expression::Tree;
+use super::{after, unread};
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{Diagnostic, Expression, ExpressionKind, Name, Quoted, Span, Statement, StatementKind};
 use units::{Words, words};
@@ -17,11 +17,6 @@ const OTHER_WORDS: &[(&str, &[&str])] = &[
 
 /// A statement as far as it was read, and whether its end may be looked at.
 pub(super) type Salvaged = (StatementKind, Read<()>);
-
-/// The place of what could not be read.
-pub(super) fn unread(span: Span) -> Expression {
-    Expression { kind: ExpressionKind::Error, span }
-}
 
 impl Cursor<'_> {
     /// All statements up to the end.
@@ -86,159 +81,6 @@ impl Cursor<'_> {
             return None;
         };
         Some(Quoted { text, span: self.advance() })
-    }
-
-    fn statement_end(&mut self, kind: &StatementKind, label: Option<&Quoted>) -> Read<()> {
-        if self.at_line_end() {
-            return Ok(());
-        }
-        if let Some(span) = self.take(Symbol::Semicolon) {
-            let diagnostic = Diagnostic::error(
-                "semicolon",
-                words("a statement ends with its line, not with `;`", "una sentencia termina con su línea, no con `;`"),
-                span,
-            );
-            let another = !self.at_line_end();
-            self.say(if another {
-                diagnostic.with_hint(words(
-                    "put the next statement on a line of its own",
-                    "pon la siguiente sentencia en una línea propia",
-                ))
-            } else {
-                diagnostic
-            });
-            return Ok(());
-        }
-        if let Some(label) = label {
-            let wrong = words!(
-                "the label is the last part of a statement, but {found} follows",
-                "la etiqueta es la última parte de una sentencia, pero le sigue {found}",
-                found = self.found()
-            );
-            let diagnostic = Diagnostic::error("label-not-last", wrong, label.span);
-            return self.fail(
-                diagnostic.with_label(self.span(), words("belongs before the label", "va antes de la etiqueta")),
-            );
-        }
-        let span = self.span();
-        if let (TokenKind::Keyword(Keyword::In), StatementKind::Equation { .. }) = (self.peek(), kind) {
-            let diagnostic = Diagnostic::error(
-                "unit-of-equation",
-                words("an equation has no unit to be stated", "una ecuación no tiene unidad que declarar"),
-                span,
-            );
-            return self.fail(diagnostic.with_hint(words(
-                "state units where a name or an initial value is defined",
-                "declara las unidades donde se define un nombre o un valor inicial",
-            )));
-        }
-        self.unexpected_after_expression()
-    }
-
-    /// Says why what follows an expression cannot.
-    pub(super) fn unexpected_after_expression<T>(&mut self) -> Read<T> {
-        let span = self.span();
-        let found = self.found();
-        let diagnostic = match self.peek() {
-            TokenKind::Symbol(Symbol::Comma) => return self.decimal_comma(),
-            TokenKind::Brackets(inside)
-                if span.start == self.last_span().end && self.source[inside.clone()].trim().parse::<u32>().is_ok() =>
-            {
-                let index = self.source[inside.clone()].trim();
-                let before = &self.source[self.last_span().range()];
-                Diagnostic::error("no-indices", words("names have no indices", "los nombres no llevan índices"), span)
-                    .with_hint(words!(
-                        "give each its own name, such as {before}_{index}",
-                        "da a cada uno su propio nombre, por ejemplo {before}_{index}"
-                    ))
-            }
-            TokenKind::Brackets(_) => {
-                let wrong = words!(
-                    "{found} follows something that is not a number",
-                    "{found} sigue a algo que no es un número",
-                    found = found
-                );
-                Diagnostic::error("unit-without-number", wrong, span)
-                    .with_note(words(
-                        "after a name or a parenthesis, brackets are kept for indices",
-                        "tras un nombre o un paréntesis, los corchetes se reservan para los índices",
-                    ))
-                    .with_hint(words!(
-                        "to state the unit of the expression, write: in {}",
-                        "para declarar la unidad de la expresión, escribe: in {}",
-                        &self.source[span.range()]
-                    ))
-            }
-            TokenKind::Symbol(Symbol::Equals) => {
-                Diagnostic::error("second-equals", words("there is an `=` already", "ya hay un `=`"), span).with_hint(
-                    words(
-                        "write each equation on a line of its own; to compare, write ==",
-                        "escribe cada ecuación en una línea propia; para comparar, escribe ==",
-                    ),
-                )
-            }
-            TokenKind::Symbol(Symbol::RightParenthesis) => Diagnostic::error(
-                "unmatched-parenthesis",
-                words("this `)` closes nothing", "este `)` no cierra nada"),
-                span,
-            ),
-            TokenKind::Symbol(Symbol::RightBrace) => {
-                Diagnostic::error("unmatched-brace", words("this `}` closes nothing", "esta `}` no cierra nada"), span)
-            }
-            TokenKind::Symbol(Symbol::LeftBrace) => Diagnostic::error(
-                "unexpected-token",
-                words("braces belong to events", "las llaves son para los eventos"),
-                span,
-            )
-            .with_hint(words("such as: when y < 0 [m] { y' = -y' }", "por ejemplo: when y < 0 [m] { y' = -y' }")),
-            TokenKind::Primes => {
-                let rest = self.source[span.end..].lines().next().unwrap_or_default();
-                let diagnostic = Diagnostic::error(
-                    "prime-after-expression",
-                    words("a prime belongs to a name", "una prima va unida a un nombre"),
-                    span,
-                );
-                if rest.contains(['\'', '’']) {
-                    diagnostic.with_hint(words(
-                        "a text stands in double quotation marks",
-                        "un texto va entre comillas dobles",
-                    ))
-                } else {
-                    diagnostic.with_hint(words(
-                        "write it directly after the name: y'",
-                        "escríbela justo después del nombre: y'",
-                    ))
-                }
-            }
-            TokenKind::Keyword(Keyword::In) => Diagnostic::error(
-                "unexpected-token",
-                words(
-                    "`in` can stand here only once, and not in parentheses",
-                    "`in` solo puede aparecer aquí una vez, y no entre paréntesis",
-                ),
-                span,
-            ),
-            TokenKind::Keyword(Keyword::Then | Keyword::Else) => Diagnostic::error(
-                "unexpected-token",
-                words!(
-                    "there is no `if` to which this {found} belongs",
-                    "no hay ningún `if` al que corresponda este {found}",
-                    found = found
-                ),
-                span,
-            ),
-            TokenKind::Text(_) => Diagnostic::error(
-                "unexpected-token",
-                words("a text cannot stand here", "aquí no puede haber un texto"),
-                span,
-            ),
-            _ => Diagnostic::error(
-                "unexpected-token",
-                words!("{found} cannot stand here", "{found} no puede estar aquí", found = found),
-                span,
-            ),
-        };
-        self.fail(diagnostic)
     }
 
     /// A definition, an initial value or an equation.

@@ -10,7 +10,6 @@ mod walk;
 mod written;
 
 pub use differentiate::{Variable, along, differentiate, differentiate_all};
-use written::Written;
 
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -109,6 +108,13 @@ pub struct LinearSystem {
     pub matrix: Vec<NodeId>,
     /// r.
     pub right: Vec<NodeId>,
+}
+
+/// The nodes and systems of a [`Graph`], not yet checked.
+#[derive(Serialize, Deserialize)]
+struct Written {
+    nodes: Vec<Node>,
+    systems: Vec<LinearSystem>,
 }
 
 /// Nodes, each equal expression once.

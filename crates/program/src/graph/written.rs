@@ -1,14 +1,6 @@
 //! A graph as it is written to a bundle, and the checks of one that is read.
 
-use super::{Graph, LinearSystem, Node, NodeId};
-use serde::{Deserialize, Serialize};
-
-/// The nodes and systems of a [`Graph`], not yet checked.
-#[derive(Serialize, Deserialize)]
-pub(super) struct Written {
-    nodes: Vec<Node>,
-    systems: Vec<LinearSystem>,
-}
+use super::{Graph, LinearSystem, Node, NodeId, Written};
 
 impl From<Graph> for Written {
     fn from(graph: Graph) -> Self {

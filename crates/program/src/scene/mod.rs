@@ -4,7 +4,6 @@ mod written;
 
 use crate::Compiled;
 use serde::{Deserialize, Serialize};
-use written::Written;
 
 /// A drawing whose attributes and texts follow the model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -14,6 +13,28 @@ pub struct Scene {
     pub root: Element,
     /// What the templates name, evaluated for each frame.
     pub values: Vec<Compiled>,
+}
+
+/// A [`Scene`], not yet checked: the last of the elements is the root.
+#[derive(Serialize, Deserialize)]
+struct Written {
+    elements: Vec<WrittenElement>,
+    values: Vec<Compiled>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct WrittenElement {
+    name: String,
+    attributes: Vec<Attribute>,
+    children: Vec<WrittenChild>,
+    drag: Option<Drag>,
+}
+
+#[derive(Serialize, Deserialize)]
+enum WrittenChild {
+    /// The element of this number, which comes before its parent.
+    Element(u32),
+    Text(Template),
 }
 
 /// An SVG element of the allow-list.

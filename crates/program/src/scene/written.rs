@@ -1,33 +1,9 @@
 //! A scene as it is written to a bundle: its elements in a list, so that reading needs no recursion.
 
-use super::{Attribute, Child, Drag, Element, Scene, Template};
-use crate::Compiled;
-use serde::{Deserialize, Serialize};
+use super::{Child, Element, Scene, Written, WrittenChild, WrittenElement};
 
 /// How deeply elements may be nested; documents allow less.
 const DEEPEST: usize = 64;
-
-/// A [`Scene`], not yet checked: the last of the elements is the root.
-#[derive(Serialize, Deserialize)]
-pub(super) struct Written {
-    elements: Vec<WrittenElement>,
-    values: Vec<Compiled>,
-}
-
-#[derive(Serialize, Deserialize)]
-struct WrittenElement {
-    name: String,
-    attributes: Vec<Attribute>,
-    children: Vec<WrittenChild>,
-    drag: Option<Drag>,
-}
-
-#[derive(Serialize, Deserialize)]
-enum WrittenChild {
-    /// The element of this number, which comes before its parent.
-    Element(u32),
-    Text(Template),
-}
 
 impl From<Scene> for Written {
     fn from(scene: Scene) -> Self {

@@ -1,5 +1,6 @@
 //! A value with its standard error, both to the same digit.
 
+use super::digits::is_error;
 use super::plain::{exponent, mantissa, plain, power_shown};
 use super::sign::push_power;
 use super::{Layout, Style};
@@ -45,19 +46,6 @@ pub fn concise(value: f64, error: Option<f64>, style: Style) -> String {
 
 fn known(value: f64, error: Option<f64>) -> Option<f64> {
     error.filter(|error| is_error(value, *error))
-}
-
-/// Whether an error says how many digits of a value are known: one that is positive, finite, and greater than what computing in
-/// doubles leaves of its own.
-pub(super) fn is_error(value: f64, error: f64) -> bool {
-    const ROUNDING: f64 = 1e-14;
-    value.is_finite() && error.is_finite() && error > 0.0 && error >= ROUNDING * value.abs()
-}
-
-/// The exponent of the last digit that is written of an error after `±`.
-pub(super) fn last_digit(error: f64) -> i32 {
-    let text = format!("{error:.1e}");
-    exponent(error, 2) - i32::from(text.starts_with(['1', '2']))
 }
 
 #[cfg(test)]

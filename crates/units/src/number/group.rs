@@ -1,6 +1,6 @@
 //! Numbers that stand together: written with the same unit, power of ten and number of decimals.
 
-use super::error::{is_error, last_digit};
+use super::digits::{is_error, last_digit};
 use super::plain::{exponent, mantissa, plain, power_shown, rounded};
 use super::sign::{error_with_unit, push_power, with_unit};
 use super::{Style, unit_text};

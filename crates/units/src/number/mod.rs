@@ -15,6 +15,7 @@
 //! - Numbers for programs are exact: [`shortest`] reads back as the same bits.
 
 mod axis;
+mod digits;
 mod error;
 mod exact;
 mod group;

@@ -2,6 +2,8 @@
 //! one finger reads, two fingers pan and zoom. A press, or a finger that lifts, pins what is read. The wheel zooms only in a plot that has the focus, or with Ctrl, so that
 //! it scrolls the page otherwise.
 
+pub use super::gesture::Gesture;
+
 use super::pins;
 use crate::app::App;
 use crate::frame;
@@ -18,25 +20,6 @@ const REACH_OF_FINGER: f64 = 20.0;
 const SMALLEST: f64 = 6.0;
 /// A mouse that has moved less than this in CSS pixels has pressed and not dragged.
 const STILL: f64 = 4.0;
-
-/// The pointers that are down on a canvas.
-#[derive(Default)]
-pub struct Gesture {
-    fingers: Vec<(i32, f64, f64)>,
-    /// Where a zoom rectangle began and where it is now.
-    rectangle: Option<((f64, f64), (f64, f64))>,
-    /// Where a single pointer went down, as long as it may become a press: a mouse that moves pans, a finger reads.
-    pressed: Option<(f64, f64)>,
-    /// The end of the brush that is being dragged.
-    end: Option<usize>,
-}
-
-impl Gesture {
-    /// The zoom rectangle that is being drawn.
-    pub fn rectangle(&self) -> Option<((f64, f64), (f64, f64))> {
-        self.rectangle
-    }
-}
 
 /// What a pointer's move means.
 enum Motion {

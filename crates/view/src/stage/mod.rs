@@ -3,8 +3,11 @@
 pub mod brush;
 pub mod canvas;
 pub mod full_screen;
+mod gesture;
 mod gestures;
 mod legend;
+mod narrow;
+mod pinned;
 mod pins;
 pub mod plot;
 mod plot_tools;
@@ -13,13 +16,12 @@ pub mod ruler;
 mod runs;
 mod stopwatch;
 
+pub use narrow::NARROW;
+
 use crate::app::App;
 use crate::scene::SceneNodes;
 use crate::views::*;
 use crate::{frame, icons, transport};
-
-/// A window with room for the scene and one plot: a phone, or a tablet held upright.
-pub const NARROW: &str = "(max-width: 1099px) and (orientation: portrait), (max-width: 719px), (max-height: 500px)";
 
 /// The stage.
 pub fn view(app: App) -> HtmlSection {

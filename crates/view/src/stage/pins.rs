@@ -1,5 +1,7 @@
 //! Pinned read-outs: they stay when the pointer leaves or the finger lifts, and two of them are compared.
 
+pub use super::pinned::{LETTERS, Pinned};
+
 use super::plot::with_plot;
 use crate::app::App;
 use crate::frame;
@@ -7,20 +9,8 @@ use crate::views::*;
 use figure::{Point, Readout};
 use play::PlotId;
 
-/// What the pins are called in the plot.
-pub const LETTERS: [&str; 2] = ["A", "B"];
-
 /// So near to a pin, in CSS pixels, another press takes it away.
 const NEAR: f32 = 12.0;
-
-/// The words of a plot's pins.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Pinned {
-    /// What each of them reads.
-    readings: Vec<String>,
-    /// How far the second is from the first.
-    difference: String,
-}
 
 /// Pins what lies at a pixel, or takes away the pin that is there.
 pub fn press(app: App, id: PlotId, at: Point) {

@@ -2,7 +2,7 @@
 
 use super::{canvas, full_screen};
 use crate::app::App;
-use crate::theme::Colours;
+use crate::colours::Colours;
 use crate::views::*;
 use crate::{browser, icons};
 use figure::Settings;
@@ -18,7 +18,7 @@ const SAVED_SCALE: f64 = 2.0;
 /// The toolbar of the plot that `figure` shows.
 pub fn view(app: App, id: PlotId, figure: Element) -> HtmlDiv {
     let words = app.words();
-    let automatic = move || super::plots::now(app, id).is_none_or(|plot| plot.automatic);
+    let automatic = move || app.plot(id).is_none_or(|plot| plot.automatic);
     let zoom = move |factor: f64| app.act(|play| play.zoom_plot(id, None, factor, figure::Direction::Both));
     let tool = |name: &'static str| button().class("icon").called(name);
     let open = create_signal(false);
@@ -94,7 +94,7 @@ fn saved(app: App) -> Settings {
 
 /// `Phase portrait` as `phase-portrait`.
 fn file_name(app: App, id: PlotId, ending: &str) -> String {
-    let title = super::plots::now(app, id).map(|plot| plot.title).unwrap_or_default();
+    let title = app.plot(id).map(|plot| plot.title).unwrap_or_default();
     let words: Vec<String> =
         title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_lowercase).collect();
     format!("{}.{ending}", words.join("-"))

@@ -13,12 +13,12 @@ pub fn view(app: App) -> View {
     let mut plots = app.read(|play| play.plots());
     plots.retain(|plot| !plot.apart);
     let shown = move |id: PlotId| is_in_sight(app, id);
-    let offered = move |id: PlotId| now(app, id).is_some_and(|plot| plot.offered);
+    let offered = move |id: PlotId| app.plot(id).is_some_and(|plot| plot.offered);
     let count = plots.len();
     let switch = |plot: &PlotView| {
         let id = plot.id;
         let turn = move |_| {
-            let shown = now(app, id).is_some_and(|plot| plot.shown);
+            let shown = app.plot(id).is_some_and(|plot| plot.shown);
             // Where there is room for one plot alone, the buttons choose which.
             let narrow = app.narrow.get_untracked();
             if narrow {
@@ -64,12 +64,6 @@ fn is_in_sight(app: App, id: PlotId) -> bool {
     front.or_else(|| shown.next().map(|plot| plot.id)) == Some(id)
 }
 
-/// A plot as it is now.
-pub fn now(app: App, id: PlotId) -> Option<PlotView> {
-    app.changes.plots.track();
-    app.read(|play| play.plots().into_iter().nth(id.place()))
-}
-
 /// A plot with its tools.
 pub fn figure(app: App, id: PlotId, shown: Box<dyn Fn() -> bool>) -> HtmlFigure {
     let words = app.words();
@@ -77,7 +71,7 @@ pub fn figure(app: App, id: PlotId, shown: Box<dyn Fn() -> bool>) -> HtmlFigure 
     let mut tip = div().class("tip").attr("aria-hidden", "true").attr("popover", "manual");
     let pinned = create_signal(Pinned::default());
     plot::register(app, id, &canvas.node(), &tip.node(), pinned);
-    let title = move || now(app, id).map(|plot| plot.title).unwrap_or_default();
+    let title = move || app.plot(id).map(|plot| plot.title).unwrap_or_default();
     let name = move || format!("{}: {}", words.plot, title());
     let canvas = canvas
         .tabindex("0")

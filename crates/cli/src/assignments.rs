@@ -1,0 +1,75 @@
+//! Arguments that name something and its value: `NAME=VALUE`, and what is observed, `y=COLUMN`.
+
+/// A name and what it shall be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Assignment {
+    /// Before the equals sign.
+    pub name: String,
+    /// After it.
+    pub value: String,
+}
+
+/// Reads `NAME=VALUE`.
+pub fn assignment(text: &str) -> Result<Assignment, String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
+            Ok(Assignment { name: name.trim().to_owned(), value: value.trim().to_owned() })
+        }
+        _ => Err("write NAME=VALUE, such as b=200 or h_l='40 [dm]'".to_owned()),
+    }
+}
+
+/// What `--observe y` or `--observe y=COLUMN` asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Observe {
+    /// What is observed: an expression of the model, or just a name.
+    pub quantity: String,
+    /// The column, if one is named.
+    pub column: Option<String>,
+}
+
+/// Reads `y`, `y=COLUMN`, `y'=v`, and `Run 2.y`, which is the `y` of a run or body.
+pub fn observe(text: &str) -> Result<Observe, String> {
+    let (quantity, column) = match text.split_once('=') {
+        Some((quantity, column)) => (quantity.trim(), Some(column.trim())),
+        None => match text.rsplit_once('.').filter(|(body, name)| is_body(body, name)) {
+            Some((_, name)) => (name.trim(), Some(text.trim())),
+            None => (text.trim(), None),
+        },
+    };
+    if quantity.is_empty() || column.is_some_and(str::is_empty) {
+        return Err("write NAME or NAME=COLUMN, such as y, y=2 or y=mass_A.y".to_owned());
+    }
+    Ok(Observe { quantity: quantity.to_owned(), column: column.map(str::to_owned) })
+}
+
+/// Whether what stands before a point is a body, and no part of an expression such as `2.5*y`.
+fn is_body(body: &str, name: &str) -> bool {
+    body.contains(char::is_alphabetic)
+        && !body.contains(['*', '/', '+', '^', '(', ')'])
+        && name.trim().starts_with(char::is_alphabetic)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn assignments_keep_their_unit() {
+        let expected = Assignment { name: "h_l".to_owned(), value: "40 [cm]".to_owned() };
+        assert_eq!(assignment("h_l = 40 [cm]"), Ok(expected));
+        assert!(assignment("h_l").is_err());
+        assert!(assignment("=3").is_err());
+    }
+
+    #[test]
+    fn observations_name_a_quantity_and_perhaps_a_column() {
+        let expected = Observe { quantity: "y'".to_owned(), column: Some("v".to_owned()) };
+        assert_eq!(observe("y' = v"), Ok(expected));
+        assert_eq!(observe("y").map(|observe| observe.column), Ok(None));
+        let of_run = Observe { quantity: "y".to_owned(), column: Some("Run 2.y".to_owned()) };
+        assert_eq!(observe("Run 2.y"), Ok(of_run));
+        assert_eq!(observe("2.5*y").map(|observe| observe.column), Ok(None));
+        assert!(observe("=v").is_err() && observe("y=").is_err() && observe("").is_err());
+    }
+}

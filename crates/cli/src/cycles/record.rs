@@ -1,0 +1,86 @@
+//! What was measured, and which part of it is divided into cycles.
+
+use crate::arguments::Cycles;
+use crate::assignments::Observe;
+use crate::data::{self, Measured};
+use crate::failure::Failure;
+use analysis::cycles;
+
+/// What was measured, and its cycles.
+#[derive(Debug)]
+pub struct Record<'a> {
+    /// The file.
+    pub data: &'a Measured,
+    /// Which of its columns.
+    pub column: usize,
+    /// What is observed, as the person calls it.
+    pub name: String,
+    /// Its unit, empty if the file gives none.
+    pub unit: String,
+    /// Seconds, and the column's own unit; the part that was asked for.
+    pub times: Vec<f64>,
+    /// The values at these times, of the same number.
+    pub values: Vec<f64>,
+    /// Its cycles.
+    pub found: cycles::Cycles,
+}
+
+/// Takes what was asked for from the data.
+pub fn record<'a>(data: &'a Measured, arguments: &Cycles) -> Result<Record<'a>, Failure> {
+    let column = match &arguments.observe {
+        Some(observe) => data.column(observe, &[])?,
+        None => widest(data)?,
+    };
+    let name = match &arguments.observe {
+        Some(Observe { quantity, .. }) => quantity.clone(),
+        None => data.called(column),
+    };
+    let table = &data.table;
+    let time = table.columns.get(table.columns[column].independent);
+    let time_unit = time.and_then(|time| time.unit.as_ref());
+    let bound =
+        |name: &str, text: &Option<String>| text.as_ref().map(|text| data::reading(name, text, time_unit)).transpose();
+    let from = bound("--from", &arguments.from)?.unwrap_or(f64::NEG_INFINITY);
+    let until = bound("--until", &arguments.until)?.unwrap_or(f64::INFINITY);
+    let rows = time.map(|time| time.si(None)).unwrap_or_default().into_iter().zip(&table.columns[column].values);
+    let (times, values): (Vec<f64>, Vec<f64>) = rows
+        .filter(|(time, value)| (from..=until).contains(time) && value.is_finite())
+        .map(|(time, value)| (time, *value))
+        .unzip();
+    let found = cycles::cycles(&times, &values).ok_or_else(|| {
+        Failure::with_hint(
+            format!("{}: {name} does not oscillate so that cycles could be told ({} rows)", data.name, times.len()),
+            "a cycle needs three turning points, clear of the noise, with eight rows about them; choose another column \
+             with --observe NAME=COLUMN, or another part with --from and --until",
+        )
+    })?;
+    let unit = table.columns[column].unit.as_ref().map(|unit| unit.text.clone()).unwrap_or_default();
+    Ok(Record { data, column, name, unit, times, values, found })
+}
+
+/// The column that moves most among those of the first body that were measured and share the first one's unit.
+fn widest(data: &Measured) -> Result<usize, Failure> {
+    let table = &data.table;
+    let is_derived = |column: &usize| data.derived.iter().any(|derived| derived.column == *column);
+    let measured: Vec<usize> = table.observed_columns().filter(|column| !is_derived(column)).collect();
+    let Some(&first) = measured.first() else {
+        return Err(Failure::request(format!("{} has no measured column", data.name)));
+    };
+    let comparable = |column: &&usize| {
+        let (one, other) = (&table.columns[first], &table.columns[**column]);
+        one.independent == other.independent && one.unit == other.unit && !one.name.is_empty()
+    };
+    let range = |column: usize| {
+        let (low, high) = table.columns[column]
+            .values
+            .iter()
+            .filter(|value| value.is_finite())
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)));
+        high - low
+    };
+    let most =
+        measured.iter().filter(comparable).copied().rev().max_by(|one, other| range(*one).total_cmp(&range(*other)));
+    let widest = most.unwrap_or(first);
+    data.check_times(widest)?;
+    Ok(widest)
+}

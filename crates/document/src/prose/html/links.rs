@@ -1,0 +1,90 @@
+//! Links and images: where they may lead and come from.
+
+use super::{Image, Writer};
+use crate::prose::text::{anchor, escape};
+use model::{Diagnostic, Span};
+use pulldown_cmark::{Event, Tag, TagEnd};
+use units::words;
+
+impl Writer<'_> {
+    /// Begins a link; what may not be followed is text only.
+    pub(super) fn link(&mut self, destination: &str, span: Span) {
+        if let Some(title) = destination.strip_prefix('#') {
+            self.open(&format!("<a href=\"#{}\">", escape(&anchor(title))), "</a>");
+        } else if has_scheme(destination, "mailto:") {
+            self.open(&format!("<a href=\"{}\">", escape(destination)), "</a>");
+        } else if has_scheme(destination, "http://") || has_scheme(destination, "https://") {
+            let href = escape(destination);
+            self.open(&format!("<a href=\"{href}\" target=\"_blank\" rel=\"noopener noreferrer\">"), "</a>");
+        } else {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    "link",
+                    words!("a link cannot lead to `{}`", "un enlace no puede llevar a `{}`", shortened(destination)),
+                    span,
+                )
+                .with_hint(words(
+                    "links lead to http:, https: or mailto: addresses or to a heading (`#activities`)",
+                    "los enlaces llevan a direcciones http:, https: o mailto:, o a un título (`#activities`)",
+                )),
+            );
+            self.open("", "");
+        }
+    }
+
+    /// Begins an image; only one that the document holds itself is shown.
+    pub(super) fn image(&mut self, source: &str, span: Span) {
+        let kinds = ["png", "jpeg", "gif", "webp"];
+        let allowed = kinds.iter().any(|kind| has_scheme(source, &format!("data:image/{kind};base64,")));
+        let around = if allowed {
+            (format!("<img src=\"{}\" alt=\"", escape(source)), "\">")
+        } else {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    "image",
+                    words!("an image cannot come from `{}`", "una imagen no puede venir de `{}`", shortened(source)),
+                    span,
+                )
+                .with_hint(words(
+                    "the page asks nobody for anything: embed it, `data:image/png;base64,...`",
+                    "la página no pide nada a nadie: incrústala, `data:image/png;base64,...`",
+                )),
+            );
+            ("<span class=\"problem\">".to_owned(), "</span>")
+        };
+        self.image = Some(Image { around, alternative: String::new(), nested: 0 });
+    }
+
+    /// Takes what belongs to an image's alternative text.
+    pub(super) fn inside_image<'e>(&mut self, event: Event<'e>) -> Option<Event<'e>> {
+        let Some(image) = &mut self.image else {
+            return Some(event);
+        };
+        match event {
+            Event::Start(Tag::Image { .. }) => image.nested += 1,
+            Event::End(TagEnd::Image) if image.nested > 0 => image.nested -= 1,
+            Event::End(TagEnd::Image) => {
+                let html = format!("{}{}{}", image.around.0, escape(&image.alternative), image.around.1);
+                self.out.push_str(&html);
+                self.image = None;
+            }
+            Event::Text(text) | Event::Code(text) | Event::InlineMath(text) => image.alternative.push_str(&text),
+            Event::SoftBreak | Event::HardBreak => image.alternative.push(' '),
+            _ => {}
+        }
+        None
+    }
+}
+
+/// Whether an address begins with `scheme`, which is ASCII, in letters of either size.
+fn has_scheme(address: &str, scheme: &str) -> bool {
+    address.get(..scheme.len()).is_some_and(|start| start.eq_ignore_ascii_case(scheme))
+}
+
+/// The beginning of a long address, for a message.
+fn shortened(address: &str) -> String {
+    match address.char_indices().nth(40) {
+        Some((end, _)) => format!("{}...", &address[..end]),
+        None => address.to_owned(),
+    }
+}

@@ -1,0 +1,122 @@
+//! What the page is around the views of the simulation: what it announces, shows and saves besides.
+
+use super::Store;
+use crate::{data, saved, tabs};
+use desk::{Announcement, Desk};
+use play::Play;
+use units::Language;
+use view::browser;
+use view::messages::Message;
+use view::stage::brush::Part;
+use view::views::*;
+use view::{Host, News};
+
+impl Host for Store {
+    fn with_play(&self, work: &mut dyn FnMut(&mut Play)) {
+        if let Some(mut desk) = self.desk() {
+            work(desk.play_mut());
+        }
+    }
+
+    fn follow(&self) -> bool {
+        self.desk().is_some_and(|mut desk| {
+            desk.follow();
+            desk.lags()
+        })
+    }
+
+    fn news(&self, by_slider: bool) -> Vec<News> {
+        let mut news = Vec::new();
+        let mut added = None;
+        if let Some(mut desk) = self.desk() {
+            while let Some(announcement) = desk.take_announcement() {
+                match &announcement {
+                    Announcement::Play(play::Announcement::ParameterSet(..)) if by_slider => {}
+                    Announcement::Play(of_play) => news.push(News::of_play(desk.play(), of_play)),
+                    own => {
+                        if matches!(own, Announcement::RecordAdded(_)) {
+                            added = desk.newest_record();
+                        }
+                        news.push(self.news_of(&desk, own));
+                    }
+                }
+            }
+        }
+        if let (Some(app), Some(_)) = (self.app.get(), added) {
+            app.new_record.set(added);
+        }
+        news
+    }
+
+    fn raise(&self) {
+        let (Some(app), Some(revision)) = (self.app.get(), self.desk().map(|desk| desk.revision())) else { return };
+        let now = (revision.records, revision.fits, revision.play.answers);
+        let before = self.seen.replace(now);
+        if before != now {
+            saved::later(*app);
+        }
+        for (changed, counter) in [(before.0 != now.0, app.records), (before.1 != now.1, app.fits)] {
+            if changed {
+                counter.update(|count| *count += 1);
+            }
+        }
+    }
+
+    fn part(&self) -> Option<Part> {
+        let is_fitting = self.app.get().is_some_and(|app| app.tab.get_untracked() == tabs::FIT);
+        self.desk().filter(|desk| is_fitting && !desk.records().is_empty()).map(|desk| desk.fitted_part())
+    }
+
+    fn set_part(&self, part: Part) {
+        if let Some(mut desk) = self.desk() {
+            desk.set_fitted_part(part);
+        }
+    }
+
+    fn undo(&self, number: u32) -> bool {
+        self.desk().is_some_and(|mut desk| desk.undo(number))
+    }
+
+    fn set_language(&self, language: Language) {
+        if let Some(mut desk) = self.desk() {
+            desk.set_language(language.tag());
+        }
+    }
+
+    fn stem(&self) -> String {
+        let lab = self.lab.try_borrow();
+        let name = lab.ok().and_then(|lab| lab.sources.first().map(|file| file.name.clone())).unwrap_or_default();
+        let name = name.rsplit('/').next().unwrap_or_default().trim_end_matches(".md");
+        if name.is_empty() { "run".to_owned() } else { name.to_owned() }
+    }
+
+    fn save_buttons(&self) -> View {
+        self.app.get().map_or_else(View::new, |app| data::workbook_button(*app).into())
+    }
+
+    fn show(&self, place: &str) {
+        if let Some(app) = self.app.get() {
+            app.tab.set(if place.starts_with("record-") { tabs::MEASURE } else { tabs::FIT });
+        }
+        browser::reveal_later(place.to_owned());
+    }
+}
+
+impl Store {
+    /// What is spoken and shown of an announcement of the desk.
+    fn news_of(&self, desk: &Desk, announcement: &Announcement) -> News {
+        let news = News::new(desk.announcement_text(announcement), announcement.prominence());
+        let lead = |message: Message| match announcement {
+            Announcement::RecordAdded(_) => match desk.newest_record() {
+                Some(id) => Some(message.leading_to(format!("record-{id}"))),
+                None => Some(message),
+            },
+            // What has come of a fit is brought into sight where it was begun.
+            Announcement::FitFinished if self.app.get().is_some_and(|app| app.tab.get_untracked() == tabs::FIT) => None,
+            Announcement::FitFinished => Some(message.leading_to("fit-results".to_owned())),
+            own if own.can_be_undone() => Some(message.undone_by(desk.undo_number())),
+            _ => Some(message),
+        };
+        News { message: news.message.and_then(lead), ..news }
+    }
+}

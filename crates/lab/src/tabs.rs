@@ -1,0 +1,6 @@
+//! The names of the tabs of the laboratory.
+
+/// The tab of records and cycles.
+pub const MEASURE: &str = "measure";
+/// The tab of fits.
+pub const FIT: &str = "fit";

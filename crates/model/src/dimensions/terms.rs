@@ -1,0 +1,42 @@
+//! Expressions that must have one dimension.
+
+use super::form::Form;
+use crate::Expression;
+use crate::notation::quote;
+use units::{Words, words};
+
+pub(super) const LEFT_SIDE: Words = words("left side", "miembro izquierdo");
+pub(super) const RIGHT_SIDE: Words = words("right side", "miembro derecho");
+
+/// One of several expressions that must have one dimension; without a form when something is wrong with it already.
+#[derive(Clone, Debug)]
+pub(crate) struct Term<'e> {
+    pub expression: &'e Expression,
+    pub form: Option<Form>,
+}
+
+/// Where several expressions must have one dimension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// The terms of a sum, or of both sides of an equation.
+    Sum,
+    /// The sides of a comparison or an equation.
+    Sides,
+    /// The arguments of a function.
+    Arguments,
+    /// The branches of `if`.
+    Branches,
+}
+
+impl Place {
+    /// One of the expressions in a sentence.
+    pub(super) fn part(self, index: usize, term: &Expression) -> Words {
+        match (self, index) {
+            (Self::Sum, _) => words!("the term `{}`", "el término `{}`", quote(term)),
+            (Self::Sides, 0) => words!("the {side}", "el {side}", side = LEFT_SIDE),
+            (Self::Sides, _) => words!("the {side}", "el {side}", side = RIGHT_SIDE),
+            (Self::Arguments, _) => words!("the argument `{}`", "el argumento `{}`", quote(term)),
+            (Self::Branches, _) => words!("the branch `{}`", "la rama `{}`", quote(term)),
+        }
+    }
+}

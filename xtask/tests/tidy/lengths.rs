@@ -1,0 +1,37 @@
+//! How long a file may be.
+
+use crate::texts::{all_texts, holds, root};
+
+/// Lines of code in one file, with its unit tests, without blank lines and comments.
+const LONGEST: usize = 350;
+
+/// The lines that are neither blank nor part of a comment. A line that has code beside a comment is one of code.
+fn lines_of_code(text: &str) -> usize {
+    let mut in_comment = false;
+    let mut count = 0;
+    for line in text.lines().map(str::trim) {
+        let starts = !in_comment && line.starts_with("/*");
+        let comment = in_comment || starts || line.starts_with("//");
+        in_comment = (in_comment || starts) && !line.contains("*/");
+        count += usize::from(!line.is_empty() && !comment);
+    }
+    count
+}
+
+#[test]
+fn files_hold_one_subject() {
+    let root = root();
+    let long: Vec<String> = (all_texts().iter())
+        .filter(|(path, _)| ["rs", "mjs", "js", "css"].iter().any(|ending| holds(path, ending)))
+        .map(|(path, text)| (path.strip_prefix(&root).unwrap_or(path), lines_of_code(text)))
+        .filter(|&(_, lines)| lines > LONGEST)
+        .map(|(path, lines)| format!("{} has {lines} lines of code", path.display()))
+        .collect();
+    assert!(long.is_empty(), "at most {LONGEST} lines of code; split what is not one subject: {long:#?}");
+}
+
+#[test]
+fn comments_and_blank_lines_do_not_count() {
+    let text = "//! A file.\n\n/* of\nmany lines\n*/\nlet a = 1; // one\n    /// doc\nlet b = 2;\n/* one line */\nlet c = 3;\n";
+    assert_eq!(lines_of_code(text), 3);
+}

@@ -4,19 +4,21 @@
 //! what it had and has no more; what another page has added it leaves alone, and what another page has removed it does not
 //! bring back.
 
+use super::Item;
 use std::collections::BTreeMap;
 
 /// What one page knows of the items of one kind in the storage.
 #[derive(Clone, Debug, Default)]
 pub struct Shelf {
-    known: BTreeMap<String, Item>,
+    known: BTreeMap<String, Known>,
 }
 
 /// An item as this page has read or written it last.
 #[derive(Clone, Debug)]
-struct Item {
+struct Known {
     /// When it was first stored, in milliseconds: the order of the items.
     since: u64,
+    /// The whole text.
     text: String,
 }
 
@@ -29,46 +31,62 @@ pub enum Change {
     Remove(String),
 }
 
+/// Keys of what stays in the storage unused.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Left {
+    /// Items for which there was no use.
+    pub refused: Vec<String>,
+    /// Texts that are no items, or those of a later version.
+    pub unreadable: Vec<String>,
+}
+
 impl Shelf {
-    /// Puts stored items into the order in which they were first stored: keys, and texts as they were saved.
-    pub fn ordered(stored: impl IntoIterator<Item = (String, String)>) -> Vec<(String, String)> {
-        let mut items: Vec<(u64, String, String)> = stored
-            .into_iter()
-            .filter_map(|(key, stored)| {
-                let (since, text) = stored.split_once('\n')?;
-                Some((since.parse().ok()?, key, text.to_owned()))
-            })
-            .collect();
-        items.sort();
-        items.into_iter().map(|(_, key, text)| (key, text)).collect()
-    }
-
-    /// Takes note of what has been read, as it is stored.
-    pub fn has_read(&mut self, key: &str, stored: &str) {
-        if let Some((since, text)) = stored.split_once('\n')
-            && let Ok(since) = since.parse()
-        {
-            self.known.insert(key.to_owned(), Item { since, text: text.to_owned() });
+    /// Reads keys and stored texts, and passes on the items in the order in which they were first stored. `take` says whether
+    /// there is use for one; this page has it then.
+    pub fn read(
+        &mut self,
+        stored: impl IntoIterator<Item = (String, String)>,
+        mut take: impl FnMut(&str, &Item) -> bool,
+    ) -> Left {
+        let mut left = Left::default();
+        let mut all = Vec::new();
+        for (key, text) in stored {
+            match Item::read(&text) {
+                Some((since, items)) => all.push((since, key, text, items)),
+                None => left.unreadable.push(key),
+            }
         }
+        all.sort_by(|(since, key, ..), (other, its_key, ..)| (since, key).cmp(&(other, its_key)));
+        for (since, key, text, items) in all {
+            let taken = items.iter().filter(|item| take(&key, item)).count();
+            if taken > 0 {
+                self.known.insert(key, Known { since, text });
+            } else {
+                left.refused.push(key);
+            }
+        }
+        left
     }
 
-    /// What has to be done so that the storage holds these items of this page, keys and texts; `now` in milliseconds.
+    /// What has to be done so that the storage holds these items of this page, with their keys; `now` in milliseconds.
     /// `is_stored` says whether there is something under a key.
-    pub fn keep(&mut self, items: Vec<(String, String)>, now: u64, is_stored: impl Fn(&str) -> bool) -> Vec<Change> {
+    pub fn keep(&mut self, items: Vec<(String, Item)>, now: u64, is_stored: impl Fn(&str) -> bool) -> Vec<Change> {
         let mut changes = Vec::new();
         let mut known = BTreeMap::new();
-        for (place, (key, text)) in items.into_iter().enumerate() {
+        for (place, (key, item)) in items.into_iter().enumerate() {
             let before = self.known.remove(&key);
             let since = before.as_ref().map_or(now + place as u64, |before| before.since);
+            let text = item.write(since);
             let write = match &before {
+                // What an earlier version has stored is another text.
                 Some(before) => before.text != text && is_stored(&key),
                 // Another page may have stored the same item; it stays where it is.
                 None => !is_stored(&key),
             };
             if write {
-                changes.push(Change::Write(key.clone(), format!("{since}\n{text}")));
+                changes.push(Change::Write(key.clone(), text.clone()));
             }
-            known.insert(key, Item { since, text });
+            known.insert(key, Known { since, text });
         }
         changes.extend(std::mem::replace(&mut self.known, known).into_keys().map(Change::Remove));
         changes
@@ -82,15 +100,20 @@ impl Shelf {
 
 #[cfg(test)]
 mod tests {
+    use super::super::format::{Answer, Content};
     use super::*;
 
     type Storage = BTreeMap<String, String>;
 
-    fn items(names: &[&str]) -> Vec<(String, String)> {
-        names.iter().map(|name| ((*name).to_owned(), format!("text of {name}"))).collect()
+    fn item(typed: &str) -> Item {
+        Item(Content::Answer(Answer { typed: typed.to_owned(), ..Answer::default() }))
     }
 
-    fn save(storage: &mut Storage, shelf: &mut Shelf, items: Vec<(String, String)>, now: u64) {
+    fn items(names: &[&str]) -> Vec<(String, Item)> {
+        names.iter().map(|name| ((*name).to_owned(), item(name))).collect()
+    }
+
+    fn save(storage: &mut Storage, shelf: &mut Shelf, items: Vec<(String, Item)>, now: u64) {
         for change in shelf.keep(items, now, |key| storage.contains_key(key)) {
             match change {
                 Change::Write(key, text) => drop(storage.insert(key, text)),
@@ -100,9 +123,13 @@ mod tests {
     }
 
     fn load(storage: &Storage) -> (Shelf, Vec<String>) {
-        let mut shelf = Shelf::default();
-        storage.iter().for_each(|(key, text)| shelf.has_read(key, text));
-        (shelf, Shelf::ordered(storage.clone()).into_iter().map(|(key, _)| key).collect())
+        let (mut shelf, mut keys) = (Shelf::default(), Vec::new());
+        let left = shelf.read(storage.clone(), |key, _| {
+            keys.push(key.to_owned());
+            true
+        });
+        assert_eq!(left, Left::default());
+        (shelf, keys)
     }
 
     #[test]
@@ -130,20 +157,41 @@ mod tests {
         save(&mut storage, &mut one, items(&["a", "b"]), 1);
         let (mut other, _) = load(&storage);
         let mut changed = items(&["a", "b"]);
-        changed[0].1 = "edited".into();
+        changed[0].1 = item("edited");
         save(&mut storage, &mut one, changed, 2);
         // The other page knows the earlier text and has changed nothing.
         assert_eq!(other.keep(items(&["a", "b"]), 3, |_| true), []);
-        assert_eq!(Shelf::ordered(storage)[0], ("a".into(), "edited".into()));
+        assert_eq!(Item::read(&storage["a"]), Some((1, vec![item("edited")])));
     }
 
     #[test]
-    fn what_failed_is_tried_again_and_nonsense_is_no_item() {
+    fn what_failed_is_tried_again() {
         let mut shelf = Shelf::default();
         assert_eq!(shelf.keep(items(&["a"]), 1, |_| false).len(), 1);
         assert_eq!(shelf.keep(items(&["a"]), 2, |_| false).len(), 0, "another page has removed it");
         shelf.has_failed("a");
         assert_eq!(shelf.keep(items(&["a"]), 3, |_| false).len(), 1);
-        assert_eq!(Shelf::ordered([("k".into(), "no number\ntext".into()), ("l".into(), "7".into())]), []);
+    }
+
+    #[test]
+    fn what_there_is_no_use_for_stays_where_it_is() {
+        let later = item("x").write(1).replace(":3,", ":4,");
+        let stored = [("k", "no number\ntext\n"), ("l", "7"), ("m", &later), ("n", &item("n").write(5))]
+            .map(|(key, text)| (key.to_owned(), text.to_owned()));
+        let mut shelf = Shelf::default();
+        let left = shelf.read(stored, |_, _| false);
+        assert_eq!((left.unreadable.join(" "), left.refused.join(" ")), ("k l m".into(), "n".into()));
+        assert_eq!(shelf.keep(Vec::new(), 8, |_| true), []);
+    }
+
+    #[test]
+    fn what_an_earlier_version_has_stored_is_written_in_this_format() {
+        let mut storage = Storage::from([("a".to_owned(), "5\n3 s\ncorrect\n".to_owned())]);
+        let (mut shelf, _) = load(&storage);
+        // Under another name too: nothing is there twice.
+        storage.insert("old".into(), "6\n4 s\n\nrevealed".into());
+        shelf.read([("old".to_owned(), storage["old"].clone())], |_, _| true);
+        save(&mut storage, &mut shelf, items(&["a", "new"]), 9);
+        assert_eq!(storage, Storage::from([("a".into(), item("a").write(5)), ("new".into(), item("new").write(10))]));
     }
 }

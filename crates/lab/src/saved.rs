@@ -46,8 +46,11 @@ pub fn state(app: App) -> String {
 
 /// Brings back records and fits. How many records there was no room for.
 pub fn restore_measured(saved: &mut Saved, desk: &mut Desk) -> usize {
-    let records = saved.records.read(stored(RECORDS, "records"), |_, item| desk.restore_record(item));
-    let fits = saved.fits.read(stored(FITS, "fits"), |_, item| desk.restore_fit(item));
+    let records = saved
+        .records
+        .read(stored(RECORDS, "records"), |_, item| desk.restore_record(item).map(|name| format!("{RECORDS}{name}")));
+    let fits =
+        saved.fits.read(stored(FITS, "fits"), |_, item| desk.restore_fit(item).map(|name| format!("{FITS}{name}")));
     if records.refused.is_empty() && records.unreadable.is_empty() {
         // A fit that cannot be made again has lost its record, in another page.
         fits.refused.iter().for_each(|key| browser::forget(key));
@@ -66,7 +69,8 @@ pub fn restore_answers(saved: &mut Saved, sources: &[Source], desk: &mut Desk) {
     let prefix = answers_of(&document_key(sources, desk));
     saved.answers = Shelf::default();
     saved.answers.read(browser::all_remembered(&prefix), |key, item| {
-        desk.restore_answer(key.strip_prefix(&prefix).unwrap_or_default(), item)
+        let question = key.strip_prefix(&prefix).unwrap_or_default();
+        desk.restore_answer(question, item).then(|| key.to_owned())
     });
 }
 

@@ -32,16 +32,18 @@ impl Desk {
         saved.fits
     }
 
-    /// Brings back a fit of records that are there, to be made again by [`Desk::advance_fit`]. Whether the item is one, and
-    /// its records are there.
-    pub fn restore_fit(&mut self, item: &Item) -> bool {
-        let Content::Fit(saved) = &item.0 else { return false };
-        let Some(waiting) = self.waiting(saved) else { return false };
+    /// Brings back a fit, to be made again by [`Desk::advance_fit`]: the name under which it is stored from now on. None where
+    /// the item is no fit, and where one of its records is not there.
+    pub fn restore_fit(&mut self, item: &Item) -> Option<String> {
+        let Content::Fit(saved) = &item.0 else { return None };
+        let records = self.record_names();
+        let waiting = self.waiting(saved, &records)?;
+        let name = name(&waiting.texts, &task(&waiting.definition, &records)?);
         // Those that were fitted together last probably will be again.
         self.fits.setup.others = waiting.definition.parts.iter().map(|part| part.record).collect();
         self.fits.setup.chosen = waiting.definition.parts.last().map(|part| part.record);
         self.fits.waiting.push_back(waiting);
-        true
+        Some(name)
     }
 
     /// Whether fits are waiting to be made again.
@@ -49,12 +51,11 @@ impl Desk {
         !self.fits.waiting.is_empty()
     }
 
-    fn waiting(&self, saved: &format::Fit) -> Option<Waiting> {
-        let names = self.record_names();
+    fn waiting(&self, saved: &format::Fit, names: &[(u32, String)]) -> Option<Waiting> {
         let task = &saved.task;
         let definition = Definition {
             file: task.file.clone(),
-            parts: task.records.iter().map(|part| self.part(part, &names)).collect::<Option<_>>()?,
+            parts: task.records.iter().map(|part| self.part(part, names)).collect::<Option<_>>()?,
             varied: task.varied.iter().map(read_varied).collect(),
             parameters: read_numbers(&task.parameters),
             window: task.window.map(|end| end.map(|Number(end)| end)),
@@ -96,10 +97,8 @@ struct SavedFits {
 impl SavedFits {
     /// Adds a fit, unless there is no room for it or one of its records will not be there.
     fn add(&mut self, definition: &Definition, documents: Vec<String>, found: &Found) {
-        let Some(task) = self.task(definition) else { return };
-        // What it has found is no part of the name: made again, its last digits may differ.
-        let asked = serde_json::to_string(&task).unwrap_or_default();
-        let name = name_of(&documents.iter().chain([&asked]).map(String::as_str).collect::<Vec<_>>());
+        let Some(task) = task(definition, &self.records) else { return };
+        let name = name(&documents, &task);
         let rival = found.rival.as_ref();
         let rival = rival
             .map(|Rival { growth, values }| format::Rival { growth: Number(*growth), values: write_numbers(values) });
@@ -111,28 +110,35 @@ impl SavedFits {
             self.fits.push((name, item));
         }
     }
+}
 
-    /// What was asked for; `None` if one of the records will not be there.
-    fn task(&self, definition: &Definition) -> Option<format::Task> {
-        let part = |part: &Part| {
-            let (_, record) = self.records.iter().find(|(id, _)| *id == part.record)?;
-            Some(format::Part {
-                record: record.clone(),
-                name: line(&part.name),
-                origin: part.origin.map(Number),
-                fixed: part.fixed.iter().map(|&(index, value)| (index, Number(value))).collect(),
-                columns: write_uses(part.uses.iter().enumerate()),
-            })
-        };
-        Some(format::Task {
-            file: definition.file.clone(),
-            window: definition.window.map(|end| end.map(Number)),
-            parameters: write_numbers(&definition.parameters),
-            varied: definition.varied.iter().map(write_varied).collect(),
-            loss: (definition.loss != Loss::Squares).then(|| definition.loss.code().to_owned()),
-            records: definition.parts.iter().map(part).collect::<Option<_>>()?,
+/// The name of a fit. What it has found is no part of it: made again, its last digits may differ.
+fn name(documents: &[String], task: &format::Task) -> String {
+    // Texts and numbers only: there is nothing in it that could not be written.
+    let asked = serde_json::to_string(task).unwrap_or_default();
+    name_of(&documents.iter().chain([&asked]).map(String::as_str).collect::<Vec<_>>())
+}
+
+/// What was asked for, with the ids and names of the records that will be there; `None` if one of its own will not.
+fn task(definition: &Definition, records: &[(u32, String)]) -> Option<format::Task> {
+    let part = |part: &Part| {
+        let (_, record) = records.iter().find(|(id, _)| *id == part.record)?;
+        Some(format::Part {
+            record: record.clone(),
+            name: line(&part.name),
+            origin: part.origin.map(Number),
+            fixed: part.fixed.iter().map(|&(index, value)| (index, Number(value))).collect(),
+            columns: write_uses(part.uses.iter().enumerate()),
         })
-    }
+    };
+    Some(format::Task {
+        file: definition.file.clone(),
+        window: definition.window.map(|end| end.map(Number)),
+        parameters: write_numbers(&definition.parameters),
+        varied: definition.varied.iter().map(write_varied).collect(),
+        loss: (definition.loss != Loss::Squares).then(|| definition.loss.code().to_owned()),
+        records: definition.parts.iter().map(part).collect::<Option<_>>()?,
+    })
 }
 
 fn write_varied(varied: &Varied) -> format::Varied {

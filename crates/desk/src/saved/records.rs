@@ -57,9 +57,10 @@ impl Desk {
         false
     }
 
-    /// Brings back a record. Whether the item is one, and there is room for it.
-    pub fn restore_record(&mut self, item: &Item) -> bool {
-        let Content::Record(saved) = &item.0 else { return false };
+    /// Brings back a record: the name under which it is stored from now on. None where the item is no record, where it cannot
+    /// be read, and where there is no room to keep it.
+    pub fn restore_record(&mut self, item: &Item) -> Option<String> {
+        let Content::Record(saved) = &item.0 else { return None };
         let truth = saved.truth.as_deref().map(read_values);
         let id = self.insert_record(&saved.name, saved.text.as_bytes(), truth).ok();
         if let Some(record) = self.data.records.iter_mut().find(|record| Some(record.id) == id) {
@@ -85,7 +86,7 @@ impl Desk {
         }
         self.records_changed();
         self.forget_announcements();
-        id.is_some()
+        self.record_names().into_iter().find(|(own, _)| Some(*own) == id).map(|(_, name)| name)
     }
 }
 

@@ -11,6 +11,8 @@ use std::collections::BTreeMap;
 #[derive(Clone, Debug, Default)]
 pub struct Shelf {
     known: BTreeMap<String, Known>,
+    /// When items were first stored that from now on have other keys than in an earlier version.
+    moved: BTreeMap<String, u64>,
 }
 
 /// An item as this page has read or written it last.
@@ -41,12 +43,12 @@ pub struct Left {
 }
 
 impl Shelf {
-    /// Reads keys and stored texts, and passes on the items in the order in which they were first stored. `take` says whether
-    /// there is use for one; this page has it then.
+    /// Reads keys and stored texts, and passes on the items in the order in which they were first stored. `take` gives the key
+    /// under which this page keeps the item from now on, if it does.
     pub fn read(
         &mut self,
         stored: impl IntoIterator<Item = (String, String)>,
-        mut take: impl FnMut(&str, &Item) -> bool,
+        mut take: impl FnMut(&str, &Item) -> Option<String>,
     ) -> Left {
         let mut left = Left::default();
         let mut all = Vec::new();
@@ -58,12 +60,16 @@ impl Shelf {
         }
         all.sort_by(|(since, key, ..), (other, its_key, ..)| (since, key).cmp(&(other, its_key)));
         for (since, key, text, items) in all {
-            let taken = items.iter().filter(|item| take(&key, item)).count();
-            if taken > 0 {
-                self.known.insert(key, Known { since, text });
-            } else {
+            let taken: Vec<String> = items.iter().filter_map(|item| take(&key, item)).collect();
+            if taken.is_empty() {
                 left.refused.push(key);
+                continue;
             }
+            // Several items of one text keep their order.
+            for (place, taken) in taken.into_iter().enumerate().filter(|(_, taken)| *taken != key) {
+                self.moved.insert(taken, since.saturating_add(place as u64));
+            }
+            self.known.insert(key, Known { since, text });
         }
         left
     }
@@ -75,7 +81,8 @@ impl Shelf {
         let mut known = BTreeMap::new();
         for (place, (key, item)) in items.into_iter().enumerate() {
             let before = self.known.remove(&key);
-            let since = before.as_ref().map_or(now + place as u64, |before| before.since);
+            let moved = self.moved.remove(&key);
+            let since = before.as_ref().map(|before| before.since).or(moved).unwrap_or(now + place as u64);
             let text = item.write(since);
             let write = match &before {
                 // What an earlier version has stored is another text.
@@ -126,7 +133,7 @@ mod tests {
         let (mut shelf, mut keys) = (Shelf::default(), Vec::new());
         let left = shelf.read(storage.clone(), |key, _| {
             keys.push(key.to_owned());
-            true
+            Some(key.to_owned())
         });
         assert_eq!(left, Left::default());
         (shelf, keys)
@@ -179,7 +186,7 @@ mod tests {
         let stored = [("k", "no number\ntext\n"), ("l", "7"), ("m", &later), ("n", &item("n").write(5))]
             .map(|(key, text)| (key.to_owned(), text.to_owned()));
         let mut shelf = Shelf::default();
-        let left = shelf.read(stored, |_, _| false);
+        let left = shelf.read(stored, |_, _| None);
         assert_eq!((left.unreadable.join(" "), left.refused.join(" ")), ("k l m".into(), "n".into()));
         assert_eq!(shelf.keep(Vec::new(), 8, |_| true), []);
     }
@@ -190,8 +197,8 @@ mod tests {
         let (mut shelf, _) = load(&storage);
         // Under another name too: nothing is there twice.
         storage.insert("old".into(), "6\n4 s\n\nrevealed".into());
-        shelf.read([("old".to_owned(), storage["old"].clone())], |_, _| true);
+        shelf.read([("old".to_owned(), storage["old"].clone())], |_, _| Some("new".to_owned()));
         save(&mut storage, &mut shelf, items(&["a", "new"]), 9);
-        assert_eq!(storage, Storage::from([("a".into(), item("a").write(5)), ("new".into(), item("new").write(10))]));
+        assert_eq!(storage, Storage::from([("a".into(), item("a").write(5)), ("new".into(), item("new").write(6))]));
     }
 }

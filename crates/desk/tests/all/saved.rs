@@ -30,12 +30,13 @@ impl Visit {
     /// Opens the page; what was left in the storage unused.
     fn begin(storage: &BTreeMap<String, String>) -> (Self, [Left; 2]) {
         let (mut desk, mut visit) = (linear(), Self::default());
+        let named = |kind: &str, name: Option<String>| name.map(|name| format!("{kind}:{name}"));
         let stored = |prefix: &str| -> Vec<(String, String)> {
             let own = storage.iter().filter(|(key, _)| key.starts_with(prefix));
             own.map(|(key, text)| (key.clone(), text.clone())).collect()
         };
-        let records = visit.records.read(stored("record"), |_, item| desk.restore_record(item));
-        let fits = visit.fits.read(stored("fit"), |_, item| desk.restore_fit(item));
+        let records = visit.records.read(stored("record"), |_, item| named("record", desk.restore_record(item)));
+        let fits = visit.fits.read(stored("fit"), |_, item| named("fit", desk.restore_fit(item)));
         visit.desk = Some(desk);
         (visit, [records, fits])
     }
@@ -95,6 +96,9 @@ fn what_earlier_versions_have_stored_comes_back_and_is_stored_anew() {
     assert!(storage.values().all(|text| text.starts_with("{\"meniscus\":3,\"since\":")), "{storage:?}");
     let since = |key: &str| Item::read(&storage[key]).unwrap().0;
     assert_eq!([keys[2], keys[3]].map(since), [1000, 900]);
+    // The fits keep their times under their other keys.
+    let times = [keys[0], keys[1]].map(since);
+    assert_eq!(times.iter().min().zip(times.iter().max()), Some((&2000, &3000)));
     let written = storage.clone();
 
     let (mut later, left) = Visit::begin(&storage);
@@ -142,7 +146,34 @@ fn the_first_versions_had_one_text_for_all() {
     }
     let changes = shelf.keep(saved, 5, |key| key == "records");
     assert_eq!(changes.len(), 4);
+    let times = changes.iter().filter_map(|change| match change {
+        Change::Write(_, text) => Item::read(text).map(|(since, _)| since),
+        Change::Remove(_) => None,
+    });
+    assert_eq!(times.collect::<Vec<_>>(), [0, 1, 2], "their order stays");
     assert_eq!(changes[3], Change::Remove("records".into()), "after all of them have been written");
+}
+
+#[test]
+fn a_record_that_there_is_no_room_for_stays_in_the_storage() {
+    // Each of two pages has stored one that leaves no room for the other's.
+    let rows = |from: usize| (from..from + 50_000).map(|row| format!("{row} {row}.5\n")).collect::<String>();
+    let storage: BTreeMap<String, String> = ["one", "two"]
+        .iter()
+        .zip(1..)
+        .map(|(name, since)| {
+            let mut desk = linear();
+            desk.add_record(name, rows(100_000 * since as usize).as_bytes()).unwrap();
+            let (key, item) = desk.saved_records().remove(0);
+            (format!("record:{key}"), item.write(since))
+        })
+        .collect();
+    assert_eq!(storage.len(), 2);
+    let mut after = storage.clone();
+    let (mut visit, [left, _]) = Visit::begin(&storage);
+    assert_eq!((left.refused.len(), left.unreadable.len()), (1, 0));
+    visit.save(&mut after);
+    assert_eq!(after, storage);
 }
 
 #[test]
@@ -157,7 +188,7 @@ fn answers_come_back() {
     for (name, item) in &saved {
         let (_, items) = Item::read(&item.write(3)).unwrap();
         assert!(later.restore_answer(name, &items[0]) && !later.restore_answer("x", &items[0]));
-        assert!(!later.restore_record(&items[0]) && !later.restore_fit(&items[0]));
+        assert_eq!((later.restore_record(&items[0]), later.restore_fit(&items[0])), (None, None));
     }
     assert_eq!(later.saved_answers(), saved);
     assert_eq!(

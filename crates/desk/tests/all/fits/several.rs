@@ -213,7 +213,7 @@ fn a_part_begins_with_its_initial_values() {
     let restored = |fit: &Item| {
         let mut later = Desk::open(theory("quadratic"));
         crate::support::bring_back_records(&mut later, &records);
-        assert!(later.restore_fit(fit));
+        assert!(later.restore_fit(fit).is_some());
         while later.advance_fit() {}
         later.fit_detail(later.fits()[0].id).unwrap()
     };

@@ -42,14 +42,14 @@ pub fn play(desk: &mut Desk, frames: impl IntoIterator<Item = f64>) {
 /// Brings back records as at the next visit.
 pub fn bring_back_records(desk: &mut Desk, saved: &[(String, Item)]) {
     for (_, item) in saved {
-        assert!(desk.restore_record(&stored(item)));
+        assert!(desk.restore_record(&stored(item)).is_some());
     }
 }
 
 /// Brings back fits as at the next visit; their records must be there.
 pub fn bring_back_fits(desk: &mut Desk, saved: &[(String, Item)]) {
     for (_, item) in saved {
-        assert!(desk.restore_fit(&stored(item)));
+        assert!(desk.restore_fit(&stored(item)).is_some());
     }
 }
 
@@ -63,7 +63,7 @@ fn stored(item: &Item) -> Item {
 /// Brings back the records and fits of stored texts. How many of them the desk has taken.
 pub fn bring_back_texts(desk: &mut Desk, texts: &[&str]) -> usize {
     let items = texts.iter().filter_map(|text| Item::read(text)).flat_map(|(_, items)| items);
-    items.filter(|item| desk.restore_record(item) || desk.restore_fit(item)).count()
+    items.filter_map(|item| desk.restore_record(&item).or_else(|| desk.restore_fit(&item))).count()
 }
 
 /// The states shown.

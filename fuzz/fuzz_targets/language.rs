@@ -2,7 +2,8 @@
 
 #![no_main]
 
-use engine::table::{Format, Table};
+use engine::csv::Dialect;
+use engine::table::Table;
 use engine::{Method, Run, Setup};
 use libfuzzer_sys::fuzz_target;
 use model::Diagnostic;
@@ -43,6 +44,6 @@ fn run(model: &Model, method: Method) {
     let mut table = Table::new(model);
     let mut text = String::new();
     for row in 0..run.history().len() {
-        let _ = table.write_row(Format::Csv, run.history(), row, row == 0, &mut text);
+        let _ = table.write_row(Dialect::Lines, run.history(), row, &mut text);
     }
 }

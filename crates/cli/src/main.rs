@@ -15,6 +15,7 @@ mod language;
 mod load;
 mod output;
 mod page;
+mod rows;
 mod run;
 mod serve;
 mod settings;

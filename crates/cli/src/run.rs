@@ -4,6 +4,7 @@ use crate::arguments::{Format, Run};
 use crate::failure::Failure;
 use crate::load::{self, Loaded, Sources};
 use crate::output::Output;
+use crate::rows::Rows;
 use crate::settings;
 use crate::terminal::Terminal;
 use document::Document;
@@ -53,9 +54,10 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
         None => Output::standard(),
     };
     let progress = progress(steps, arguments.output.as_deref());
-    let mut writer = Writer { output, table, format: format(arguments), text: String::new(), any: false };
-    writer.head()?;
-    let outcome = rows(run, steps, &mut writer, &progress);
+    let rows = Rows::new(table, format(arguments));
+    let mut writer = Writer { output, rows, text: String::new() };
+    writer.rows.head(&mut writer.text);
+    let outcome = write_rows(run, steps, &mut writer, &progress);
     progress.finish_and_clear();
     match outcome? {
         None => writer.finish(),
@@ -78,7 +80,7 @@ fn steps(until: f64, step: f64) -> Result<u64, Failure> {
 }
 
 /// Writes all rows; the error that ended the run, if one did.
-fn rows(
+fn write_rows(
     mut run: engine::Run,
     steps: u64,
     writer: &mut Writer,
@@ -121,7 +123,7 @@ fn failed(sources: &Sources, document: &Document, error: &RunError, terminal: Te
     Failure::Document
 }
 
-fn format(arguments: &Run) -> engine::table::Format {
+fn format(arguments: &Run) -> Format {
     let by_ending = || {
         let ending = arguments.output.as_ref()?.extension()?.to_str()?.to_ascii_lowercase();
         match ending.as_str() {
@@ -130,11 +132,7 @@ fn format(arguments: &Run) -> engine::table::Format {
             _ => None,
         }
     };
-    match arguments.format.or_else(by_ending).unwrap_or(Format::Csv) {
-        Format::Csv => engine::table::Format::Csv,
-        Format::Json => engine::table::Format::Json,
-        Format::Jsonl => engine::table::Format::JsonLines,
-    }
+    arguments.format.or_else(by_ending).unwrap_or(Format::Csv)
 }
 
 /// A bar on the terminal, unless the table itself goes there. indicatif shows nothing where the standard error is none.
@@ -153,22 +151,13 @@ fn progress(steps: u64, output: Option<&Path>) -> ProgressBar {
 /// The table on its way out.
 struct Writer {
     output: Output,
-    table: Table,
-    format: engine::table::Format,
+    rows: Rows,
     text: String,
-    any: bool,
 }
 
 impl Writer {
-    fn head(&mut self) -> Result<(), Failure> {
-        // Writing to a string cannot fail.
-        let _ = self.table.write_head(self.format, &mut self.text);
-        Ok(())
-    }
-
     fn row(&mut self, history: &engine::History, row: usize) -> Result<(), Failure> {
-        let _ = self.table.write_row(self.format, history, row, !self.any, &mut self.text);
-        self.any = true;
+        self.rows.row(history, row, &mut self.text);
         if self.text.len() >= CHUNK { self.write() } else { Ok(()) }
     }
 
@@ -179,7 +168,7 @@ impl Writer {
     }
 
     fn finish(mut self) -> Result<(), Failure> {
-        let _ = self.table.write_end(self.format, &mut self.text);
+        self.rows.end(&mut self.text);
         self.write()?;
         self.output.finish()
     }

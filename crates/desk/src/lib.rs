@@ -7,6 +7,7 @@
 //! | `measured` | points over curves, residuals, the outline in the scene |
 //! | `cycles` | an oscillation cycle by cycle |
 //! | `fits` | what is varied, the queue, the results, the fit in the sliders, reports |
+//! | `saved` | records, fits and answers for the next visit, in one format |
 //!
 //! A [`Refusal`] is the answer to input that cannot be taken; nothing has changed then. Getters that return texts use
 //! the chosen language. No method panics; an index that does not exist is ignored or refused.
@@ -19,7 +20,7 @@ mod measured;
 mod records;
 mod refusal;
 mod removed;
-mod shelf;
+mod saved;
 mod undo;
 mod words;
 mod workbook;
@@ -41,4 +42,4 @@ pub use records::{
     Sample,
 };
 pub use refusal::Refusal;
-pub use shelf::{Change, Shelf};
+pub use saved::{Change, Item, Left, Shelf};

@@ -1,7 +1,11 @@
 //! Documents inside a page: an exported page carries its source.
 
+use serde::{Deserialize, Serialize};
+use serde_json::ser::Formatter;
+use std::io::{self, Write};
+
 /// A file of a document.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Source {
     /// Its file name, such as `utube.es.md`.
     pub name: String,
@@ -57,13 +61,12 @@ fn is_base64(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || b"+/=".contains(&byte)
 }
 
-/// Documents as a list in JSON that can stand in a `script` element.
+/// Documents as a list in JSON that can stand in a `script` element: nothing in it can end the element or begin a comment.
 pub fn write_list(documents: &[Source]) -> String {
-    let list: Vec<String> = documents
-        .iter()
-        .map(|source| format!("{{\"name\":{},\"text\":{}}}", encode(&source.name), encode(&source.text)))
-        .collect();
-    format!("[{}]", list.join(",\n"))
+    let mut bytes = Vec::new();
+    // A list of texts can be written, and to memory.
+    let _ = documents.serialize(&mut serde_json::Serializer::with_formatter(&mut bytes, ForScript));
+    String::from_utf8(bytes).unwrap_or_default()
 }
 
 /// The documents in a page that [`embed`] made. None where it holds none.
@@ -74,32 +77,7 @@ pub fn read(page: &str) -> Option<Vec<Source>> {
 
 /// The documents of a list that [`write_list`] made. None where it is none, or empty.
 pub fn read_list(list: &str) -> Option<Vec<Source>> {
-    let mut reader = Reader { rest: list };
-    let mut documents = Vec::new();
-    reader.expect('[')?;
-    while reader.expect('{').is_some() {
-        let mut source = Source { name: String::new(), text: String::new() };
-        loop {
-            let key = reader.string()?;
-            reader.expect(':')?;
-            let value = reader.string()?;
-            match key.as_str() {
-                "name" => source.name = value,
-                "text" => source.text = value,
-                _ => return None,
-            }
-            if reader.expect(',').is_none() {
-                break;
-            }
-        }
-        reader.expect('}')?;
-        documents.push(source);
-        if reader.expect(',').is_none() {
-            break;
-        }
-    }
-    reader.expect(']')?;
-    (!documents.is_empty()).then_some(documents)
+    serde_json::from_str(list).ok().filter(|documents: &Vec<Source>| !documents.is_empty())
 }
 
 /// Where the embedded JSON stands. It is the last such element: no document can contain its opening tag, encoded as
@@ -119,80 +97,27 @@ fn replace_between(text: &mut String, before: &str, after: &str, new: &str) {
     }
 }
 
-/// A JSON string that can stand in a `script` element: nothing in it can end the element or begin a comment.
-fn encode(text: &str) -> String {
-    let mut encoded = String::with_capacity(text.len() + 2);
-    encoded.push('"');
-    for letter in text.chars() {
-        match letter {
-            '"' => encoded.push_str("\\\""),
-            '\\' => encoded.push_str("\\\\"),
-            '\n' => encoded.push_str("\\n"),
-            '<' | '>' | '&' | '\u{2028}' | '\u{2029}' | '\0'..='\u{1f}' | '\u{7f}' => {
-                encoded.push_str(&format!("\\u{:04x}", u32::from(letter)));
+/// JSON without the characters that mean something in HTML or end a line in JavaScript: they are escaped by their numbers.
+/// Each document begins a line.
+struct ForScript;
+
+impl Formatter for ForScript {
+    fn begin_array_value<W: ?Sized + Write>(&mut self, out: &mut W, first: bool) -> io::Result<()> {
+        if first { Ok(()) } else { out.write_all(b",\n") }
+    }
+
+    fn write_string_fragment<W: ?Sized + Write>(&mut self, out: &mut W, fragment: &str) -> io::Result<()> {
+        let is_special = |letter| matches!(letter, '<' | '>' | '&' | '\u{7f}' | '\u{2028}' | '\u{2029}');
+        let mut rest = fragment;
+        while let Some((plain, special)) = rest.find(is_special).map(|at| rest.split_at(at)) {
+            out.write_all(plain.as_bytes())?;
+            let mut letters = special.chars();
+            if let Some(letter) = letters.next() {
+                write!(out, "\\u{:04x}", u32::from(letter))?;
             }
-            _ => encoded.push(letter),
+            rest = letters.as_str();
         }
-    }
-    encoded.push('"');
-    encoded
-}
-
-struct Reader<'a> {
-    rest: &'a str,
-}
-
-impl Reader<'_> {
-    fn expect(&mut self, letter: char) -> Option<()> {
-        self.rest = self.rest.trim_start().strip_prefix(letter)?;
-        Some(())
-    }
-
-    fn string(&mut self) -> Option<String> {
-        self.expect('"')?;
-        let mut text = String::new();
-        loop {
-            let end = self.rest.bytes().position(|byte| matches!(byte, b'"' | b'\\'))?;
-            text.push_str(&self.rest[..end]);
-            let escaped = self.rest[end..].starts_with('\\');
-            self.rest = &self.rest[end + 1..];
-            if !escaped {
-                return Some(text);
-            }
-            text.push(self.escape()?);
-        }
-    }
-
-    fn escape(&mut self) -> Option<char> {
-        let letter = self.rest.chars().next()?;
-        self.rest = &self.rest[letter.len_utf8()..];
-        match letter {
-            '"' | '\\' | '/' => Some(letter),
-            'n' => Some('\n'),
-            'r' => Some('\r'),
-            't' => Some('\t'),
-            'b' => Some('\u{8}'),
-            'f' => Some('\u{c}'),
-            'u' => self.code_point(),
-            _ => None,
-        }
-    }
-
-    /// `2028`, or two of them for a character beyond 16 bits.
-    fn code_point(&mut self) -> Option<char> {
-        let first = self.hexadecimal()?;
-        if !(0xd800..0xdc00).contains(&first) {
-            return char::from_u32(first);
-        }
-        self.rest = self.rest.strip_prefix("\\u")?;
-        let second = self.hexadecimal()?.checked_sub(0xdc00).filter(|low| *low < 0x400)?;
-        char::from_u32(0x10000 + ((first - 0xd800) << 10) + second)
-    }
-
-    fn hexadecimal(&mut self) -> Option<u32> {
-        let digits = self.rest.get(..4).filter(|digits| digits.bytes().all(|b| b.is_ascii_hexdigit()))?;
-        self.rest = &self.rest[4..];
-        u32::from_str_radix(digits, 16).ok()
+        out.write_all(rest.as_bytes())
     }
 }
 
@@ -242,8 +167,17 @@ mod tests {
     }
 
     #[test]
+    fn the_list_is_json_without_markup() {
+        let list = write_list(&[source("</a> & \u{7f}\u{1}\n\r\té\u{2028}"), source("")]);
+        let name = r#"{"name":"a \"b\".md","text":"#;
+        assert_eq!(list, format!(r#"[{name}"\u003c/a\u003e \u0026 \u007f\u0001\n\r\té\u2028"}},{}{name}""}}]"#, "\n"));
+    }
+
+    #[test]
     fn json_of_other_writers_is_read() {
-        let page = format!("{OPENING}\n[ {{ \"text\" : \"\\u00e9\\ud83d\\ude00\\/\", \"name\" : \"x\" }} ]\n{CLOSING}");
+        let page = format!(
+            "{OPENING}\n[ {{ \"text\" : \"\\u00e9\\ud83d\\ude00\\/\", \"name\" : \"x\", \"a\": [1] }} ]\n{CLOSING}"
+        );
         assert_eq!(read(&page).unwrap(), [Source { name: "x".into(), text: "é😀/".into() }]);
     }
 }

@@ -7,8 +7,6 @@ use program::{Kind, Model, NodeId, State};
 use std::rc::Rc;
 use units::Unit;
 
-pub use write::Format;
-
 /// Which columns of a run, and their values at its rows.
 #[derive(Clone, Debug)]
 pub struct Table {

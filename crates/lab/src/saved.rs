@@ -1,9 +1,9 @@
-//! What is there again at the next visit: the state of each document, records, fits, answers. Other pages of this site share
-//! the storage: see [`desk::Shelf`].
+//! What is there again at the next visit: the state of each document as a link would have it, and records, fits and answers
+//! as items ([`desk::Item`]). Other pages of this site share the storage: see [`desk::Shelf`].
 
 use crate::app::{App, Lab};
 use crate::library;
-use desk::{Change, Desk, Shelf};
+use desk::{Change, Desk, Item, Shelf};
 use document::page::Source;
 use play::Subject;
 use view::browser;
@@ -44,55 +44,38 @@ pub fn state(app: App) -> String {
     key.and_then(|key| browser::remembered(&format!("state:{key}"))).unwrap_or_default()
 }
 
-/// Brings back records and fits, those of earlier versions too. How many records there was no room for.
+/// Brings back records and fits. How many records there was no room for.
 pub fn restore_measured(saved: &mut Saved, desk: &mut Desk) -> usize {
-    for (key, read) in [("records", Desk::restore_records as fn(&mut Desk, &str)), ("fits", Desk::restore_fits)] {
-        if let Some(text) = browser::remembered(key) {
-            read(desk, &text);
-            browser::forget(key);
-        }
-    }
-    let (records, fits) = (browser::all_remembered(RECORDS), browser::all_remembered(FITS));
-    Shelf::ordered(records.clone()).iter().for_each(|(_, text)| desk.restore_records(text));
-    Shelf::ordered(fits.clone()).iter().for_each(|(_, text)| desk.restore_fits(text));
-    saved.records = shelf(&records, RECORDS, &desk.saved_records());
-    saved.fits = shelf(&fits, FITS, &desk.saved_fits());
-    let open = desk.saved_records();
-    let closed =
-        records.iter().filter(|(key, _)| open.iter().all(|(name, _)| *key != format!("{RECORDS}{name}"))).count();
-    if closed == 0 {
+    let records = saved
+        .records
+        .read(stored(RECORDS, "records"), |_, item| desk.restore_record(item).map(|name| format!("{RECORDS}{name}")));
+    let fits =
+        saved.fits.read(stored(FITS, "fits"), |_, item| desk.restore_fit(item).map(|name| format!("{FITS}{name}")));
+    if records.refused.is_empty() && records.unreadable.is_empty() {
         // A fit that cannot be made again has lost its record, in another page.
-        let open = desk.saved_fits();
-        let lost = fits.iter().filter(|(key, _)| open.iter().all(|(name, _)| *key != format!("{FITS}{name}")));
-        lost.for_each(|(key, _)| browser::forget(key));
+        fits.refused.iter().for_each(|key| browser::forget(key));
     }
-    closed
+    records.refused.len()
+}
+
+/// The items of a kind, and what the first versions kept of all of them under one key.
+fn stored(prefix: &str, key: &str) -> Vec<(String, String)> {
+    let together = browser::remembered(key).map(|text| (key.to_owned(), text));
+    together.into_iter().chain(browser::all_remembered(prefix)).collect()
 }
 
 /// Brings back the answers to the questions of a document that has been opened.
 pub fn restore_answers(saved: &mut Saved, sources: &[Source], desk: &mut Desk) {
     let prefix = answers_of(&document_key(sources, desk));
-    let stored = browser::all_remembered(&prefix);
-    for (key, text) in Shelf::ordered(stored.clone()) {
-        desk.play_mut().restore_answer(key.strip_prefix(&prefix).unwrap_or_default(), &text);
-    }
-    saved.answers = shelf(&stored, &prefix, &desk.play().saved_answers());
+    saved.answers = Shelf::default();
+    saved.answers.read(browser::all_remembered(&prefix), |key, item| {
+        let question = key.strip_prefix(&prefix).unwrap_or_default();
+        desk.restore_answer(question, item).then(|| key.to_owned())
+    });
 }
 
 fn answers_of(document: &str) -> String {
     format!("answer:{document}:")
-}
-
-/// What of the storage this page holds.
-fn shelf(stored: &[(String, String)], prefix: &str, held: &[(String, String)]) -> Shelf {
-    let mut shelf = Shelf::default();
-    for (name, _) in held {
-        let key = format!("{prefix}{name}");
-        if let Some((_, stored)) = stored.iter().find(|(other, _)| *other == key) {
-            shelf.has_read(&key, stored);
-        }
-    }
-    shelf
 }
 
 /// Saves soon: what changes again until then is saved once.
@@ -120,9 +103,10 @@ fn save(lab: &mut Lab) -> bool {
     for (shelf, prefix, items) in [
         (&mut saved.records, RECORDS.to_owned(), desk.saved_records()),
         (&mut saved.fits, FITS.to_owned(), desk.saved_fits()),
-        (&mut saved.answers, answers_of(&key), desk.play().saved_answers()),
+        (&mut saved.answers, answers_of(&key), desk.saved_answers()),
     ] {
-        let items = items.into_iter().map(|(name, text)| (format!("{prefix}{name}"), text)).collect();
+        let items: Vec<(String, Item)> =
+            items.into_iter().map(|(name, item)| (format!("{prefix}{name}"), item)).collect();
         for change in shelf.keep(items, now, |key| browser::remembered(key).is_some()) {
             match change {
                 Change::Write(key, text) if !browser::remember(&key, &text) => {

@@ -39,7 +39,7 @@ pub use controls::{DIGITS, MethodView, ParameterView, PresetGroup, PresetView, S
 pub use name::name_of;
 pub use play::{Play, Revision};
 pub use plots::{AddedPlot, AddedSeries, KeptView, Labels, LegendEntry, MOST_KEPT, POINTS, PlotId, PlotView, Points};
-pub use questions::{AnswerView, Grade, Verdict};
+pub use questions::{Answer, AnswerView, Grade, Verdict};
 pub use refusal::Refusal;
 pub use share::{LONGEST_PACKED, LONGEST_UNPACKED, Link, Subject, packed_length};
 pub use time::{Course, LONGEST_GAP, Problem, SPEEDS, Status, WORK_PER_TICK};

@@ -1,6 +1,6 @@
 //! Answers to the questions of the page, kept for the next visit.
 
-use play::name_of;
+use play::{Answer, name_of};
 use view::{App, browser};
 
 /// The keys of the answers to this simulation begin so.
@@ -15,7 +15,9 @@ pub fn restore(app: App) {
     let prefix = prefix(app);
     for (key, text) in browser::all_remembered(&prefix) {
         let name = key.strip_prefix(&prefix).unwrap_or_default();
-        app.read(|play| play.restore_answer(name, &text));
+        if let Some(answer) = Answer::of_lines(&text) {
+            app.read(|play| play.restore_answer(name, &answer));
+        }
     }
 }
 
@@ -23,5 +25,5 @@ pub fn restore(app: App) {
 pub fn save(app: App) -> bool {
     let prefix = prefix(app);
     let answers = app.read(|play| play.saved_answers());
-    answers.into_iter().all(|(name, text)| browser::remember(&format!("{prefix}{name}"), &text))
+    answers.into_iter().all(|(name, answer)| browser::remember(&format!("{prefix}{name}"), &answer.lines()))
 }

@@ -10,9 +10,9 @@ const SCRIPT: &str = include_str!("worker.js");
 pub fn script(files: &Files) -> String {
     let kept = files.iter().filter(|(path, _)| !path.ends_with(FROM_DISK));
     let hashes: BTreeMap<String, String> = kept.map(|(path, content)| (percent_encoded(path), hash(content))).collect();
-    let lines: Vec<String> = hashes.iter().map(|(path, hash)| format!("  \"{path}\": \"{hash}\",\n")).collect();
-    let list = format!("const FILES = {{\n{}}};", lines.concat());
-    let script = SCRIPT.replace("const FILES = {};", &list);
+    // A map of texts can be written.
+    let list = serde_json::to_string_pretty(&hashes).unwrap_or_default();
+    let script = SCRIPT.replace("const FILES = {};", &format!("const FILES = {list};"));
     let version = hash(script.as_bytes());
     script.replace("const VERSION = \"\";", &format!("const VERSION = \"{}\";", version.get(..16).unwrap_or(&version)))
 }

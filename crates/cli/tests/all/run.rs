@@ -58,6 +58,18 @@ fn json_and_json_lines_hold_the_same_numbers() {
 }
 
 #[test]
+fn json_has_texts_truth_values_and_nulls() {
+    let model = "y' = 2 [cm/s]\ny(0) = 0 [m] in [cm]\nx = 1e-6 [m]*t/(2 [s]) in [nm]\n\
+                 kind = if t > 0.05 [s] then \"late, very\" else \"early\"\nlate = t > 0.05 [s]\nw = ln(t/(1 [s]))\n";
+    let document = format!("---\ntitle: T\nuntil: 0.1 [s]\nstep: 0.1 [s]\nmethod: euler\n---\n```model\n{model}```\n");
+    let (_directory, path) = directory_with(&document);
+    let first = r#"{"t [s]":0,"y [cm]":0,"x [nm]":0,"kind":"early","late":false,"w":null}"#;
+    let second = r#"{"t [s]":0.1,"y [cm]":0.2,"x [nm]":50,"kind":"late, very","late":true,"w":-2.3025850929940455}"#;
+    assert_eq!(run(&path, &["--format", "json"]).stdout, format!("[\n{first},\n{second}\n]\n"));
+    assert_eq!(run(&path, &["--format", "jsonl"]).stdout, format!("{first}\n{second}\n"));
+}
+
+#[test]
 fn settings_take_units_bare_numbers_and_expressions() {
     for same in ["x_0=5", "x_0=50 [mm]", "x_0 = 0.05 [m]", "x_0=2*25 [mm]", "x_0=m*5 [cm]/2 [kg]"] {
         assert_eq!(run_spring(&["--set", same]).stdout, run_spring(&[]).stdout, "{same}");

@@ -88,13 +88,6 @@ impl Waiting {
         Some(Self { texts: texts(&job.document), definition: job.definition, found: job.found? })
     }
 
-    /// Without anything that it has found, and with the model's beginning where the fitted part begins.
-    pub fn begun_anew(mut self) -> Self {
-        self.found.values.clear();
-        self.definition.parts.iter_mut().for_each(|part| part.origin = None);
-        self
-    }
-
     /// What is to be made, if the document can still be opened.
     pub fn job(self) -> Option<Job> {
         let (source, translations) = self.texts.split_first()?;
@@ -108,7 +101,7 @@ impl Waiting {
 }
 
 /// The text of a document, and those of its translations.
-pub(super) fn texts(document: &Document) -> Vec<String> {
+pub(crate) fn texts(document: &Document) -> Vec<String> {
     std::iter::once(&document.source).chain(&document.translations).cloned().collect()
 }
 

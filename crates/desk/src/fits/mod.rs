@@ -6,7 +6,6 @@ pub(crate) mod fit;
 mod queue;
 pub(crate) mod reporting;
 mod results;
-mod saved;
 pub(crate) mod setup;
 pub(crate) mod state;
 mod task;

@@ -93,20 +93,16 @@ impl Record {
         self.made.clear();
     }
 
-    /// What was made, for the next visit: `1:central`.
-    pub fn saved_made(&self) -> String {
-        let first = self.made.iter().filter(|made| made.order == 1);
-        first.map(|made| format!("{}:{}", made.of, made.how.code())).collect::<Vec<_>>().join(",")
+    /// The columns that were differentiated, and how.
+    pub fn differentiated(&self) -> impl Iterator<Item = (usize, Differentiation)> {
+        self.made.iter().filter(|made| made.order == 1).map(|made| (made.of, made.how))
     }
 
-    /// Makes again what [`Record::saved_made`] has written.
-    pub fn restore_made(&mut self, saved: &str, document: &Document) {
-        for entry in saved.split(',') {
-            let made = entry.split_once(':').and_then(|(of, how)| {
-                let (of, how) = (of.parse().ok()?, Differentiation::from_code(how)?);
-                Some((self.differentiate(of, how).filter(|_| of < self.read_columns())?, of, how))
-            });
-            if let Some((columns, of, how)) = made {
+    /// Differentiates these columns of the file again; each once.
+    pub fn restore_made(&mut self, columns: impl Iterator<Item = (usize, Differentiation)>, document: &Document) {
+        for (of, how) in columns {
+            let once = of < self.read_columns() && self.made.iter().all(|made| made.of != of);
+            if let Some(columns) = self.differentiate(of, how).filter(|_| once) {
                 self.take_made(columns, of, how);
             }
         }

@@ -1,8 +1,8 @@
 //! A file on its way to become a record: read and inspected in slices, so that the page never stands still.
 
 use crate::records::incoming::{Intake, Stage};
-use crate::records::record::{LONGEST_TEXT, Record};
-use crate::records::{runs, saved};
+use crate::records::record::{LONGEST_SAVED, LONGEST_TEXT, Record};
+use crate::records::runs;
 use crate::words::sentence;
 use crate::{Announcement, Desk, LONGEST_RECORD, MOST_RECORDS, Refusal};
 use analysis::finding::Finding;
@@ -147,7 +147,7 @@ impl Desk {
             id,
             name: name.chars().take(80).collect(),
             // What is too long to be kept for the next visit is not needed any more.
-            text: if text.len() <= saved::LONGEST { text } else { String::new() },
+            text: if text.len() <= LONGEST_SAVED { text } else { String::new() },
             uses: Vec::new(),
             table: import.table,
             findings,

@@ -10,7 +10,6 @@ pub(crate) mod recognise;
 pub(crate) mod record;
 mod runs;
 mod sample;
-pub(crate) mod saved;
 mod understood;
 
 pub use intake::RecordProgress;

@@ -17,6 +17,8 @@ pub const MOST_RECORDS: usize = 8;
 pub const LONGEST_RECORD: usize = 64 << 20;
 /// The longest text, in bytes, that a sheet of a workbook may become.
 pub(crate) const LONGEST_TEXT: usize = LONGEST_RECORD;
+/// The longest texts, in bytes, that all records together keep for the next visit: browsers keep a few megabytes for a site.
+pub(crate) const LONGEST_SAVED: usize = 1 << 20;
 
 /// Measured data.
 #[derive(Clone, Debug)]

@@ -9,6 +9,7 @@ mod fits;
 mod intake;
 mod reading;
 mod records;
+mod saved;
 mod support;
 mod understood;
 mod undo;

@@ -3,7 +3,8 @@
 use crate::support::followed;
 use crate::support::{open, play, readout, set, utube};
 use desk::Desk;
-use engine::table::{Format, Table};
+use engine::csv::Dialect;
+use engine::table::Table;
 use engine::{Run, Setup};
 use figure::{Direction, Item, Palette, Point, Settings};
 use play::Grade;
@@ -108,12 +109,10 @@ fn the_file_is_that_of_a_run_without_a_session() {
     }
     let mut table = Table::new(model);
     let mut expected = String::new();
-    table.write_head(Format::Csv, &mut expected).unwrap();
+    table.write_head(Dialect::Lines, &mut expected).unwrap();
     for row in 0..=40 {
-        let first = row == 0;
-        table.write_row(Format::Csv, run.history(), row, first, &mut expected).unwrap();
+        table.write_row(Dialect::Lines, run.history(), row, &mut expected).unwrap();
     }
-    table.write_end(Format::Csv, &mut expected).unwrap();
     assert_eq!(desk.play().csv(), expected);
 }
 

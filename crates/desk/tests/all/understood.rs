@@ -27,16 +27,16 @@ fn assumed_units_are_marked_and_unknown_ones_asked_for() {
     };
     assert_eq!(origins(&desk), ["assumed: the file states none", "from the header", "unknown unit: `px/s`"]);
     // What is asked for is not drawn before it is answered.
-    let saved = desk.saved_records().remove(0).1;
+    let saved = desk.saved_records();
     desk.set_column_unit(id, 2, "cm/s").unwrap();
     desk.set_column_unit(id, 0, "ms").unwrap();
     assert_eq!(units(&desk, 0), ["t ms", "y cm", "y' cm/s"]);
     assert_eq!(origins(&desk), ["stated by you", "from the header", "stated by you"]);
     let mut other = utube();
-    other.restore_records(&desk.saved_records()[0].1);
+    crate::support::bring_back_records(&mut other, &desk.saved_records());
     assert_eq!(units(&other, 0), units(&desk, 0));
     let mut before = utube();
-    before.restore_records(&saved);
+    crate::support::bring_back_records(&mut before, &saved);
     assert_eq!(units(&before, 0), ["t s assumed", "y cm", "y'  asked"]);
     before.set_language("es");
     assert_eq!(origins(&before)[0], "supuesta: el archivo no la indica");

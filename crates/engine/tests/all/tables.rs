@@ -1,7 +1,8 @@
 //! Tables, character by character.
 
 use crate::support::{model, setup};
-use engine::table::{Format, Table};
+use engine::csv::Dialect;
+use engine::table::Table;
 use engine::{Method, Run};
 
 const TEXT: &str = r#"
@@ -15,14 +16,14 @@ w = ln(t/(1 [s]))
 k = 2*a
 "#;
 
-fn written(table: &mut Table, run: &Run, format: Format) -> String {
+fn written(table: &mut Table, run: &Run, dialect: Dialect) -> String {
     let mut text = String::new();
     let mut write = || -> std::fmt::Result {
-        table.write_head(format, &mut text)?;
+        table.write_head(dialect, &mut text)?;
         for row in 0..run.history().len() {
-            table.write_row(format, run.history(), row, row == 0, &mut text)?;
+            table.write_row(dialect, run.history(), row, &mut text)?;
         }
-        table.write_end(format, &mut text)
+        Ok(())
     };
     assert!(write().is_ok());
     text
@@ -38,7 +39,7 @@ fn example() -> (program::Model, Run) {
 fn csv() {
     let (model, run) = example();
     assert_eq!(
-        written(&mut Table::new(&model), &run, Format::Csv),
+        written(&mut Table::new(&model), &run, Dialect::Lines),
         "t [s],y [cm],x [nm],kind,late,w\n\
          0,0,0,early,false,\n\
          0.1,0.2,50,\"late, very\",true,-2.3025850929940455\n"
@@ -46,21 +47,11 @@ fn csv() {
 }
 
 #[test]
-fn json_and_json_lines() {
-    let (model, run) = example();
-    let first = r#"{"t [s]":0,"y [cm]":0,"x [nm]":0,"kind":"early","late":false,"w":null}"#;
-    let second = r#"{"t [s]":0.1,"y [cm]":0.2,"x [nm]":50,"kind":"late, very","late":true,"w":-2.3025850929940455}"#;
-    let mut table = Table::new(&model);
-    assert_eq!(written(&mut table, &run, Format::Json), format!("[\n{first},\n{second}\n]\n"));
-    assert_eq!(written(&mut table, &run, Format::JsonLines), format!("{first}\n{second}\n"));
-}
-
-#[test]
 fn chosen_columns() {
     let (model, run) = example();
     let mut table = Table::select(&model, &["k", "y", "a", "y'"]).unwrap();
     assert_eq!(
-        written(&mut table, &run, Format::Csv),
+        written(&mut table, &run, Dialect::Lines),
         "k [m/s],y [cm],a [cm/s],y' [m/s]\n0.04,0,2,0.02\n0.04,0.2,2,0.02\n"
     );
     for (name, near) in [("knd", Some("kind")), ("Y", Some("y")), ("zebra", None)] {
@@ -75,5 +66,5 @@ fn a_table_shows_the_parameters_in_force() {
     run.set_parameters(vec![0.05]);
     run.advance().unwrap();
     let mut table = Table::select(&model, &["a", "k"]).unwrap();
-    assert_eq!(written(&mut table, &run, Format::Csv), "a [cm/s],k [m/s]\n2,0.04\n2,0.04\n5,0.1\n");
+    assert_eq!(written(&mut table, &run, Dialect::Lines), "a [cm/s],k [m/s]\n2,0.04\n2,0.04\n5,0.1\n");
 }

@@ -19,17 +19,6 @@ pub struct AnswerView {
 /// The longest answer that is kept, in characters.
 const LONGEST: usize = 300;
 
-/// The names under which grades are saved.
-const GRADES: [(Grade, &str); 7] = [
-    (Grade::Correct, "correct"),
-    (Grade::Close, "close"),
-    (Grade::WrongSign, "sign"),
-    (Grade::WrongScale, "scale"),
-    (Grade::Wrong, "wrong"),
-    (Grade::Unreadable, "unreadable"),
-    (Grade::Unanswerable, "unanswerable"),
-];
-
 impl Play {
     /// What has been answered to a question.
     pub fn answer(&self, question: usize) -> AnswerView {
@@ -57,31 +46,21 @@ impl Play {
         self.note_answer(question, |answer| answer.revealed = true);
     }
 
-    /// The answers for the next visit: names of the questions, which are the same in all languages of the document, and
-    /// texts that [`Play::restore_answer`] reads.
-    pub fn saved_answers(&self) -> Vec<(String, String)> {
-        let write = |(answer, name): (&Answer, String)| {
-            let grade = GRADES.iter().find(|(grade, _)| Some(*grade) == answer.grade).map_or("", |(_, name)| name);
-            let revealed = if answer.revealed { "revealed" } else { "" };
-            (name, format!("{}\n{grade}\n{revealed}", answer.typed))
-        };
-        let given = self.answers.iter().zip(self.question_names());
-        given.filter(|(answer, _)| **answer != Answer::default()).map(write).collect()
+    /// The answers for the next visit, with the names of their questions, which are the same in all languages of the document.
+    pub fn saved_answers(&self) -> Vec<(String, Answer)> {
+        let given = self.question_names().into_iter().zip(self.answers.iter().cloned());
+        given.filter(|(_, answer)| *answer != Answer::default()).collect()
     }
 
-    /// Brings back the answer to the question of this name; nothing happens where there is none.
-    pub fn restore_answer(&mut self, name: &str, saved: &str) {
-        let Some(question) = self.question_names().iter().position(|own| own == name) else { return };
-        let mut lines = saved.splitn(3, '\n');
-        let (Some(typed), Some(grade), Some(revealed)) = (lines.next(), lines.next(), lines.next()) else { return };
-        self.type_answer(question, typed);
-        self.note_answer(question, |answer| {
-            answer.grade = GRADES.iter().find(|(_, name)| *name == grade).map(|(grade, _)| *grade);
-            answer.revealed = revealed == "revealed";
-        });
-        if self.answers.get(question).is_some_and(|answer| answer.revealed || answer.grade == Some(Grade::Correct)) {
+    /// Brings back the answer to the question of this name. Whether there is one.
+    pub fn restore_answer(&mut self, name: &str, saved: &Answer) -> bool {
+        let Some(question) = self.question_names().iter().position(|own| own == name) else { return false };
+        self.type_answer(question, &saved.typed);
+        self.note_answer(question, |answer| (answer.grade, answer.revealed) = (saved.grade, saved.revealed));
+        if saved.revealed || saved.grade == Some(Grade::Correct) {
             self.solve(question);
         }
+        true
     }
 
     pub(crate) fn note_answer(&mut self, question: usize, note: impl FnOnce(&mut Answer)) {

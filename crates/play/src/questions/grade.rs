@@ -30,6 +30,28 @@ pub enum Grade {
     Unanswerable,
 }
 
+impl Grade {
+    const CODES: [(Self, &str); 7] = [
+        (Self::Correct, "correct"),
+        (Self::Close, "close"),
+        (Self::WrongSign, "sign"),
+        (Self::WrongScale, "scale"),
+        (Self::Wrong, "wrong"),
+        (Self::Unreadable, "unreadable"),
+        (Self::Unanswerable, "unanswerable"),
+    ];
+
+    /// The word under which it is stored.
+    pub fn code(self) -> &'static str {
+        Self::CODES.iter().find(|(grade, _)| *grade == self).map_or("", |(_, code)| code)
+    }
+
+    /// What [`Grade::code`] has written.
+    pub fn from_code(code: &str) -> Option<Self> {
+        Self::CODES.iter().find(|(_, own)| *own == code).map(|(grade, _)| *grade)
+    }
+}
+
 /// How many tolerances away an answer is still close.
 const CLOSE: f64 = 5.0;
 

@@ -7,4 +7,5 @@ mod grade;
 mod question;
 
 pub use answered::AnswerView;
+pub use given::Answer;
 pub use grade::{Grade, Verdict};

@@ -2,7 +2,8 @@
 
 use crate::values::symbol::symbol;
 use crate::{Play, number, words};
-use engine::table::{Cell, Format, Table};
+use engine::csv::Dialect;
+use engine::table::{Cell, Table};
 use program::Node;
 use std::ops::Range;
 use units::number::Layout;
@@ -86,15 +87,14 @@ impl Play {
     pub fn csv(&self) -> String {
         let mut out = String::new();
         let mut table = Table::new(self.model());
-        let format = if self.style.decimal_comma { Format::CsvSemicolons } else { Format::Csv };
+        let dialect = if self.style.decimal_comma { Dialect::Semicolons } else { Dialect::Lines };
         // Writing to a string does not fail.
-        let _ = table.write_head(format, &mut out);
+        let _ = table.write_head(dialect, &mut out);
         if let Some(history) = self.course.history() {
             for row in 0..self.course.rows() {
-                let _ = table.write_row(format, history, row, row == 0, &mut out);
+                let _ = table.write_row(dialect, history, row, &mut out);
             }
         }
-        let _ = table.write_end(format, &mut out);
         out
     }
 

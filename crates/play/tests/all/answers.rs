@@ -1,7 +1,7 @@
 //! Answers to questions as people type and keep them, and values that questions hide.
 
 use crate::support::{UTUBE, utube};
-use play::{Grade, Play};
+use play::{Answer, Grade, Play};
 
 const DOCUMENT: &str = r#"---
 title: A pendulum
@@ -253,8 +253,9 @@ fn answers_stay_with_their_questions() {
         UTUBE.replacen("```question\n", "```question\nWhat is g?\nanswer: g within 1 %\n```\n\n```question\n", 1);
     let mut later = crate::support::open(&source, &[]);
     later.set_language("es");
-    for (name, text) in &saved {
-        later.restore_answer(name, text);
+    for (name, answer) in &saved {
+        assert_eq!(Answer::of_lines(&answer.lines()).as_ref(), Some(answer));
+        assert!(later.restore_answer(name, answer));
     }
     assert_eq!((later.answer(0), later.answer(1)), (play::AnswerView::default(), play.answer(0)));
     assert_eq!(later.answer(2), play.answer(1));
@@ -264,8 +265,11 @@ fn answers_stay_with_their_questions() {
     later.type_answer(2, "2\n3");
     assert_eq!((later.answer(2).typed.as_str(), later.answer(2).verdict), ("2 3", None));
     let before = later.saved_answers();
-    for (name, text) in [("", ""), (saved[0].0.as_str(), "one line"), ("0000000000000000", "1\nright\n")] {
-        later.restore_answer(name, text);
+    for name in ["", "0000000000000000"] {
+        assert!(!later.restore_answer(name, &saved[0].1));
     }
     assert_eq!(later.saved_answers(), before);
+    assert_eq!(Answer::of_lines("one line"), None);
+    let unknown = Answer { typed: "1".into(), grade: None, revealed: false };
+    assert_eq!(Answer::of_lines("1\nright\n"), Some(unknown));
 }

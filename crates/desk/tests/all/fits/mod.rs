@@ -8,9 +8,13 @@ use desk::{Desk, FitDetail};
 use std::path::Path;
 
 fn theory(name: &str) -> document::Document {
+    let [text, translation] = ["md", "es.md"].map(|ending| theory_text(&format!("{name}.{ending}")));
+    document::open(&text, &[&translation]).document.unwrap()
+}
+
+fn theory_text(file: &str) -> String {
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../simulations/theories");
-    let read = |name: String| std::fs::read_to_string(directory.join(name)).unwrap();
-    document::open(&read(format!("{name}.md")), &[&read(format!("{name}.es.md"))]).document.unwrap()
+    std::fs::read_to_string(directory.join(file)).unwrap()
 }
 
 fn place(desk: &Desk, name: &str) -> usize {

@@ -1,7 +1,7 @@
 //! Fits of several records, with numbers in common, of a part of them, by several theories.
 
-use super::{DAMPING, LENGTHS, fit, place, theory, three, together};
-use desk::{Desk, ExportKind, Imprint};
+use super::{DAMPING, LENGTHS, fit, place, theory, theory_text, three, together};
+use desk::{Desk, ExportKind, Imprint, Item};
 
 /// `0.1802 ± 0.0004` as a number.
 fn number(value: &str) -> f64 {
@@ -154,7 +154,7 @@ fn a_loss_is_chosen_and_kept() {
     while later.advance_fit() {}
     let found = said(&later);
     assert_eq!((found.len(), found.iter().filter(|said| **said).count()), (2, 1));
-    assert_eq!(later.saved_fits().iter().filter(|(_, text)| text.contains("\nloss tukey\n")).count(), 1);
+    assert_eq!(later.saved_fits().iter().filter(|(_, fit)| fit.write(0).contains("\"loss\":\"tukey\"")).count(), 1);
 }
 
 /// A film whose clock begins at 0.5 s, and in which the column is let go after 1 s.
@@ -201,27 +201,38 @@ fn a_part_begins_with_its_initial_values() {
 
     // Where the model begins in the record is there again, without a fit.
     let mut again = Desk::open(theory("quadratic"));
-    records.iter().for_each(|(_, text)| again.restore_records(text));
-    assert!(records[0].1.contains("=1.5e0"), "{}", &records[0].1[..120]);
+    crate::support::bring_back_records(&mut again, &records);
+    let begins = |records: &[(String, Item)]| records[0].1.write(0).contains("\"origin\":1.5");
+    assert!(begins(&records));
     assert_eq!(again.saved_records(), records);
     // Beside another document it means nothing.
     let mut other = Desk::open(theory("linear"));
-    records.iter().for_each(|(_, text)| other.restore_records(text));
-    assert!(!other.saved_records()[0].1.contains("=1.5e0"));
+    crate::support::bring_back_records(&mut other, &records);
+    assert!(!begins(&other.saved_records()));
 
-    let restored = |fits: &str| {
+    let restored = |fit: &Item| {
         let mut later = Desk::open(theory("quadratic"));
-        records.iter().for_each(|(_, text)| later.restore_records(text));
-        later.restore_fits(fits);
+        crate::support::bring_back_records(&mut later, &records);
+        assert!(later.restore_fit(fit).is_some());
         while later.advance_fit() {}
         later.fit_detail(later.fits()[0].id).unwrap()
     };
     assert_eq!(restored(&fits[0].1), of_part, "searches and other minima among it");
-    // What an earlier version has found with other initial values is searched from the beginning.
-    let earlier = fits[0].1.replace("meniscus fits 2", "meniscus fits 1");
-    assert!(earlier.contains("record #") && earlier.contains(" -  film.txt"));
-    let earlier = earlier.replace(" -  film.txt", " 5e-1  film.txt");
-    assert!(restored(&earlier).sentences.iter().any(|sentence| sentence == said));
+    // What the first versions have found with other initial values is searched from the beginning.
+    let texts = ["md", "es.md"].map(|ending| theory_text(&format!("quadratic.{ending}")));
+    let numbers = |numbers: &[f64]| numbers.iter().map(|number| format!("{number:e}")).collect::<Vec<_>>().join(" ");
+    let earlier = format!(
+        "meniscus fits 1\ndocument {} {}\n{}\nfit 0 theories/quadratic.md\nwindow 1.5e0 -\nvalues {}\nvaried 0 5 1 2 3\n\
+         record 0 5e-1  film.txt\nuses 0,0,t,~s;1,1,y,~m\nfound 1 1 1 1 1\nstarts 1\nend\n",
+        texts[0].len(),
+        texts[1].len(),
+        texts.concat(),
+        numbers(Desk::open(theory("quadratic")).play().parameter_values())
+    );
+    let (since, items) = Item::read(&earlier).unwrap();
+    assert_eq!((since, items.len()), (0, 1));
+    let sentences = restored(&items[0]).sentences;
+    assert!(sentences.iter().any(|sentence| sentence == said), "{sentences:?}");
 }
 
 /// The id of a fit, or of a kept run, that is gone is not given again: something may still call it by that.

@@ -1,5 +1,5 @@
 //! The documents that the tests open.
-use desk::Desk;
+use desk::{Desk, Item};
 use play::Play;
 
 /// A liquid column in a U-tube, with everything a document can have.
@@ -40,13 +40,30 @@ pub fn play(desk: &mut Desk, frames: impl IntoIterator<Item = f64>) {
 }
 
 /// Brings back records as at the next visit.
-pub fn bring_back_records(desk: &mut Desk, saved: &[(String, String)]) {
-    saved.iter().for_each(|(_, text)| desk.restore_records(text));
+pub fn bring_back_records(desk: &mut Desk, saved: &[(String, Item)]) {
+    for (_, item) in saved {
+        assert!(desk.restore_record(&stored(item)).is_some());
+    }
 }
 
 /// Brings back fits as at the next visit; their records must be there.
-pub fn bring_back_fits(desk: &mut Desk, saved: &[(String, String)]) {
-    saved.iter().for_each(|(_, text)| desk.restore_fits(text));
+pub fn bring_back_fits(desk: &mut Desk, saved: &[(String, Item)]) {
+    for (_, item) in saved {
+        assert!(desk.restore_fit(&stored(item)).is_some());
+    }
+}
+
+/// An item, once it has been in the storage.
+fn stored(item: &Item) -> Item {
+    let (since, mut items) = Item::read(&item.write(1_763_812_800_000)).expect("it reads back");
+    assert_eq!((since, items.len()), (1_763_812_800_000, 1));
+    items.remove(0)
+}
+
+/// Brings back the records and fits of stored texts. How many of them the desk has taken.
+pub fn bring_back_texts(desk: &mut Desk, texts: &[&str]) -> usize {
+    let items = texts.iter().filter_map(|text| Item::read(text)).flat_map(|(_, items)| items);
+    items.filter_map(|item| desk.restore_record(&item).or_else(|| desk.restore_fit(&item))).count()
 }
 
 /// The states shown.

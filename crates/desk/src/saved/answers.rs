@@ -1,0 +1,24 @@
+//! Answers to questions as items, and back.
+
+use super::Item;
+use super::format::{self, Content};
+use crate::Desk;
+use play::{Answer, Grade};
+
+impl Desk {
+    /// The answers for the next visit, with the names of their questions.
+    pub fn saved_answers(&self) -> Vec<(String, Item)> {
+        let item = |(name, Answer { typed, grade, revealed }): (String, Answer)| {
+            let grade = grade.map(|grade| grade.code().to_owned());
+            (name, Item(Content::Answer(format::Answer { typed, grade, revealed })))
+        };
+        self.play.saved_answers().into_iter().map(item).collect()
+    }
+
+    /// Brings back the answer to the question of this name. Whether it is one, and there is such a question.
+    pub fn restore_answer(&mut self, question: &str, item: &Item) -> bool {
+        let Content::Answer(format::Answer { typed, grade, revealed }) = &item.0 else { return false };
+        let grade = grade.as_deref().and_then(Grade::from_code);
+        self.play.restore_answer(question, &Answer { typed: typed.clone(), grade, revealed: *revealed })
+    }
+}

@@ -1,0 +1,14 @@
+//! What is kept for the next visit: items in one format, how a desk is turned into them and back, and which of them a page
+//! writes and removes.
+
+mod answers;
+mod earlier;
+mod fits;
+mod format;
+mod item;
+mod number;
+mod records;
+mod shelf;
+
+pub use item::Item;
+pub use shelf::{Change, Left, Shelf};

@@ -1,0 +1,366 @@
+//! The saved-state format: what was stored by earlier versions, what is damaged, and that everything reads back.
+
+use crate::support::{bring_back_texts, utube};
+use desk::{Change, Desk, Differentiation, Item, Left, Shelf};
+use play::Grade;
+use proptest::prelude::*;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+const RECORD: &str = include_str!("earlier/record.txt");
+const OTHER: &str = include_str!("earlier/other-record.txt");
+const FIT: &str = include_str!("earlier/fit.txt");
+const FIT_OF_TWO: &str = include_str!("earlier/fit-of-two.txt");
+
+fn linear() -> Desk {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../simulations/theories");
+    let read = |name: &str| std::fs::read_to_string(directory.join(name)).unwrap();
+    Desk::open(desk::document::open(&read("linear.md"), &[&read("linear.es.md")]).document.unwrap())
+}
+
+/// A storage, as a page uses it.
+#[derive(Default)]
+struct Visit {
+    desk: Option<Desk>,
+    records: Shelf,
+    fits: Shelf,
+}
+
+impl Visit {
+    /// Opens the page; what was left in the storage unused.
+    fn begin(storage: &BTreeMap<String, String>) -> (Self, [Left; 2]) {
+        let (mut desk, mut visit) = (linear(), Self::default());
+        let named = |kind: &str, name: Option<String>| name.map(|name| format!("{kind}:{name}"));
+        let stored = |prefix: &str| -> Vec<(String, String)> {
+            let own = storage.iter().filter(|(key, _)| key.starts_with(prefix));
+            own.map(|(key, text)| (key.clone(), text.clone())).collect()
+        };
+        let records = visit.records.read(stored("record"), |_, item| named("record", desk.restore_record(item)));
+        let fits = visit.fits.read(stored("fit"), |_, item| named("fit", desk.restore_fit(item)));
+        visit.desk = Some(desk);
+        (visit, [records, fits])
+    }
+
+    fn save(&mut self, storage: &mut BTreeMap<String, String>) {
+        let desk = self.desk.as_ref().unwrap();
+        for (shelf, prefix, items) in
+            [(&mut self.records, "record:", desk.saved_records()), (&mut self.fits, "fit:", desk.saved_fits())]
+        {
+            let items = items.into_iter().map(|(name, item)| (format!("{prefix}{name}"), item)).collect();
+            for change in shelf.keep(items, 9000, |key| storage.contains_key(key)) {
+                match change {
+                    Change::Write(key, text) => drop(storage.insert(key, text)),
+                    Change::Remove(key) => drop(storage.remove(&key)),
+                }
+            }
+        }
+    }
+}
+
+fn earlier() -> BTreeMap<String, String> {
+    [
+        ("record:159d2ddcf951f93c", format!("1000\n{RECORD}")),
+        ("record:ad6a005bfab9dd0f", format!("900\n{OTHER}")),
+        ("fit:fc704d21dc511cbb", format!("2000\n{FIT}")),
+        ("fit:32b1c3fa448d2a8c", format!("3000\n{FIT_OF_TWO}")),
+    ]
+    .map(|(key, text)| (key.to_owned(), text))
+    .into()
+}
+
+#[test]
+fn what_earlier_versions_have_stored_comes_back_and_is_stored_anew() {
+    let mut storage = earlier();
+    let (mut visit, left) = Visit::begin(&storage);
+    assert_eq!(left, [Left::default(), Left::default()]);
+    let desk = visit.desk.as_mut().unwrap();
+    let names: Vec<(String, bool, usize)> =
+        desk.records().into_iter().map(|record| (record.name, record.shown, record.columns.len())).collect();
+    assert_eq!(names, [("tube 2.txt".into(), false, 2), ("vídeo 1.txt".into(), true, 4)]);
+    let columns = desk.records().remove(1).columns;
+    assert_eq!(
+        (columns[0].unit_origin.as_str(), columns[1].unit_origin.as_str()),
+        ("stated by you", "from the header")
+    );
+    assert_eq!(columns[3].made, "polynomials of degree 2 over 5 rows");
+    let gamma = desk.fit_choices().iter().find(|choice| choice.name == "gamma").unwrap().index;
+    desk.vary(gamma, false);
+    desk.set_same(gamma, false);
+    assert!(desk.fit_choices()[gamma].values.iter().any(|known| known.text == "0.41"));
+
+    // Records keep their keys, fits get others; each is there once.
+    visit.save(&mut storage);
+    let keys: Vec<&str> = storage.keys().map(String::as_str).collect();
+    assert_eq!(&keys[2..], ["record:159d2ddcf951f93c", "record:ad6a005bfab9dd0f"]);
+    assert_eq!(keys.len(), 4);
+    assert!(storage.values().all(|text| text.starts_with("{\"meniscus\":3,\"since\":")), "{storage:?}");
+    let since = |key: &str| Item::read(&storage[key]).unwrap().0;
+    assert_eq!([keys[2], keys[3]].map(since), [1000, 900]);
+    // The fits keep their times under their other keys.
+    let times = [keys[0], keys[1]].map(since);
+    assert_eq!(times.iter().min().zip(times.iter().max()), Some((&2000, &3000)));
+    let written = storage.clone();
+
+    let (mut later, left) = Visit::begin(&storage);
+    assert_eq!(left, [Left::default(), Left::default()]);
+    later.save(&mut storage);
+    assert_eq!(storage, written, "another visit changes nothing");
+    for visit in [&mut visit, &mut later] {
+        let desk = visit.desk.as_mut().unwrap();
+        while desk.advance_fit() {}
+        let fits = desk.fits();
+        assert_eq!(fits.len(), 2);
+        let losses: Vec<bool> = (fits.iter())
+            .map(|fit| desk.fit_detail(fit.id).unwrap().sentences.iter().any(|one| one.contains("Tukey's loss")))
+            .collect();
+        assert_eq!(losses.iter().filter(|tukey| **tukey).count(), 1);
+        assert!(fits.iter().any(|fit| fit.records == ["vídeo 1.txt", "tube 2.txt"]));
+    }
+    let details = |visit: &Visit| {
+        let desk = visit.desk.as_ref().unwrap();
+        desk.fits().iter().map(|fit| desk.fit_detail(fit.id)).collect::<Vec<_>>()
+    };
+    assert_eq!(details(&visit), details(&later));
+}
+
+#[test]
+fn the_first_versions_had_one_text_for_all() {
+    let (mut desk, mut shelf) = (linear(), Shelf::default());
+    let document = play::name_of(&[&desk.document().source]);
+    let virtual_record = format!(
+        "virtual\nvirtual shown 16   {document} found=1.5e0 1=2e-2\nL=2e-1;gamma=4e-1\n\n0 1\n1 2\n2 4\n3 1\n\n"
+    );
+    let records = format!("{RECORD}{}{virtual_record}", OTHER.strip_prefix("meniscus records 1\n").unwrap());
+    let left = shelf.read([("records".to_owned(), records)], |_, item| desk.restore_record(item));
+    assert_eq!(left, Left::default());
+    assert_eq!(
+        desk.records().iter().map(|record| record.synthetic).collect::<Vec<_>>(),
+        [false, false, true],
+        "{:?}",
+        desk.records().iter().map(|record| &record.name).collect::<Vec<_>>()
+    );
+    let saved = desk.saved_records();
+    let text = saved[2].1.write(0);
+    for part in [r#""truth":[["L",0.2],["gamma",0.4]]"#, r#""origin":1.5,"origin_fitted":true,"offsets":[[1,0.02]]"#] {
+        assert!(text.contains(part), "{text}");
+    }
+    let changes = shelf.keep(saved, 5, |key| key == "records");
+    assert_eq!(changes.len(), 4);
+    let times = changes.iter().filter_map(|change| match change {
+        Change::Write(_, text) => Item::read(text).map(|(since, _)| since),
+        Change::Remove(_) => None,
+    });
+    assert_eq!(times.collect::<Vec<_>>(), [0, 1, 2], "their order stays");
+    assert_eq!(changes[3], Change::Remove("records".into()), "after all of them have been written");
+}
+
+#[test]
+fn a_record_that_there_is_no_room_for_stays_in_the_storage() {
+    // Each of two pages has stored one that leaves no room for the other's.
+    let rows = |from: usize| (from..from + 50_000).map(|row| format!("{row} {row}.5\n")).collect::<String>();
+    let storage: BTreeMap<String, String> = ["one", "two"]
+        .iter()
+        .zip(1..)
+        .map(|(name, since)| {
+            let mut desk = linear();
+            desk.add_record(name, rows(100_000 * since as usize).as_bytes()).unwrap();
+            let (key, item) = desk.saved_records().remove(0);
+            (format!("record:{key}"), item.write(since))
+        })
+        .collect();
+    assert_eq!(storage.len(), 2);
+    let mut after = storage.clone();
+    let (mut visit, [left, _]) = Visit::begin(&storage);
+    assert_eq!((left.refused.len(), left.unreadable.len()), (1, 0));
+    visit.save(&mut after);
+    assert_eq!(after, storage);
+}
+
+#[test]
+fn answers_come_back() {
+    let mut desk = utube();
+    desk.play_mut().check_answer(0, "123456");
+    desk.play_mut().type_answer(1, "\"π\"\\");
+    desk.play_mut().reveal_answer(1);
+    let saved = desk.saved_answers();
+    assert_eq!(saved.len(), 2);
+    let mut later = utube();
+    for (name, item) in &saved {
+        let (_, items) = Item::read(&item.write(3)).unwrap();
+        assert!(later.restore_answer(name, &items[0]) && !later.restore_answer("x", &items[0]));
+        assert_eq!((later.restore_record(&items[0]), later.restore_fit(&items[0])), (None, None));
+    }
+    assert_eq!(later.saved_answers(), saved);
+    assert_eq!(
+        [0, 1].map(|question| later.play().answer(question)),
+        [0, 1].map(|question| desk.play().answer(question))
+    );
+    // As earlier versions have stored them.
+    let (since, items) = Item::read("77\n9.81 m/s²\nscale\nrevealed").unwrap();
+    assert_eq!(since, 77);
+    assert!(later.restore_answer(&saved[0].0, &items[0]));
+    let answer = later.play().answer(0);
+    assert_eq!((answer.typed.as_str(), answer.revealed), ("9.81 m/s²", true));
+    assert_eq!(answer.verdict.map(|verdict| verdict.grade), Some(Grade::WrongScale));
+    assert_eq!(
+        later.saved_answers()[0].1.write(7),
+        r#"{"meniscus":3,"since":7,"item":{"answer":{"typed":"9.81 m/s²","grade":"scale","revealed":true}}}"#
+    );
+}
+
+/// Everything that a record can have.
+fn record() -> Desk {
+    let mut desk = linear();
+    let id = desk.add_record("a \"b\".txt", "t y [cm]\n0 1\n0.5 3\n1 2\n1.5 4\n2 1\n2.5 3\n3 2\n".as_bytes()).unwrap();
+    desk.set_column_unit(id, 0, "ms").unwrap();
+    desk.make_derivatives(id, 1, Differentiation::Central).unwrap();
+    desk.show_record(id, false);
+    desk
+}
+
+#[test]
+fn a_record_is_stored_as_json() {
+    let saved = record().saved_records();
+    assert_eq!(
+        saved[0].1.write(1_763_812_800_000),
+        concat!(
+            r#"{"meniscus":3,"since":1763812800000,"item":{"record":{"name":"a \"b\".txt","#,
+            r#""text":"t y [cm]\n0 1\n0.5 3\n1 2\n1.5 4\n2 1\n2.5 3\n3 2\n","hidden":true,"#,
+            r#""columns":[{"column":0,"quantity":"t","unit":"ms","stated":true,"fitted":false}],"#,
+            r#""derivatives":[{"column":1,"method":"central"}]}}}"#
+        )
+    );
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_item_reads_back(
+        name in "\\PC{0,20}",
+        values in prop::collection::vec(any::<f64>(), 1..6),
+        since in any::<u64>(),
+        grade in prop::option::of("\\PC{0,8}"),
+    ) {
+        // What is finite is a number of JSON, the rest a text.
+        let number = |value: &f64| if value.is_finite() { format!("{value:e}") } else { format!("\"{value}\"") };
+        let text = serde_json::to_string(&name).unwrap();
+        let numbers = values.iter().map(number).collect::<Vec<_>>().join(",");
+        let grade = grade.map_or("null".to_owned(), |grade| serde_json::to_string(&grade).unwrap());
+        for item in [
+            format!(r#"{{"record":{{"name":{text},"text":{text},"truth":[[{text},{}]],"known":[]}}}}"#, number(&values[0])),
+            format!(
+                r#"{{"fit":{{"documents":[{text}],"task":{{"window":[null,{}],"parameters":[{numbers}],
+                "varied":[{{"target":"origin"}},{{"target":{{"offset":3}},"shared":true}}]}},
+                "found":{{"values":[{numbers}],"starts":2,"rival":{{"growth":{},"values":[{numbers}]}}}}}}}}"#,
+                number(&values[0]), number(&values[0])
+            ),
+            format!(r#"{{"answer":{{"typed":{text},"grade":{grade}}}}}"#),
+        ] {
+            let stored = format!(r#"{{"item":{item},"later":[{{}}],"since":{since},"meniscus":3}}"#);
+            let (read_since, items) = Item::read(&stored).expect("an item");
+            prop_assert_eq!((read_since, items.len()), (since, 1));
+            // Bits of numbers, not their values: NaN is not equal to itself.
+            let written = items[0].write(since);
+            let (_, again) = Item::read(&written).expect("an item");
+            prop_assert_eq!(again[0].write(since), written.clone());
+            for value in values.iter().filter(|value| value.is_finite()).take(1) {
+                let json: serde_json::Value = serde_json::from_str(&written).unwrap();
+                let fit = &json["item"]["fit"]["task"]["parameters"];
+                prop_assert!(fit.is_null() || fit.as_array().unwrap().iter().any(|one| one.as_f64().map(f64::to_bits) == Some(value.to_bits())));
+            }
+        }
+    }
+
+    #[test]
+    fn damaged_texts_do_no_harm(which in 0..4_usize, at in any::<prop::sample::Index>(), to in "[0-9e\\-\\[\\]{}\",:a#; \n]{0,4}", cut in any::<bool>()) {
+        let mut desk = linear();
+        prop_assert_eq!(bring_back_texts(&mut desk, &[OTHER, RECORD, FIT, FIT_OF_TWO]), 4);
+        let fits = desk.saved_fits();
+        let records = desk.saved_records();
+        let sound = [OTHER.to_owned(), FIT_OF_TWO.to_owned(), records[1].1.write(5), fits[1].1.write(5)];
+        let text = &sound[which];
+        let place = (0..=at.index(text.len())).rev().find(|place| text.is_char_boundary(*place)).unwrap_or(0);
+        let rest = if cut { "" } else { text[place..].char_indices().nth(1).map_or("", |(next, _)| &text[place + next..]) };
+        let damaged = format!("{}{to}{rest}", &text[..place]);
+        let mut later = linear();
+        let texts: &[&str] = match which {
+            0 => &[&damaged, RECORD, FIT_OF_TWO],
+            2 => &[OTHER, &damaged, FIT_OF_TWO],
+            _ => &[OTHER, RECORD, &damaged],
+        };
+        bring_back_texts(&mut later, texts);
+        for _ in 0..3 {
+            later.advance_fit();
+        }
+        let saved = (later.saved_records(), later.saved_fits());
+        for (_, item) in saved.0.iter().chain(&saved.1) {
+            prop_assert!(Item::read(&item.write(0)).is_some());
+        }
+    }
+
+    #[test]
+    fn no_text_does_harm(text in ".{0,60}", number in "[0-9]{1,3}\nmeniscus (records|fits) [12]\n[a-z0-9 \n=;,#-]{0,60}") {
+        let mut desk = utube();
+        bring_back_texts(&mut desk, &[&text, &number, &format!("{{{text}}}")]);
+    }
+}
+
+#[test]
+fn hostile_fits_are_left_out_or_fitted() {
+    let mut desk = linear();
+    bring_back_texts(&mut desk, &[OTHER, RECORD, FIT, FIT_OF_TWO]);
+    let (records, fits) = (desk.saved_records(), desk.saved_fits());
+    let sound: Vec<String> = fits.iter().map(|(_, fit)| fit.write(1)).collect();
+    for (from, to) in [
+        (r#"{"parameter":0}"#, r#"{"offset":99}"#),
+        (r#"{"parameter":0}"#, r#"{"offset":18446744073709551615}"#),
+        (r#"{"parameter":0}"#, r#"{"parameter":1}"#),
+        (r#"{"parameter":0}"#, r#""origin""#),
+        (r#""parameters":["#, r#""parameters":["NaN"],"x":["#),
+        (r#""values":["#, r#""values":["NaN","inf",1e308,-1e308,0],"x":["#),
+        (r#""values":["#, r#""values":[],"x":["#),
+        (r#""window":["#, r#""window":["NaN","-inf"],"x":["#),
+        (r#""window":["#, r#""window":[1e300,-1e300],"x":["#),
+        (r#""fixed":[[5"#, r#""fixed":[[0,1],[99,1],[5,"inf"],[5"#),
+        (r#""fixed":[[5"#, r#""fixed":[[0"#),
+        (r#""name":""#, r#""origin":"NaN","name":""#),
+        (r#""name":""#, r#""origin":-1e300,"name":""#),
+        (r#""varied":["#, r#""varied":[],"x":["#),
+        (r#""records":["#, r#""records":[],"x":["#),
+        (r#""quantity":"t""#, r#""quantity":"y""#),
+        (r#""quantity":"y""#, r#""quantity":"t""#),
+        (r#""fitted":false"#, r#""fitted":true"#),
+        (r#""starts":"#, r#""rival":{"growth":"NaN","values":[1]},"starts":"#),
+    ] {
+        assert!(sound.iter().any(|text| text.contains(from)), "{from}");
+        for text in sound.iter().filter(|text| text.contains(from)) {
+            let mut later = linear();
+            crate::support::bring_back_records(&mut later, &records);
+            bring_back_texts(&mut later, &[&text.replace(from, to)]);
+            for _ in 0..200 {
+                later.advance_fit();
+            }
+            for fit in later.fits() {
+                later.fit_detail(fit.id);
+            }
+            assert!(later.fits().len() <= 1);
+        }
+    }
+}
+
+#[test]
+fn what_is_nested_or_long_without_end_is_refused() {
+    assert_eq!(Item::read(&format!("{{\"item\":{}", "[".repeat(1 << 20))), None);
+    assert_eq!(Item::read(&format!("{{\"meniscus\":3,\"since\":1,\"item\":{}1", "{\"record\":".repeat(100_000))), None);
+    let long =
+        format!("{{\"meniscus\":3,\"since\":1,\"item\":{{\"answer\":{{\"typed\":\"{}\"}}}}}}", "1".repeat(9 << 20));
+    assert_eq!(Item::read(&long), None);
+    // As many derivatives of a column as there is room for are still one.
+    let text = record().saved_records()[0].1.write(0);
+    let one = r#"{"column":1,"method":"central"}"#;
+    let many = text.replace(one, &vec![one; 1000].join(","));
+    let mut desk = linear();
+    assert_eq!(bring_back_texts(&mut desk, &[&many]), 1);
+    assert_eq!(desk.records()[0].columns.len(), 4);
+}

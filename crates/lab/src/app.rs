@@ -2,7 +2,7 @@
 
 mod host;
 
-use crate::saved::Saved;
+use crate::stored::Saved;
 use crate::words::{Words, words_in};
 use desk::{Desk, FitProgress, RecordProgress, Refusal};
 use document::page::Source;

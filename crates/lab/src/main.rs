@@ -21,6 +21,7 @@ mod packing;
 mod panel;
 mod records;
 mod saved;
+mod stored;
 mod tabs;
 mod titles;
 mod virtual_form;

@@ -6,7 +6,7 @@ use crate::links::Arrival;
 use crate::{fit, intake, saved, visited};
 use desk::Desk;
 use document::page::{self, Source};
-use view::{browser, frame, messages};
+use view::{browser, messages};
 use web_sys::{Event, File, FileList};
 
 /// Opens what a link or the history leads to.
@@ -131,7 +131,7 @@ pub fn save_when_left(app: App) {
     browser::listen("visibilitychange", move |_: &Event| {
         saved::now(app);
         // Back in sight, the frames go on.
-        frame::wake(app.page);
+        app.page.wake();
     });
 }
 

@@ -3,6 +3,7 @@
 
 use crate::app::{App, Lab};
 use crate::library;
+use crate::stored::Saved;
 use desk::{Change, Desk, Item, Shelf};
 use document::page::Source;
 use play::Subject;
@@ -16,19 +17,6 @@ const FITS: &str = "fit:";
 
 /// Changes are saved so many milliseconds later, all of them at once.
 const DELAY: i32 = 300;
-
-/// What this page knows of the storage.
-#[derive(Default)]
-pub struct Saved {
-    records: Shelf,
-    fits: Shelf,
-    /// The answers to the questions of the document that is open.
-    answers: Shelf,
-    /// Whether something is about to be saved.
-    is_due: bool,
-    /// Whether it has been said that the browser refuses to store anything.
-    refused: bool,
-}
 
 /// A document's name in the storage: by its file and title. Own documents keep apart from those of the page, which a link
 /// from a stranger could otherwise give another state.

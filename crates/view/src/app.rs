@@ -1,8 +1,8 @@
 //! The handle that every view holds: it leads to the simulation, and tells the views which part of it has changed.
 
 use crate::browser;
-use crate::frame::{self, Nodes};
-use crate::messages::{self, Message};
+use crate::frame::Nodes;
+use crate::message::Message;
 use crate::stage;
 use crate::stage::brush::Part;
 use crate::tabs;
@@ -13,6 +13,9 @@ use std::cell::{Cell, RefCell};
 use std::ops::Deref;
 use sycamore_reactive::{NodeHandle, batch, use_current_scope};
 use units::Language;
+
+/// More errors are not shown at once; the oldest go.
+const MOST_ERRORS: usize = 3;
 
 /// What a page is around the views of its simulation.
 pub trait Host {
@@ -214,6 +217,11 @@ impl App {
         self.0.nodes.try_borrow_mut().ok().map(|mut nodes| work(&mut nodes))
     }
 
+    /// Asks for a frame, once.
+    pub fn wake(self) {
+        self.nodes(Nodes::ask);
+    }
+
     /// Reads something from the simulation; its default where none is open.
     pub fn read<T: Default>(self, read: impl FnOnce(&mut Play) -> T) -> T {
         let (mut read, mut result) = (Some(read), None);
@@ -248,7 +256,7 @@ impl App {
     /// Tells the views that something was done, and draws.
     pub fn acted(self, by_slider: bool) {
         self.publish(true, by_slider);
-        frame::wake(self);
+        self.wake();
     }
 
     /// Raises the counters of what has changed and says what has happened. `values` says whether it is time to show
@@ -299,20 +307,31 @@ impl App {
             self.say(spoken.join(". "));
         }
         for message in news.into_iter().filter_map(|news| news.message) {
-            messages::show(self, message);
+            self.show(message);
         }
+    }
+
+    /// Shows a message; the next one takes its place, unless it is an error.
+    fn show(self, message: Message) {
+        self.messages.update(|messages| {
+            messages.retain(|other| other.is_error && *other != message);
+            if message.is_error && messages.len() >= MOST_ERRORS {
+                messages.remove(0);
+            }
+            messages.push(message);
+        });
     }
 
     /// Says and shows that something has been done.
     pub fn notify(self, words: &str) {
         self.say(words.to_owned());
-        messages::show(self, Message::notice(words.to_owned()));
+        self.show(Message::notice(words.to_owned()));
     }
 
     /// Says and shows why something was not done.
     pub fn complain(self, words: String) {
         self.say(words.clone());
-        messages::show(self, Message::error(words));
+        self.show(Message::error(words));
     }
 
     /// Says something through the live region alone: what a person who sees the page sees anyway. The same words twice must

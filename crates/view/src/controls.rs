@@ -3,21 +3,10 @@
 use crate::app::App;
 use crate::parameters;
 use crate::readouts::followed;
+use crate::symbols::name_and_symbol;
 use crate::views::*;
 use play::{MethodView, Play, PresetGroup, PresetView, StateView};
 use web_sys::HtmlDetailsElement;
-
-/// A name typeset: `h_l` as MathML. Labels say the same in words, so readers of the screen need not hear it.
-pub fn symbol(name: &str) -> HtmlSpan {
-    span().class("symbol").attr("aria-hidden", "true").inner_html(units::mathml::typeset_name(name))
-}
-
-/// What a quantity is called, and its symbol beside the last word, from which no line break parts it.
-pub fn name_and_symbol(label: &str, name: &str) -> HtmlSpan {
-    let (start, last) = label.rsplit_once(' ').map_or(("", label), |(start, last)| (start, last));
-    let start = if start.is_empty() { String::new() } else { format!("{start} ") };
-    span().child(start).child(span().class("unbroken").child(last.to_owned()).child(symbol(name)))
-}
 
 /// The controls.
 pub fn view(app: App) -> HtmlSection {

@@ -3,11 +3,11 @@
 //! says what a long pause means; losing the focus does not stop the run.
 
 use crate::app::App;
+use crate::colours::Colours;
 use crate::scene::SceneNodes;
 use crate::sound::Sound;
 use crate::stage::brush::Part;
 use crate::stage::plot::PlotNodes;
-use crate::theme::Colours;
 use crate::transport::TransportNodes;
 use crate::views::window;
 use play::{Play, PlotId};
@@ -41,6 +41,15 @@ pub struct Nodes {
 }
 
 impl Nodes {
+    /// Asks the browser for a frame, once.
+    pub fn ask(&mut self) {
+        if !self.asked
+            && let Some(callback) = &self.callback
+        {
+            self.asked = window().request_animation_frame(callback.as_ref().unchecked_ref()).is_ok();
+        }
+    }
+
     /// Forgets the nodes, which are about to be replaced.
     pub fn clear(&mut self) {
         self.scene = None;
@@ -53,18 +62,7 @@ impl Nodes {
 pub fn start(app: App) {
     let callback = Closure::new(move |now| draw(app, now));
     app.nodes(|nodes| nodes.callback = Some(callback));
-    wake(app);
-}
-
-/// Asks for a frame, once.
-pub fn wake(app: App) {
-    app.nodes(|nodes| {
-        if !nodes.asked
-            && let Some(callback) = &nodes.callback
-        {
-            nodes.asked = window().request_animation_frame(callback.as_ref().unchecked_ref()).is_ok();
-        }
-    });
+    app.wake();
 }
 
 fn draw(app: App, now: f64) {
@@ -77,7 +75,7 @@ fn draw(app: App, now: f64) {
     let Some((goes_on, values)) = advanced else { return };
     app.publish(values, false);
     if goes_on || more {
-        wake(app);
+        app.wake();
     }
 }
 

@@ -2,72 +2,9 @@
 //! has been spoken once, through the live region; the line itself is none.
 
 use crate::app::App;
+use crate::message::{Action, Message};
 use crate::views::*;
 use crate::{browser, icons};
-use play::Prominence;
-
-/// More errors are not shown at once; the oldest go.
-const MOST_ERRORS: usize = 3;
-
-/// What can be done about a message.
-#[derive(Clone, PartialEq)]
-pub enum Action {
-    /// Puts back what the removal of this number took away.
-    Undo(u32),
-    /// Goes to the element of this id.
-    Show(String),
-}
-
-/// A line.
-#[derive(Clone, PartialEq)]
-pub struct Message {
-    text: String,
-    /// An error stays until it is dismissed; anything else fades, and the next one takes its place.
-    is_error: bool,
-    action: Option<Action>,
-}
-
-impl Message {
-    /// Something that went well.
-    pub fn notice(text: String) -> Self {
-        Self { text, is_error: false, action: None }
-    }
-
-    /// Something that did not.
-    pub fn error(text: String) -> Self {
-        Self { text, is_error: true, action: None }
-    }
-
-    /// Words as they are shown; nothing of what is only spoken.
-    pub fn new(prominence: Prominence, words: &str) -> Option<Self> {
-        match prominence {
-            Prominence::Spoken => None,
-            Prominence::Shown => Some(Self::notice(words.to_owned())),
-            Prominence::Error => Some(Self::error(words.to_owned())),
-        }
-    }
-
-    /// The message with a button that puts back what was removed, where there is a number of that removal.
-    pub fn undone_by(self, number: Option<u32>) -> Self {
-        Self { action: number.map(Action::Undo).or(self.action), ..self }
-    }
-
-    /// The message with a button that goes to the element of this id.
-    pub fn leading_to(self, place: String) -> Self {
-        Self { action: Some(Action::Show(place)), ..self }
-    }
-}
-
-/// Shows a message.
-pub fn show(app: App, message: Message) {
-    app.messages.update(|messages| {
-        messages.retain(|other| other.is_error && *other != message);
-        if message.is_error && messages.len() >= MOST_ERRORS {
-            messages.remove(0);
-        }
-        messages.push(message);
-    });
-}
 
 /// Takes away what refers to the document that was open before.
 pub fn leave_document(app: App) {

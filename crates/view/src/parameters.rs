@@ -1,7 +1,7 @@
 //! A control for each parameter: name, slider, number field with unit.
 
 use crate::app::App;
-use crate::controls::name_and_symbol;
+use crate::symbols::name_and_symbol;
 use crate::views::*;
 use play::ParameterView;
 use std::rc::Rc;

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use crate::{browser, frame, icons};
+use crate::{browser, icons};
 
 /// The size of the figures' texts in CSS pixels, as usual and for a projector.
 const FONT_SIZES: [f64; 2] = [13.0, 18.0];
@@ -22,7 +22,7 @@ fn apply(app: App, large: bool) {
             plot.invalidate();
         }
     });
-    frame::wake(app);
+    app.wake();
 }
 
 /// The switch.

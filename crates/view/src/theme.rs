@@ -1,10 +1,9 @@
 //! Light and dark: chosen, or as the system has it.
 
-pub use crate::colours::Colours;
-
 use crate::app::App;
+use crate::browser;
+use crate::colours::Colours;
 use crate::views::*;
-use crate::{browser, frame};
 use figure::{Ink, Palette, RUN_COLOURS, SERIES_COLOURS};
 use wasm_bindgen::JsCast;
 use web_sys::HtmlElement;
@@ -68,7 +67,7 @@ impl Theme {
                 plot.invalidate();
             }
         });
-        frame::wake(app);
+        app.wake();
     }
 
     fn name(self) -> &'static str {

@@ -4,7 +4,7 @@ use crate::app::App;
 use crate::stage::full_screen;
 use crate::steady::Steady;
 use crate::views::*;
-use crate::{browser, frame, icons};
+use crate::{browser, icons};
 use play::{Play, SPEEDS, Status};
 use web_sys::{Element, HtmlElement, HtmlInputElement};
 
@@ -73,7 +73,7 @@ pub fn view(app: App) -> HtmlSection {
         parts: (f64::NAN, f64::NAN),
     };
     app.nodes(|all| all.transport = Some(nodes));
-    frame::wake(app);
+    app.wake();
     let step = |id: &'static str, name: &'static str, key: char, icon: SvgSvg, act: fn(&mut Play)| {
         button()
             .class("icon")
@@ -174,7 +174,7 @@ fn sound(app: App) -> HtmlButton {
     let toggle = move |_| {
         app.nodes(|nodes| nodes.sound.turn(!on.get_untracked()));
         on.set(app.nodes(|nodes| nodes.sound.is_on()).unwrap_or_default());
-        frame::wake(app);
+        app.wake();
     };
     button()
         .class("icon")

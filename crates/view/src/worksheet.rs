@@ -4,7 +4,7 @@
 
 use crate::app::App;
 use crate::browser;
-use crate::controls::symbol;
+use crate::symbols::symbol;
 use crate::views::*;
 use figure::{Palette, Settings};
 use program::{Block, Section};

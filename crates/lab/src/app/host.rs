@@ -6,7 +6,7 @@ use desk::{Announcement, Desk};
 use play::Play;
 use units::Language;
 use view::browser;
-use view::messages::Message;
+use view::message::Message;
 use view::stage::brush::Part;
 use view::views::*;
 use view::{Host, News};

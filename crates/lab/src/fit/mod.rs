@@ -11,8 +11,8 @@ use crate::app::App;
 use crate::tabs;
 use crate::{library, measurements};
 use desk::{Desk, FitProgress};
+use view::browser;
 use view::views::*;
-use view::{browser, frame};
 
 /// The tab: which record, which theory, the fit.
 pub fn view(app: App) -> View {
@@ -23,7 +23,7 @@ pub fn view(app: App) -> View {
     // With this tab the plots show the part that is fitted.
     effect(move || {
         app.tab.track();
-        frame::wake(app.page);
+        app.page.wake();
     });
     changing(move || if has_records.get() { steps(app) } else { nothing_yet(app) })
 }

@@ -6,7 +6,7 @@ use crate::tabs;
 use desk::{ExportKind, FitDetail, FitView, Imprint};
 use document::page::Source;
 use view::browser;
-use view::controls::name_and_symbol;
+use view::symbols::name_and_symbol;
 use view::views::*;
 use wasm_bindgen::JsValue;
 

@@ -3,7 +3,7 @@
 use crate::app::App;
 use desk::{ChoiceView, Desk, FitRecordView, KnownView};
 use view::browser;
-use view::controls::symbol;
+use view::symbols::symbol;
 use view::views::*;
 
 /// Why something typed was not taken.

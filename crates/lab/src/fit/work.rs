@@ -41,7 +41,7 @@ fn work(app: App) {
             if asked_for && app.tab.get_untracked() == tabs::FIT {
                 browser::bring_to_top("fit-step");
             }
-            view::frame::wake(app.page);
+            app.page.wake();
         }
     });
     let _ = window().set_timeout_with_callback(step.unchecked_ref());

@@ -1,7 +1,7 @@
 //! The brush: a part of the time that something is limited to, such as the part of a record that is fitted. In the plots
 //! against time it lies between two lines that can be dragged; what is outside of it is faint.
 
-use crate::theme::Colours;
+use crate::colours::Colours;
 use figure::{Figure, Ink};
 use js_sys::Array;
 use units::Unit;

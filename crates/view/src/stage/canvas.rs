@@ -1,6 +1,6 @@
 //! Paints a figure's display list on a canvas.
 
-use crate::theme::Colours;
+use crate::colours::Colours;
 use figure::{Anchor, Dash, Figure, Ink, Item, Readout, Stroke};
 use js_sys::Array;
 use web_sys::CanvasRenderingContext2d;

@@ -2,11 +2,8 @@
 //! one finger reads, two fingers pan and zoom. A press, or a finger that lifts, pins what is read. The wheel zooms only in a plot that has the focus, or with Ctrl, so that
 //! it scrolls the page otherwise.
 
-pub use super::gesture::Gesture;
-
 use super::pins;
 use crate::app::App;
-use crate::frame;
 use crate::stage::plot::{brush, with_plot};
 use figure::{Direction, Point};
 use play::PlotId;
@@ -79,7 +76,7 @@ pub fn down(app: App, id: PlotId, event: &PointerEvent) {
         plot.gesture.pressed = (plot.gesture.fingers.len() == 1 && !rectangle).then_some(at);
         plot.pointer = (plot.gesture.fingers.len() == 1 && (touch || !rectangle)).then(|| point(at));
     });
-    frame::wake(app);
+    app.wake();
 }
 
 /// A pointer moved, whether down or not.
@@ -141,7 +138,7 @@ pub fn moved(app: App, id: PlotId, event: &PointerEvent) {
             play.pan_plot(id, right, down);
             play.zoom_plot(id, Some(at), factor, Direction::Both);
         }),
-        Some(Motion::Read | Motion::Nothing) => frame::wake(app),
+        Some(Motion::Read | Motion::Nothing) => app.wake(),
         None => {}
     }
 }
@@ -163,7 +160,7 @@ pub fn up(app: App, id: PlotId, event: &PointerEvent) {
     {
         app.act(|play| play.zoom_plot_to(id, point(from), point(to)));
     }
-    frame::wake(app);
+    app.wake();
 }
 
 /// The browser has taken the pointer, to scroll the page.
@@ -173,13 +170,13 @@ pub fn cancelled(app: App, id: PlotId, event: &PointerEvent) {
         (plot.gesture.rectangle, plot.gesture.pressed, plot.pointer) = (None, None, None);
         plot.gesture.end = None;
     });
-    frame::wake(app);
+    app.wake();
 }
 
 /// The pointer left the canvas.
 pub fn left(app: App, id: PlotId) {
     with_plot(app, id, |plot| plot.pointer = None);
-    frame::wake(app);
+    app.wake();
 }
 
 /// The wheel turned.
@@ -238,11 +235,11 @@ fn read(app: App, id: PlotId, rows: isize) {
         plot.pointer = None;
         plot.cursor = Some(readout);
     });
-    frame::wake(app);
+    app.wake();
 }
 
 /// The focus left the canvas.
 pub fn blurred(app: App, id: PlotId) {
     with_plot(app, id, |plot| plot.cursor = None);
-    frame::wake(app);
+    app.wake();
 }

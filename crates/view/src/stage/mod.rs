@@ -21,7 +21,7 @@ pub use narrow::NARROW;
 use crate::app::App;
 use crate::scene::SceneNodes;
 use crate::views::*;
-use crate::{frame, icons, transport};
+use crate::{icons, transport};
 
 /// The stage.
 pub fn view(app: App) -> HtmlSection {
@@ -45,7 +45,7 @@ fn scene(app: App) -> HtmlSection {
     if let Some(scene) = &scene {
         let drawn = SceneNodes::build(app, scene, &place.node(), words.scene);
         app.nodes(|nodes| nodes.scene = drawn);
-        frame::wake(app);
+        app.wake();
     }
     part("scene", "scene card", words.scene)
         .child(place)

@@ -1,10 +1,8 @@
 //! Pinned read-outs: they stay when the pointer leaves or the finger lifts, and two of them are compared.
 
-pub use super::pinned::{LETTERS, Pinned};
-
+use super::pinned::{LETTERS, Pinned};
 use super::plot::with_plot;
 use crate::app::App;
-use crate::frame;
 use crate::views::*;
 use figure::{Point, Readout};
 use play::PlotId;
@@ -79,7 +77,7 @@ fn tell(app: App, id: PlotId) {
     };
     app.say(said);
     pinned.set(now);
-    frame::wake(app);
+    app.wake();
 }
 
 /// The line below a plot with what is pinned in it.

@@ -2,11 +2,10 @@
 
 use super::brush::{Brush, Part};
 use super::canvas;
-use super::gestures::Gesture;
-use super::pins::{self, Pinned};
+use super::gesture::Gesture;
+use super::pinned::{LETTERS, Pinned};
 use crate::app::App;
-use crate::frame;
-use crate::theme::Colours;
+use crate::colours::Colours;
 use crate::views::*;
 use figure::{Point, Readout, Settings};
 use play::{Play, PlotId};
@@ -93,7 +92,7 @@ impl PlotNodes {
             canvas::paint_box(&self.context, from, to, colours);
         }
         if let Some(figure) = play.plot_figure(id) {
-            for (pin, letter) in self.pins.iter().zip(pins::LETTERS) {
+            for (pin, letter) in self.pins.iter().zip(LETTERS) {
                 canvas::paint_pin(&self.context, pin, letter, figure, colours);
             }
         }
@@ -154,13 +153,13 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
     };
     let resized = Closure::<dyn FnMut(js_sys::Array)>::new(move |_| {
         with_plot(app, id, PlotNodes::fit);
-        frame::wake(app);
+        app.wake();
     });
     let seen = Closure::<dyn FnMut(js_sys::Array)>::new(move |entries: js_sys::Array| {
         let entry: Option<web_sys::IntersectionObserverEntry> = entries.pop().dyn_into().ok();
         if let Some(entry) = entry {
             with_plot(app, id, |plot| plot.visible = entry.is_intersecting());
-            frame::wake(app);
+            app.wake();
         }
     });
     let observers = ResizeObserver::new(resized.as_ref().unchecked_ref())
@@ -199,7 +198,7 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
         intersection.observe(canvas);
         with_plot(app, id, |plot| plot.observers = Some((resize, intersection)));
     }
-    frame::wake(app);
+    app.wake();
 }
 
 /// Works on a plot's nodes; it is drawn again afterwards.

@@ -1,6 +1,7 @@
 //! The plots, and which of them are shown.
 
-use super::pins::{self, Pinned};
+use super::pinned::Pinned;
+use super::pins;
 use super::{gestures, legend, plot, plot_tools, runs};
 use crate::app::App;
 use crate::views::*;

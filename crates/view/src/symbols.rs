@@ -1,0 +1,15 @@
+//! The names of quantities as symbols.
+
+use crate::views::*;
+
+/// A name typeset: `h_l` as MathML. Labels say the same in words, so readers of the screen need not hear it.
+pub fn symbol(name: &str) -> HtmlSpan {
+    span().class("symbol").attr("aria-hidden", "true").inner_html(units::mathml::typeset_name(name))
+}
+
+/// What a quantity is called, and its symbol beside the last word, from which no line break parts it.
+pub fn name_and_symbol(label: &str, name: &str) -> HtmlSpan {
+    let (start, last) = label.rsplit_once(' ').map_or(("", label), |(start, last)| (start, last));
+    let start = if start.is_empty() { String::new() } else { format!("{start} ") };
+    span().child(start).child(span().class("unbroken").child(last.to_owned()).child(symbol(name)))
+}

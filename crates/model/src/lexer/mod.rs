@@ -1,6 +1,7 @@
 //! From characters to tokens. The lexer never fails: what it cannot read becomes [`TokenKind::Unknown`], and a
 //! diagnostic has said so.
 
+mod foreign;
 mod token;
 
 pub(crate) use token::{Keyword, Symbol, Token, TokenKind};
@@ -250,6 +251,9 @@ impl<'a> Lexer<'a> {
     }
 
     fn symbol(&mut self, first: char) {
+        if self.foreign() {
+            return;
+        }
         let start = self.at;
         let rest = self.rest();
         // The longer spelling is meant: `!=` is not a foreign `!`, but `**` is not two stars.

@@ -1,5 +1,6 @@
 //! Whether every name and function of an expression exists and is used as what it is.
 
+use super::foreign;
 use super::scope::{Meaning, Scope};
 use super::traverse::for_each;
 use crate::limits;
@@ -111,6 +112,8 @@ impl<'a> NameCheck<'a> {
                     quote(argument)
                 ));
             }
+        } else if let Some(hint) = foreign::instead_of(self.scope, name, arguments) {
+            diagnostic = diagnostic.with_hint(hint);
         } else if let Some(near) = Scope::near_function(text) {
             diagnostic = diagnostic.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?"));
         }

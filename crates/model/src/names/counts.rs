@@ -1,13 +1,15 @@
 //! Whether there are as many equations as unknowns, and which belongs to which.
 
 use super::declarations::Declarations;
+use super::foreign;
 use super::scope::Meaning;
 use super::traverse::for_each_name;
 use super::unknown::{Orders, Unknown};
 use super::{Scope, list};
 use crate::matching::match_equations;
 use crate::notation::primed;
-use crate::{Diagnostic, limits};
+use crate::{Diagnostic, ExpressionKind, limits};
+use program::functions::Function;
 use units::words;
 
 /// For each unknown, whether there is an equation to determine it.
@@ -29,7 +31,14 @@ pub(super) fn check_counts(
     let highest: Vec<String> =
         unknowns.iter().map(|unknown| format!("`{}`", primed(unknown.name, unknown.highest))).collect();
     for (index, equation) in declarations.equations.iter().enumerate() {
-        if equation_of.contains(&Some(index)) {
+        let meant = match &equation.left.kind {
+            ExpressionKind::Call { function, arguments } => {
+                foreign::instead_of(&declarations.scope, function, arguments)
+            }
+            _ => None,
+        };
+        // What was meant by a function that does not exist is said of that.
+        if equation_of.contains(&Some(index)) || meant.is_some() {
             continue;
         }
         diagnostics.push(if contains[index].is_empty() {
@@ -110,6 +119,14 @@ fn nothing_to_solve_for(
                 name.text
             ),
         );
+    }
+    if let ExpressionKind::Call { function, .. } = &equation.left.kind
+        && Function::named(&function.text).is_none()
+    {
+        return diagnostic.with_hint(words(
+            "there are no functions of one's own: write what it stands for where it is needed",
+            "no hay funciones propias: escribe lo que representa allí donde se necesite",
+        ));
     }
     diagnostic.with_hint(words(
         "to define a quantity, write its name alone on the left: `v = y'`",

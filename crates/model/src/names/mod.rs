@@ -5,6 +5,7 @@ mod check;
 mod counts;
 mod declarations;
 mod events;
+mod foreign;
 mod order;
 mod scope;
 mod traverse;

@@ -1,0 +1,118 @@
+//! What people write first who come from other tools. The rest of the line is read as it was meant, so that nothing else is
+//! said about it.
+
+use super::Lexer;
+use super::token::{Symbol, TokenKind};
+use crate::{Diagnostic, Span};
+use units::words;
+
+/// The names of collections of functions.
+const COLLECTIONS: [&str; 5] = ["Math", "math", "np", "numpy", "cmath"];
+
+/// Assignments that change what is on their left.
+const CHANGES: [&str; 4] = ["+=", "-=", "*=", "/="];
+
+impl Lexer<'_> {
+    /// Reads what only other tools have. Whether there was any.
+    pub(super) fn foreign(&mut self) -> bool {
+        let rest = self.rest();
+        if rest.starts_with("//") || rest.starts_with("/*") {
+            self.foreign_comment();
+        } else if CHANGES.iter().any(|text| rest.starts_with(text)) {
+            self.change();
+        } else if rest.starts_with('?') {
+            self.choice();
+        } else {
+            return rest.starts_with('.') && self.member();
+        }
+        true
+    }
+
+    /// `// a comment`, to the end of the line.
+    fn foreign_comment(&mut self) {
+        let start = self.at;
+        self.skip(|c| c != '\n');
+        let span = Span::new(start, start + 2);
+        let wrong = words("a comment begins with `#` here", "aquí un comentario empieza con `#`");
+        self.diagnostics.push(Diagnostic::error("foreign-comment", wrong, span));
+    }
+
+    /// `n += 1`
+    fn change(&mut self) {
+        let start = self.at;
+        self.at += 2;
+        let text = &self.source[start..self.at];
+        let wrong = words!(
+            "`{text}` changes a value step by step; what stands here holds at every moment",
+            "`{text}` cambia un valor paso a paso; lo que se escribe aquí vale en todo momento"
+        );
+        let diagnostic = Diagnostic::error("foreign-assignment", wrong, Span::new(start, self.at));
+        let diagnostic = match self.name_before(start).map(str::to_owned) {
+            Some(name) => diagnostic
+                .with_hint(words!(
+                    "for a rate of change write `{name}' = ...`",
+                    "para un ritmo de cambio escribe `{name}' = ...`"
+                ))
+                .with_hint(words!(
+                    "in the action of an event write `{name} = {name} {} ...`",
+                    "en la acción de un evento escribe `{name} = {name} {} ...`",
+                    &text[..1]
+                )),
+            None => diagnostic,
+        };
+        self.diagnostics.push(diagnostic);
+        self.push(TokenKind::Symbol(Symbol::Equals), start);
+    }
+
+    /// `a > b ? x : y`. What was meant by the rest of the line cannot be read without its beginning.
+    fn choice(&mut self) {
+        let start = self.at;
+        self.at += 1;
+        let wrong = words("`?` and `:` choose nothing here", "`?` y `:` no eligen nada aquí");
+        self.diagnostics.push(
+            Diagnostic::error("foreign-choice", wrong, Span::new(start, self.at))
+                .with_hint(words("write: if CONDITION then ... else ...", "escribe: if CONDICIÓN then ... else ...")),
+        );
+        self.skip(|c| !matches!(c, '\n' | '#'));
+        self.push(TokenKind::Unknown, start);
+    }
+
+    /// `Math.sin`, of which `sin` is left. Whether the point belongs to such a name.
+    fn member(&mut self) -> bool {
+        let Some(collection) = self.name_before(self.at).filter(|name| COLLECTIONS.contains(name)) else {
+            return false;
+        };
+        let start = self.at - collection.len();
+        let member = self.rest()[1..].split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
+        if !member.starts_with(|c: char| c.is_alphabetic()) {
+            return false;
+        }
+        let end = self.at + 1 + member.len();
+        let meant = match member {
+            "PI" => "pi",
+            "pow" => "^",
+            other => other,
+        };
+        let wrong = words!(
+            "`{collection}.{member}` is written `{meant}` here",
+            "`{collection}.{member}` se escribe aquí `{meant}`"
+        );
+        self.diagnostics.push(Diagnostic::error("foreign-name", wrong, Span::new(start, end)));
+        self.tokens.pop();
+        if meant == member {
+            self.at += 1;
+            return true;
+        }
+        self.at = end;
+        let name = TokenKind::Name { text: meant.to_owned(), order: 0, end };
+        self.push(if meant == "pi" { name } else { TokenKind::Unknown }, start);
+        true
+    }
+
+    /// The name that ends at `at`, blanks left out.
+    fn name_before(&self, at: usize) -> Option<&str> {
+        let token = self.tokens.last()?;
+        let TokenKind::Name { text, order: 0, .. } = &token.kind else { return None };
+        self.source[token.span.end..at].trim().is_empty().then_some(text.as_str())
+    }
+}

@@ -1,0 +1,35 @@
+//! Functions that only other tools have.
+
+use super::scope::{Meaning, Scope};
+use crate::{Expression, ExpressionKind, Name};
+use program::functions::Function;
+use units::{Words, words};
+
+/// What derivatives are written with elsewhere.
+const DERIVATIVES: [&str; 5] = ["der", "diff", "deriv", "derivative", "D"];
+
+/// What to write instead of a function that does not exist.
+pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression]) -> Option<Words> {
+    let text = &function.text;
+    if Function::named(text).is_some() {
+        return None;
+    }
+    let name = match arguments {
+        [Expression { kind: ExpressionKind::Name { name, order: 0 }, .. }, ..] => Some(name),
+        _ => None,
+    };
+    if DERIVATIVES.contains(&text.as_str()) {
+        let name = name.map_or("x", String::as_str);
+        return Some(words!(
+            "the derivative of `{name}` is written `{name}'`",
+            "la derivada de `{name}` se escribe `{name}'`"
+        ));
+    }
+    let name = name.filter(|_| arguments.len() == 1)?;
+    matches!(scope.meaning(name), Some(Meaning::Independent)).then(|| {
+        words!(
+            "write `{text}` alone: every quantity may depend on `{name}`",
+            "escribe solo `{text}`: toda magnitud puede depender de `{name}`"
+        )
+    })
+}

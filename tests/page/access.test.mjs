@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { readFileSync, writeFileSync } from "node:fs";
-import { drop, eventually, meniscus, temporary, visit } from "./lab.mjs";
+import { STILL, drop, eventually, meniscus, temporary, visit } from "./lab.mjs";
 import { film, fit, openTheory, records } from "./measured.mjs";
 import { pathToFileURL } from "node:url";
 
@@ -19,7 +19,7 @@ async function faults(lab, view, part = "html") {
 for (const language of ["en-GB", "es-ES"]) {
   for (const theme of ["light", "dark"]) {
     for (const [device, size] of [["desk", {}], ["phone", { width: 390, height: 844, touch: true }]]) {
-      visit(`axe finds nothing: ${language}, ${theme}, ${device}`, { language, theme, ...size }, async (lab) => {
+      visit(`axe finds nothing: ${language}, ${theme}, ${device}`, { ...STILL, language, theme, ...size }, async (lab) => {
         const found = await faults(lab, "as it opens");
         await lab.page.locator("#keep").click();
         await lab.page.locator("#step-forward").click();
@@ -46,7 +46,7 @@ const brokenFile = { name: "mine.md", mimeType: "text/markdown", buffer: Buffer.
 
 for (const language of ["en-GB", "es-ES"]) {
   for (const [theme, size] of [["light", {}], ["dark", { width: 390, height: 844, touch: true }]]) {
-    visit(`axe finds nothing in a document with errors: ${language}, ${theme}`, { language, theme, ...size }, async (lab) => {
+    visit(`axe finds nothing in a document with errors: ${language}, ${theme}`, { ...STILL, language, theme, ...size }, async (lab) => {
       await lab.page.setInputFiles("#open-file", brokenFile);
       await lab.page.locator(".broken").waitFor();
       assert.deepEqual(await faults(lab, "errors"), []);
@@ -54,7 +54,7 @@ for (const language of ["en-GB", "es-ES"]) {
       assert.equal(await lab.page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth), false, "no sideways scrolling");
     });
   }
-  visit(`axe finds nothing in reports: ${language}`, { language }, async (lab) => {
+  visit(`axe finds nothing in reports: ${language}`, { ...STILL, language }, async (lab) => {
     const spanish = language === "es-ES";
     await openTheory(lab, spanish ? "Amortiguamiento lineal" : "Linear damping", spanish ? "Documentos" : "Documents");
     await drop(lab, { name: "film.csv", text: film() });

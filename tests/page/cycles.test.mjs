@@ -5,7 +5,7 @@ import { execFileSync } from "node:child_process";
 import { createRequire } from "node:module";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { drop, eventually, number, temporary, visit } from "./lab.mjs";
+import { STILL, drop, eventually, number, temporary, visit } from "./lab.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const measured = new URL("../../../shared/data/utube/U3.txt", import.meta.url);
@@ -168,7 +168,7 @@ visit("a real film has cycles that the linear theory does not allow", { language
 });
 
 for (const [language, theme, size] of [["en-GB", "light", {}], ["es-ES", "dark", { width: 390, height: 844, touch: true }]]) {
-  visit(`axe finds nothing in the cycles and derivatives: ${language}, ${theme}`, { language, theme, ...size }, async (lab) => {
+  visit(`axe finds nothing in the cycles and derivatives: ${language}, ${theme}`, { ...STILL, language, theme, ...size }, async (lab) => {
     await drop(lab, { name: "film.txt", text: film() });
     await cycles(lab).waitFor();
     await lab.page.evaluate(() => document.querySelectorAll(".measurements details").forEach((details) => (details.open = true)));

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
-import { drop, eventually, temporary, visit } from "./lab.mjs";
+import { STILL, drop, eventually, temporary, visit } from "./lab.mjs";
 import { DAMPING, LENGTH, film, fit, openTheory, records, unzip } from "./measured.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -222,7 +222,7 @@ visit("from the sample to the result by keyboard alone", async (lab) => {
 for (const language of ["en-GB", "es-ES"]) {
   for (const theme of ["light", "dark"]) {
     for (const [device, size] of [["desk", {}], ["phone", { width: 390, height: 844, touch: true }]]) {
-      visit(`axe finds nothing in a fit: ${language}, ${theme}, ${device}`, { language, theme, ...size }, async (lab) => {
+      visit(`axe finds nothing in a fit: ${language}, ${theme}, ${device}`, { ...STILL, language, theme, ...size }, async (lab) => {
         const spanish = language === "es-ES";
         await openTheory(lab, spanish ? "Amortiguamiento lineal" : "Linear damping", spanish ? "Documentos" : "Documents");
         await lab.tab(spanish ? "Medir" : "Measure");

@@ -52,6 +52,9 @@ export const beside = (name) => join(root, "tests", "page", name);
 /** The program's output for these words, run at the root of the project. */
 export const meniscus = (...words) => execFileSync(program, words, { cwd: root, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 
+/** For axe, which judges the colours of the moment: what would fade stays until it goes. */
+export const STILL = { motion: "reduce" };
+
 /** A test: somebody opens a page and does something with it. */
 export function visit(title, ...rest) {
   const does = rest.pop();

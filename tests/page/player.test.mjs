@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { beside, eventually, meniscus, temporary, visit } from "./lab.mjs";
+import { STILL, beside, eventually, meniscus, temporary, visit } from "./lab.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -106,7 +106,7 @@ for (const document of readdirSync(beside("../../simulations")).filter((name) =>
 }
 
 for (const [theme, size] of [["light", {}], ["dark", { width: 390, height: 844, touch: true }]]) {
-  visit(`axe finds nothing in an exported page: ${theme}`, { file: exported, theme, ...size }, async (page) => {
+  visit(`axe finds nothing in an exported page: ${theme}`, { ...STILL, file: exported, theme, ...size }, async (page) => {
     const found = [];
     for (const tab of await page.page.getByRole("tab").all()) {
       await tab.click();

@@ -7,7 +7,7 @@ import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { extname, join, normalize } from "node:path";
 import { after, before, test } from "node:test";
-import { Lab, eventually, meniscus, temporary, visit } from "./lab.mjs";
+import { Lab, STILL, eventually, meniscus, temporary, visit } from "./lab.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const TYPES = { ".html": "text/html", ".css": "text/css", ".js": "text/javascript" };
@@ -132,7 +132,7 @@ online("the list in Spanish, on a phone, leads to Spanish pages", { language: "e
 });
 
 for (const theme of ["light", "dark"]) {
-  online(`the list can be used by everyone (${theme})`, { theme }, async (lab) => {
+  online(`the list can be used by everyone (${theme})`, { ...STILL, theme }, async (lab) => {
     await lab.page.addScriptTag({ content: axe }).catch(() => lab.page.evaluate(axe));
     const { violations } = await lab.page.evaluate(() => globalThis.axe.run());
     assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(" ")}`), []);

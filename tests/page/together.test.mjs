@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
-import { drop, eventually, visit } from "./lab.mjs";
+import { STILL, drop, eventually, visit } from "./lab.mjs";
 import { DAMPING, film, fit, openTheory, records } from "./measured.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -93,7 +93,7 @@ visit("what is known of each record is held there", async (lab) => {
 });
 
 for (const [language, theme, size] of [["en-GB", "light", {}], ["es-ES", "dark", { width: 390, height: 844, touch: true }]]) {
-  visit(`axe finds nothing in a fit of several records: ${language}, ${theme}`, { language, theme, ...size }, async (lab) => {
+  visit(`axe finds nothing in a fit of several records: ${language}, ${theme}`, { ...STILL, language, theme, ...size }, async (lab) => {
     const spanish = language === "es-ES";
     await openTheory(lab, spanish ? "Amortiguamiento lineal" : "Linear damping", spanish ? "Documentos" : "Documents");
     await dropThree(lab);

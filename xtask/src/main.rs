@@ -48,8 +48,9 @@ fn perform(arguments: &[String]) -> Result<()> {
 /// Serves the laboratory from a fresh build; what follows `lab` goes to `meniscus serve`.
 fn lab(arguments: &[&str]) -> Result<()> {
     steps::step("the page", page::build)?;
-    steps::step("the program", || steps::run(&mut steps::cargo(&["build", "--release", "--package", "meniscus"])))?;
-    let program = steps::target().join("release").join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
+    // The quick build: all that it does here is to hand out the page.
+    steps::step("the program", || steps::run(&mut steps::cargo(&["build", "--package", "meniscus"])))?;
+    let program = steps::target().join("debug").join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
     // In the directory of the caller, to which the paths in `arguments` belong.
     steps::run(std::process::Command::new(program).arg("serve").args(arguments))
 }

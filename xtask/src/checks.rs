@@ -7,9 +7,9 @@ use anyhow::Result;
 /// Runs all checks; stops at the first that fails.
 pub fn all() -> Result<()> {
     step("format", || run(&mut cargo(&["fmt", "--all", "--check"])))?;
-    step("lints", lints)?;
+    // With the page built, the program has it inside and can export and serve: only then is all of it checked.
     step("the page", page::build)?;
-    // With the page built, the program of the tests has it inside and can export and serve.
+    step("lints", lints)?;
     step("unit and integration tests", tests)?;
     step("golden runs in WebAssembly", golden::compare)?;
     step("the page in Chromium and Firefox", browsers)

@@ -46,10 +46,7 @@ pub fn player(sources: &Sources, document: &Document) -> Result<String, Failure>
 pub fn packed(program: &Program) -> Result<String, Failure> {
     let bundle = bundle::write(program)
         .map_err(|_| Failure::request("this document is too large for a page that plays it; try `--lab`"))?;
-    let mut gzip = GzEncoder::new(Vec::new(), Compression::best());
-    let packed = gzip.write_all(&bundle).and_then(|()| gzip.finish());
-    let packed = packed.map_err(|error| Failure::request(format!("the simulation cannot be packed: {error}")))?;
-    Ok(base64::engine::general_purpose::STANDARD.encode(packed))
+    Ok(base64::engine::general_purpose::STANDARD.encode(gzip(&bundle)?))
 }
 
 /// The laboratory with these sources instead. `document` is what they say, where they could be read.
@@ -72,4 +69,11 @@ fn filled(page: &str, sources: &Sources, options: Options) -> Result<String, Fai
 /// The page inside this program is not made as it should be.
 pub fn no_place() -> Failure {
     Failure::request("the page inside this program has no place for documents")
+}
+
+/// Gzipped, without a time or a name in it: the same content gives the same bytes.
+pub fn gzip(content: &[u8]) -> Result<Vec<u8>, Failure> {
+    let mut gzip = GzEncoder::new(Vec::new(), Compression::best());
+    let packed = gzip.write_all(content).and_then(|()| gzip.finish());
+    packed.map_err(|error| Failure::request(format!("the page cannot be compressed: {error}")))
 }

@@ -18,11 +18,11 @@ const UNTIL: f64 = 100.0;
 
 /// The setup of a run and the value of the independent variable at its end, all SI.
 pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Result<(Setup, f64), Failure> {
-    let mut setup = Setup::defaults(&document.program.model);
+    let mut setup = Setup::of(&document.program);
     for name in &arguments.preset {
         apply_preset(document, name, &mut setup.parameters)?;
     }
-    let Program { model, method, step, tolerance, until, .. } = &mut document.program;
+    let Program { model, until, .. } = &mut document.program;
     let time = model.independent.unit.clone();
     let mut reader = Reader { model, terminal };
     for assignment in &arguments.set {
@@ -32,19 +32,16 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
     if !arguments.start.is_empty() {
         setup.start = Some(reader.start(&arguments.start, &setup.parameters)?);
     }
-    setup.method = match &arguments.method {
-        Some(name) => Method::from_str(name)
-            .map_err(|_| unknown("method", name, Method::ALL.iter().map(|method| method.name())))?,
-        None => method.unwrap_or_default(),
-    };
-    setup.step = match &arguments.step {
-        Some(text) => positive("--step", reader.value("--step", text, &time, &setup.parameters)?)?,
-        None => step.unwrap_or(setup.step),
-    };
-    setup.tolerance = match arguments.tolerance {
-        Some(tolerance) => positive("--tolerance", tolerance)?,
-        None => tolerance.unwrap_or(setup.tolerance),
-    };
+    if let Some(name) = &arguments.method {
+        setup.method = Method::from_str(name)
+            .map_err(|_| unknown("method", name, Method::ALL.iter().map(|method| method.name())))?;
+    }
+    if let Some(text) = &arguments.step {
+        setup.step = positive("--step", reader.value("--step", text, &time, &setup.parameters)?)?;
+    }
+    if let Some(tolerance) = arguments.tolerance {
+        setup.tolerance = positive("--tolerance", tolerance)?;
+    }
     let until = match &arguments.until {
         Some(text) => positive("--until", reader.value("--until", text, &time, &setup.parameters)?)?,
         None => until.unwrap_or(time.to_si(UNTIL)),

@@ -1,7 +1,7 @@
 //! What a run is started with.
 
 use crate::Method;
-use program::Model;
+use program::{Model, Program};
 
 /// What a run is started with; all values SI. The independent variable starts at 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +36,17 @@ impl Setup {
             step: Self::STEP,
             tolerance: Self::TOLERANCE,
             start: None,
+        }
+    }
+
+    /// What a document asks for; where it does not say, as [`Self::defaults`].
+    pub fn of(program: &Program) -> Self {
+        let defaults = Self::defaults(&program.model);
+        Self {
+            method: program.method.unwrap_or(defaults.method),
+            step: program.step.unwrap_or(defaults.step),
+            tolerance: program.tolerance.unwrap_or(defaults.tolerance),
+            ..defaults
         }
     }
 }

@@ -122,7 +122,7 @@ impl Play {
     pub fn open(program: Program) -> Self {
         let model = &program.model;
         let columns = Columns::new(model, &program.plots);
-        let defaults = defaults(&program);
+        let defaults = Setup::of(&program);
         let course = Course::start(model, defaults.clone(), columns.bytes_per_row());
         let tag = program.language.clone();
         let solved = vec![false; program.questions.len()];
@@ -301,17 +301,6 @@ impl Play {
     pub(crate) fn initial_for(&mut self, parameters: &[f64]) -> Vec<f64> {
         let nothing = vec![0.0; self.program.model.states.len()];
         self.evaluators.initial.at(parameters, &nothing, 0.0, &nothing).to_vec()
-    }
-}
-
-/// What the document asks for.
-fn defaults(program: &Program) -> Setup {
-    let defaults = Setup::defaults(&program.model);
-    Setup {
-        method: program.method.unwrap_or(defaults.method),
-        step: program.step.unwrap_or(defaults.step),
-        tolerance: program.tolerance.unwrap_or(defaults.tolerance),
-        ..defaults
     }
 }
 

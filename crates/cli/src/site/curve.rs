@@ -15,7 +15,7 @@ const WORK: u64 = 200_000_000;
 
 /// The path of an SVG: what the first plot over time shows first. `None` where there is no such plot, or no run.
 pub fn path(program: &Program) -> Option<String> {
-    let plot = program.plots.iter().find(|plot| plot.x.expression == program.model.independent.name)?;
+    let plot = program.plots.iter().find(|plot| program.model.is_independent(plot.x.value.node))?;
     let roots = [plot.x.value.node, plot.curves.first()?.value.node];
     let run = run(program)?;
     let mut readings = Readings::new(&program.model, &roots);
@@ -50,14 +50,7 @@ pub fn path(program: &Program) -> Option<String> {
 
 /// The beginning of a run as the document describes it.
 fn run(program: &Program) -> Option<Run> {
-    let defaults = Setup::defaults(&program.model);
-    let setup = Setup {
-        method: program.method.unwrap_or_default(),
-        step: program.step.unwrap_or(defaults.step),
-        tolerance: program.tolerance.unwrap_or(defaults.tolerance),
-        ..defaults
-    };
-    let mut run = Run::start(&program.model, setup).ok()?;
+    let mut run = Run::start(&program.model, Setup::of(program)).ok()?;
     let end = program.until.unwrap_or(f64::INFINITY);
     while run.history().len() < ROWS && run.time() < end {
         match run.advance_within(WORK.checked_sub(run.work())?).ok()? {

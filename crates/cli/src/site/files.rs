@@ -2,10 +2,9 @@
 
 use super::names::FROM_DISK;
 use crate::failure::Failure;
-use flate2::{Compression, write::GzEncoder};
+use crate::page::gzip;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::io::Write as _;
 
 /// Contents by paths, which have slashes.
 #[derive(Debug, Default)]
@@ -50,13 +49,6 @@ impl Files {
 fn is_text(path: &str) -> bool {
     let texts = [".html", ".css", ".js"];
     texts.iter().any(|ending| path.ends_with(ending)) && !path.ends_with(FROM_DISK)
-}
-
-/// Without a time or a name in it: the same content gives the same bytes.
-pub fn gzip(content: &[u8]) -> Result<Vec<u8>, Failure> {
-    let mut gzip = GzEncoder::new(Vec::new(), Compression::best());
-    let packed = gzip.write_all(content).and_then(|()| gzip.finish());
-    packed.map_err(|error| Failure::request(format!("the site cannot be compressed: {error}")))
 }
 
 /// SHA-256 in hexadecimal digits.

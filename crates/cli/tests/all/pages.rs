@@ -8,7 +8,13 @@ fn a_program_without_the_page_says_what_is_missing() {
     let (directory, path) = directory_with(SPRING);
     let output = directory.path().join("spring.html");
     let (path, output) = (path.to_str().expect("UTF-8"), output.to_str().expect("UTF-8"));
-    for words in [&["export", path, "--output", output][..], &["serve", path, "--no-open"], &["serve", "--no-open"]] {
+    let folder = directory.path().to_str().expect("UTF-8");
+    for words in [
+        &["export", path, "--output", output][..],
+        &["build", folder, "--output", &(folder.to_owned() + "-site")],
+        &["serve", path, "--no-open"],
+        &["serve", "--no-open"],
+    ] {
         let done = meniscus(words);
         assert_eq!(done.code, 2);
         assert!(done.stderr.contains("cargo xtask page"), "{}", done.stderr);

@@ -6,7 +6,7 @@ use crate::records::recognise::observed;
 use crate::records::record::{Record, Use};
 use engine::Readings;
 use play::{Points, symbol};
-use program::{Curve, Node};
+use program::Curve;
 
 /// Longer names of records are shortened in legends, in characters.
 const LONGEST_NAME: usize = 24;
@@ -141,7 +141,7 @@ fn points<'a>(
     record_name: &dyn Fn(u32) -> &'a str,
 ) -> Vec<Points> {
     let mut found = Vec::new();
-    let against_time = model.graph.node(plot.x.value.node) == Node::Independent;
+    let against_time = model.is_independent(plot.x.value.node);
     let of = |curve: &Curve, measured: &&Measured| measured.observed.node == curve.value.node;
     // Curves of one dimension share the axis, and with it the unit, of the first of them.
     let unit = |curve: &Curve| {

@@ -5,7 +5,6 @@ use super::plot::PlotId;
 use crate::time::transport::STEPS_AT_FIRST;
 use crate::{Play, words};
 use figure::{Axis, Interval, Plot, Series, Style, View};
-use program::Node;
 use units::Unit;
 
 impl Play {
@@ -90,8 +89,7 @@ impl Play {
     }
 
     fn is_against_independent(&self, index: usize) -> bool {
-        let node = self.program.plots.get(index).map(|plot| plot.x.value.node);
-        node.is_some_and(|node| self.model().graph.node(node) == Node::Independent)
+        self.program.plots.get(index).is_some_and(|plot| self.model().is_independent(plot.x.value.node))
     }
 
     /// What is drawn in a plot that was added.

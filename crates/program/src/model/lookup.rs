@@ -24,6 +24,11 @@ impl Dependence {
 }
 
 impl Model {
+    /// Whether a node is the independent variable itself.
+    pub fn is_independent(&self, node: NodeId) -> bool {
+        self.graph.node(node) == Node::Independent
+    }
+
     /// The value of a name with `order` primes: a parameter, a state, a highest derivative, a defined quantity, the
     /// independent variable. `None` for an unknown name, and for derivatives that the model does not already have
     /// (primes of defined quantities): these need the compiler of the language.

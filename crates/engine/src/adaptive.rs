@@ -1,9 +1,9 @@
 //! Step size control for the methods with an error estimate.
 
 use crate::Setup;
+use crate::crossing::{Crossing, Surfaces};
 use crate::dormand_prince::{DormandPrince, dense_value};
 use crate::equations::Equations;
-use crate::events::{Crossing, Events};
 use crate::rosenbrock::Rosenbrock;
 use program::Model;
 
@@ -213,10 +213,16 @@ impl Adaptive {
         dense_value(&self.last.dense, since_start / self.last.size, out);
     }
 
-    /// Where the event lies that is due between `low` and `high` after the start of the last step. A shorter step from the
-    /// same start gives the state there; where the dense output and such a step disagree on whether the event is due at
+    /// Where that lies which was found to happen between `low` and `high` after the start of the last step. A shorter step
+    /// from the same start gives the state there; where the dense output and such a step disagree on whether it happens at
     /// all, which is a matter of errors within the tolerance, the dense output decides.
-    pub fn locate(&mut self, equations: &mut Equations, events: &mut Events, low: f64, high: f64) -> Crossing {
+    pub fn locate(
+        &mut self,
+        equations: &mut Equations,
+        surfaces: &mut Surfaces,
+        (low, high): (f64, f64),
+        expected: Option<Crossing>,
+    ) -> Crossing {
         self.forget();
         let Self { pair, error, last: LastStep { start, from, dense, size, .. }, .. } = self;
         let (start, size) = (*start, *size);
@@ -229,14 +235,14 @@ impl Adaptive {
         };
         let mut state = vec![0.0; from.len()];
         again(low, &mut state);
-        let early = low > 0.0 && events.due(start + low, &state);
+        let early = low > 0.0 && surfaces.crossed(start + low, &state);
         again(high, &mut state);
-        if events.due(start + high, &state) && !early {
-            return events.locate(start, low, high, again);
+        if surfaces.crossed(start + high, &state) && !early {
+            return surfaces.locate(start, (low, high), expected, again);
         }
         dense_value(dense, high / size, &mut state);
-        events.due(start + high, &state);
-        events.locate(start, low, high, |since, out| dense_value(dense, since / size, out))
+        surfaces.crossed(start + high, &state);
+        surfaces.locate(start, (low, high), expected, |since, out| dense_value(dense, since / size, out))
     }
 
     /// The state that the last attempt led to.

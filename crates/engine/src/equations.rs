@@ -8,6 +8,8 @@ use program::{Model, NodeId};
 pub(crate) struct Equations {
     rates: Routine,
     slopes: Option<Routine>,
+    /// The parameters, and behind them the values at which switches are held.
+    inputs: Vec<f64>,
     /// How often f was evaluated.
     pub evaluations: u64,
     /// How often the derivatives of f were evaluated.
@@ -18,7 +20,7 @@ impl Equations {
     /// f alone.
     pub fn new(model: &Model) -> Self {
         let rates = Routine::compile(model, &rate_nodes(model));
-        Self { rates, slopes: None, evaluations: 0, jacobians: 0 }
+        Self { rates, slopes: None, inputs: Vec::new(), evaluations: 0, jacobians: 0 }
     }
 
     /// f with its exact derivatives by the states and by the independent variable; `None` if they are too many.
@@ -28,11 +30,13 @@ impl Equations {
         Some(Self { slopes: Some(slopes), ..Self::new(model) })
     }
 
-    /// Sets parameters and initial values.
-    pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
-        self.rates.prepare(parameters, initial);
+    /// Sets parameters, the values at which switches are held ([`program::Held`]), and initial values.
+    pub fn prepare(&mut self, parameters: &[f64], held: &[f64], initial: &[f64]) {
+        self.inputs.clear();
+        self.inputs.extend(parameters.iter().chain(held));
+        self.rates.prepare(&self.inputs, initial);
         if let Some(slopes) = &mut self.slopes {
-            slopes.prepare(parameters, initial);
+            slopes.prepare(&self.inputs, initial);
         }
     }
 

@@ -43,8 +43,10 @@ pub enum Cause {
     StepTooSmall,
     /// The adaptive method has made so many steps for one row.
     TooManySteps(usize, Method),
-    /// More than so many events have happened in one step, the last of them this one.
+    /// More than so many events have happened in a hundredth of a step, the last of them this one.
     TooManyEvents(usize, Option<usize>),
+    /// The equations have switched more than so many times in a hundredth of a step.
+    TooManySwitches(usize),
 }
 
 /// The part of a model that an error is about, by its place.
@@ -73,7 +75,9 @@ impl RunError {
             | Cause::Singular(index)
             | Cause::Infinite(index, _)
             | Cause::NotANumber(index, _) => Some(Subject::State(index)),
-            Cause::ModelTooLarge | Cause::StepTooSmall | Cause::TooManySteps(..) => Some(Subject::State(0)),
+            Cause::ModelTooLarge | Cause::StepTooSmall | Cause::TooManySteps(..) | Cause::TooManySwitches(_) => {
+                Some(Subject::State(0))
+            }
             Cause::TooManyEvents(_, event) => event.map(Subject::Event),
             Cause::WrongParameters(..) | Cause::WrongStart(..) | Cause::StepNotPositive | Cause::BadTolerance => None,
         }
@@ -95,6 +99,7 @@ impl RunError {
             Cause::StepTooSmall => "step-too-small",
             Cause::TooManySteps(..) => "too-many-steps",
             Cause::TooManyEvents(..) => "too-many-events",
+            Cause::TooManySwitches(_) => "too-many-switches",
         }
     }
 
@@ -171,8 +176,13 @@ impl RunError {
                 moment = moment
             ),
             Cause::TooManyEvents(limit, _) => words!(
-                "more than {limit} events in one step, at {moment}",
-                "más de {limit} eventos en un paso, en {moment}",
+                "more than {limit} events in a hundredth of a step, at {moment}",
+                "más de {limit} eventos en una centésima de paso, en {moment}",
+                moment = moment
+            ),
+            Cause::TooManySwitches(limit) => words!(
+                "the equations switch to and fro without end: more than {limit} times in a hundredth of a step, at {moment}",
+                "las ecuaciones conmutan sin fin de un lado a otro: más de {limit} veces en una centésima de paso, en {moment}",
                 moment = moment
             ),
         }
@@ -224,6 +234,12 @@ impl RunError {
                  motion, or stop before",
                 "los eventos se suceden cada vez más deprisa, como los últimos botes de una pelota; haz que un evento \
                  termine el movimiento, o detente antes",
+            ),
+            Cause::TooManySwitches(_) => words(
+                "both sides of a condition or of `sign` lead back to it, as dry friction does when a body comes to rest; let \
+                 an event take the body to rest there, and another let it go",
+                "ambos lados de una condición o de `sign` llevan de vuelta a ella, como el rozamiento seco cuando un cuerpo \
+                 se detiene; haz que un evento lo deje en reposo allí, y que otro lo suelte",
             ),
         }
     }

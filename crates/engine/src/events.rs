@@ -13,15 +13,16 @@
 use crate::Routine;
 use crate::equations::Equations;
 use crate::jumps::Jumps;
-use program::{Model, NodeId};
+use program::{Event, Model, NodeId};
 
 /// The conditions and actions of a model.
 #[derive(Clone, Debug)]
 pub(crate) struct Events {
     conditions: Routine,
-    actions: Routine,
-    /// For each event, which states its actions change and where their values stand among those of all actions.
-    targets: Vec<Vec<(usize, usize)>>,
+    /// For each event, the values of its actions.
+    actions: Vec<Routine>,
+    /// For each event, which states these are for.
+    targets: Vec<Vec<usize>>,
     /// By event: whether its condition was false when last looked at, so that it can fire.
     armed: Vec<bool>,
     /// By event: whether it fires now.
@@ -45,37 +46,23 @@ pub(crate) struct Events {
     looks: u64,
 }
 
-/// Where an event lies within a step, counted from its start.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Crossing {
-    /// The last moment at which no condition is met.
-    pub low: f64,
-    /// The next number.
-    pub high: f64,
-}
-
 impl Events {
     pub fn new(model: &Model) -> Self {
         let conditions: Vec<NodeId> = model.events.iter().map(|event| event.condition).collect();
-        let mut actions = Vec::new();
-        let mut targets = Vec::new();
-        for event in &model.events {
-            let mut of_event = Vec::new();
-            for &(state, value) in &event.actions {
-                of_event.push((state as usize, actions.len()));
-                actions.push(value);
-            }
-            targets.push(of_event);
-        }
+        let of_event = |event: &Event| {
+            let values: Vec<NodeId> = event.actions.iter().map(|(_, value)| *value).collect();
+            Routine::compile(model, &values)
+        };
+        let targets = |event: &Event| event.actions.iter().map(|(state, _)| *state as usize).collect();
         let zeros = vec![0.0; model.states.len()];
         Self {
             conditions: Routine::compile(model, &conditions),
-            actions: Routine::compile(model, &actions),
-            targets,
+            actions: model.events.iter().map(of_event).collect(),
+            targets: model.events.iter().map(targets).collect(),
             armed: vec![false; conditions.len()],
             due: vec![false; conditions.len()],
             truths: vec![0.0; conditions.len()],
-            values: vec![0.0; actions.len()],
+            values: vec![0.0; model.events.iter().map(|event| event.actions.len()).max().unwrap_or(0)],
             crossing: vec![false; conditions.len()],
             approach: zeros.clone(),
             before: zeros.clone(),
@@ -96,7 +83,7 @@ impl Events {
     /// Sets parameters and initial values.
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         self.conditions.prepare(parameters, initial);
-        self.actions.prepare(parameters, initial);
+        self.actions.iter_mut().for_each(|actions| actions.prepare(parameters, initial));
         if let Some(jumps) = &mut self.jumps {
             jumps.prepare(parameters, initial);
         }
@@ -142,34 +129,15 @@ impl Events {
         }
     }
 
-    /// Finds the first moment at which an event that is due at `high` fires, for a step that started at `start`, and
-    /// remembers the state there. `state_at` gives the state so long after the start.
-    pub fn locate(&mut self, start: f64, low: f64, high: f64, mut state_at: impl FnMut(f64, &mut [f64])) -> Crossing {
-        // Non-negative numbers are ordered like their bits, so this ends at neighbours after at most 63 halvings.
-        let (mut low, mut high) = (low.to_bits(), high.to_bits());
-        let mut fires = self.due.clone();
-        while high - low > 1 {
-            let middle = low + (high - low) / 2;
-            let since = f64::from_bits(middle);
-            state_at(since, &mut self.probe);
-            let probe = std::mem::take(&mut self.probe);
-            if self.due(start + since, &probe) {
-                high = middle;
-                fires.copy_from_slice(&self.due);
-            } else {
-                low = middle;
-            }
-            self.probe = probe;
-        }
-        self.due = fires;
-        let crossing = Crossing { low: f64::from_bits(low), high: f64::from_bits(high) };
-        state_at(crossing.low, &mut self.before);
-        crossing
+    /// Remembers what is due.
+    pub fn note_due(&mut self) {
+        self.crossing.copy_from_slice(&self.due);
     }
 
-    /// The state at the moment found last, before its jump.
-    pub fn before(&self) -> &[f64] {
-        &self.before
+    /// Takes for due what was due when that was remembered; whether there is anything.
+    pub fn recall_due(&mut self) -> bool {
+        self.due.copy_from_slice(&self.crossing);
+        self.first_due().is_some()
     }
 
     /// The state after the last jump.
@@ -177,10 +145,12 @@ impl Events {
         &self.after
     }
 
-    /// Lets the events act that are due at the moment found last, all on the state before; how many there are.
-    pub fn fire(&mut self, time: f64) -> usize {
-        self.approach.copy_from_slice(&self.before);
-        self.crossing.copy_from_slice(&self.due);
+    /// Lets the events act that are due, the first on the state `before`; how many there are.
+    pub fn fire(&mut self, equations: &mut Equations, time: f64, before: &[f64]) -> usize {
+        self.before.copy_from_slice(before);
+        self.approach.copy_from_slice(before);
+        equations.rates(time, before, &mut self.rates_before);
+        self.note_due();
         if let Some(jumps) = &mut self.jumps {
             jumps.measure_delays(time, &self.before);
         }
@@ -207,7 +177,6 @@ impl Events {
     /// Decides, after all jumps of a moment, which of the events that were due at first have been used up. `resolution`
     /// is the least time in which the state changes, `reach` the greatest over which its motion is taken to be straight.
     pub fn settle(&mut self, equations: &mut Equations, time: f64, resolution: f64, reach: f64) {
-        equations.rates(time, &self.approach, &mut self.rates_before);
         equations.rates(time, &self.after, &mut self.rates_after);
         let mut crossed = vec![false; self.crossing.len()];
         let mut ahead = resolution.max(f64::MIN_POSITIVE);
@@ -231,16 +200,17 @@ impl Events {
         }
     }
 
+    /// One event after the other, each on what those before have left.
     fn act(&mut self, time: f64) -> usize {
-        self.actions.evaluate(time, &self.before, &mut self.values);
         self.after.copy_from_slice(&self.before);
         let mut count = 0;
         for (event, targets) in self.targets.iter().enumerate().filter(|(event, _)| self.due[*event]) {
+            self.actions[event].evaluate(time, &self.after, &mut self.values);
             if let Some(jumps) = &mut self.jumps {
-                jumps.carry(event, self.crossing[event], time, &self.before, &mut self.after);
+                jumps.carry(event, self.crossing[event], time, &mut self.after);
             }
-            for &(state, value) in targets {
-                self.after[state] = self.values[value];
+            for (&state, &value) in targets.iter().zip(&self.values) {
+                self.after[state] = value;
             }
             count += 1;
         }

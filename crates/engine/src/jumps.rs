@@ -12,7 +12,7 @@ pub(crate) struct Jumps {
     delay_values: Vec<f64>,
     /// For each event: the sensitivities after it.
     sensitivities: Vec<Routine>,
-    /// What they read: the states before all events, those that the events so far have left, the delays.
+    /// What they read: the states that the events so far have left, the delays.
     inputs: Vec<f64>,
     /// The states, sensitivities among them.
     all: usize,
@@ -25,7 +25,7 @@ impl Jumps {
         let jumps: Vec<_> = model.events.iter().filter_map(|event| event.jump.as_ref()).collect();
         let parameters = jumps.first()?.delays.len();
         let all = model.states.len();
-        let inputs = 2 * all + parameters;
+        let inputs = all + parameters;
         let delays: Vec<_> = jumps.iter().flat_map(|jump| &jump.delays).copied().collect();
         let routine = |jump: &&program::Jump| Routine::from_graph(&model.graph, inputs, &jump.sensitivities);
         Some(Self {
@@ -49,19 +49,18 @@ impl Jumps {
         self.delays.evaluate(time, before, &mut self.delay_values);
     }
 
-    /// Carries the sensitivities in `after` past one event, before that has set the other states there. The moment of an
-    /// event is its own if it was `crossed` by the motion; one that was made due by the jump of another fires with that one,
-    /// and so its moment is the one taken last.
-    pub fn carry(&mut self, event: usize, crossed: bool, time: f64, before: &[f64], after: &mut [f64]) {
-        let (states, delays) = self.inputs.split_at_mut(2 * self.all);
+    /// Carries the sensitivities in `state` past one event, before that sets the other states there. The moment of an event
+    /// is its own if it was `crossed` by the motion; one that was made due by the jump of another fires with that one, and so
+    /// its moment is the one taken last.
+    pub fn carry(&mut self, event: usize, crossed: bool, time: f64, state: &mut [f64]) {
+        let (states, delays) = self.inputs.split_at_mut(self.all);
         if crossed && let Some(own) = self.delay_values.chunks(self.parameters.max(1)).nth(event) {
             delays.copy_from_slice(own);
         }
-        states[..self.all].copy_from_slice(before);
-        states[self.all..].copy_from_slice(after);
+        states.copy_from_slice(state);
         if let Some(routine) = self.sensitivities.get_mut(event) {
             let own = self.all - routine.len();
-            routine.evaluate(time, &self.inputs, &mut after[own..]);
+            routine.evaluate(time, &self.inputs, &mut state[own..]);
         }
     }
 }

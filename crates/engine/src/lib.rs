@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod checkpoints;
+mod crossing;
 pub mod csv;
 mod dormand_prince;
 mod equations;
@@ -22,7 +23,9 @@ mod run;
 mod setup;
 mod start;
 mod stepper;
+mod switches;
 pub mod table;
+mod timetable;
 
 pub use error::{Cause, RunError, Subject};
 pub use history::History;

@@ -85,7 +85,7 @@ pub(crate) fn measured(mut step: impl FnMut(&mut Equations, f64, f64, &[f64], &m
     let model = model.map(|checked| checked.model);
     let model = model.unwrap_or_else(|| panic!("{diagnostics:?}"));
     let mut equations = Equations::with_slopes(&model).unwrap();
-    equations.prepare(&[], &[1.0, 0.5]);
+    equations.prepare(&[], &[], &[1.0, 0.5]);
     let mut end = |steps: u32| {
         let size = 4.0 / f64::from(steps);
         let (mut from, mut to) = ([1.0, 0.5], [0.0; 2]);

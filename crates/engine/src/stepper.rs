@@ -7,12 +7,13 @@ pub use advance::Progress;
 pub(crate) use moment::Moment;
 
 use crate::adaptive::{Adaptive, Pair};
+use crate::crossing::Surfaces;
 use crate::dormand_prince::DormandPrince;
 use crate::equations::Equations;
-use crate::events::Events;
 use crate::fixed::Fixed;
 use crate::rosenbrock::Rosenbrock;
 use crate::start;
+use crate::switches::Switches;
 use crate::{Cause, Method, Routine, RunError, Setup};
 use program::{Model, NodeId};
 
@@ -21,7 +22,7 @@ use program::{Model, NodeId};
 pub struct Stepper {
     equations: Equations,
     solver: Solver,
-    events: Events,
+    surfaces: Surfaces,
     method: Method,
     step: f64,
     /// The number of the last grid point at or before `time`.
@@ -45,6 +46,26 @@ pub struct Stepper {
 struct RowWork {
     steps: usize,
     events: usize,
+    event_burst: Burst,
+    switch_burst: Burst,
+}
+
+/// How many happenings there have been within a short time.
+#[derive(Clone, Copy, Debug, Default)]
+struct Burst {
+    since: f64,
+    count: usize,
+}
+
+impl Burst {
+    /// Counts so many more, those of the last `span` together.
+    fn add(&mut self, count: usize, time: f64, span: f64) -> usize {
+        if time - self.since > span {
+            *self = Self { since: time, count: 0 };
+        }
+        self.count += count;
+        self.count
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -66,21 +87,26 @@ impl Stepper {
         };
         start::check_initial(&initial)?;
         let states = model.states.len();
+        // The error control of an adaptive method meets a bend with shorter steps; to find it would take as many.
+        let held = model.held(!setup.method.adaptive());
+        let moving = held.as_ref().map_or(model, |held| &held.model);
         let adaptive = |pair| Solver::Adaptive(Box::new(Adaptive::new(pair, model, setup)));
         let (solver, equations) = match setup.method {
             method @ (Method::Euler | Method::EulerRichardson | Method::VelocityVerlet | Method::RungeKutta4) => {
-                (Solver::Fixed(Fixed::new(method, states)), Equations::new(model))
+                (Solver::Fixed(Fixed::new(method, states)), Equations::new(moving))
             }
-            Method::DormandPrince => (adaptive(Pair::DormandPrince(DormandPrince::new(states))), Equations::new(model)),
+            Method::DormandPrince => {
+                (adaptive(Pair::DormandPrince(DormandPrince::new(states))), Equations::new(moving))
+            }
             Method::Rosenbrock => (
                 adaptive(Pair::Rosenbrock(Rosenbrock::new(states))),
-                Equations::with_slopes(model).ok_or(RunError::at_start(Cause::ModelTooLarge))?,
+                Equations::with_slopes(moving).ok_or(RunError::at_start(Cause::ModelTooLarge))?,
             ),
         };
         let mut stepper = Self {
             equations,
             solver,
-            events: Events::new(model),
+            surfaces: Surfaces::new(model, held.as_ref().map(Switches::new).unwrap_or_default()),
             method: setup.method,
             step: setup.step,
             index: 0,
@@ -95,7 +121,7 @@ impl Stepper {
         };
         stepper.prepare();
         stepper.restart();
-        stepper.events.arm(stepper.time, &stepper.state);
+        stepper.surfaces.events.arm(stepper.time, &stepper.state);
         Ok(stepper)
     }
 
@@ -131,7 +157,7 @@ impl Stepper {
             Solver::Adaptive(adaptive) => adaptive.work_of_systems(self.equations.evaluations),
             Solver::Fixed(_) => 0,
         };
-        self.equations.work() + self.events.work() + systems
+        self.equations.work() + self.surfaces.work() + systems
     }
 
     /// The parameters in force.
@@ -158,8 +184,17 @@ impl Stepper {
     }
 
     fn prepare(&mut self) {
-        self.equations.prepare(&self.parameters, &self.initial);
-        self.events.prepare(&self.parameters, &self.initial);
+        self.surfaces.prepare(&self.parameters, &self.initial);
+        self.hold();
+    }
+
+    /// Holds the switches of the equations at their values here; the first that changes and with which the rates
+    /// jump, if there is one.
+    fn hold(&mut self) -> Option<usize> {
+        let switches = &mut self.surfaces.switches;
+        let jumped = switches.hold(self.time, &self.state);
+        self.equations.prepare(&self.parameters, switches.held(), &self.initial);
+        jumped
     }
 
     fn restart(&mut self) {

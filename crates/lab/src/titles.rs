@@ -100,9 +100,12 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "order-too-high"
         | "not-second-order" => ("The equations cannot be solved", "Las ecuaciones no se pueden resolver"),
         "event-action" | "event-changes-no-state" | "event-at-equality" | "empty-event" => ("Events", "Sucesos"),
-        "too-large" | "model-too-large" | "too-deep" | "too-many-coupled-equations" | "too-many-events" => {
-            ("Too large", "Demasiado grande")
-        }
+        "too-large"
+        | "model-too-large"
+        | "too-deep"
+        | "too-many-coupled-equations"
+        | "too-many-events"
+        | "too-many-switches" => ("Too large", "Demasiado grande"),
 
         // The document around the model.
         "no-model" => ("There is no model", "No hay modelo"),

@@ -71,8 +71,6 @@ pub(crate) fn setup(text: &str) -> Result<(document::Document, Setup), String> {
         let messages = opened.diagnostics.iter().map(|(_, diagnostic)| &*diagnostic.message.english);
         messages.collect::<Vec<_>>().join("; ")
     })?;
-    let mut setup = Setup::defaults(&document.program.model);
-    setup.step = document.program.step.unwrap_or(setup.step);
-    setup.tolerance = document.program.tolerance.unwrap_or(setup.tolerance);
+    let setup = Setup::of(&document.program);
     Ok((document, setup))
 }

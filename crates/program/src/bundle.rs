@@ -8,7 +8,7 @@ use crate::{Compiled, Model, Node, NodeId, Piece, Program, Scene};
 /// What a bundle begins with.
 const SIGNATURE: &[u8] = b"meniscus";
 /// The version of the format; raised whenever a program of an earlier version would be misread.
-const VERSION: u8 = 1;
+const VERSION: u8 = 2;
 /// The longest bundle, in bytes. Documents are at most 1 MiB long.
 const LONGEST: usize = 16 << 20;
 
@@ -66,7 +66,8 @@ fn check(program: &Program) -> Result<(), BundleError> {
     let assignments =
         |values: &[crate::Assignment]| values.iter().all(|one| parameter(&one.parameter) && compiled(&one.value));
     let nodes = model.states.iter().flat_map(|state| [&state.initial, &state.derivative]);
-    let good = inputs_exist(model)
+    let good = model.sensitive.is_none()
+        && inputs_exist(model)
         && nodes.into_iter().all(known)
         && orders_ascend(model)
         && model.quantities.iter().all(|quantity| compiled(&quantity.value))

@@ -38,6 +38,8 @@ enum Build {
     /// Two arguments, or more from left to right.
     Binary(Binary),
     Hypotenuse,
+    /// `a - b*floor(a/b)`: the sign of the divisor.
+    Remainder,
 }
 
 const MANY: usize = 32;
@@ -77,7 +79,7 @@ pub const FUNCTIONS: &[Function] = &[
     one("round", Rule::Whole, Unary::Round),
     two("min", MANY, Rule::Same, Binary::Minimum),
     two("max", MANY, Rule::Same, Binary::Maximum),
-    two("mod", 2, Rule::Same, Binary::Modulo),
+    Function { name: "mod", least: 2, most: 2, dimensions: Rule::Same, build: Build::Remainder },
     Function { name: "hypot", least: 2, most: 2, dimensions: Rule::Same, build: Build::Hypotenuse },
 ];
 
@@ -114,6 +116,12 @@ impl Function {
                 let sum = squares.into_iter().reduce(|sum, square| graph.add(sum, square)).unwrap_or(first);
                 graph.unary(Unary::SquareRoot, sum)
             }
+            Build::Remainder => rest.iter().fold(first, |value, &divisor| {
+                let quotient = graph.divide(value, divisor);
+                let whole = graph.unary(Unary::Floor, quotient);
+                let multiple = graph.multiply(divisor, whole);
+                graph.subtract(value, multiple)
+            }),
         }
     }
 }

@@ -15,7 +15,10 @@ mod scene;
 
 pub use graph::{Binary, Graph, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate, differentiate_all};
 pub use method::{Method, UnknownMethod};
-pub use model::{Compiled, Dependence, Event, Independent, Jump, Kind, Model, Parameter, Quantity, State};
+pub use model::{
+    Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity, Sensitive, State, Switch,
+    Timed,
+};
 pub use plots::{Curve, Plot};
 pub use presets::{Assignment, Preset};
 pub use program::{Edition, Program};

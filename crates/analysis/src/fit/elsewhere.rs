@@ -220,7 +220,6 @@ fn is_branch(node: Node) -> bool {
             function,
             Binary::Minimum
                 | Binary::Maximum
-                | Binary::Modulo
                 | Binary::Less
                 | Binary::LessOrEqual
                 | Binary::Equal

@@ -2,6 +2,7 @@
 
 use super::{RowWork, Solver, Stepper};
 use crate::adaptive::Stalled;
+use crate::crossing::Crossing;
 use crate::{AfterJump, Cause, Method, Record, RunError};
 
 /// How far [`Stepper::advance_within`] got.
@@ -16,9 +17,31 @@ pub enum Progress {
     Partial,
 }
 
+/// Where a step ends before its time, because something happens.
+#[derive(Clone, Copy, Debug)]
+struct Early {
+    /// The last moment before.
+    before: f64,
+    /// The first moment behind.
+    beyond: f64,
+    /// The least time in which the state changes there.
+    resolution: f64,
+}
+
+impl Early {
+    /// A crossing in a step that started at `start` and took `size` to `end`.
+    fn new(crossing: Crossing, start: f64, size: f64, end: f64) -> Self {
+        // With rounding, the start and the size do not always give the end.
+        let beyond = if crossing.high == size { end } else { (start + crossing.high).min(end) };
+        Self { before: start + crossing.low, beyond, resolution: crossing.high - crossing.low }
+    }
+}
+
 impl Stepper {
-    /// So many events in one step stop the run.
-    pub const EVENT_LIMIT: usize = 1000;
+    /// So many events, or switches of the equations, within a hundredth of a step stop the run: time would stand still.
+    pub const BURST_LIMIT: usize = 1000;
+    /// The part of a step in which they are counted.
+    const BURST_SPAN: f64 = 1e-2;
     /// So many steps of an adaptive method between two grid points stop the run.
     pub const STEP_LIMIT: usize = 100_000;
 
@@ -87,15 +110,16 @@ impl Stepper {
         let begun = self.work();
         while self.time < target {
             self.row.steps += 1;
-            let jumped = match self.solver {
+            let early = match self.solver {
                 Solver::Fixed(_) => self.fixed(target)?,
                 Solver::Adaptive(_) if self.row.steps > Self::STEP_LIMIT => {
                     return Err(self.error(Cause::TooManySteps(Self::STEP_LIMIT, self.method)));
                 }
                 Solver::Adaptive(_) => self.adaptive(target)?,
             };
-            match jumped {
-                Some(resolution) => self.jump(resolution, record)?,
+            match early {
+                Some(early) if self.surfaces.events.first_due().is_some() => self.jump(early, record)?,
+                Some(early) => self.switch(early, record)?,
                 None if self.time == target => record.row(self.time, &self.state, false),
                 None => {}
             }
@@ -106,38 +130,39 @@ impl Stepper {
         Ok(true)
     }
 
-    /// One step to `target`, or, if an event lies before it, to the event, whose resolution in time is returned.
+    /// One step to `target`, or to where something happens before.
     // Not inlined: `advance` is compiled with its caller, which in the page is optimised for size.
-    fn fixed(&mut self, target: f64) -> Result<Option<f64>, RunError> {
+    fn fixed(&mut self, target: f64) -> Result<Option<Early>, RunError> {
         let Solver::Fixed(method) = &mut self.solver else {
             return Ok(None);
         };
-        let equations = &mut self.equations;
-        let size = if self.on_grid { self.step } else { target - self.time };
-        method.step(equations, self.time, size, &self.state, &mut self.next);
+        let (equations, time) = (&mut self.equations, self.time);
+        let expected = self.surfaces.timetable.next(time, target, &self.state);
+        let end = expected.map_or(target, |expected| expected.high);
+        let size = if self.on_grid && expected.is_none() { self.step } else { end - time };
+        method.step(equations, time, size, &self.state, &mut self.next);
         if !self.next.iter().all(|value| value.is_finite()) {
             let cause = not_finite(&self.next, equations.singular(), self.method);
             return Err(self.error(cause));
         }
-        if !self.events.is_empty() {
-            if self.events.due(target, &self.next) {
-                let (time, state) = (self.time, &self.state);
-                let crossing = self.events.locate(time, 0.0, size, |since, out| {
-                    method.step(equations, time, since, state, out);
+        if !self.surfaces.is_empty() {
+            if self.surfaces.crossed(end, &self.next) {
+                let expected = expected.map(|expected| expected.since(time));
+                let crossing = self.surfaces.locate(time, (0.0, size), expected, |since, out| {
+                    method.step(equations, time, since, &self.state, out);
                 });
-                self.time += crossing.low;
-                return Ok(Some(crossing.high - crossing.low));
+                return Ok(Some(Early::new(crossing, time, size, end)));
             }
-            self.events.pass();
+            self.surfaces.events.pass();
         }
         std::mem::swap(&mut self.state, &mut self.next);
-        self.time = target;
+        self.time = end;
+        self.on_grid = false;
         Ok(None)
     }
 
-    /// Goes on to `target` or to the end of the method's own step, whichever is first; or, if an event lies before that, to
-    /// the event, whose resolution in time is returned.
-    fn adaptive(&mut self, target: f64) -> Result<Option<f64>, RunError> {
+    /// Goes on to `target` or to the end of the method's own step, whichever is first, or to where something happens before.
+    fn adaptive(&mut self, target: f64) -> Result<Option<Early>, RunError> {
         let Solver::Adaptive(method) = &mut self.solver else {
             return Ok(None);
         };
@@ -152,19 +177,22 @@ impl Stepper {
             return Err(self.error(cause));
         }
         let until = target.min(method.end());
+        let expected = self.surfaces.timetable.next(self.time, until, &self.state);
+        let until = expected.map_or(until, |expected| expected.high);
         if until == method.end() {
             self.next.copy_from_slice(method.end_state());
         } else {
             method.dense(until - method.start(), &mut self.next);
         }
-        if !self.events.is_empty() {
-            if self.events.due(until, &self.next) {
+        if !self.surfaces.is_empty() {
+            if self.surfaces.crossed(until, &self.next) {
                 let start = method.start();
-                let crossing = method.locate(equations, &mut self.events, self.time - start, until - start);
-                self.time = start + crossing.low;
-                return Ok(Some(crossing.high - crossing.low));
+                let (low, high) = (self.time - start, until - start);
+                let expected = expected.map(|expected| expected.since(start));
+                let crossing = method.locate(equations, &mut self.surfaces, (low, high), expected);
+                return Ok(Some(Early::new(crossing, start, high, until)));
             }
-            self.events.pass();
+            self.surfaces.events.pass();
         }
         std::mem::swap(&mut self.state, &mut self.next);
         self.time = until;
@@ -176,31 +204,63 @@ impl Stepper {
         RunError { cause, time: self.time }
     }
 
+    /// Goes on behind a switch of the equations. Where they jump, the moment leaves two rows, before and behind it.
+    fn switch(&mut self, early: Early, record: &mut impl Record) -> Result<(), RunError> {
+        let began = self.time;
+        self.surfaces.approach(&mut self.equations, early.before);
+        self.time = early.beyond;
+        self.state.copy_from_slice(self.surfaces.beyond());
+        let jumped = self.hold();
+        if let Some(switch) = jumped {
+            if early.before > began {
+                record.row(early.before, self.surfaces.before(), false);
+            }
+            self.surfaces.switches.carry(&mut self.equations, self.time, switch, &mut self.state);
+        }
+        let target = (self.index + 1) as f64 * self.step;
+        if jumped.is_some() || self.time == target {
+            record.row(self.time, &self.state, jumped.is_some());
+        }
+        if !self.surfaces.events.due(self.time, &self.state) {
+            self.surfaces.events.pass();
+        }
+        self.on_grid = self.time == target;
+        if self.row.switch_burst.add(1, self.time, self.step * Self::BURST_SPAN) > Self::BURST_LIMIT {
+            return Err(self.error(Cause::TooManySwitches(Self::BURST_LIMIT)));
+        }
+        self.restart();
+        Ok(())
+    }
+
     /// Lets the located events act.
-    fn jump(&mut self, resolution: f64, record: &mut impl Record) -> Result<(), RunError> {
+    fn jump(&mut self, early: Early, record: &mut impl Record) -> Result<(), RunError> {
         self.on_grid = false;
-        self.state.copy_from_slice(self.events.before());
+        self.time = early.before;
+        self.state.copy_from_slice(self.surfaces.before());
         record.row(self.time, &self.state, false);
-        self.row.events += self.events.fire(self.time);
+        let mut fired = self.surfaces.events.fire(&mut self.equations, self.time, &self.state);
         loop {
-            let after = self.events.after();
+            self.row.events += fired;
+            let burst = self.row.event_burst.add(fired, self.time, self.step * Self::BURST_SPAN);
+            let after = self.surfaces.events.after();
             if !after.iter().all(|value| value.is_finite()) {
                 let cause = not_finite(after, false, self.method);
                 return Err(self.error(cause));
             }
             self.state.copy_from_slice(after);
             record.row(self.time, &self.state, true);
-            if self.row.events > Self::EVENT_LIMIT {
-                return Err(self.error(Cause::TooManyEvents(Self::EVENT_LIMIT, self.events.first_due())));
+            if burst > Self::BURST_LIMIT {
+                return Err(self.error(Cause::TooManyEvents(Self::BURST_LIMIT, self.surfaces.events.first_due())));
             }
-            match self.events.cascade(self.time) {
-                0 => break,
-                more => self.row.events += more,
+            fired = self.surfaces.events.cascade(self.time);
+            if fired == 0 {
+                break;
             }
         }
-        self.events.settle(&mut self.equations, self.time, resolution, self.step);
+        self.hold();
+        self.surfaces.events.settle(&mut self.equations, self.time, early.resolution, self.step);
         let on_grid = self.time == (self.index + 1) as f64 * self.step;
-        record.after_jump(AfterJump { armed: self.events.armed().to_vec(), on_grid });
+        record.after_jump(AfterJump { armed: self.surfaces.events.armed().to_vec(), on_grid });
         self.restart();
         Ok(())
     }

@@ -38,10 +38,10 @@ impl Stepper {
         self.restart();
         match after {
             Some(after) => {
-                self.events.set_armed(&after.armed);
+                self.surfaces.events.set_armed(&after.armed);
                 self.on_grid = after.on_grid;
             }
-            None => self.events.arm(time, &self.state),
+            None => self.surfaces.events.arm(time, &self.state),
         }
     }
 
@@ -51,7 +51,7 @@ impl Stepper {
             time: self.time,
             state: self.state.clone(),
             parameters: self.parameters.clone(),
-            armed: self.events.armed().to_vec(),
+            armed: self.surfaces.events.armed().to_vec(),
             last_step: match &self.solver {
                 Solver::Adaptive(adaptive) => Some(adaptive.last_step().clone()),
                 Solver::Fixed(_) => None,
@@ -62,7 +62,7 @@ impl Stepper {
     /// Goes on from a moment, with the bits with which it went on then.
     pub(crate) fn go_on_from(&mut self, moment: &Moment) {
         self.stand_at(moment.time, &moment.state, moment.parameters.clone());
-        self.events.set_armed(&moment.armed);
+        self.surfaces.events.set_armed(&moment.armed);
         if let (Solver::Adaptive(adaptive), Some(step)) = (&mut self.solver, &moment.last_step) {
             adaptive.go_on_after(step);
         }

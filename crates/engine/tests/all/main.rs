@@ -9,5 +9,6 @@ mod orders;
 mod runs;
 mod sensitivities;
 mod support;
+mod switches;
 mod tables;
 mod work;

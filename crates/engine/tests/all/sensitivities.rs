@@ -175,7 +175,7 @@ when y < 0 [m] { y' = -e_1*y' }
 when z < 0 [m] { z' = -e_2*z' }
 ";
     check_against_differences("two balls", two_balls, 0.7);
-    // A count of what is lost beside the bounce, which reads the velocity before it.
+    // A count of what is lost beside the bounce, which reads the velocity before or behind it.
     let lost = "
 parameter m = 0.3 [kg]
 w' = 0 [W]
@@ -185,8 +185,8 @@ when y < 0 [m] { w = w + m*y'^2/2*(1 - e^2) }
     let bounce = "when y < 0 [m] { y' = -e*y' }\n";
     check_against_differences("the bounce first", &[BALL, bounce, lost].concat(), 0.7);
     check_against_differences("the bounce last", &[BALL, lost, bounce].concat(), 0.7);
-    // Both set the velocity: the later one wins, in the state and in its sensitivities.
-    let again = "when y < 0 [m] { y' = -e^2*y' + e*(1 [m/s]) }\n";
+    // Both set the velocity, the later one what the first has left.
+    let again = "when y < 0 [m] { y' = e^2*y' + e*(1 [m/s]) }\n";
     check_against_differences("both set the velocity", &[BALL, bounce, again].concat(), 0.7);
     // Nothing moves any more after the first; the second still has the moment of the impact.
     let stop = "
@@ -217,4 +217,39 @@ when y < 0 [m] { y' = -e*y'; n = n + 1 }
 when n > 0.5 and q < 1 [m] { q' = h/(1 [s]) }
 ";
     check_against_differences("a chain", &[BALL, chain].concat(), 0.7);
+}
+
+/// The moments at which equations switch depend on parameters, too.
+#[test]
+fn across_switches_of_the_equations() {
+    let text = "
+parameter a = 2 [m/s]
+parameter b = 0.5 [m/s]
+parameter c = 1.2 [m]
+parameter d = 1.7 [s]
+x' = (if x < c then a else b) + (if t < d then 0 else c/(3 [s]))
+x(0) = 0 [m]
+";
+    let exact = |p: &[f64], t: f64| {
+        let reached = p[2] / p[0];
+        let slow = if t < reached { p[0] * t } else { p[2] + p[1] * (t - reached) };
+        slow + p[2] / 3.0 * (t - p[3]).max(0.0)
+    };
+    check(text, &[2.0, 0.5, 1.2, 1.7], &[0.3, 1.0, 4.0], exact, 1e-8);
+    // A saw: floor counts the teeth.
+    let text = "
+parameter a = 0.9 [m/s]
+parameter l = 0.4 [m]
+x' = a*(1 + floor(x/l))
+x(0) = 0 [m]
+";
+    let exact = |p: &[f64], t: f64| {
+        let (mut left, mut tooth) = (t, 0.0);
+        while left > p[1] / (p[0] * (1.0 + tooth)) {
+            left -= p[1] / (p[0] * (1.0 + tooth));
+            tooth += 1.0;
+        }
+        tooth * p[1] + p[0] * (1.0 + tooth) * left
+    };
+    check(text, &[0.9, 0.4], &[0.3, 0.6, 1.1], exact, 1e-6);
 }

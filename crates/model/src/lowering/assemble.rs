@@ -58,6 +58,7 @@ pub(crate) fn assemble(
         events,
         graph,
         texts,
+        sensitive: None,
     };
     let places = Places {
         parameters: declarations.parameters.iter().map(|entry| entry.span).collect(),

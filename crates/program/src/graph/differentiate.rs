@@ -218,14 +218,6 @@ fn of_binary(
             let a_taken = graph.binary(Binary::Less, low, high);
             Some(graph.select(a_taken, da.unwrap_or(zero), db.unwrap_or(zero)))
         }
-        Binary::Modulo => {
-            let inner = db.map(|db| {
-                let quotient = graph.divide(a, b);
-                let floor = graph.unary(Unary::Floor, quotient);
-                graph.multiply(floor, db)
-            });
-            Some(graph.subtract(da.unwrap_or(zero), inner.unwrap_or(zero)))
-        }
         Binary::Less | Binary::LessOrEqual | Binary::Equal | Binary::NotEqual | Binary::And | Binary::Or => None,
     }
 }

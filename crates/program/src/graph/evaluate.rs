@@ -47,7 +47,6 @@ impl Binary {
             Self::Atan2 => libm::atan2(a, b),
             Self::Minimum => lesser(a, b),
             Self::Maximum => greater(a, b),
-            Self::Modulo => a - b * (a / b).floor(),
             Self::Less => truth(a < b),
             Self::LessOrEqual => truth(a <= b),
             Self::Equal => truth(a == b),
@@ -95,13 +94,6 @@ mod tests {
             assert!(binary.evaluate(1.0, f64::NAN).is_nan());
         }
         assert!(Unary::Sign.evaluate(f64::NAN).is_nan());
-    }
-
-    #[test]
-    fn the_remainder_has_the_sign_of_the_divisor() {
-        assert_eq!(Binary::Modulo.evaluate(7.0, 3.0), 1.0);
-        assert_eq!(Binary::Modulo.evaluate(-7.0, 3.0), 2.0);
-        assert_eq!(Binary::Modulo.evaluate(7.0, -3.0), -2.0);
     }
 
     #[test]

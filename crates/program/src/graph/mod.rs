@@ -91,8 +91,6 @@ pub enum Binary {
     Atan2,
     Minimum,
     Maximum,
-    /// `a - b*floor(a/b)`: the sign of the divisor.
-    Modulo,
     Less,
     LessOrEqual,
     Equal,

@@ -57,24 +57,37 @@ impl Graph {
         &self,
         target: &mut Graph,
         roots: &[NodeId],
-        replace: impl FnMut(&mut Graph, Node) -> Option<NodeId>,
+        mut replace: impl FnMut(&mut Graph, Node) -> Option<NodeId>,
     ) -> Vec<NodeId> {
-        rebuild(Some(self), target, roots, &[], replace)
+        rebuild(Some(self), target, roots, |graph, _, node| replace(graph, node))
     }
 
     /// Rebuilds `roots` inside `target` with an input in the place of some nodes: what is computed from those is then
     /// computed from the inputs.
     pub fn rebuild_from_inputs(&self, target: &mut Graph, roots: &[NodeId], inputs: &[(NodeId, Node)]) -> Vec<NodeId> {
-        rebuild(Some(self), target, roots, inputs, |_, _| None)
+        rebuild(Some(self), target, roots, |graph, id, _| {
+            let input = inputs.iter().find(|(replaced, _)| *replaced == id);
+            input.map(|&(_, input)| graph.insert(input))
+        })
     }
 
     /// [`Graph::rebuild_into`] inside the graph itself.
     pub fn substitute(
         &mut self,
         roots: &[NodeId],
-        replace: impl FnMut(&mut Graph, Node) -> Option<NodeId>,
+        mut replace: impl FnMut(&mut Graph, Node) -> Option<NodeId>,
     ) -> Vec<NodeId> {
-        rebuild(None, self, roots, &[], replace)
+        rebuild(None, self, roots, |graph, _, node| replace(graph, node))
+    }
+
+    /// Rebuilds `roots` inside the graph itself. `replace` is given each node, by its number and with operands that are
+    /// rebuilt already, and returns what stands in its place, if anything else does.
+    pub fn rewrite(
+        &mut self,
+        roots: &[NodeId],
+        replace: impl FnMut(&mut Graph, NodeId, Node) -> Option<NodeId>,
+    ) -> Vec<NodeId> {
+        rebuild(None, self, roots, replace)
     }
 }
 
@@ -83,26 +96,18 @@ fn rebuild(
     source: Option<&Graph>,
     target: &mut Graph,
     roots: &[NodeId],
-    inputs: &[(NodeId, Node)],
-    mut replace: impl FnMut(&mut Graph, Node) -> Option<NodeId>,
+    mut replace: impl FnMut(&mut Graph, NodeId, Node) -> Option<NodeId>,
 ) -> Vec<NodeId> {
     let mut rebuilt: HashMap<NodeId, NodeId> = HashMap::new();
     let mut systems: HashMap<u32, u32> = HashMap::new();
     for id in source.unwrap_or(target).reachable(roots) {
-        let node = source.unwrap_or(target).node(id);
-        if let Some((_, input)) = inputs.iter().find(|(replaced, _)| *replaced == id) {
-            rebuilt.insert(id, target.insert(*input));
-            continue;
-        }
-        let new = match node {
-            Node::Constant(_) => target.insert(node),
-            Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) => {
-                replace(target, node).unwrap_or_else(|| target.insert(node))
-            }
-            Node::Unary(function, x) => target.unary(function, rebuilt[&x]),
-            Node::Binary(function, a, b) => target.binary(function, rebuilt[&a], rebuilt[&b]),
+        let node = match source.unwrap_or(target).node(id) {
+            input
+            @ (Node::Constant(_) | Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_)) => input,
+            Node::Unary(function, x) => Node::Unary(function, rebuilt[&x]),
+            Node::Binary(function, a, b) => Node::Binary(function, rebuilt[&a], rebuilt[&b]),
             Node::Select(condition, chosen, other) => {
-                target.select(rebuilt[&condition], rebuilt[&chosen], rebuilt[&other])
+                Node::Select(rebuilt[&condition], rebuilt[&chosen], rebuilt[&other])
             }
             Node::Solution { system, row } => {
                 let system = *systems.entry(system).or_insert_with(|| {
@@ -111,9 +116,15 @@ fn rebuild(
                     let right = right.iter().map(|entry| rebuilt[entry]).collect();
                     target.insert_system(LinearSystem { matrix, right })
                 });
-                target.insert(Node::Solution { system, row })
+                Node::Solution { system, row }
             }
         };
+        let new = replace(target, id, node).unwrap_or_else(|| match node {
+            Node::Unary(function, x) => target.unary(function, x),
+            Node::Binary(function, a, b) => target.binary(function, a, b),
+            Node::Select(condition, chosen, other) => target.select(condition, chosen, other),
+            input => target.insert(input),
+        });
         rebuilt.insert(id, new);
     }
     roots.iter().map(|root| rebuilt[root]).collect()

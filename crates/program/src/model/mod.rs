@@ -4,9 +4,11 @@ mod lookup;
 mod motion;
 mod sensitivity;
 mod slopes;
+mod switches;
 mod whole;
 
 pub use lookup::Dependence;
+pub use switches::{Held, Switch, Timed};
 
 use crate::{Graph, NodeId};
 use serde::{Deserialize, Serialize};
@@ -33,6 +35,8 @@ pub struct Model {
     pub graph: Graph,
     /// The texts that nodes of kind [`Kind::Text`] index.
     pub texts: Vec<String>,
+    /// What is known of sensitivities, in a model that has them among its states ([`Model::with_sensitivities`]).
+    pub sensitive: Option<Sensitive>,
 }
 
 /// The independent variable, `t` in seconds unless stated.
@@ -142,13 +146,25 @@ pub struct Event {
     pub jump: Option<Jump>,
 }
 
+/// What a model with sensitivities knows of them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Sensitive {
+    /// How many of the states, the first, are the model's own.
+    pub states: usize,
+    /// By how many parameters there are sensitivities.
+    pub parameters: usize,
+    /// The switches of the equations at which these jump, each with the derivative of its moment by each parameter, at the
+    /// state before.
+    pub delays: Vec<(NodeId, Vec<NodeId>)>,
+}
+
 /// How the sensitivities of a model change at an event. With S states of the model itself and P parameters, the model with
 /// sensitivities has n = S (1 + P) states.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Jump {
     /// The derivative of the event's moment by each parameter, at the state before all events of the moment.
     pub delays: Vec<NodeId>,
-    /// The sensitivities after the event, states S to n. They read 2 n + P states: the n before all events of the moment,
-    /// the n that the events before this one have left, and the P delays.
+    /// The sensitivities after the event, states S to n. They read n + P states: the n that the events before this one have
+    /// left, and the P delays.
     pub sensitivities: Vec<NodeId>,
 }

@@ -9,15 +9,12 @@
 //! with f+ the rates after the jump (Rozenvasser, Automation and Remote Control 28 (1967) 52; Hiskens & Pai, IEEE Trans.
 //! Circuits Syst. I 47 (2000) 204).
 //!
-//! Several events can fire at one moment, each with a tau' of its own. They are taken in the order of the document, as the
-//! engine takes them: h of each reads the state x before all of them, and what an event does not set it takes over from
-//! those before it. Let X and S be state and sensitivities after the events before this one. Then the sensitivity after it is
-//!
-//! h_x (s + f tau') + h_t tau' + h_p - f+ tau' of what it sets, and S + f(X) tau' - f+ tau' of what it does not.
+//! Several events can fire at one moment, each with a tau' of its own. They act one after the other, in the order of the
+//! document, each on the state x and the sensitivity s that those before it have left.
 
 use super::MOST_NODES;
 use crate::graph::along;
-use crate::{Binary, Graph, Jump, Model, Node, NodeId, State, Unary};
+use crate::{Binary, Graph, Jump, Model, Node, NodeId, Sensitive, State, Unary};
 use units::Unit;
 
 impl Model {
@@ -29,6 +26,12 @@ impl Model {
         for event in &mut extended.events {
             event.jump = Some(Jump { delays: Vec::new(), sensitivities: Vec::new() });
         }
+        let jumps = self.find_switches().into_iter().filter(|switch| switch.jumps);
+        extended.sensitive = Some(Sensitive {
+            states: self.states.len(),
+            parameters: parameters.len(),
+            delays: jumps.map(|switch| (switch.node, Vec::new())).collect(),
+        });
         for (position, &parameter) in parameters.iter().enumerate() {
             self.add_sensitivity(&mut extended, parameter as u32, (position, parameters.len()));
             if extended.graph.len() > MOST_NODES {
@@ -79,6 +82,10 @@ impl Model {
         for number in 0..self.events.len() {
             self.add_jump(extended, number, parameter, place, &initial);
         }
+        for (switch, delays) in extended.sensitive.iter_mut().flat_map(|sensitive| &mut sensitive.delays) {
+            let crossings = crossings(&mut extended.graph, *switch);
+            delays.push(delay(&mut extended.graph, &crossings, parameter, first, &rates, &initial));
+        }
         debug_assert_eq!(extended.states.len(), first + states);
     }
 
@@ -97,27 +104,22 @@ impl Model {
         let all = states * (parameters + 1);
         let rates: Vec<NodeId> = self.states.iter().map(|state| state.derivative).collect();
         let graph = &mut extended.graph;
-        let own_delay = delay(graph, event.condition, parameter, first, &rates, initial);
-        let delay = graph.insert(Node::State((2 * all + position) as u32));
-        let set = |state: u32| event.actions.iter().find(|(target, _)| *target == state).map(|&(_, value)| value);
-        // Numbers of states from `all` on are those that the events before this one have left.
-        let left: Vec<NodeId> = (0..states).map(|state| graph.insert(Node::State((all + state) as u32))).collect();
-        let after: Vec<NodeId> =
-            left.iter().enumerate().map(|(state, &left)| set(state as u32).unwrap_or(left)).collect();
-        let rates_left = with_states(graph, &rates, &left);
+        let crossings = comparisons(graph, event.condition);
+        let own_delay = delay(graph, &crossings, parameter, first, &rates, initial);
+        let delay = graph.insert(Node::State((all + position) as u32));
+        let mut after: Vec<NodeId> = (0..states).map(|state| graph.insert(Node::State(state as u32))).collect();
+        for &(state, value) in &event.actions {
+            after[state as usize] = value;
+        }
         let rates_after = with_states(graph, &rates, &after);
-        // Of what is set: h_x s + h_p, and the change of h along the motion before all events.
+        // h_x s + h_p, and the change of h along the motion.
         let direct = total(graph, &after, parameter, first, initial);
         let moving = moving(graph, &after, &rates);
         let mut sensitivities = Vec::with_capacity(states);
         for state in 0..states {
-            let (kept, rate) = match set(state as u32) {
-                Some(_) => (direct[state], moving[state]),
-                None => (graph.insert(Node::State((all + first + state) as u32)), rates_left[state]),
-            };
-            let lag = graph.subtract(rate, rates_after[state]);
+            let lag = graph.subtract(moving[state], rates_after[state]);
             let shift = graph.multiply(lag, delay);
-            sensitivities.push(graph.add(kept, shift));
+            sensitivities.push(graph.add(direct[state], shift));
         }
         if let Some(jump) = &mut extended.events[number].jump {
             jump.delays.push(own_delay);
@@ -161,14 +163,13 @@ fn moving(graph: &mut Graph, nodes: &[NodeId], rates: &[NodeId]) -> Vec<NodeId> 
     })
 }
 
-/// How the moment of an event changes with a parameter.
+/// How the moment changes with a parameter at which one of these expressions passes through zero.
 ///
-/// Of a condition of several comparisons, the one that is passed through at this moment counts: the one that is nearest to
-/// its zero in time. A comparison whose sides do not move against each other is not passed through. A condition without any
-/// other has a moment that depends on nothing.
+/// Of several, as the comparisons of a condition, the one that is passed through at this moment counts: the one that is nearest to
+/// its zero in time. One that does not move is not passed through. Where there is no other, the moment depends on nothing.
 fn delay(
     graph: &mut Graph,
-    condition: NodeId,
+    crossings: &[NodeId],
     parameter: u32,
     first: usize,
     rates: &[NodeId],
@@ -177,7 +178,7 @@ fn delay(
     let zero = graph.constant(0.0);
     let never = graph.constant(f64::MAX);
     let (mut nearest, mut known) = (never, zero);
-    for crossing in comparisons(graph, condition) {
+    for &crossing in crossings {
         let change = total(graph, &[crossing], parameter, first, initial)[0];
         let speed = moving(graph, &[crossing], rates)[0];
         let quotient = graph.divide(change, speed);
@@ -189,6 +190,15 @@ fn delay(
         (nearest, known) = (graph.select(nearer, ahead, nearest), graph.select(nearer, delay, known));
     }
     known
+}
+
+/// What passes through zero where a switch changes; for what rounds, up to a constant.
+fn crossings(graph: &mut Graph, switch: NodeId) -> Vec<NodeId> {
+    match graph.node(switch) {
+        Node::Unary(_, x) => vec![x],
+        Node::Binary(_, a, b) => vec![graph.subtract(a, b)],
+        _ => Vec::new(),
+    }
 }
 
 /// Left minus right of every comparison of order in a condition.

@@ -46,10 +46,25 @@ impl<'a> Expressions<'a> {
 
     /// The expression that fills `range`. None if it has an error.
     pub fn compile(&mut self, range: Range<usize>) -> Option<Placed> {
+        self.read(range).map(|(placed, _)| placed)
+    }
+
+    /// The expression that fills `range`, for what takes bare numbers: in the unit that is stated, otherwise in SI units.
+    pub fn bare(&mut self, range: Range<usize>) -> Option<Placed> {
+        let (mut placed, stated) = self.read(range)?;
+        if stated {
+            placed.value = self.compiler.in_its_unit(&placed.value);
+        }
+        Some(placed)
+    }
+
+    /// The expression that fills `range`, and whether its unit is stated.
+    fn read(&mut self, range: Range<usize>) -> Option<(Placed, bool)> {
         let (expression, unit, diagnostics) = model::parse_expression(self.source, range);
         let failed = model::has_errors(&diagnostics);
         self.diagnostics.extend(diagnostics);
-        if failed { None } else { self.finish(expression, unit.as_ref()) }
+        let placed = if failed { None } else { self.finish(expression, unit.as_ref()) }?;
+        Some((placed, unit.is_some()))
     }
 
     /// The number that fills `range`.

@@ -236,10 +236,9 @@ impl RunError {
                  termine el movimiento, o detente antes",
             ),
             Cause::TooManySwitches(_) => words(
-                "both sides of a condition or of `sign` lead back to it, as dry friction does when a body comes to rest; let \
-                 an event take the body to rest there, and another let it go",
-                "ambos lados de una condición o de `sign` llevan de vuelta a ella, como el rozamiento seco cuando un cuerpo \
-                 se detiene; haz que un evento lo deje en reposo allí, y que otro lo suelte",
+                "both sides of a condition or of `sign` lead back to it; if it is dry friction, write `coulomb(v, F)`",
+                "ambos lados de una condición o de `sign` llevan de vuelta a ella; si es un rozamiento seco, escribe \
+                 `coulomb(v, F)`",
             ),
         }
     }

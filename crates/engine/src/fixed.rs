@@ -10,11 +10,16 @@ pub(crate) struct Fixed {
     method: Method,
     rates: [Vec<f64>; 4],
     stage: Vec<f64>,
+    /// For velocity Verlet, the states that are positions; behind each stands its velocity. The others rest.
+    positions: Vec<usize>,
 }
 
 impl Fixed {
-    pub fn new(method: Method, states: usize) -> Self {
-        Self { method, rates: std::array::from_fn(|_| vec![0.0; states]), stage: vec![0.0; states] }
+    pub fn new(method: Method, model: &Model) -> Self {
+        let states = model.states.len();
+        let positions =
+            (1..states).filter(|&state| model.states[state].order == 1).map(|velocity| velocity - 1).collect();
+        Self { method, rates: std::array::from_fn(|_| vec![0.0; states]), stage: vec![0.0; states], positions }
     }
 
     /// One step of `size` from the state `from` at `time`.
@@ -53,19 +58,19 @@ impl Fixed {
     fn velocity_verlet(&mut self, equations: &mut Equations, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
         let [start, end, ..] = &mut self.rates;
         equations.rates(time, from, start);
-        // The states alternate: position, velocity.
-        for ((stage, from), start) in
-            self.stage.chunks_exact_mut(2).zip(from.chunks_exact(2)).zip(start.chunks_exact(2))
-        {
-            let ([x, v], [x_0, v_0], [_, a]) = (stage, from, start) else {
-                continue;
-            };
-            *x = *x_0 + size * (*v_0 + 0.5 * size * *a);
-            *v = *v_0 + size * *a;
+        self.stage.copy_from_slice(from);
+        for &position in &self.positions {
+            let velocity = position + 1;
+            let acceleration = start[velocity];
+            self.stage[position] = from[position] + size * (from[velocity] + 0.5 * size * acceleration);
+            self.stage[velocity] = from[velocity] + size * acceleration;
         }
         equations.rates(time + size, &self.stage, end);
-        for (k, value) in to.iter_mut().enumerate() {
-            *value = if k % 2 == 0 { self.stage[k] } else { from[k] + 0.5 * size * (start[k] + end[k]) };
+        to.copy_from_slice(from);
+        for &position in &self.positions {
+            let velocity = position + 1;
+            to[position] = self.stage[position];
+            to[velocity] = from[velocity] + 0.5 * size * (start[velocity] + end[velocity]);
         }
     }
 
@@ -94,12 +99,18 @@ fn advance(to: &mut [f64], from: &[f64], size: f64, rates: &[f64]) {
     }
 }
 
-/// The first state of a variable that does not have exactly two, which keeps velocity Verlet from being used.
+/// The first state of a variable that does not have exactly two and does not rest between events either, which keeps
+/// velocity Verlet from being used.
 pub(crate) fn not_of_second_order(model: &Model) -> Option<usize> {
     let states = &model.states;
     let mut position = 0;
     while position < states.len() {
         let velocity = position + 1;
+        let alone = states.get(velocity).is_none_or(|state| state.order == 0);
+        if alone && model.graph.as_constant(states[position].derivative) == Some(0.0) {
+            position += 1;
+            continue;
+        }
         let paired = states[position].order == 0
             && states.get(velocity).is_some_and(|state| state.order == 1)
             && states.get(velocity + 1).is_none_or(|state| state.order == 0)

@@ -23,6 +23,7 @@ mod run;
 mod setup;
 mod start;
 mod stepper;
+mod surfaces;
 mod switches;
 pub mod table;
 mod timetable;

@@ -245,6 +245,8 @@ impl<'a> Compiler<'a> {
             Node::Independent => self.register[index] = 0,
             Node::State(state) => self.register[index] = state + 1,
             Node::Constant(bits) => self.register[index] = self.allocate(f64::from_bits(bits)),
+            // In a finished model nothing is computed from it.
+            Node::Friction(..) => self.register[index] = self.allocate(f64::NAN),
             Node::Parameter(parameter) => {
                 let register = self.allocate(0.0);
                 self.register[index] = register;
@@ -342,7 +344,7 @@ fn operands(graph: &Graph, node: Node) -> Vec<NodeId> {
         Node::Constant(_) | Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) => Vec::new(),
         Node::Unary(_, a) => vec![a],
         Node::Binary(_, a, b) => vec![a, b],
-        Node::Select(condition, a, b) => vec![condition, a, b],
+        Node::Select(a, b, c) | Node::Friction(a, b, c) => vec![a, b, c],
         Node::Solution { system, .. } => {
             let system = &graph.systems()[system as usize];
             system.matrix.iter().chain(&system.right).copied().collect()

@@ -7,12 +7,12 @@ pub use advance::Progress;
 pub(crate) use moment::Moment;
 
 use crate::adaptive::{Adaptive, Pair};
-use crate::crossing::Surfaces;
 use crate::dormand_prince::DormandPrince;
 use crate::equations::Equations;
 use crate::fixed::Fixed;
 use crate::rosenbrock::Rosenbrock;
 use crate::start;
+use crate::surfaces::Surfaces;
 use crate::switches::Switches;
 use crate::{Cause, Method, Routine, RunError, Setup};
 use program::{Model, NodeId};
@@ -93,7 +93,7 @@ impl Stepper {
         let adaptive = |pair| Solver::Adaptive(Box::new(Adaptive::new(pair, model, setup)));
         let (solver, equations) = match setup.method {
             method @ (Method::Euler | Method::EulerRichardson | Method::VelocityVerlet | Method::RungeKutta4) => {
-                (Solver::Fixed(Fixed::new(method, states)), Equations::new(moving))
+                (Solver::Fixed(Fixed::new(method, model)), Equations::new(moving))
             }
             Method::DormandPrince => {
                 (adaptive(Pair::DormandPrince(DormandPrince::new(states))), Equations::new(moving))

@@ -99,7 +99,17 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "nothing-to-solve-for"
         | "order-too-high"
         | "not-second-order" => ("The equations cannot be solved", "Las ecuaciones no se pueden resolver"),
-        "event-action" | "event-changes-no-state" | "event-at-equality" | "empty-event" => ("Events", "Sucesos"),
+        "event-action"
+        | "event-changes-no-state"
+        | "event-at-equality"
+        | "empty-event"
+        | "true-at-the-start"
+        | "set-twice" => ("Events", "Sucesos"),
+        "sign-as-friction"
+        | "friction-without-effect"
+        | "friction-of-friction"
+        | "friction-not-linear"
+        | "friction-outside" => ("Dry friction", "Rozamiento seco"),
         "too-large"
         | "model-too-large"
         | "too-deep"

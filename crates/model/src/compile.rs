@@ -1,7 +1,7 @@
 //! From text to a checked model: syntax, names, dimensions, and then the graph.
 
 use crate::dimensions::check_dimensions;
-use crate::lowering::assemble;
+use crate::lowering::{assemble, warn};
 use crate::names::{Declarations, NameCheck, Unknown, check_event, definition_order, find_unknowns};
 use crate::{Diagnostic, Places, Span, Statement, has_errors, limits, parse};
 use program::Model;
@@ -79,7 +79,10 @@ fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Opt
         return None;
     }
     match assemble(&declarations, &order, &unknowns, &types) {
-        Ok((model, places)) => Some(Checked { model, places, statements }),
+        Ok((model, places)) => {
+            warn(&model, &places, &declarations, diagnostics);
+            Some(Checked { model, places, statements })
+        }
         Err(mut found) => {
             diagnostics.append(&mut found);
             None

@@ -1,11 +1,11 @@
 //! Expressions of the document (scene, plots, presets, answers) against a checked model.
 
 use crate::dimensions::{Form, Inference, Solver, Type, Types};
-use crate::lowering::{Chain, Lowered, Lowering, TooManyNodes, too_many_nodes};
+use crate::lowering::{Chain, Lowered, Lowering, TooManyNodes, frictions, too_many_nodes};
 use crate::names::{Meaning, NameCheck, Scope, for_each};
 use crate::{Diagnostic, Expression, ExpressionKind, StatedUnit, has_errors};
 use program::{Compiled, Kind, Model};
-use units::Unit;
+use units::{Unit, words};
 
 /// Compiles expressions of a document against its model. What the names of the model mean, and what was derived from
 /// them for one expression, is there for the next.
@@ -44,6 +44,17 @@ impl<'a> Compiler<'a> {
         if unreadable {
             return Err(Vec::new());
         }
+        if frictions(expression).next().is_some() {
+            let message = words(
+                "dry friction has a value in the model only",
+                "el rozamiento seco solo tiene un valor en el modelo",
+            );
+            let diagnostic = Diagnostic::error("friction-outside", message, expression.span).with_hint(words(
+                "give it a name there, as in `F_r = coulomb(x', mu*m*g)`, and use that",
+                "dale allí un nombre, por ejemplo `F_r = coulomb(x', mu*m*g)`, y úsalo",
+            ));
+            return Err(vec![diagnostic]);
+        }
         let mut check = NameCheck::new(&self.scope, Vec::new());
         check.expression(expression);
         let mut diagnostics = check.finish();
@@ -80,6 +91,13 @@ impl<'a> Compiler<'a> {
             })
             .unwrap_or_else(|| Unit::si(found.dimension()));
         Ok(Compiled { node, kind: found.kind(), unit })
+    }
+
+    /// How many of its units a number is, as a pure number.
+    pub fn in_its_unit(&mut self, value: &Compiled) -> Compiled {
+        let graph = &mut self.model.graph;
+        let unit = graph.constant(value.unit.factor);
+        Compiled { node: graph.divide(value.node, unit), kind: value.kind, unit: Unit::dimensionless() }
     }
 }
 

@@ -11,6 +11,8 @@ pub(crate) const ORDER: u32 = 16;
 pub(crate) const STATES: usize = 256;
 /// Unknowns of equations that must be solved together.
 pub(crate) const COUPLED: usize = 32;
+/// Dry frictions of a model.
+pub(crate) const FRICTIONS: usize = 16;
 /// Nodes of the expression graph.
 pub(crate) const NODES: usize = 50_000;
 

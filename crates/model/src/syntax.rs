@@ -73,6 +73,17 @@ pub enum StatementKind {
         /// The stated unit, which is also the display unit of the state.
         unit: Option<StatedUnit>,
     },
+    /// `discrete n = 0 in [cm]`
+    Discrete {
+        /// What only events change.
+        name: Name,
+        /// Its value at the start.
+        value: Expression,
+        /// The stated unit, which is also the display unit.
+        unit: Option<StatedUnit>,
+        /// The equation that it stands for: its derivative, and 0.
+        rate: Box<[Expression; 2]>,
+    },
     /// `rho*S*L*y'' + b*y' + 2*rho*S*g*y = 0`. Two [`ExpressionKind::Error`] stand for a statement that could not be
     /// read at all, which may have been of any kind.
     Equation {

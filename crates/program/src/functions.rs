@@ -1,6 +1,6 @@
 //! The functions an author can call: their arguments, their dimensions, and what they become in the graph.
 
-use crate::{Binary, Graph, NodeId, Unary};
+use crate::{Binary, Graph, Node, NodeId, Unary};
 use units::{Words, words};
 
 /// A function of the language.
@@ -30,6 +30,8 @@ pub enum Rule {
     Same,
     /// Arguments of one dimension; the result is a pure number.
     Ratio,
+    /// After the first, arguments of one dimension, which is also the result's.
+    Rest,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -40,6 +42,8 @@ enum Build {
     Hypotenuse,
     /// `a - b*floor(a/b)`: the sign of the divisor.
     Remainder,
+    /// Stands for itself until the model is solved ([`Node::Friction`]).
+    Friction,
 }
 
 const MANY: usize = 32;
@@ -81,12 +85,19 @@ pub const FUNCTIONS: &[Function] = &[
     two("max", MANY, Rule::Same, Binary::Maximum),
     Function { name: "mod", least: 2, most: 2, dimensions: Rule::Same, build: Build::Remainder },
     Function { name: "hypot", least: 2, most: 2, dimensions: Rule::Same, build: Build::Hypotenuse },
+    Function { name: "coulomb", least: 2, most: 3, dimensions: Rule::Rest, build: Build::Friction },
 ];
 
 impl Function {
     /// The function of that name.
     pub fn named(name: &str) -> Option<&'static Self> {
         FUNCTIONS.iter().find(|function| function.name == name)
+    }
+
+    /// The function of that name if nothing else may have it. The names of functions that the language has gained since its
+    /// first edition are free for other use.
+    pub fn reserving(name: &str) -> Option<&'static Self> {
+        Self::named(name).filter(|function| !matches!(function.build, Build::Friction))
     }
 
     /// Whether it can be called with so many arguments.
@@ -99,6 +110,9 @@ impl Function {
         match (self.least, self.most) {
             (1, 1) => words("1 argument", "1 argumento"),
             (least, most) if least == most => words!("{least} arguments", "{least} argumentos"),
+            (least, most) if least + 1 == most => {
+                words!("{least} or {most} arguments", "{least} o {most} argumentos")
+            }
             (least, _) => words!("{least} or more arguments", "{least} o más argumentos"),
         }
     }
@@ -116,6 +130,13 @@ impl Function {
                 let sum = squares.into_iter().reduce(|sum, square| graph.add(sum, square)).unwrap_or(first);
                 graph.unary(Unary::SquareRoot, sum)
             }
+            Build::Friction => match *rest {
+                [adhesion, ref sliding @ ..] => {
+                    let sliding = sliding.first().copied().unwrap_or(adhesion);
+                    graph.insert(Node::Friction(first, adhesion, sliding))
+                }
+                [] => first,
+            },
             Build::Remainder => rest.iter().fold(first, |value, &divisor| {
                 let quotient = graph.divide(value, divisor);
                 let whole = graph.unary(Unary::Floor, quotient);

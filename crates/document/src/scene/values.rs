@@ -39,7 +39,8 @@ impl Builder<'_, '_> {
             };
             return Some(Piece::Literal(text));
         };
-        let compiled = self.expressions.compile(expression)?;
+        let expressions = &mut self.expressions;
+        let compiled = if in_attribute { expressions.bare(expression) } else { expressions.compile(expression) }?;
         if in_attribute && compiled.value.kind == Kind::Text {
             self.expressions.error(
                 "not-a-number",

@@ -62,6 +62,20 @@ fn values_follow_the_model() {
     inside("<text>{{y}} &lt;</text><path d='M0 {if y < h then 1 else 2}'/>", "<text>({y} <);<path d=M0 {0}>;", &[]);
 }
 
+/// The number in an attribute is that of the unit stated, and the same expression in a text keeps its own.
+#[test]
+fn a_stated_unit_holds_in_attributes() {
+    let source = "```model\nparameter phi = 0.5 [rad]\n```\n\n```scene\n<svg viewBox='0 0 9 9'><g transform='rotate({phi in \
+                  [deg]})'/><g transform='rotate({phi})'/><text>{phi in [deg]}</text></svg>\n```\n";
+    let program = document::open(source, &[]).document.expect("a document").program;
+    let values = &program.editions[0].scene.as_ref().expect("a scene").values;
+    let mut readings =
+        engine::Readings::new(&program.model, &values.iter().map(|value| value.node).collect::<Vec<_>>());
+    let found = readings.at(&[0.5], &[], 0.0, &[]);
+    assert!((found[0] - 0.5_f64.to_degrees()).abs() < 1e-13 && found[1..] == [0.5, 0.5], "{found:?}");
+    assert_eq!(values.iter().map(|value| value.unit.text.as_str()).collect::<Vec<_>>(), ["", "rad", "deg"]);
+}
+
 #[test]
 fn a_scene_has_names_of_its_own() {
     check(

@@ -143,7 +143,7 @@ fn run(document: &Document, parameters: Vec<f64>) -> Run {
 
 #[test]
 fn every_document_runs_with_every_preset() {
-    for name in ["utube", "pendulum", "double-pendulum", "bouncing-ball", "van-der-pol"] {
+    for name in ["utube", "pendulum", "double-pendulum", "bouncing-ball", "stick-slip", "van-der-pol"] {
         let document = faultless(name);
         run(&document, defaults(&document));
         for preset in &document.program.presets {
@@ -151,6 +151,32 @@ fn every_document_runs_with_every_preset() {
             run(&document, assigned(&document, &preset.values));
         }
     }
+}
+
+/// The block sticks and slips for the times that its readouts say, from the first slip on.
+#[test]
+fn the_block_on_the_belt_keeps_its_times() {
+    let document = faultless("stick-slip");
+    let model = &document.program.model;
+    let of = |name: &str| model.lookup(name, 0).unwrap().node;
+    let said = evaluate(&document, &[of("t_stick"), of("t_slip"), of("F_s")], &defaults(&document));
+    let mut setup = Setup { tolerance: 1e-10, ..Setup::of(&document.program) };
+    setup.parameters = defaults(&document);
+    let mut run = Run::start(model, setup).unwrap();
+    while run.time() < 30.0 {
+        run.advance().unwrap();
+    }
+    let history = run.history();
+    let motion = history.column(model.states.iter().position(|state| state.internal).unwrap());
+    let changes: Vec<f64> =
+        (1..history.len()).filter(|&row| motion[row] != motion[row - 1]).map(|row| history.time(row)).collect();
+    assert!((changes[0] - said[2] / 10.0 / 0.1).abs() < 1e-8, "the first slip at {}", changes[0]);
+    for pair in changes.windows(2).enumerate() {
+        let (number, [from, to]) = pair else { unreachable!() };
+        let expected = said[(number + 1) % 2];
+        assert!((to - from - expected).abs() < 1e-7, "{} s instead of {expected} s", to - from);
+    }
+    assert!(changes.len() > 10);
 }
 
 /// What is measured on the run is what the readout of the pendulum says; a swing of 90 degrees.

@@ -207,3 +207,47 @@ fn a_time_event_does_not_fire_again_after_going_back_to_it() {
         assert_eq!(run.state(), [1.0], "{method}");
     }
 }
+
+/// `when a == b` fires where they cross, each way, but not where the run begins at equality.
+#[test]
+fn a_crossing_fires_either_way() {
+    let model = model(
+        "x'' = -x/(1 [s^2])\nx(0) = 0 [m]\nx'(0) = 1 [m/s]\nn' = 0\nn(0) = 0\nm' = 0\nm(0) = 0\nwhen x == 0 { n = n + 1 }\n\
+         when x == 0.5 [m] { m = m + 1 }\n",
+    );
+    for method in [Method::RungeKutta4, Method::DormandPrince, Method::Rosenbrock] {
+        let run = crate::support::run(&model, setup(&model, method, 0.05), 200);
+        // 10 s: x passes through 0 at pi, 2 pi and 3 pi, and through 1/2 twice in each period.
+        assert_eq!(run.state()[2..], [3.0, 4.0], "{method}");
+        let first = jumps(&run);
+        assert!((first[0] - std::f64::consts::PI / 6.0).abs() < 1e-5, "{method}: {first:?}");
+        assert!((first[2] - std::f64::consts::PI).abs() < 1e-5, "{method}: {first:?}");
+    }
+    // A bounce at a crossing does not fire again by itself.
+    let model = model_of_a_bounce();
+    let run = crate::support::run(&model, setup(&model, Method::DormandPrince, 0.05), 60);
+    assert!(run.history().column(0).iter().all(|&y| y >= 0.0));
+    assert_eq!(jumps(&run).len(), 3);
+}
+
+fn model_of_a_bounce() -> program::Model {
+    model("y'' = -9.8 [m/s^2]\ny(0) = 1 [m]\ny'(0) = 0 [m/s]\nwhen y == 0 { y' = -y' }\n")
+}
+
+/// What `discrete` declares is what an unknown with the derivative 0 is, to the bit; the word stays free as a name.
+#[test]
+fn discrete_quantities_change_at_events_only() {
+    let text = |counter: &str| {
+        format!(
+            "y'' = -9.8 [m/s^2]\ny(0) = 1 [m]\ny'(0) = 0 [m/s]\n{counter}\nwhen y < 0 [m] {{ y' = -0.9*y', n = n + 1 }}\n"
+        )
+    };
+    let (long, short) = (model(&text("n' = 0\nn(0) = 0")), model(&text("discrete n = 0 \"Bounces\"")));
+    assert_eq!(short.states[2].label.as_deref(), Some("Bounces"));
+    for method in EXACT {
+        let [long, short] = [&long, &short].map(|model| crate::support::run(model, setup(model, method, 0.05), 60));
+        assert_eq!(short.state()[2], 4.0, "{method}");
+        assert_eq!(long.history().fingerprint(), short.history().fingerprint(), "{method}");
+    }
+    assert_eq!(model("discrete = 2\ny' = discrete*(1 [1/s])\ny(0) = 0\n").states.len(), 1);
+}

@@ -4,6 +4,7 @@
 
 mod closed_forms;
 mod events;
+mod friction;
 mod going_on;
 mod orders;
 mod runs;

@@ -253,3 +253,19 @@ x(0) = 0 [m]
     };
     check(text, &[0.9, 0.4], &[0.3, 0.6, 1.1], exact, 1e-6);
 }
+
+/// Where a body comes to rest depends on every parameter; while it slides, sticks and has come to rest.
+#[test]
+fn across_dry_friction() {
+    let text = "
+parameter k = 4 [s^-2]
+parameter F = 0.45 [m/s^2]
+parameter y_0 = 1 [m]
+y'' = -k*y - coulomb(y', F)
+y(0) = y_0
+y'(0) = 0 [m/s]
+";
+    for time in [1.0, 2.0, 5.0, 8.0] {
+        check_against_differences("a spring with dry friction", text, time);
+    }
+}

@@ -323,6 +323,11 @@ impl Inference<'_> {
                 let root = Exponent::new(1, i64::from(degree)).and_then(|exponent| form.power(exponent).ok());
                 root.map_or_else(|| self.too_large(name.span), Type::Number)
             }
+            Rule::Rest => {
+                let rest = arguments.iter().zip(forms).skip(1);
+                let terms: Vec<Term> = rest.map(|(expression, form)| Term { expression, form }).collect();
+                self.equal(&terms, Place::Arguments)
+            }
             Rule::Same | Rule::Ratio => {
                 let terms: Vec<Term> =
                     arguments.iter().zip(forms).map(|(expression, form)| Term { expression, form }).collect();

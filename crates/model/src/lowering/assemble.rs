@@ -2,13 +2,14 @@
 
 use super::collect::Variation;
 use super::expression::{Chain, Lowered, Lowering, TooManyNodes};
+use super::friction::{add_friction, frictions};
 use super::solve::{solve, too_many_nodes};
 use crate::dimensions::{Type, Types};
 use crate::matching::blocks;
-use crate::names::{Declarations, EventEntry, Meaning, Unknown, list};
+use crate::names::{Declarations, EventEntry, Meaning, Unknown, crossing, list};
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, ExpressionKind, Places, Span};
-use program::{Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, State};
+use program::{Binary, Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, State};
 use units::{Dimension, Exponent, Unit, words};
 
 /// Builds the model and says where its parts stand. `order` is that of the definitions.
@@ -48,8 +49,19 @@ pub(crate) fn assemble(
         lowering.known.definitions[index] = Some(value);
     }
     let (states, state_places) = states(&mut lowering, unknowns, types)?;
-    let events = declarations.events.iter().map(|event| lower_event(&mut lowering, event)).collect::<Result<_, _>>()?;
-    let values = known.definitions;
+    let (mut events, mut event_places) = (Vec::new(), Vec::new());
+    for event in &declarations.events {
+        let lowered = lower_event(&mut lowering, declarations, event)?;
+        event_places.extend(lowered.iter().map(|_| event.span));
+        events.extend(lowered);
+    }
+    for expression in declarations.equations.iter().flat_map(|equation| [equation.left, equation.right]) {
+        // The equation itself was lowered when it was solved; this notes where its dry friction stands.
+        for call in frictions(expression) {
+            lower(&mut lowering, call)?;
+        }
+    }
+    let Lowered { definitions: values, frictions: calls, .. } = known;
     let mut model = Model {
         independent: Independent { name: declarations.independent.0.clone(), unit: declarations.independent.1.clone() },
         parameters: parameters(declarations),
@@ -60,10 +72,10 @@ pub(crate) fn assemble(
         texts,
         sensitive: None,
     };
-    let places = Places {
+    let mut places = Places {
         parameters: declarations.parameters.iter().map(|entry| entry.span).collect(),
         states: state_places,
-        events: declarations.events.iter().map(|event| event.span).collect(),
+        events: event_places,
     };
     close_initial_values(&mut model, &places.states)?;
     let mut variation = Variation::default();
@@ -88,6 +100,7 @@ pub(crate) fn assemble(
             model.quantities[index].value.unit = named.unit;
         }
     }
+    add_friction(&mut model, &mut places, &calls, declarations)?;
     Ok((model, places))
 }
 
@@ -153,6 +166,7 @@ fn states(
                 label: entry.label.map(str::to_owned),
                 unit,
                 initial: lower(lowering, entry.value)?,
+                internal: false,
                 derivative: chain.node(lowering.graph, order + 1).unwrap_or(chain.rate),
             });
             places.push(entry.value.span);
@@ -166,8 +180,20 @@ fn power(dimension: Dimension, order: u32) -> Dimension {
     Exponent::new(i64::from(order), 1).and_then(|order| dimension.power(order)).unwrap_or(Dimension::NONE)
 }
 
-fn lower_event(lowering: &mut Lowering, event: &EventEntry) -> Result<Event, Vec<Diagnostic>> {
-    let condition = lower(lowering, event.condition)?;
+/// An event; a crossing is two, one for each way. Where it begins at equality, both conditions are true already.
+fn lower_event(
+    lowering: &mut Lowering,
+    declarations: &Declarations,
+    event: &EventEntry,
+) -> Result<Vec<Event>, Vec<Diagnostic>> {
+    let conditions = match crossing(declarations, event) {
+        Some((left, right)) => {
+            let (left, right) = (lower(lowering, left)?, lower(lowering, right)?);
+            let mut reaches = |a, b| lowering.graph.binary(Binary::LessOrEqual, a, b);
+            vec![reaches(left, right), reaches(right, left)]
+        }
+        None => vec![lower(lowering, event.condition)?],
+    };
     let mut actions = Vec::new();
     for action in event.actions {
         if let Some(Meaning::Variable(index)) = lowering.scope.meaning(&action.name.text) {
@@ -175,7 +201,7 @@ fn lower_event(lowering: &mut Lowering, event: &EventEntry) -> Result<Event, Vec
             actions.push((number, lower(lowering, &action.value)?));
         }
     }
-    Ok(Event { condition, actions, jump: None })
+    Ok(conditions.into_iter().map(|condition| Event { condition, actions: actions.clone(), jump: None }).collect())
 }
 
 /// Makes initial values depend on parameters alone, and marks the parameters they depend on.

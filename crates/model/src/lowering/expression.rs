@@ -1,6 +1,8 @@
 //! From checked expressions to nodes of the graph.
 
+use super::friction::Calls;
 use crate::names::{Meaning, Scope};
+use crate::notation::quote;
 use crate::{BinaryOperator, Expression, ExpressionKind, UnaryOperator, limits};
 use program::along;
 use program::functions::Function;
@@ -53,6 +55,8 @@ pub(crate) struct Lowered {
     derivatives: HashMap<(Meaning, u32), NodeId>,
     /// Values at the start that were already asked for.
     starts: HashMap<NodeId, NodeId>,
+    /// Where dry friction stands.
+    pub frictions: Calls,
 }
 
 impl Lowered {
@@ -92,7 +96,13 @@ impl Lowering<'_> {
                 let arguments =
                     arguments.iter().map(|argument| self.expression(argument)).collect::<Result<Vec<_>, _>>()?;
                 match Function::named(&function.text) {
-                    Some(function) => function.build(self.graph, &arguments),
+                    Some(known) => {
+                        let node = known.build(self.graph, &arguments);
+                        if let (Node::Friction(..), [speed, ..]) = (self.graph.node(node), arguments_of(expression)) {
+                            self.known.frictions.entry(node).or_insert_with(|| (expression.span, quote(speed)));
+                        }
+                        node
+                    }
                     None => self.undefined(),
                 }
             }
@@ -202,9 +212,17 @@ impl Lowering<'_> {
     }
 }
 
+/// What stands in the parentheses of a call.
+fn arguments_of(expression: &Expression) -> &[Expression] {
+    match &expression.kind {
+        ExpressionKind::Call { arguments, .. } => arguments,
+        _ => &[],
+    }
+}
+
 /// The rate of change along a solution of the equations.
 fn total_derivative(graph: &mut Graph, chains: &[Chain], node: NodeId) -> NodeId {
-    let one = graph.constant(1.0);
+    let (one, unknown) = (graph.constant(1.0), graph.constant(f64::NAN));
     let mut rates: HashMap<u32, NodeId> = HashMap::new();
     for chain in chains {
         for order in 0..chain.highest {
@@ -216,6 +234,8 @@ fn total_derivative(graph: &mut Graph, chains: &[Chain], node: NodeId) -> NodeId
     let derivatives = along(graph, &[node], |input| match input {
         Node::Independent => Some(one),
         Node::State(index) => rates.get(&index).copied(),
+        // It jumps, and nothing says how it changes in between.
+        Node::Friction(..) => Some(unknown),
         _ => None,
     });
     derivatives.first().copied().unwrap_or(node)

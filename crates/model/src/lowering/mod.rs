@@ -5,9 +5,13 @@ mod assemble;
 mod collect;
 mod explain;
 mod expression;
+mod friction;
 mod rank;
 mod solve;
+mod warnings;
 
 pub(crate) use assemble::assemble;
 pub(crate) use expression::{Chain, Lowered, Lowering, TooManyNodes};
+pub(crate) use friction::frictions;
 pub(crate) use solve::too_many_nodes;
+pub(crate) use warnings::warn;

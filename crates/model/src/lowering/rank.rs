@@ -36,9 +36,12 @@ fn evaluate(graph: &Graph, order: &[NodeId], point: u32) -> Vec<f64> {
         let of = |id: NodeId| values[id.0 as usize];
         values[id.0 as usize] = match graph.node(id) {
             Node::Constant(bits) => f64::from_bits(bits),
-            Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) | Node::Solution { .. } => {
-                arbitrary(id.0, point)
-            }
+            Node::Parameter(_)
+            | Node::Initial(_)
+            | Node::Independent
+            | Node::State(_)
+            | Node::Friction(..)
+            | Node::Solution { .. } => arbitrary(id.0, point),
             Node::Unary(function, x) => function.evaluate(of(x)),
             Node::Binary(function, a, b) => function.evaluate(of(a), of(b)),
             Node::Select(condition, chosen, other) => {

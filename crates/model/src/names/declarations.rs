@@ -94,6 +94,14 @@ impl<'a> Declarations<'a> {
                     let order = *order;
                     declarations.initial_values.push(InitialEntry { name, order, value, unit: unit.as_ref(), label });
                 }
+                StatementKind::Discrete { name, value, unit, rate } => {
+                    let [left, right] = &**rate;
+                    if declarations.may_declare(name, &mut declared, diagnostics) {
+                        let entry = InitialEntry { name, order: 0, value, unit: unit.as_ref(), label };
+                        declarations.initial_values.push(entry);
+                        declarations.equations.push(Equation { left, right, span });
+                    }
+                }
                 StatementKind::Equation { left, right } => declarations.equations.push(Equation { left, right, span }),
                 StatementKind::Event { condition, actions } => {
                     declarations.events.push(EventEntry { condition, actions, span });
@@ -127,7 +135,7 @@ impl<'a> Declarations<'a> {
             words("it is the number 3.14159", "es el número 3,14159")
         } else if text == self.independent.0 {
             words("it is the independent variable", "es la variable independiente")
-        } else if Function::named(text).is_some() {
+        } else if Function::reserving(text).is_some() {
             words("it is a function", "es una función")
         } else {
             return true;
@@ -172,7 +180,7 @@ fn independent(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> (
             );
             continue;
         }
-        if name.text == PI || Function::named(&name.text).is_some() {
+        if name.text == PI || Function::reserving(&name.text).is_some() {
             let message = words!(
                 "`{}` cannot be the independent variable: the name is reserved",
                 "`{}` no puede ser la variable independiente: el nombre está reservado",

@@ -2,34 +2,27 @@
 
 use super::declarations::{Declarations, EventEntry};
 use super::scope::Meaning;
+use super::traverse::for_each;
 use super::unknown::Unknown;
 use crate::notation::{primed, quote};
-use crate::{Action, BinaryOperator, Diagnostic, ExpressionKind};
+use crate::{Action, BinaryOperator, Diagnostic, Expression, ExpressionKind, UnaryOperator};
 use units::{Words, words};
 
-/// Checks the names on the left of the actions of an event, and that its condition can become true.
+/// Checks the names on the left of the actions of an event, and that its condition can be met.
 pub(crate) fn check_event(
     declarations: &Declarations,
     unknowns: &[Unknown],
     event: &EventEntry,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    if let ExpressionKind::Binary(BinaryOperator::Equal, left, right) = &event.condition.kind {
-        let (left, right) = (quote(left), quote(right));
-        diagnostics.push(
-            Diagnostic::warning(
-                "event-at-equality",
-                words(
-                    "this is hardly ever true exactly, so the event may never fire",
-                    "esto casi nunca se cumple exactamente: puede que el evento no ocurra nunca",
-                ),
-                event.condition.span,
-            )
-            .with_hint(words!(
-                "write `{left} < {right}` or `{left} > {right}`: the event is where it becomes true",
-                "escribe `{left} < {right}` o `{left} > {right}`: el evento está donde pasa a ser verdadero"
-            )),
-        );
+    if crossing(declarations, event).is_none() {
+        for_each(event.condition, |part| {
+            if let ExpressionKind::Binary(BinaryOperator::Equal, left, right) = &part.kind
+                && is_number(declarations, left, 0)
+            {
+                diagnostics.push(at_equality(part, left, right));
+            }
+        });
     }
     for (index, action) in event.actions.iter().enumerate() {
         if let Some(diagnostic) = check_action(declarations, unknowns, action) {
@@ -52,6 +45,56 @@ pub(crate) fn check_event(
             );
         }
     }
+}
+
+/// The two sides of a condition `a == b` of numbers that is all of an event's condition: it fires where they cross.
+pub(crate) fn crossing<'a>(
+    declarations: &Declarations,
+    event: &EventEntry<'a>,
+) -> Option<(&'a Expression, &'a Expression)> {
+    match &event.condition.kind {
+        ExpressionKind::Binary(BinaryOperator::Equal, left, right) if is_number(declarations, left, 0) => {
+            Some((left, right))
+        }
+        _ => None,
+    }
+}
+
+/// Whether an expression is a number, as far as its form tells; it is no truth value and no text.
+fn is_number(declarations: &Declarations, expression: &Expression, depth: usize) -> bool {
+    /// Definitions by definitions are followed so far.
+    const DEEPEST: usize = 32;
+    match &expression.kind {
+        ExpressionKind::Text(_) | ExpressionKind::Unary(UnaryOperator::Not, _) => false,
+        ExpressionKind::Binary(operator, ..) => matches!(
+            operator,
+            BinaryOperator::Add
+                | BinaryOperator::Subtract
+                | BinaryOperator::Multiply
+                | BinaryOperator::Divide
+                | BinaryOperator::Power
+        ),
+        ExpressionKind::If(_, chosen, _) => depth < DEEPEST && is_number(declarations, chosen, depth + 1),
+        ExpressionKind::Name { name, order: 0 } => match declarations.scope.meaning(name) {
+            Some(Meaning::Definition(index)) => {
+                depth < DEEPEST && is_number(declarations, declarations.definitions[index].value, depth + 1)
+            }
+            _ => true,
+        },
+        _ => true,
+    }
+}
+
+fn at_equality(part: &Expression, left: &Expression, right: &Expression) -> Diagnostic {
+    let message = words(
+        "this is hardly ever true exactly, so the event may never fire",
+        "esto casi nunca se cumple exactamente: puede que el evento no ocurra nunca",
+    );
+    let (left, right) = (quote(left), quote(right));
+    Diagnostic::warning("event-at-equality", message, part.span).with_hint(words!(
+        "write `{left} < {right}` or `{left} > {right}`; only alone, as in `when {left} == {right}`, is it a crossing",
+        "escribe `{left} < {right}` o `{left} > {right}`; solo si está sola, como en `when {left} == {right}`, es un cruce"
+    ))
 }
 
 fn check_action(declarations: &Declarations, unknowns: &[Unknown], action: &Action) -> Option<Diagnostic> {

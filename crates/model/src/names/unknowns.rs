@@ -55,7 +55,9 @@ pub(crate) fn find_unknowns<'a>(
     for (index, unknown) in unknowns.iter().enumerate() {
         declarations.scope.declare(unknown.name, Meaning::Variable(index));
     }
-    if let Some(Unknown { name, span, .. }) = unknowns.iter().find(|unknown| Function::named(unknown.name).is_some()) {
+    if let Some(Unknown { name, span, .. }) =
+        unknowns.iter().find(|unknown| Function::reserving(unknown.name).is_some())
+    {
         let message = words!(
             "`{name}` cannot be an unknown: it is a function",
             "`{name}` no puede ser una incógnita: es una función"

@@ -36,6 +36,7 @@
 
 mod cursor;
 mod declaration;
+mod discrete;
 mod ending;
 mod expression;
 mod layout;

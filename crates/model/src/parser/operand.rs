@@ -74,7 +74,7 @@ impl Cursor<'_> {
         if let TokenKind::Number(value) = *self.peek()
             && value == 0.0
             && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::RightParenthesis)
-            && (order > 0 || Function::named(&name.text).is_none())
+            && (order > 0 || Function::reserving(&name.text).is_none())
         {
             self.advance();
             let end = self.advance();

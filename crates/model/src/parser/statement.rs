@@ -38,6 +38,7 @@ impl Cursor<'_> {
             TokenKind::Keyword(_) if *self.peek_ahead(1) == TokenKind::Symbol(Symbol::Equals) => {
                 (nothing(start), self.plain_name(&words("a quantity", "una magnitud")).map(|_| ()))
             }
+            TokenKind::Name { .. } if self.is_discrete() => self.discrete(),
             TokenKind::Name { .. } if self.meant_word().is_some() => (nothing(start), self.unknown_word()),
             TokenKind::Keyword(Keyword::Parameter) => self.parameter(),
             TokenKind::Keyword(Keyword::Independent) => self.independent(),

@@ -62,6 +62,9 @@ fn shown_statement(statement: &Statement) -> String {
         StatementKind::InitialValue { name, order, value, unit } => {
             format!("{}{}@0 := {}{}", name.text, "'".repeat(*order as usize), shown(value), in_unit(unit))
         }
+        StatementKind::Discrete { name, value, unit, .. } => {
+            format!("discrete {} := {}{}", name.text, shown(value), in_unit(unit))
+        }
         StatementKind::Equation { left, right } => format!("{} = {}", shown(left), shown(right)),
         StatementKind::Event { condition, actions } => {
             let actions: Vec<String> = actions

@@ -29,6 +29,7 @@ impl Typesetter<'_> {
             StatementKind::Parameter(_) | StatementKind::Independent { .. } => return None,
             StatementKind::Definition { name, value, .. } => equals(mathml::name(&name.text, 0, None), value),
             StatementKind::InitialValue { name, order, value, .. } => equals(initial_value(&name.text, *order), value),
+            StatementKind::Discrete { name, value, .. } => equals(initial_value(&name.text, 0), value),
             StatementKind::Equation { left, right } => equals(self.expression(left), right),
             StatementKind::Event { condition, actions } => {
                 let actions: Vec<String> = actions.iter().map(|action| self.action(action)).collect();

@@ -68,3 +68,8 @@ fn highest_derivatives() {
 fn events() {
     check("events.txt");
 }
+
+#[test]
+fn friction() {
+    check("friction.txt");
+}

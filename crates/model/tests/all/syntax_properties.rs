@@ -94,7 +94,9 @@ fn all_lie_in(diagnostics: &[Diagnostic], source: &str) -> bool {
 fn expressions(statement: &Statement) -> Vec<&Expression> {
     match &statement.kind {
         StatementKind::Parameter(_) | StatementKind::Independent { .. } => Vec::new(),
-        StatementKind::Definition { value, .. } | StatementKind::InitialValue { value, .. } => vec![value],
+        StatementKind::Definition { value, .. }
+        | StatementKind::InitialValue { value, .. }
+        | StatementKind::Discrete { value, .. } => vec![value],
         StatementKind::Equation { left, right } => vec![left, right],
         StatementKind::Event { condition, actions } => {
             std::iter::once(condition).chain(actions.iter().map(|action| &action.value)).collect()

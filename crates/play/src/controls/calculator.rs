@@ -223,7 +223,8 @@ impl Reader<'_> {
             let meaning = self.model.lookup(&name, order).filter(|value| value.kind == Kind::Number)?;
             return Some(Value::new(meaning.node, meaning.dimension()));
         }
-        match Function::named(&name).filter(|_| order == 0) {
+        // Dry friction has no value by itself.
+        match Function::reserving(&name).filter(|_| order == 0) {
             Some(function) => self.call(function),
             None => self.initial(name, order),
         }
@@ -259,6 +260,7 @@ impl Reader<'_> {
             Rule::Root(degree) => common.dimension.unwrap_or(Dimension::NONE).root(u32::try_from(degree).ok()?)?,
             Rule::Same => common.dimension.unwrap_or(Dimension::NONE),
             Rule::Ratio => Dimension::NONE,
+            Rule::Rest => return None,
         };
         let nodes: Vec<NodeId> = arguments.iter().map(|argument| argument.node).collect();
         Some(Value::new(function.build(self.graph(), &nodes), dimension))

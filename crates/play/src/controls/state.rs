@@ -29,9 +29,10 @@ pub struct StateView {
 }
 
 impl Play {
-    /// All states, in the order of the model.
+    /// All states of the author, in the order of the model.
     pub fn states(&self) -> Vec<StateView> {
-        (0..self.model().states.len()).filter_map(|index| self.state(index)).collect()
+        let states = self.model().states.iter().enumerate().filter(|(_, state)| !state.internal);
+        states.filter_map(|(index, _)| self.state(index)).collect()
     }
 
     /// One state.

@@ -57,7 +57,7 @@ impl Play {
             varies: true,
             hidden: false,
         }];
-        for (index, state) in model.states.iter().enumerate() {
+        for (index, state) in model.states.iter().enumerate().filter(|(_, state)| !state.internal) {
             let value = self.course.state().get(index).copied().unwrap_or(f64::NAN);
             let scale = self.scales.get(index).copied().unwrap_or_default();
             let node = model.graph.find(Node::State(index as u32));

@@ -44,7 +44,11 @@ pub fn along(graph: &mut Graph, nodes: &[NodeId], mut rate: impl FnMut(Node) -> 
     for id in graph.reachable(nodes) {
         let derivative = match graph.node(id) {
             Node::Constant(_) => None,
-            input @ (Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_)) => rate(input),
+            input @ (Node::Parameter(_)
+            | Node::Initial(_)
+            | Node::Independent
+            | Node::State(_)
+            | Node::Friction(..)) => rate(input),
             Node::Unary(function, x) => rates.get(&x).copied().and_then(|dx| of_unary(graph, function, id, x, dx)),
             Node::Binary(function, a, b) => {
                 let (da, db) = (rates.get(&a).copied(), rates.get(&b).copied());

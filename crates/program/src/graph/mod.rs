@@ -37,6 +37,9 @@ pub enum Node {
     Binary(Binary, NodeId, NodeId),
     /// The second if the first is not 0, otherwise the third. Both are computed.
     Select(NodeId, NodeId, NodeId),
+    /// The force of dry friction at this speed with these limits, static and kinetic. It depends on all other forces: while
+    /// a model is built it stands for itself, and in a finished model nothing is computed from it.
+    Friction(NodeId, NodeId, NodeId),
     /// Unknown `row` of the linear system [`Graph::systems`]`[system]`.
     Solution {
         /// Which system.

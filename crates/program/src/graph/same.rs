@@ -53,6 +53,7 @@ impl Graph {
             Node::Select(condition, chosen, rest) => {
                 other.find(Node::Select(there(condition)?, there(chosen)?, there(rest)?))
             }
+            Node::Friction(..) => None,
             Node::Solution { system, row } => {
                 let LinearSystem { matrix, right } = self.systems().get(system as usize)?;
                 let all = |entries: &[NodeId]| entries.iter().map(|&entry| there(entry)).collect::<Option<Vec<_>>>();

@@ -14,7 +14,7 @@ impl Graph {
                 visit(a);
                 visit(b);
             }
-            Node::Select(condition, chosen, other) => {
+            Node::Select(condition, chosen, other) | Node::Friction(condition, chosen, other) => {
                 visit(condition);
                 visit(chosen);
                 visit(other);
@@ -108,6 +108,9 @@ fn rebuild(
             Node::Binary(function, a, b) => Node::Binary(function, rebuilt[&a], rebuilt[&b]),
             Node::Select(condition, chosen, other) => {
                 Node::Select(rebuilt[&condition], rebuilt[&chosen], rebuilt[&other])
+            }
+            Node::Friction(speed, adhesion, sliding) => {
+                Node::Friction(rebuilt[&speed], rebuilt[&adhesion], rebuilt[&sliding])
             }
             Node::Solution { system, row } => {
                 let system = *systems.entry(system).or_insert_with(|| {

@@ -80,6 +80,8 @@ pub struct State {
     pub unit: Unit,
     /// Its value at the start; depends on parameters only.
     pub initial: NodeId,
+    /// Whether it is a memory of the equations, as that of dry friction, and none of the author's quantities.
+    pub internal: bool,
     /// Its rate of change: the next state, or the solution of the equations for the highest derivative.
     pub derivative: NodeId,
 }

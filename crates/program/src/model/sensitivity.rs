@@ -76,6 +76,7 @@ impl Model {
                 label: None,
                 unit,
                 initial: at_start[number],
+                internal: false,
                 derivative: derivatives[number],
             });
         }

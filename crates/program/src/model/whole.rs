@@ -34,7 +34,7 @@ impl Model {
             whole.push(match self.graph.node(NodeId(number as u32)) {
                 Node::Constant(bits) => libm::trunc(f64::from_bits(bits)) == f64::from_bits(bits),
                 Node::Initial(state) | Node::State(state) => states[state as usize],
-                Node::Parameter(_) | Node::Independent | Node::Solution { .. } => false,
+                Node::Parameter(_) | Node::Independent | Node::Friction(..) | Node::Solution { .. } => false,
                 Node::Unary(Unary::Floor | Unary::Ceil | Unary::Round | Unary::Sign | Unary::Not, _) => true,
                 Node::Unary(Unary::Negate | Unary::Absolute, x) => of(x),
                 Node::Unary(..) => false,

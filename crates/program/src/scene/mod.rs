@@ -55,7 +55,7 @@ pub struct Element {
 pub struct Attribute {
     /// Its name.
     pub name: String,
-    /// Its value; values in it are written as bare SI numbers. While one of them is not finite, the attribute keeps what
+    /// Its value; values in it are written as bare numbers. While one of them is not finite, the attribute keeps what
     /// it had.
     pub value: Template,
 }

@@ -1,0 +1,114 @@
+//! What can end a step before its time: an event, or a switch of the equations.
+
+use crate::crossing::Crossing;
+use crate::equations::Equations;
+use crate::events::Events;
+use crate::switches::Switches;
+use crate::timetable::Timetable;
+use program::Model;
+
+/// What can end a step before its time.
+#[derive(Clone, Debug)]
+pub(crate) struct Surfaces {
+    pub events: Events,
+    pub switches: Switches,
+    pub timetable: Timetable,
+    /// The state before a crossing.
+    before: Vec<f64>,
+    /// The state after a crossing, without what events do.
+    beyond: Vec<f64>,
+}
+
+impl Surfaces {
+    pub fn new(model: &Model, switches: Switches) -> Self {
+        let zeros = vec![0.0; model.states.len()];
+        let timetable = Timetable::new(model);
+        Self { events: Events::new(model), switches, timetable, before: zeros.clone(), beyond: zeros }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.events.is_empty() && self.switches.is_empty()
+    }
+
+    /// Sets parameters and initial values.
+    pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
+        self.events.prepare(parameters, initial);
+        self.switches.prepare(parameters, initial);
+        self.timetable.prepare(parameters, initial);
+    }
+
+    /// About how many floating-point operations all looks took.
+    pub fn work(&self) -> u64 {
+        self.events.work() + self.switches.work() + self.timetable.work()
+    }
+
+    /// Whether an event fires or a switch changes between the last look and `time`.
+    pub fn crossed(&mut self, time: f64, state: &[f64]) -> bool {
+        let due = self.events.due(time, state);
+        self.switches.differ(time, state) || due
+    }
+
+    /// Finds the first moment at which anything that was found at `high` happens, for a step that started at `start`, and
+    /// remembers the states there. `state_at` gives the state so long after the start.
+    ///
+    /// Where nothing but time decides, `expected` says where between `low` and `high` it will be, and there it is, unless
+    /// something else happens before.
+    pub fn locate(
+        &mut self,
+        start: f64,
+        (mut low, mut high): (f64, f64),
+        expected: Option<Crossing>,
+        mut state_at: impl FnMut(f64, &mut [f64]),
+    ) -> Crossing {
+        if let Some(expected) = expected {
+            self.events.note_due();
+            state_at(expected.low, &mut self.before);
+            let before = std::mem::take(&mut self.before);
+            if self.crossed(start + expected.low, &before) {
+                high = expected.low;
+            } else {
+                self.events.recall_due();
+                low = expected.low;
+                high = expected.high;
+            }
+            self.before = before;
+        }
+        // Non-negative numbers are ordered like their bits, so this ends at neighbours after at most 63 halvings.
+        let (mut low, mut high) = (low.to_bits(), high.to_bits());
+        self.events.note_due();
+        let mut probe = std::mem::take(&mut self.before);
+        while high - low > 1 {
+            let middle = low + (high - low) / 2;
+            let since = f64::from_bits(middle);
+            state_at(since, &mut probe);
+            if self.crossed(start + since, &probe) {
+                high = middle;
+                self.events.note_due();
+            } else {
+                low = middle;
+            }
+        }
+        self.events.recall_due();
+        let crossing = Crossing { low: f64::from_bits(low), high: f64::from_bits(high) };
+        state_at(crossing.low, &mut probe);
+        self.before = probe;
+        state_at(crossing.high, &mut self.beyond);
+        crossing
+    }
+
+    /// Sees how a switch at the moment found last will change sensitivities.
+    pub fn approach(&mut self, equations: &mut Equations, time: f64) {
+        self.switches.approach(equations, time, &self.before);
+    }
+
+    /// The state at the moment found last, before the crossing.
+    pub fn before(&self) -> &[f64] {
+        &self.before
+    }
+
+    /// The state at the next moment, as it is without events.
+    pub fn beyond(&self) -> &[f64] {
+        &self.beyond
+    }
+}

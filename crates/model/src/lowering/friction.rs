@@ -1,0 +1,315 @@
+//! Dry friction: `coulomb(v, F_s, F_k)` is the force F_k against the motion while a body slides, and while it sticks (v = 0)
+//! whatever force keeps v at 0, up to F_s (Coulomb's law; the switching between sliding and sticking as in Karnopp, J. Dyn.
+//! Syst. Meas. Control 107 (1985) 100).
+//!
+//! Each friction gets a state of its own that only events change: 1 or -1 while it slides forwards or backwards, 0 while it
+//! sticks. The forces lambda of those that stick are solved from dv/dt = 0, which is linear in all lambda. One event ends
+//! the sliding where v passes through 0, another the sticking where the force exceeds F_s.
+
+use crate::limits;
+use crate::names::{Declarations, for_each};
+use crate::{Diagnostic, Expression, ExpressionKind, Places, Span};
+use program::functions::{Function, Rule};
+use program::{Binary, Event, Graph, LinearSystem, Model, Node, NodeId, State, Unary, Variable, along, differentiate};
+use std::collections::HashMap;
+use units::{Unit, words};
+
+/// Where each friction stands, and how its speed is written.
+pub(crate) type Calls = HashMap<NodeId, (Span, String)>;
+
+/// One friction of a model.
+struct Friction {
+    node: NodeId,
+    speed: NodeId,
+    /// The limit while it sticks, and the force while it slides.
+    limits: [NodeId; 2],
+    /// The rate of change of the speed: as it is, and without all friction.
+    rate: NodeId,
+    rest: NodeId,
+    /// How much of that each friction makes per unit of its force.
+    effects: Vec<NodeId>,
+    /// The state that is set to hold the speed at 0, and the speed's derivative by it.
+    target: (usize, NodeId),
+    /// The state that says how it moves.
+    motion: NodeId,
+    span: Span,
+}
+
+/// Solves the model for its dry friction, and adds the states and events that this takes.
+pub(crate) fn add_friction(
+    model: &mut Model,
+    places: &mut Places,
+    calls: &Calls,
+    declarations: &Declarations,
+) -> Result<(), Vec<Diagnostic>> {
+    let roots = roots(model);
+    let is_friction = |id: &NodeId| matches!(model.graph.node(*id), Node::Friction(..));
+    let found: Vec<NodeId> = model.graph.reachable(&roots).into_iter().filter(is_friction).collect();
+    if found.is_empty() {
+        return Ok(());
+    }
+    let first = declarations.equations.first().map(|equation| equation.span).unwrap_or_default();
+    let span = |node: &NodeId| calls.get(node).map_or(first, |(span, _)| *span);
+    if found.len() > limits::FRICTIONS {
+        let message = words!(
+            "the model has {} dry frictions; {} are the most",
+            "el modelo tiene {} rozamientos secos; el máximo son {}",
+            found.len(),
+            limits::FRICTIONS
+        );
+        return Err(vec![Diagnostic::error("model-too-large", message, span(&found[limits::FRICTIONS]))]);
+    }
+    let states = model.states.len();
+    let mut frictions = Vec::new();
+    let mut diagnostics = Vec::new();
+    for (number, &node) in found.iter().enumerate() {
+        match friction(model, node, &found, states + number, span(&node)) {
+            Ok(friction) => frictions.push(friction),
+            Err(diagnostic) => diagnostics.push(*diagnostic),
+        }
+    }
+    if !diagnostics.is_empty() {
+        return Err(diagnostics);
+    }
+    let forces = forces(&mut model.graph, &frictions, None);
+    let replaced: HashMap<NodeId, NodeId> = found.iter().copied().zip(forces.iter().copied()).collect();
+    put_in(model, &replaced);
+    for (number, (friction, &force)) in frictions.iter().zip(&forces).enumerate() {
+        hold(model, friction, &replaced);
+        let held = match frictions.as_slice() {
+            [_] => quotient(&mut model.graph, friction, 0),
+            _ => self::forces(&mut model.graph, &frictions, Some(number))[number],
+        };
+        let text = calls.get(&friction.node).map_or("v", |(_, speed)| speed);
+        add_state(model, friction, held, &frictions, format!("coulomb({text})"));
+        places.states.push(friction.span);
+        add_events(model, friction, force, held);
+        places.events.extend([friction.span; 2]);
+    }
+    Ok(())
+}
+
+/// Everything that may contain friction.
+fn roots(model: &Model) -> Vec<NodeId> {
+    let states = model.states.iter().map(|state| state.derivative);
+    let quantities = model.quantities.iter().map(|quantity| quantity.value.node);
+    let events = model
+        .events
+        .iter()
+        .flat_map(|event| event.actions.iter().map(|(_, value)| *value).chain(std::iter::once(event.condition)));
+    states.chain(quantities).chain(events).collect()
+}
+
+/// The calls of dry friction in an expression.
+pub(crate) fn frictions(expression: &Expression) -> impl Iterator<Item = &Expression> {
+    let mut calls = Vec::new();
+    for_each(expression, |part| {
+        if let ExpressionKind::Call { function, .. } = &part.kind
+            && Function::named(&function.text).is_some_and(|function| function.dimensions == Rule::Rest)
+        {
+            calls.push(part);
+        }
+    });
+    calls.into_iter()
+}
+
+/// Whether any friction is in these expressions.
+fn has_friction(graph: &Graph, roots: &[NodeId]) -> bool {
+    graph.reachable(roots).into_iter().any(|id| matches!(graph.node(id), Node::Friction(..)))
+}
+
+/// What one friction does.
+fn friction(
+    model: &mut Model,
+    node: NodeId,
+    all: &[NodeId],
+    motion: usize,
+    span: Span,
+) -> Result<Friction, Box<Diagnostic>> {
+    let Node::Friction(speed, adhesion, sliding) = model.graph.node(node) else {
+        return Err(without_effect(span));
+    };
+    if has_friction(&model.graph, &[speed, adhesion, sliding]) {
+        let message = words(
+            "the speed and the limits of dry friction must not depend on dry friction",
+            "la velocidad y los límites del rozamiento seco no pueden depender de un rozamiento seco",
+        );
+        return Err(Box::new(Diagnostic::error("friction-of-friction", message, span)));
+    }
+    let rates: Vec<NodeId> = model.states.iter().map(|state| state.derivative).collect();
+    let graph = &mut model.graph;
+    let (one, zero) = (graph.constant(1.0), graph.constant(0.0));
+    let rate = along(graph, &[speed], |node| match node {
+        Node::State(state) => rates.get(state as usize).copied(),
+        Node::Independent => Some(one),
+        _ => None,
+    })[0];
+    let by = |graph: &mut Graph, node: NodeId, friction: NodeId| {
+        let wanted = graph.node(friction);
+        along(graph, &[node], |node| (node == wanted).then_some(one))[0]
+    };
+    let effects: Vec<NodeId> = all.iter().map(|&other| by(graph, rate, other)).collect();
+    if has_friction(graph, &effects) {
+        let message = words(
+            "the equations are not linear in this dry friction",
+            "las ecuaciones no son lineales en este rozamiento seco",
+        );
+        return Err(Box::new(Diagnostic::error("friction-not-linear", message, span)));
+    }
+    let mut target = None;
+    for (state, &rate) in rates.iter().enumerate() {
+        let slope = differentiate(graph, speed, Variable::State(state as u32));
+        if target.is_none() && slope != zero && by(graph, rate, node) != zero {
+            target = Some((state, slope));
+        }
+    }
+    let own = all.iter().position(|&other| other == node).map(|place| effects[place]);
+    let Some(target) = target.filter(|_| own != Some(zero)) else { return Err(without_effect(span)) };
+    let rest = graph.rewrite(&[rate], |_, _, node| matches!(node, Node::Friction(..)).then_some(zero))[0];
+    let motion = graph.insert(Node::State(motion as u32));
+    Ok(Friction { node, speed, limits: [adhesion, sliding], rate, rest, effects, target, motion, span })
+}
+
+fn without_effect(span: Span) -> Box<Diagnostic> {
+    let message = words(
+        "this dry friction does not act on what moves with its speed",
+        "este rozamiento seco no actúa sobre lo que se mueve con su velocidad",
+    );
+    let diagnostic = Diagnostic::error("friction-without-effect", message, span).with_hint(words(
+        "write it into the equation of motion: `m*x'' = -k*x - coulomb(x', mu*m*g)`",
+        "escríbelo en la ecuación de movimiento: `m*x'' = -k*x - coulomb(x', mu*m*g)`",
+    ));
+    Box::new(diagnostic)
+}
+
+/// The forces of all; that with the number `held` as if it stuck.
+fn forces(graph: &mut Graph, frictions: &[Friction], held: Option<usize>) -> Vec<NodeId> {
+    let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
+    let sticks: Vec<NodeId> = (frictions.iter().enumerate())
+        .map(
+            |(number, friction)| {
+                if held == Some(number) { one } else { graph.binary(Binary::Equal, friction.motion, zero) }
+            },
+        )
+        .collect();
+    let sliding: Vec<NodeId> =
+        frictions.iter().map(|friction| graph.multiply(friction.motion, friction.limits[1])).collect();
+    if let [friction] = frictions {
+        let sticking = quotient(graph, friction, 0);
+        return vec![graph.select(sticks[0], sticking, sliding[0])];
+    }
+    let (mut matrix, mut right) = (Vec::new(), Vec::new());
+    for (row, friction) in frictions.iter().enumerate() {
+        for (column, &effect) in friction.effects.iter().enumerate() {
+            let own = if row == column { one } else { zero };
+            matrix.push(graph.select(sticks[row], effect, own));
+        }
+        let opposite = graph.negate(friction.rest);
+        right.push(graph.select(sticks[row], opposite, sliding[row]));
+    }
+    let system = graph.insert_system(LinearSystem { matrix, right });
+    (0..frictions.len()).map(|row| graph.insert(Node::Solution { system, row: row as u32 })).collect()
+}
+
+/// The force of a friction alone that keeps its speed.
+fn quotient(graph: &mut Graph, friction: &Friction, own: usize) -> NodeId {
+    let quotient = graph.divide(friction.rest, friction.effects[own]);
+    graph.negate(quotient)
+}
+
+/// Puts the forces in the place of the frictions.
+fn put_in(model: &mut Model, forces: &HashMap<NodeId, NodeId>) {
+    let old = roots(model);
+    let new = model.graph.rewrite(&old, |_, id, _| forces.get(&id).copied());
+    let replaced: HashMap<NodeId, NodeId> = old.into_iter().zip(new).collect();
+    let put = |node: &mut NodeId| *node = replaced[node];
+    model.states.iter_mut().for_each(|state| put(&mut state.derivative));
+    model.quantities.iter_mut().for_each(|quantity| put(&mut quantity.value.node));
+    for event in &mut model.events {
+        put(&mut event.condition);
+        event.actions.iter_mut().for_each(|(_, value)| put(value));
+    }
+}
+
+/// While a friction sticks its speed changes by nothing, not even by rounding.
+fn hold(model: &mut Model, friction: &Friction, forces: &HashMap<NodeId, NodeId>) {
+    let (target, slope) = friction.target;
+    let graph = &mut model.graph;
+    let rate = graph.rewrite(&[friction.rate], |_, id, _| forces.get(&id).copied())[0];
+    let zero = graph.constant(0.0);
+    let sticks = graph.binary(Binary::Equal, friction.motion, zero);
+    let excess = graph.divide(rate, slope);
+    let free = model.states[target].derivative;
+    let held = graph.subtract(free, excess);
+    model.states[target].derivative = graph.select(sticks, held, free);
+}
+
+/// 0 if this force can hold the friction, otherwise the direction in which it gives way.
+fn gives_way(graph: &mut Graph, friction: &Friction, force: NodeId) -> NodeId {
+    let zero = graph.constant(0.0);
+    let magnitude = graph.unary(Unary::Absolute, force);
+    let holds = graph.binary(Binary::LessOrEqual, magnitude, friction.limits[0]);
+    let direction = graph.unary(Unary::Sign, force);
+    graph.select(holds, zero, direction)
+}
+
+/// Adds the state that says how a friction moves. `held` is the force that would hold it.
+fn add_state(model: &mut Model, friction: &Friction, held: NodeId, all: &[Friction], name: String) {
+    let initial: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
+    let graph = &mut model.graph;
+    let zero = graph.constant(0.0);
+    let at_start = |graph: &mut Graph, node: NodeId, motions: &HashMap<NodeId, NodeId>| {
+        graph.rewrite(&[node], |graph, id, node| match node {
+            Node::State(state) => motions.get(&id).or(initial.get(state as usize)).copied(),
+            Node::Initial(state) => initial.get(state as usize).copied(),
+            Node::Independent => Some(graph.constant(0.0)),
+            _ => None,
+        })[0]
+    };
+    // At the start the others stick where their speed is 0.
+    let mut motions = HashMap::new();
+    for other in all {
+        let speed = at_start(graph, other.speed, &HashMap::new());
+        let direction = graph.unary(Unary::Sign, speed);
+        motions.insert(other.motion, direction);
+    }
+    let held = at_start(graph, held, &motions);
+    let limit = at_start(graph, friction.limits[0], &motions);
+    let moves = motions[&friction.motion];
+    let from_rest = gives_way(graph, &Friction { limits: [limit; 2], effects: Vec::new(), ..*friction }, held);
+    let rests = graph.binary(Binary::Equal, moves, zero);
+    let start = graph.select(rests, from_rest, moves);
+    model.states.push(State {
+        variable: name,
+        order: 0,
+        label: None,
+        unit: Unit::dimensionless(),
+        internal: true,
+        initial: start,
+        derivative: zero,
+    });
+}
+
+/// Adds the end of sliding and the end of sticking.
+fn add_events(model: &mut Model, friction: &Friction, force: NodeId, held: NodeId) {
+    let graph = &mut model.graph;
+    let zero = graph.constant(0.0);
+    let Node::State(motion) = graph.node(friction.motion) else { return };
+    let (target, slope) = friction.target;
+    let slides = graph.binary(Binary::NotEqual, friction.motion, zero);
+    let forwards = graph.multiply(friction.motion, friction.speed);
+    let turned = graph.binary(Binary::Less, forwards, zero);
+    let condition = graph.binary(Binary::And, slides, turned);
+    let state = graph.insert(Node::State(target as u32));
+    let excess = graph.divide(friction.speed, slope);
+    let stopped = graph.subtract(state, excess);
+    let direction = gives_way(graph, friction, held);
+    let actions = vec![(target as u32, stopped), (motion, direction)];
+    model.events.push(Event { condition, actions, jump: None });
+    let sticks = graph.binary(Binary::Equal, friction.motion, zero);
+    let magnitude = graph.unary(Unary::Absolute, force);
+    let exceeded = graph.binary(Binary::Less, friction.limits[0], magnitude);
+    let condition = graph.binary(Binary::And, sticks, exceeded);
+    let direction = graph.unary(Unary::Sign, force);
+    model.events.push(Event { condition, actions: vec![(motion, direction)], jump: None });
+}

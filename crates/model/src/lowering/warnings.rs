@@ -1,0 +1,121 @@
+//! What is allowed in a finished model and hardly meant.
+
+use crate::names::{Declarations, crossing, for_each};
+use crate::notation::quote;
+use crate::{Diagnostic, ExpressionKind, Places, Span};
+use program::{Event, Model, Node, NodeId, Unary, along};
+use units::words;
+
+/// Adds the warnings about a model.
+pub(crate) fn warn(model: &Model, places: &Places, declarations: &Declarations, diagnostics: &mut Vec<Diagnostic>) {
+    friction_by_sign(model, declarations, diagnostics);
+    // Those of crossings and of dry friction come in pairs and are as they should be.
+    let mut written = Vec::new();
+    let mut number = 0;
+    for event in &declarations.events {
+        let crosses = crossing(declarations, event).is_some();
+        if !crosses {
+            written.push((&model.events[number], places.events[number]));
+        }
+        number += if crosses { 2 } else { 1 };
+    }
+    true_at_the_start(model, &written, diagnostics);
+    set_twice(model, &written, diagnostics);
+}
+
+/// Events whose conditions are true at the start, as far as the parameters' defaults tell: nothing becomes true there.
+fn true_at_the_start(model: &Model, events: &[(&Event, Span)], diagnostics: &mut Vec<Diagnostic>) {
+    let mut graph = model.graph.clone();
+    let defaults = |nodes: &[NodeId], graph: &mut program::Graph, initial: &[NodeId]| {
+        graph.substitute(nodes, |graph, input| match input {
+            Node::Parameter(number) => Some(graph.constant(model.parameters.get(number as usize)?.value)),
+            Node::State(number) | Node::Initial(number) => initial.get(number as usize).copied(),
+            Node::Independent => Some(graph.constant(0.0)),
+            _ => None,
+        })
+    };
+    let initial: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
+    let initial = defaults(&initial, &mut graph, &[]);
+    for &(event, place) in events {
+        let truth = defaults(&[event.condition], &mut graph, &initial);
+        if truth.iter().any(|&truth| graph.as_constant(truth).is_some_and(|truth| truth != 0.0)) {
+            let message = words(
+                "the condition is true at the start already, and there the event does not fire",
+                "la condición ya es verdadera al comienzo, y allí el evento no ocurre",
+            );
+            diagnostics.push(Diagnostic::warning("true-at-the-start", message, place).with_hint(words(
+                "it fires when it becomes true again; what holds from the start belongs in the initial values",
+                "ocurre cuando vuelve a ser verdadera; lo que vale desde el comienzo va en los valores iniciales",
+            )));
+        }
+    }
+}
+
+/// Events of one condition that set the same state: the later one has the last word.
+fn set_twice(model: &Model, events: &[(&Event, Span)], diagnostics: &mut Vec<Diagnostic>) {
+    for (number, &(event, place)) in events.iter().enumerate() {
+        let mut earlier = events[..number].iter().filter(|(other, _)| other.condition == event.condition);
+        let sets = |&(state, _): &(u32, NodeId)| event.actions.iter().any(|&(own, _)| own == state);
+        let clash = earlier.find_map(|(other, place)| {
+            let (state, _) = other.actions.iter().find(|action| sets(action))?;
+            Some((model.states.get(*state as usize)?.name(), *place))
+        });
+        if let Some((name, first)) = clash {
+            let message = words!(
+                "this event and an earlier one set `{name}` at the same moment",
+                "este evento y otro anterior fijan `{name}` en el mismo momento"
+            );
+            diagnostics.push(
+                Diagnostic::warning("set-twice", message, place)
+                    .with_label(first, words("the earlier one", "el anterior"))
+                    .with_hint(words(
+                        "they act in the order of the document, each on what those before have left; write one event",
+                        "actúan en el orden del documento, cada uno sobre lo que han dejado los anteriores; escribe uno solo",
+                    )),
+            );
+        }
+    }
+}
+
+/// Friction that is written with `sign`: at rest it leads from both sides back to the switch.
+fn friction_by_sign(model: &Model, declarations: &Declarations, diagnostics: &mut Vec<Diagnostic>) {
+    let Some(held) = model.held(false) else { return };
+    let mut graph = model.graph.clone();
+    let one = graph.constant(1.0);
+    let leads_back = |node: NodeId| {
+        let Node::Unary(Unary::Sign, x) = held.model.graph.node(node) else { return false };
+        let rate = along(&mut graph, &[x], |input| match input {
+            Node::State(state) => model.states.get(state as usize).map(|state| state.derivative),
+            Node::Independent => Some(one),
+            _ => None,
+        });
+        graph.reachable(&rate).contains(&node)
+    };
+    if !held.switches.iter().map(|switch| switch.node).any(leads_back) {
+        return;
+    }
+    let equations = declarations.equations.iter().flat_map(|equation| [equation.left, equation.right]);
+    let definitions = declarations.definitions.iter().map(|definition| definition.value);
+    let mut found: Option<(Span, String)> = None;
+    for expression in equations.chain(definitions) {
+        for_each(expression, |part| {
+            if let ExpressionKind::Call { function, arguments } = &part.kind
+                && let ("sign", [speed]) = (function.text.as_str(), arguments.as_slice())
+            {
+                let primed = matches!(speed.kind, ExpressionKind::Name { order, .. } if order > 0);
+                if found.is_none() || primed {
+                    found = Some((part.span, quote(speed)));
+                }
+            }
+        });
+    }
+    let Some((span, speed)) = found else { return };
+    let message = words!(
+        "`sign({speed})` cannot hold a body at rest: where `{speed}` comes to 0 the run stops",
+        "`sign({speed})` no puede mantener un cuerpo en reposo: donde `{speed}` llega a 0 la simulación se detiene"
+    );
+    diagnostics.push(Diagnostic::warning("sign-as-friction", message, span).with_hint(words!(
+        "for dry friction write `coulomb({speed}, F)` in place of `F*sign({speed})`",
+        "para el rozamiento seco escribe `coulomb({speed}, F)` en lugar de `F*sign({speed})`"
+    )));
+}

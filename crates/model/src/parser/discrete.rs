@@ -1,0 +1,53 @@
+//! `discrete n = 0`: a quantity that only events change.
+
+use super::cursor::{Cursor, Read};
+use super::statement::{Salvaged, nothing};
+use super::{after, unread};
+use crate::lexer::{Symbol, TokenKind};
+use crate::{Diagnostic, Expression, ExpressionKind, Name, StatedUnit, StatementKind};
+use units::words;
+
+impl Cursor<'_> {
+    /// Whether a statement begins with `discrete NAME`: a word that is free for other use everywhere else.
+    pub(super) fn is_discrete(&self) -> bool {
+        let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "discrete");
+        here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
+    }
+
+    /// `discrete n = 0 in [cm]`
+    pub(super) fn discrete(&mut self) -> Salvaged {
+        let start = self.advance();
+        let name = match self.plain_name(&words("a discrete quantity", "una magnitud discreta")) {
+            Ok(name) => name,
+            Err(reported) => return (nothing(start), Err(reported)),
+        };
+        let of = |kind| Expression { kind, span: name.span };
+        let rate = Box::new([
+            of(ExpressionKind::Name { name: name.text.clone(), order: 1 }),
+            of(ExpressionKind::Number { value: 0.0, unit: None }),
+        ]);
+        let mut value = unread(after(name.span));
+        let mut unit = None;
+        let read = self.value_at_the_start(&name, &mut value, &mut unit);
+        (StatementKind::Discrete { name, value, unit, rate }, read)
+    }
+
+    fn value_at_the_start(&mut self, name: &Name, value: &mut Expression, unit: &mut Option<StatedUnit>) -> Read<()> {
+        if self.take(Symbol::Equals).is_none() {
+            let wrong = words!(
+                "the discrete quantity `{}` needs a value at the start",
+                "la magnitud discreta `{}` necesita un valor al comienzo",
+                name.text
+            );
+            let diagnostic = Diagnostic::error("discrete-without-value", wrong, name.span);
+            return self.fail(diagnostic.with_hint(words!(
+                "such as: discrete {} = 0",
+                "por ejemplo: discrete {} = 0",
+                name.text
+            )));
+        }
+        *value = self.expression()?.expression;
+        *unit = self.stated_unit()?;
+        Ok(())
+    }
+}

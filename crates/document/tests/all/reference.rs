@@ -1,12 +1,12 @@
-//! Every example of the language reference is opened. One that a ```text block follows must give exactly the findings in
+//! Every example of the language reference, and of the page for those who come from other tools, is opened. One that a ```text block follows must give exactly the findings in
 //! it; any other must be without fault. `UPDATE_EXPECT=1 cargo test -p document --test all reference` writes the findings
 //! into the page, to be read before they are committed.
 
 use model::{Diagnostic, Severity};
 use std::path::{Path, PathBuf};
 
-fn page() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/language.md")
+fn page(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(name)
 }
 
 /// A fenced block of the page.
@@ -85,7 +85,19 @@ fn print(source: &str, diagnostic: &Diagnostic) -> String {
 
 #[test]
 fn every_example_does_what_the_reference_says() {
-    let page_text = std::fs::read_to_string(page()).unwrap();
+    let examples = check_examples("language.md");
+    assert!(examples > 30, "{examples}");
+}
+
+#[test]
+fn every_example_for_those_who_come_from_other_tools_runs() {
+    let examples = check_examples("coming-from.md");
+    assert!(examples >= 5, "{examples}");
+}
+
+/// How many examples a page has.
+fn check_examples(name: &str) -> usize {
+    let page_text = std::fs::read_to_string(page(name)).unwrap();
     let blocks = blocks(&page_text);
     // The first model of the page is the one that scenes, plots, presets and questions are about.
     let model =
@@ -112,15 +124,15 @@ fn every_example_does_what_the_reference_says() {
             None => assert_eq!(findings, "", "\n{source}"),
         }
     }
-    assert!(examples > 30, "{examples}");
     if updated != page_text {
-        std::fs::write(page(), updated).unwrap();
+        std::fs::write(page(name), updated).unwrap();
     }
+    examples
 }
 
 #[test]
 fn the_reference_names_every_method_key_and_function() {
-    let page = std::fs::read_to_string(page()).unwrap();
+    let page = std::fs::read_to_string(page("language.md")).unwrap();
     for method in engine::Method::ALL {
         assert!(page.contains(&format!("`{}`", method.name())), "{}", method.name());
     }

@@ -154,6 +154,10 @@ fn check_action(declarations: &Declarations, unknowns: &[Unknown], action: &Acti
                     "¿querías decir `{}`?",
                     primed(near, action.order)
                 )),
+                None if action.order == 0 => diagnostic.with_hint(words!(
+                    "declare it with its value at the start: `discrete {name} = 0`",
+                    "declárala con su valor al comienzo: `discrete {name} = 0`"
+                )),
                 None => diagnostic,
             }
         }

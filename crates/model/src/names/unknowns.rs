@@ -184,6 +184,10 @@ fn assign_initial_values<'a>(
                 ));
                 match declarations.scope.near(name) {
                     Some(near) => diagnostic.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
+                    None if entry.order == 0 && is_set_by_event(declarations, name) => diagnostic.with_hint(words!(
+                        "what only events change is declared with its value: `discrete {name} = ...`",
+                        "lo que solo cambian los eventos se declara con su valor: `discrete {name} = ...`"
+                    )),
                     None => diagnostic.with_hint(words!(
                         "write an equation with `{name}'`, or define `{name} = ...`",
                         "escribe una ecuación con `{name}'`, o define `{name} = ...`"
@@ -193,6 +197,11 @@ fn assign_initial_values<'a>(
         };
         diagnostics.push(diagnostic);
     }
+}
+
+fn is_set_by_event(declarations: &Declarations, name: &str) -> bool {
+    let mut actions = declarations.events.iter().flat_map(|event| event.actions);
+    actions.any(|action| action.name.text == name && action.order == 0)
 }
 
 /// Sorts the unknowns' states as the author gives their initial values, else as the equations mention them.

@@ -13,7 +13,7 @@ use anyhow::{Result, bail};
 use std::process::ExitCode;
 
 const HELP: &str = "\
-cargo xtask lab     build the page and the program, and open the laboratory in the browser
+cargo xtask lab     build the page and open the laboratory in the browser; `lab DOC` builds the program, too, and serves DOC
 cargo xtask page    build the pages: target/page/meniscus.html, and the player that exported pages are made of
 cargo xtask test    run every check: format, lints, tests, golden runs, the page in browsers
 cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens
@@ -45,9 +45,17 @@ fn perform(arguments: &[String]) -> Result<()> {
     }
 }
 
-/// Serves the laboratory from a fresh build; what follows `lab` goes to `meniscus serve`.
+/// Opens the laboratory from a fresh build: the file itself, which needs no server. With further words the program serves it:
+/// they go to `meniscus serve`.
 fn lab(arguments: &[&str]) -> Result<()> {
-    steps::step("the page", page::build)?;
+    let page = steps::step("the page", page::build)?;
+    if arguments.is_empty() {
+        println!("The laboratory is the file {}", page.display());
+        if webbrowser::open(&page.to_string_lossy()).is_err() {
+            println!("No browser could be opened; open the file yourself");
+        }
+        return Ok(());
+    }
     // The quick build: all that it does here is to hand out the page.
     steps::step("the program", || steps::run(&mut steps::cargo(&["build", "--package", "meniscus"])))?;
     let program = steps::target().join("debug").join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));

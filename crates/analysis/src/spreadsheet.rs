@@ -3,6 +3,7 @@
 mod zip;
 
 use std::fmt::Write;
+use units::markup::escaped;
 pub use zip::Archive;
 pub(crate) use zip::Checksum;
 
@@ -134,7 +135,7 @@ fn workbook(sheets: &[Sheet]) -> (String, String) {
         let number = index + 1;
         let name = tab(&sheet.name, number, &names);
         list.push_str("<sheet name=\"");
-        escape(&mut list, &name);
+        list.push_str(&escaped(&name));
         let _ = write!(list, "\" sheetId=\"{number}\" r:id=\"rId{number}\"/>");
         let _ = write!(
             relations,
@@ -211,7 +212,7 @@ fn worksheet(sheet: &Sheet) -> String {
                     push_place(&mut xml, column, index);
                     let _ = write!(xml, "\"{bold} t=\"inlineStr\"><is><t xml:space=\"preserve\">");
                     let end = text.char_indices().nth(LONGEST_TEXT).map_or(text.len(), |(end, _)| end);
-                    escape(&mut xml, &text[..end]);
+                    xml.push_str(&escaped(&text[..end]));
                     xml.push_str("</t></is></c>");
                 }
                 _ => {}
@@ -253,20 +254,4 @@ fn push_place(out: &mut String, column: usize, row: usize) {
     }
     out.extend(letters[..length].iter().rev().map(|letter| char::from(*letter)));
     let _ = write!(out, "{}", row + 1);
-}
-
-/// A text as content or attribute; what XML forbids is replaced.
-fn escape(out: &mut String, text: &str) {
-    for character in text.chars() {
-        match character {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\u{0}'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => {
-                out.push('\u{fffd}')
-            }
-            other => out.push(other),
-        }
-    }
 }

@@ -47,7 +47,7 @@ pub fn embed(template: &str, documents: &[Source], options: &Options) -> Option<
     };
     let mut head = before.to_owned();
     if let Some(title) = &options.title {
-        replace_between(&mut head, "<title>", "</title>", &crate::prose::escape(title));
+        replace_between(&mut head, "<title>", "</title>", &units::markup::escaped(title));
     }
     if let Some(language) = options.language.as_ref().filter(|language| crate::settings::is_language(language)) {
         replace_between(&mut head, "<html lang=\"", "\"", language);

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::figure::Figure;
 use crate::items::{Anchor, Item, Stroke};
 use crate::palette::Palette;
+use units::markup::Escaped;
 
 /// The fonts of all texts: what the system shows its own in.
 pub const FONT_FAMILY: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'DejaVu Sans', sans-serif";
@@ -141,25 +142,5 @@ impl std::fmt::Display for Short {
             rest if rest % 10 == 0 => write!(formatter, ".{}", rest / 10),
             rest => write!(formatter, ".{rest:02}"),
         }
-    }
-}
-
-/// Text as the content of an element: markup and characters that XML forbids are made harmless.
-struct Escaped<'a>(&'a str);
-
-impl std::fmt::Display for Escaped<'_> {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        for character in self.0.chars() {
-            match character {
-                '&' => formatter.write_str("&amp;")?,
-                '<' => formatter.write_str("&lt;")?,
-                '>' => formatter.write_str("&gt;")?,
-                '\u{0}'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => {
-                    formatter.write_str("\u{fffd}")?;
-                }
-                other => formatter.write_char(other)?,
-            }
-        }
-        Ok(())
     }
 }

@@ -2,21 +2,7 @@
 
 use std::fmt::Display;
 
-/// A text as content or attribute of an element.
-pub fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\u{0}'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' => out.push('\u{fffd}'),
-            other => out.push(other),
-        }
-    }
-    out
-}
+pub use units::markup::escaped;
 
 /// A name of the model, or one that a fit made from it (`y'_offset`), as mathematics.
 pub fn symbol(name: &str) -> String {

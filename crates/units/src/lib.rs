@@ -5,6 +5,7 @@ pub mod alphabet;
 mod dimension;
 mod exponent;
 mod language;
+pub mod markup;
 pub mod mathml;
 mod nearest;
 pub mod number;

@@ -2,11 +2,7 @@
 
 use crate::Unit;
 use crate::alphabet::greek_letter;
-
-/// Texts may not end the element they stand in.
-pub fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
+use crate::markup::escaped;
 
 /// What a name is made of: ω with the subscript d for `omega_d`, h with 1 for `h1`.
 struct NameParts {

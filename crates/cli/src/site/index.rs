@@ -8,7 +8,7 @@ use super::parts::{Parts, SITE_POLICY, between};
 use program::{Block, Edition};
 use std::fmt::Write as _;
 use units::Language;
-use units::mathml::escaped;
+use units::markup::escaped;
 
 const STYLE: &str = include_str!("index.css");
 /// Shows the list in the language of the reader.

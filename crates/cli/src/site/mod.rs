@@ -20,7 +20,7 @@ use files::Files;
 use folder::Folder;
 use names::{INDEX, LABORATORY, WORKER};
 use parts::{Parts, ROOT};
-use units::mathml::escaped;
+use units::markup::escaped;
 
 /// The documents of this folder are theories, which the laboratory offers for fits.
 const THEORIES: &str = "theories/";

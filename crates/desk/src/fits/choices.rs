@@ -145,7 +145,7 @@ impl Desk {
         };
         if let Some(place) = place {
             *place = varied;
-            // What is usual for what is varied is not for what is held.
+            // The usual choice for a varied number is not that for a fixed one.
             setup.same.remove(&name);
             self.revision.fits += 1;
         }

@@ -25,8 +25,8 @@ pub(crate) struct Setup {
 }
 
 impl Setup {
-    /// Whether something is one number for all records: what is varied is each record's own unless a person has said
-    /// otherwise, as on the command line; what is held is that of the slider.
+    /// Whether something is one number for all records. Varied numbers are each record's own unless a person has set
+    /// otherwise, as on the command line; fixed ones have the value of the slider.
     pub fn is_same(&self, name: &str, varied: bool) -> bool {
         self.same.get(name).copied().unwrap_or(!varied)
     }

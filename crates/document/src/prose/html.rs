@@ -3,11 +3,11 @@
 mod links;
 
 use super::math::Formulas;
-use super::text::escape;
 use math_core::MathDisplay;
 use model::{Diagnostic, Span};
 use pulldown_cmark::{Alignment, CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use std::ops::Range;
+use units::markup::escaped;
 use units::words;
 
 /// How deep lists and quotations may be nested; beyond it they are flat.
@@ -133,7 +133,7 @@ impl<'a> Writer<'a> {
         if let Some(plain) = &mut self.plain {
             plain.push_str(text);
         }
-        self.out.push_str(&escape(text));
+        self.out.push_str(&escaped(text));
     }
 
     fn around(&mut self, before: &str, text: &str, after: &str) {
@@ -245,7 +245,7 @@ impl<'a> Writer<'a> {
     fn end_table_head(&mut self) {
         self.table.in_head = false;
         let name = self.plain.take().unwrap_or_default();
-        let name = escape(name.trim_end_matches(", "));
+        let name = escaped(name.trim_end_matches(", "));
         if self.open.len() < DEPTH {
             self.out.insert_str(self.table.name_at, &format!(" aria-label=\"{name}\""));
         }

@@ -1,8 +1,8 @@
 //! Mathematics in prose: LaTeX to MathML Core.
 
-use super::escape;
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use model::{Diagnostic, Span};
+use units::markup::escaped;
 use units::words;
 
 /// How deep a formula may be nested. The converter is recursive, and a page has little stack.
@@ -57,7 +57,7 @@ impl Formulas {
             }
         };
         diagnostics.push(problem);
-        format!("<code class=\"problem\">{}</code>", escape(latex))
+        format!("<code class=\"problem\">{}</code>", escaped(latex))
     }
 }
 

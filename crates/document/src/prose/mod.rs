@@ -4,8 +4,6 @@ mod html;
 mod math;
 mod text;
 
-pub use text::escape;
-
 use crate::source::trim;
 use html::{Piece, render};
 use model::Diagnostic;

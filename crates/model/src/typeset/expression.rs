@@ -1,7 +1,8 @@
 //! Expressions as MathML: fractions, powers, roots and products without a sign, with no more parentheses than needed.
 
 use crate::{BinaryOperator, Expression, ExpressionKind, Name, UnaryOperator};
-use units::mathml::{escaped, has_power_of_ten, is_word, name, number, unit_after_number};
+use units::markup::escaped;
+use units::mathml::{has_power_of_ten, is_word, name, number, unit_after_number};
 
 /// How tightly the outermost operation of an expression binds.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]

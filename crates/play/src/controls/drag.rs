@@ -3,7 +3,7 @@
 //! At the start of a run that begins with the document's initial values, the drag changes the parameters that decide the
 //! initial value held, as little as possible ([`Start::solve`]); the other initial values stay those of the document. Where
 //! no parameter decides it, where a range ends, or at any later time, the state itself becomes the start of the run, and
-//! what is held is at rest. It stays the start until another one is set or [`Play::restore_defaults`].
+//! the dragged quantity is at rest. It stays the start until another one is set or [`Play::restore_defaults`].
 
 use crate::controls::hold::Hold;
 use crate::controls::start::Start;

@@ -1,20 +1,21 @@
 //! Links and images: where they may lead and come from.
 
 use super::{Image, Writer};
-use crate::prose::text::{anchor, escape};
+use crate::prose::text::anchor;
 use model::{Diagnostic, Span};
 use pulldown_cmark::{Event, Tag, TagEnd};
+use units::markup::escaped;
 use units::words;
 
 impl Writer<'_> {
     /// Begins a link; what may not be followed is text only.
     pub(super) fn link(&mut self, destination: &str, span: Span) {
         if let Some(title) = destination.strip_prefix('#') {
-            self.open(&format!("<a href=\"#{}\">", escape(&anchor(title))), "</a>");
+            self.open(&format!("<a href=\"#{}\">", escaped(&anchor(title))), "</a>");
         } else if has_scheme(destination, "mailto:") {
-            self.open(&format!("<a href=\"{}\">", escape(destination)), "</a>");
+            self.open(&format!("<a href=\"{}\">", escaped(destination)), "</a>");
         } else if has_scheme(destination, "http://") || has_scheme(destination, "https://") {
-            let href = escape(destination);
+            let href = escaped(destination);
             self.open(&format!("<a href=\"{href}\" target=\"_blank\" rel=\"noopener noreferrer\">"), "</a>");
         } else {
             self.diagnostics.push(
@@ -37,7 +38,7 @@ impl Writer<'_> {
         let kinds = ["png", "jpeg", "gif", "webp"];
         let allowed = kinds.iter().any(|kind| has_scheme(source, &format!("data:image/{kind};base64,")));
         let around = if allowed {
-            (format!("<img src=\"{}\" alt=\"", escape(source)), "\">")
+            (format!("<img src=\"{}\" alt=\"", escaped(source)), "\">")
         } else {
             self.diagnostics.push(
                 Diagnostic::error(
@@ -46,8 +47,8 @@ impl Writer<'_> {
                     span,
                 )
                 .with_hint(words(
-                    "the page asks nobody for anything: embed it, `data:image/png;base64,...`",
-                    "la página no pide nada a nadie: incrústala, `data:image/png;base64,...`",
+                    "the page makes no requests: embed it, `data:image/png;base64,...`",
+                    "la página no hace peticiones: incrústala, `data:image/png;base64,...`",
                 )),
             );
             ("<span class=\"problem\">".to_owned(), "</span>")
@@ -64,7 +65,7 @@ impl Writer<'_> {
             Event::Start(Tag::Image { .. }) => image.nested += 1,
             Event::End(TagEnd::Image) if image.nested > 0 => image.nested -= 1,
             Event::End(TagEnd::Image) => {
-                let html = format!("{}{}{}", image.around.0, escape(&image.alternative), image.around.1);
+                let html = format!("{}{}{}", image.around.0, escaped(&image.alternative), image.around.1);
                 self.out.push_str(&html);
                 self.image = None;
             }

@@ -1,0 +1,42 @@
+//! Texts inside HTML, SVG, MathML and other XML.
+
+use std::fmt::{self, Display, Formatter, Write as _};
+
+/// A text as the content of an element or as an attribute between double quotes. Markup is made harmless, and characters that
+/// XML forbids become U+FFFD.
+#[derive(Clone, Copy, Debug)]
+pub struct Escaped<'a>(pub &'a str);
+
+impl Display for Escaped<'_> {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        for character in self.0.chars() {
+            match character {
+                '&' => formatter.write_str("&amp;")?,
+                '<' => formatter.write_str("&lt;")?,
+                '>' => formatter.write_str("&gt;")?,
+                '"' => formatter.write_str("&quot;")?,
+                '\u{0}'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => {
+                    formatter.write_char(char::REPLACEMENT_CHARACTER)?;
+                }
+                other => formatter.write_char(other)?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// [`Escaped`] as a text of its own.
+pub fn escaped(text: &str) -> String {
+    Escaped(text).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::escaped;
+
+    #[test]
+    fn markup_is_harmless_and_what_xml_forbids_is_gone() {
+        assert_eq!(escaped("a<b> & \"c\" 'd'"), "a&lt;b&gt; &amp; &quot;c&quot; 'd'");
+        assert_eq!(escaped("\u{0}\t\n\u{1f}\u{ffff}ω"), "\u{fffd}\t\n\u{fffd}\u{fffd}ω");
+    }
+}

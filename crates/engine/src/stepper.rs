@@ -185,15 +185,23 @@ impl Stepper {
 
     fn prepare(&mut self) {
         self.surfaces.prepare(&self.parameters, &self.initial);
-        self.hold();
+        self.surfaces.switches.differ(self.time, &self.state);
+        self.surfaces.switches.hold();
+        self.prepare_equations();
+    }
+
+    fn prepare_equations(&mut self) {
+        self.equations.prepare(&self.parameters, self.surfaces.switches.held(), &self.initial);
     }
 
     /// Holds the switches of the equations at their values here; the first that changes and with which the rates
     /// jump, if there is one.
     fn hold(&mut self) -> Option<usize> {
-        let switches = &mut self.surfaces.switches;
-        let jumped = switches.hold(self.time, &self.state);
-        self.equations.prepare(&self.parameters, switches.held(), &self.initial);
+        if !self.surfaces.switches.differ(self.time, &self.state) {
+            return None;
+        }
+        let jumped = self.surfaces.switches.hold();
+        self.prepare_equations();
         jumped
     }
 

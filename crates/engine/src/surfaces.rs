@@ -74,23 +74,17 @@ impl Surfaces {
             }
             self.before = before;
         }
-        // Non-negative numbers are ordered like their bits, so this ends at neighbours after at most 63 halvings.
-        let (mut low, mut high) = (low.to_bits(), high.to_bits());
         self.events.note_due();
         let mut probe = std::mem::take(&mut self.before);
-        while high - low > 1 {
-            let middle = low + (high - low) / 2;
-            let since = f64::from_bits(middle);
+        let crossing = Crossing::find(low, high, |since| {
             state_at(since, &mut probe);
-            if self.crossed(start + since, &probe) {
-                high = middle;
+            let crossed = self.crossed(start + since, &probe);
+            if crossed {
                 self.events.note_due();
-            } else {
-                low = middle;
             }
-        }
+            crossed
+        });
         self.events.recall_due();
-        let crossing = Crossing { low: f64::from_bits(low), high: f64::from_bits(high) };
         state_at(crossing.low, &mut probe);
         self.before = probe;
         state_at(crossing.high, &mut self.beyond);

@@ -81,9 +81,8 @@ impl Switches {
         self.held.iter().zip(&self.found).any(differs)
     }
 
-    /// Holds them at their values here; the first that changes and with which the rates jump, if there is one.
-    pub fn hold(&mut self, time: f64, state: &[f64]) -> Option<usize> {
-        self.differ(time, state);
+    /// Holds them at the values found last; the first that changes and with which the rates jump, if there is one.
+    pub fn hold(&mut self) -> Option<usize> {
         let mut changes = self.held.iter().zip(&self.found).zip(&self.jumps);
         let jumped = changes.position(|((held, found), jumps)| held != found && *jumps);
         self.held.copy_from_slice(&self.found);

@@ -68,14 +68,10 @@ impl Timetable {
         let roots = self.routine.len();
         let before: Vec<f64> = self.values.chunks(self.times.len()).map(|values| values[0]).collect();
         let mut found = vec![0.0; roots];
-        // Times are not negative, and such numbers are ordered like their bits.
-        let (mut low, mut high) = (low.to_bits(), high.to_bits());
-        while high - low > 1 {
-            let middle = low + (high - low) / 2;
+        Crossing::find(low, high, |time| {
             self.looks += 1;
-            self.routine.evaluate(f64::from_bits(middle), state, &mut found);
-            if found == before { low = middle } else { high = middle }
-        }
-        Crossing { low: f64::from_bits(low), high: f64::from_bits(high) }
+            self.routine.evaluate(time, state, &mut found);
+            found != before
+        })
     }
 }

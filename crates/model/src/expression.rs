@@ -44,7 +44,7 @@ impl<'a> Compiler<'a> {
         if unreadable {
             return Err(Vec::new());
         }
-        if frictions(expression).next().is_some() {
+        if !frictions(expression).is_empty() {
             let message = words(
                 "dry friction has a value in the model only",
                 "el rozamiento seco solo tiene un valor en el modelo",

@@ -146,3 +146,19 @@ impl Function {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_remainder_has_the_sign_of_the_divisor() {
+        let remainder = Function::named("mod").expect("it is in the table");
+        for (a, b, expected) in [(7.0, 3.0, 1.0), (-7.0, 3.0, 2.0), (7.0, -3.0, -2.0)] {
+            let mut graph = Graph::default();
+            let arguments = [graph.constant(a), graph.constant(b)];
+            let value = remainder.build(&mut graph, &arguments);
+            assert_eq!(graph.as_constant(value), Some(expected), "mod({a}, {b})");
+        }
+    }
+}

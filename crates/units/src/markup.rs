@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter, Write as _};
 
-/// A text as the content of an element or as an attribute between double quotes. Markup is made harmless, and characters that
+/// A text as the content of an element or as an attribute. Markup is made harmless, and characters that
 /// XML forbids become U+FFFD.
 #[derive(Clone, Copy, Debug)]
 pub struct Escaped<'a>(pub &'a str);
@@ -15,6 +15,7 @@ impl Display for Escaped<'_> {
                 '<' => formatter.write_str("&lt;")?,
                 '>' => formatter.write_str("&gt;")?,
                 '"' => formatter.write_str("&quot;")?,
+                '\'' => formatter.write_str("&#39;")?,
                 '\u{0}'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => {
                     formatter.write_char(char::REPLACEMENT_CHARACTER)?;
                 }
@@ -36,7 +37,7 @@ mod tests {
 
     #[test]
     fn markup_is_harmless_and_what_xml_forbids_is_gone() {
-        assert_eq!(escaped("a<b> & \"c\" 'd'"), "a&lt;b&gt; &amp; &quot;c&quot; 'd'");
+        assert_eq!(escaped("a<b> & \"c\" 'd'"), "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;");
         assert_eq!(escaped("\u{0}\t\n\u{1f}\u{ffff}ω"), "\u{fffd}\t\n\u{fffd}\u{fffd}ω");
     }
 }

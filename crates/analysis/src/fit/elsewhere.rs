@@ -209,24 +209,8 @@ fn texture(problem: &Problem) -> Texture {
     if model.graph.reachable(&roots).iter().any(branches) { Texture::Branches } else { Texture::Smooth }
 }
 
-/// Whether a function has a kink or a step.
+/// Whether a function has a kink or a step, or takes one of several values.
 fn is_branch(node: Node) -> bool {
-    match node {
-        Node::Select(..) => true,
-        Node::Unary(function, _) => {
-            matches!(function, Unary::Absolute | Unary::Sign | Unary::Floor | Unary::Ceil | Unary::Round | Unary::Not)
-        }
-        Node::Binary(function, ..) => matches!(
-            function,
-            Binary::Minimum
-                | Binary::Maximum
-                | Binary::Less
-                | Binary::LessOrEqual
-                | Binary::Equal
-                | Binary::NotEqual
-                | Binary::And
-                | Binary::Or
-        ),
-        _ => false,
-    }
+    node.is_switch()
+        || matches!(node, Node::Select(..) | Node::Unary(Unary::Not, _) | Node::Binary(Binary::And | Binary::Or, ..))
 }

@@ -93,12 +93,12 @@ impl Lowering<'_> {
             }
             ExpressionKind::Binary(..) => self.chain(expression)?,
             ExpressionKind::Call { function, arguments } => {
-                let arguments =
+                let nodes =
                     arguments.iter().map(|argument| self.expression(argument)).collect::<Result<Vec<_>, _>>()?;
                 match Function::named(&function.text) {
                     Some(known) => {
-                        let node = known.build(self.graph, &arguments);
-                        if let (Node::Friction(..), [speed, ..]) = (self.graph.node(node), arguments_of(expression)) {
+                        let node = known.build(self.graph, &nodes);
+                        if let (Node::Friction(..), [speed, ..]) = (self.graph.node(node), arguments.as_slice()) {
                             self.known.frictions.entry(node).or_insert_with(|| (expression.span, quote(speed)));
                         }
                         node
@@ -209,14 +209,6 @@ impl Lowering<'_> {
             }
         }
         Ok(node)
-    }
-}
-
-/// What stands in the parentheses of a call.
-fn arguments_of(expression: &Expression) -> &[Expression] {
-    match &expression.kind {
-        ExpressionKind::Call { arguments, .. } => arguments,
-        _ => &[],
     }
 }
 

@@ -76,10 +76,7 @@ pub(crate) fn add_friction(
     put_in(model, &replaced);
     for (number, (friction, &force)) in frictions.iter().zip(&forces).enumerate() {
         hold(model, friction, &replaced);
-        let held = match frictions.as_slice() {
-            [_] => quotient(&mut model.graph, friction, 0),
-            _ => self::forces(&mut model.graph, &frictions, Some(number))[number],
-        };
+        let held = self::forces(&mut model.graph, &frictions, Some(number))[number];
         let text = calls.get(&friction.node).map_or("v", |(_, speed)| speed);
         add_state(model, friction, held, &frictions, format!("coulomb({text})"));
         places.states.push(friction.span);
@@ -101,7 +98,7 @@ fn roots(model: &Model) -> Vec<NodeId> {
 }
 
 /// The calls of dry friction in an expression.
-pub(crate) fn frictions(expression: &Expression) -> impl Iterator<Item = &Expression> {
+pub(crate) fn frictions(expression: &Expression) -> Vec<&Expression> {
     let mut calls = Vec::new();
     for_each(expression, |part| {
         if let ExpressionKind::Call { function, .. } = &part.kind
@@ -110,7 +107,7 @@ pub(crate) fn frictions(expression: &Expression) -> impl Iterator<Item = &Expres
             calls.push(part);
         }
     });
-    calls.into_iter()
+    calls
 }
 
 /// Whether any friction is in these expressions.
@@ -136,14 +133,10 @@ fn friction(
         );
         return Err(Box::new(Diagnostic::error("friction-of-friction", message, span)));
     }
+    let rate = model.rates_of(&[speed])[0];
     let rates: Vec<NodeId> = model.states.iter().map(|state| state.derivative).collect();
     let graph = &mut model.graph;
     let (one, zero) = (graph.constant(1.0), graph.constant(0.0));
-    let rate = along(graph, &[speed], |node| match node {
-        Node::State(state) => rates.get(state as usize).copied(),
-        Node::Independent => Some(one),
-        _ => None,
-    })[0];
     let by = |graph: &mut Graph, node: NodeId, friction: NodeId| {
         let wanted = graph.node(friction);
         along(graph, &[node], |node| (node == wanted).then_some(one))[0]
@@ -156,13 +149,10 @@ fn friction(
         );
         return Err(Box::new(Diagnostic::error("friction-not-linear", message, span)));
     }
-    let mut target = None;
-    for (state, &rate) in rates.iter().enumerate() {
+    let target = rates.iter().enumerate().find_map(|(state, &rate)| {
         let slope = differentiate(graph, speed, Variable::State(state as u32));
-        if target.is_none() && slope != zero && by(graph, rate, node) != zero {
-            target = Some((state, slope));
-        }
-    }
+        (slope != zero && by(graph, rate, node) != zero).then_some((state, slope))
+    });
     let own = all.iter().position(|&other| other == node).map(|place| effects[place]);
     let Some(target) = target.filter(|_| own != Some(zero)) else { return Err(without_effect(span)) };
     let rest = graph.rewrite(&[rate], |_, _, node| matches!(node, Node::Friction(..)).then_some(zero))[0];
@@ -195,7 +185,8 @@ fn forces(graph: &mut Graph, frictions: &[Friction], held: Option<usize>) -> Vec
     let sliding: Vec<NodeId> =
         frictions.iter().map(|friction| graph.multiply(friction.motion, friction.limits[1])).collect();
     if let [friction] = frictions {
-        let sticking = quotient(graph, friction, 0);
+        let opposite = graph.divide(friction.rest, friction.effects[0]);
+        let sticking = graph.negate(opposite);
         return vec![graph.select(sticks[0], sticking, sliding[0])];
     }
     let (mut matrix, mut right) = (Vec::new(), Vec::new());
@@ -209,12 +200,6 @@ fn forces(graph: &mut Graph, frictions: &[Friction], held: Option<usize>) -> Vec
     }
     let system = graph.insert_system(LinearSystem { matrix, right });
     (0..frictions.len()).map(|row| graph.insert(Node::Solution { system, row: row as u32 })).collect()
-}
-
-/// The force of a friction alone that keeps its speed.
-fn quotient(graph: &mut Graph, friction: &Friction, own: usize) -> NodeId {
-    let quotient = graph.divide(friction.rest, friction.effects[own]);
-    graph.negate(quotient)
 }
 
 /// Puts the forces in the place of the frictions.

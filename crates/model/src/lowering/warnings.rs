@@ -3,7 +3,7 @@
 use crate::names::{Declarations, crossing, for_each};
 use crate::notation::quote;
 use crate::{Diagnostic, ExpressionKind, Places, Span};
-use program::{Event, Model, Node, NodeId, Unary, along};
+use program::{Event, Model, Node, NodeId, Unary};
 use units::words;
 
 /// Adds the warnings about a model.
@@ -80,16 +80,11 @@ fn set_twice(model: &Model, events: &[(&Event, Span)], diagnostics: &mut Vec<Dia
 /// Friction that is written with `sign`: at rest it leads from both sides back to the switch.
 fn friction_by_sign(model: &Model, declarations: &Declarations, diagnostics: &mut Vec<Diagnostic>) {
     let Some(held) = model.held(false) else { return };
-    let mut graph = model.graph.clone();
-    let one = graph.constant(1.0);
+    let mut moving = model.clone();
     let leads_back = |node: NodeId| {
         let Node::Unary(Unary::Sign, x) = held.model.graph.node(node) else { return false };
-        let rate = along(&mut graph, &[x], |input| match input {
-            Node::State(state) => model.states.get(state as usize).map(|state| state.derivative),
-            Node::Independent => Some(one),
-            _ => None,
-        });
-        graph.reachable(&rate).contains(&node)
+        let rate = moving.rates_of(&[x]);
+        moving.graph.reachable(&rate).contains(&node)
     };
     if !held.switches.iter().map(|switch| switch.node).any(leads_back) {
         return;

@@ -90,7 +90,7 @@ impl Model {
         let rates = self.states.iter().map(|state| state.derivative);
         let roots: Vec<NodeId> = rates.chain(self.events.iter().map(|event| event.condition)).collect();
         let nodes = self.graph.reachable(&roots);
-        let steps = |id: &NodeId| is_switch(self.graph.node(*id)) && !is_corner(self.graph.node(*id));
+        let steps = |id: &NodeId| self.graph.node(*id).is_switch() && !is_corner(self.graph.node(*id));
         if !nodes.iter().any(steps) {
             return Vec::new();
         }
@@ -117,7 +117,7 @@ impl Model {
         let own = self.sensitive.as_ref().map_or(self.states.len(), |sensitive| sensitive.states);
         let rates: Vec<NodeId> = self.states.iter().take(own).map(|state| state.derivative).collect();
         let nodes = graph.reachable(&rates);
-        let candidates: Vec<NodeId> = nodes.iter().copied().filter(|&id| is_switch(graph.node(id))).collect();
+        let candidates: Vec<NodeId> = nodes.iter().copied().filter(|&id| graph.node(id).is_switch()).collect();
         if candidates.is_empty() {
             return Vec::new();
         }
@@ -165,16 +165,18 @@ enum Motion {
     WithState,
 }
 
-/// Whether a node's value or slope jumps somewhere.
-fn is_switch(node: Node) -> bool {
-    let steps = match node {
-        Node::Unary(function, _) => matches!(function, Unary::Sign | Unary::Floor | Unary::Ceil | Unary::Round),
-        Node::Binary(function, ..) => {
-            matches!(function, Binary::Less | Binary::LessOrEqual | Binary::Equal | Binary::NotEqual)
-        }
-        _ => false,
-    };
-    steps || is_corner(node)
+impl Node {
+    /// Whether the value or the slope jumps somewhere, and not only that of what it is computed from.
+    pub fn is_switch(self) -> bool {
+        let steps = match self {
+            Self::Unary(function, _) => matches!(function, Unary::Sign | Unary::Floor | Unary::Ceil | Unary::Round),
+            Self::Binary(function, ..) => {
+                matches!(function, Binary::Less | Binary::LessOrEqual | Binary::Equal | Binary::NotEqual)
+            }
+            _ => false,
+        };
+        steps || is_corner(self)
+    }
 }
 
 /// Whether it is the slope that jumps and not the value.

@@ -8,7 +8,7 @@ use crate::{Compiled, Model, Node, NodeId, Piece, Program, Scene};
 /// What a bundle begins with.
 const SIGNATURE: &[u8] = b"meniscus";
 /// The version of the format; raised whenever a program of an earlier version would be misread.
-const VERSION: u8 = 2;
+const VERSION: u8 = 3;
 /// The longest bundle, in bytes. Documents are at most 1 MiB long.
 const LONGEST: usize = 16 << 20;
 

@@ -1,6 +1,6 @@
 //! Expressions outside the model: read, completed with the scene's own names, and compiled against the model.
 
-use model::{Compiler, Diagnostic, Expression, ExpressionKind, Places, Span, StatedUnit, StatementKind};
+use model::{Compiler, Diagnostic, Expression, ExpressionKind, Functions, Places, Span, StatedUnit, StatementKind};
 use program::{Assignment, Compiled, Kind, Model, Node};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -35,8 +35,9 @@ pub struct Expressions<'a> {
 
 impl<'a> Expressions<'a> {
     /// For the expressions of `source`.
-    pub fn new(source: &'a str, model: &'a mut Model, places: &'a Places) -> Self {
-        Self { source, places, compiler: Compiler::new(model), diagnostics: Vec::new(), local: BTreeMap::new() }
+    pub fn new(source: &'a str, model: &'a mut Model, places: &'a Places, functions: &Functions) -> Self {
+        let compiler = Compiler::new(model).with(functions);
+        Self { source, places, compiler, diagnostics: Vec::new(), local: BTreeMap::new() }
     }
 
     /// The model.

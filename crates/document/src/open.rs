@@ -101,9 +101,9 @@ impl<'a> File<'a> {
 
     /// Everything else.
     fn document(&mut self, checked: Checked) -> Read {
-        let Checked { mut model, statements, places } = checked;
+        let Checked { mut model, statements, places, functions } = checked;
         let settings = settings::read(self.outline.front_matter(), &model, &mut self.diagnostics);
-        let mut expressions = Expressions::new(self.outline.source(), &mut model, &places);
+        let mut expressions = Expressions::new(self.outline.source(), &mut model, &places, &functions);
         let vary =
             self.outline.front_matter().get("vary").map_or_else(Vec::new, |value| vary::read(&mut expressions, value));
         let mut plots = Vec::new();

@@ -1,6 +1,7 @@
 //! From text to a checked model: syntax, names, dimensions, and then the graph.
 
 use crate::dimensions::check_dimensions;
+use crate::functions::{Functions, written_out};
 use crate::lowering::{assemble, warn};
 use crate::names::{Declarations, NameCheck, Unknown, check_event, definition_order, find_unknowns};
 use crate::{Diagnostic, Places, Span, Statement, has_errors, limits, parse};
@@ -17,6 +18,8 @@ pub struct Checked {
     pub statements: Vec<Statement>,
     /// Where the parts of the model stand.
     pub places: Places,
+    /// The author's functions, for the expressions of the document.
+    pub functions: Functions,
 }
 
 /// Compiles the model that stands in `parts` of a document's `source`, which may be several fences. Places in the
@@ -60,7 +63,11 @@ fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Opt
         diagnostics.push(Diagnostic::error("model-too-large", message, beyond.span));
         return None;
     }
-    let mut declarations = Declarations::collect(&statements, diagnostics);
+    let (functions, written) = written_out(&statements, diagnostics);
+    if has_errors(diagnostics) {
+        return None;
+    }
+    let mut declarations = Declarations::collect(written.as_ref().unwrap_or(&statements), diagnostics);
     let order = definition_order(&declarations, diagnostics);
     let unknowns = find_unknowns(&mut declarations, &order, diagnostics);
     let states: u32 = unknowns.iter().map(|unknown| unknown.highest).sum();
@@ -81,7 +88,7 @@ fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Opt
     match assemble(&declarations, &order, &unknowns, &types) {
         Ok((model, places)) => {
             warn(&model, &places, &declarations, diagnostics);
-            Some(Checked { model, places, statements })
+            Some(Checked { model, places, statements, functions })
         }
         Err(mut found) => {
             diagnostics.append(&mut found);
@@ -94,6 +101,9 @@ fn check_names(declarations: &Declarations, unknowns: &[Unknown], diagnostics: &
     let initial = declarations.initial_values.iter().map(|entry| entry.name.text.as_str());
     let reported = initial.filter(|name| declarations.scope.meaning(name).is_none()).collect();
     let mut check = NameCheck::new(&declarations.scope, reported);
+    for function in &declarations.functions {
+        check.function(function);
+    }
     for definition in &declarations.definitions {
         check.expression(definition.value);
     }

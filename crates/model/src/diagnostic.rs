@@ -14,6 +14,11 @@ pub struct Span {
 }
 
 impl Span {
+    /// Whether `other` stands inside.
+    pub(crate) fn contains(self, other: Self) -> bool {
+        self.start <= other.start && other.end <= self.end
+    }
+
     /// The bytes from `start` up to `end`.
     pub fn new(start: usize, end: usize) -> Self {
         Self { start, end }

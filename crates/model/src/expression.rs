@@ -1,6 +1,7 @@
 //! Expressions of the document (scene, plots, presets, answers) against a checked model.
 
 use crate::dimensions::{Form, Inference, Solver, Type, Types};
+use crate::functions::{Budget, Functions};
 use crate::lowering::{Chain, Lowered, Lowering, TooManyNodes, frictions, too_many_nodes};
 use crate::names::{Meaning, NameCheck, Scope, for_each};
 use crate::{Diagnostic, Expression, ExpressionKind, StatedUnit, has_errors};
@@ -16,6 +17,7 @@ pub struct Compiler<'a> {
     types: Types,
     chains: Vec<Chain>,
     lowered: Lowered,
+    functions: Functions,
 }
 
 impl<'a> Compiler<'a> {
@@ -25,7 +27,15 @@ impl<'a> Compiler<'a> {
         let (scope, types) = (scope(model, &variables), types(model, &variables));
         let chains = variables.into_iter().map(|(_, chain)| chain).collect();
         let definitions = model.quantities.iter().map(|quantity| Some(quantity.value.node)).collect();
-        Self { scope, types, chains, lowered: Lowered::of(definitions), model }
+        Self { scope, types, chains, lowered: Lowered::of(definitions), functions: Functions::default(), model }
+    }
+
+    /// With the author's functions, which the expressions may then call.
+    #[must_use]
+    pub fn with(mut self, functions: &Functions) -> Self {
+        self.scope.declare_functions(functions.names());
+        self.functions = functions.clone();
+        self
     }
 
     /// The model, with what has been compiled in its graph.
@@ -39,6 +49,11 @@ impl<'a> Compiler<'a> {
     /// # Errors
     /// Unknown names, mismatching dimensions, and whatever else would be wrong with it inside the model.
     pub fn compile(&mut self, expression: &Expression, unit: Option<&StatedUnit>) -> Result<Compiled, Vec<Diagnostic>> {
+        let mut found = Vec::new();
+        let expression = &self.functions.expanded(expression, &mut Budget::default(), &mut found);
+        if has_errors(&found) {
+            return Err(found);
+        }
         let mut unreadable = false;
         for_each(expression, |part| unreadable |= part.kind == ExpressionKind::Error);
         if unreadable {

@@ -13,6 +13,13 @@ pub(crate) const STATES: usize = 256;
 pub(crate) const COUPLED: usize = 32;
 /// Dry frictions of a model.
 pub(crate) const FRICTIONS: usize = 16;
+/// Parts that all calls of the author's functions together may have when they are written out.
+pub(crate) const WRITTEN_OUT: usize = 50_000;
+/// How deeply an expression may be nested when the calls of the author's functions are written out, as deeply as one that
+/// is read.
+pub(crate) const NESTING: usize = 64;
+/// Levels of an expression, those of long sums and products counted.
+pub(crate) const HEIGHT: usize = 400;
 /// Nodes of the expression graph.
 pub(crate) const NODES: usize = 50_000;
 

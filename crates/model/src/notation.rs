@@ -111,6 +111,7 @@ fn write(out: &mut impl Write, expression: &Expression, least: u8) -> fmt::Resul
             }
             out.write_char(')')
         }
+        ExpressionKind::Expansion(expansion) => out.write_str(&expansion.written),
         ExpressionKind::If(condition, chosen, other) => {
             out.write_str("if ")?;
             write(out, condition, 0)?;

@@ -84,6 +84,8 @@ pub enum StatementKind {
         /// The equation that it stands for: its derivative, and 0.
         rate: Box<[Expression; 2]>,
     },
+    /// `function Re(v, d) = rho*abs(v)*d/eta`
+    Function(FunctionStatement),
     /// `rho*S*L*y'' + b*y' + 2*rho*S*g*y = 0`. Two [`ExpressionKind::Error`] stand for a statement that could not be
     /// read at all, which may have been of any kind.
     Equation {
@@ -117,6 +119,19 @@ pub struct ParameterStatement {
     pub range: Option<Bounds>,
     /// `step S`: the slider's, in the declared unit.
     pub step: Option<f64>,
+}
+
+/// The parts of a function of the author's own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FunctionStatement {
+    /// The function.
+    pub name: Name,
+    /// What its arguments are called in `body`.
+    pub parameters: Vec<Name>,
+    /// Its value.
+    pub body: Expression,
+    /// The stated unit of its value.
+    pub unit: Option<StatedUnit>,
 }
 
 /// `LOW..HIGH` and where.
@@ -189,8 +204,24 @@ pub enum ExpressionKind {
     },
     /// `if c then a else b`
     If(Box<Expression>, Box<Expression>, Box<Expression>),
+    /// A call of a function of the author's own, written out. The parser makes none.
+    Expansion(Box<Expansion>),
     /// What could not be read; a diagnostic has said so, and nothing more is said about it.
     Error,
+}
+
+/// What a call of a function of the author's own stands for. The expression that has it stands where the call stands; its
+/// body stands in the statement of the function, but for the arguments.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expansion {
+    /// The function.
+    pub function: String,
+    /// The call as messages quote it.
+    pub written: String,
+    /// The value of the function, with the arguments put in.
+    pub body: Expression,
+    /// The stated unit of the function.
+    pub unit: Option<StatedUnit>,
 }
 
 /// Prefix operators.

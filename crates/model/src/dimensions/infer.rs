@@ -49,6 +49,7 @@ impl Inference<'_> {
                 let (chosen_type, other_type) = (self.expression(chosen), self.expression(other));
                 self.same_kind((chosen, chosen_type), (other, other_type), Place::Branches)
             }
+            ExpressionKind::Expansion(expansion) => self.expansion(expansion, expression.span),
             ExpressionKind::Error => Type::Unknown,
         }
     }
@@ -282,6 +283,7 @@ impl Inference<'_> {
                 _ => None,
             },
             ExpressionKind::Unary(UnaryOperator::Negate, operand) => Some(-self.constant(operand)?),
+            ExpressionKind::Expansion(expansion) => self.constant(&expansion.body),
             ExpressionKind::Binary(operator, left, right) => {
                 let (left, right) = (self.constant(left)?, self.constant(right)?);
                 match operator {

@@ -2,6 +2,7 @@
 
 mod check;
 mod describe;
+mod expansion;
 mod form;
 mod infer;
 mod mismatch;

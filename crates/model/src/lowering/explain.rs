@@ -77,6 +77,9 @@ fn reason(expression: &Expression) -> Words {
         ExpressionKind::Call { function, .. } => {
             words!("one stands inside `{}`", "hay una dentro de `{}`", function.text)
         }
+        ExpressionKind::Expansion(expansion) => {
+            words!("one stands inside `{}`", "hay una dentro de `{}`", expansion.function)
+        }
         ExpressionKind::If(..) => words!("one decides `{quoted}`", "una decide `{quoted}`"),
         _ => words!("`{quoted}` depends on them in another way", "`{quoted}` depende de ellas de otro modo"),
     }

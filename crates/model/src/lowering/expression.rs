@@ -111,6 +111,7 @@ impl Lowering<'_> {
                 let (chosen, other) = (self.expression(chosen)?, self.expression(other)?);
                 self.graph.select(condition, chosen, other)
             }
+            ExpressionKind::Expansion(expansion) => self.expression(&expansion.body)?,
             ExpressionKind::Error => self.undefined(),
         };
         Ok(node)

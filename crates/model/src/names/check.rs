@@ -5,8 +5,9 @@ use super::scope::{Meaning, Scope};
 use super::traverse::for_each;
 use crate::limits;
 use crate::notation::{primed, quote};
-use crate::{Diagnostic, Expression, ExpressionKind, Name, Span};
+use crate::{Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, Span};
 use program::functions::Function;
+use std::collections::HashSet;
 use units::{Words, words};
 
 /// Collects what is wrong with the names of expressions. An unknown name is reported once, with all its places.
@@ -17,12 +18,14 @@ pub(crate) struct NameCheck<'a> {
     reported: Vec<&'a str>,
     unknown: Vec<(&'a str, u32, Vec<Span>)>,
     diagnostics: Vec<Diagnostic>,
+    /// What the arguments are called in the function that is looked at.
+    arguments: &'a [Name],
 }
 
 impl<'a> NameCheck<'a> {
     /// An empty check. The names in `reported` are not reported again.
     pub fn new(scope: &'a Scope, reported: Vec<&'a str>) -> Self {
-        Self { scope, reported, unknown: Vec::new(), diagnostics: Vec::new() }
+        Self { scope, reported, unknown: Vec::new(), diagnostics: Vec::new(), arguments: &[] }
     }
 
     /// Looks at one expression.
@@ -35,7 +38,17 @@ impl<'a> NameCheck<'a> {
         });
     }
 
+    /// Looks at the body of a function of the author's own, which may be called nowhere.
+    pub fn function(&mut self, function: &'a FunctionStatement) {
+        self.arguments = &function.parameters;
+        self.expression(&function.body);
+        self.arguments = &[];
+    }
+
     fn name(&mut self, name: &'a str, order: u32, span: Span) {
+        if self.arguments.iter().any(|argument| argument.text == name) {
+            return;
+        }
         let (what, value) = match self.scope.meaning(name) {
             None => return self.unknown(name, order, span),
             Some(Meaning::Parameter(_)) => (words("a parameter", "un parámetro"), 0),
@@ -56,6 +69,10 @@ impl<'a> NameCheck<'a> {
     }
 
     fn initial_value(&mut self, name: &'a str, order: u32, span: Span) {
+        let is_argument = self.arguments.iter().any(|argument| argument.text == name);
+        if is_argument || self.scope.is_function(name) {
+            return;
+        }
         self.name(name, order, span);
         if order == 0
             && let Some(Meaning::Parameter(_) | Meaning::Pi | Meaning::Independent) = self.scope.meaning(name)
@@ -79,7 +96,10 @@ impl<'a> NameCheck<'a> {
         match self.unknown.iter_mut().find(|(known, ..)| *known == name) {
             Some((_, greatest, places)) => {
                 *greatest = order.max(*greatest);
-                places.push(span);
+                // The body of a function stands in each of its calls.
+                if !places.contains(&span) {
+                    places.push(span);
+                }
             }
             None if count < limits::TOLD => self.unknown.push((name, order, vec![span])),
             None => {}
@@ -94,6 +114,9 @@ impl<'a> NameCheck<'a> {
             return;
         }
         let text = &name.text;
+        if self.scope.is_function(text) {
+            return;
+        }
         let message = words!("there is no function `{text}`", "no hay ninguna función `{text}`");
         let mut diagnostic = Diagnostic::error("unknown-function", message, name.span);
         if self.scope.meaning(text).is_some() {
@@ -114,7 +137,7 @@ impl<'a> NameCheck<'a> {
             }
         } else if let Some(hint) = foreign::instead_of(self.scope, name, arguments) {
             diagnostic = diagnostic.with_hint(hint);
-        } else if let Some(near) = Scope::near_function(text) {
+        } else if let Some(near) = self.scope.near_function(text) {
             diagnostic = diagnostic.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?"));
         }
         self.diagnostics.push(diagnostic);
@@ -136,6 +159,8 @@ impl<'a> NameCheck<'a> {
 
     /// Everything that was found.
     pub fn finish(mut self) -> Vec<Diagnostic> {
+        let mut places = HashSet::new();
+        self.diagnostics.retain(|diagnostic| places.insert((diagnostic.code, diagnostic.span())));
         for (name, order, places) in &self.unknown {
             self.diagnostics.push(unknown_name(self.scope, name, *order, places));
         }
@@ -161,6 +186,11 @@ fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagn
     for &place in rest.iter().take(limits::PLACES) {
         diagnostic = diagnostic.with_label(place, words("and here", "y aquí"));
     }
+    let is_function =
+        || words!("`{name}` is a function: write `{name}(...)`", "`{name}` es una función: escribe `{name}(...)`");
+    if scope.is_function(name) {
+        return diagnostic.with_hint(is_function());
+    }
     if let Some(factors) = as_product(scope, name) {
         return diagnostic.with_hint(words!("for a product write `{factors}`", "para un producto escribe `{factors}`"));
     }
@@ -171,10 +201,7 @@ fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagn
         return diagnostic.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?"));
     }
     if Function::named(name).is_some() {
-        return diagnostic.with_hint(words!(
-            "`{name}` is a function: write `{name}(...)`",
-            "`{name}` es una función: escribe `{name}(...)`"
-        ));
+        return diagnostic.with_hint(is_function());
     }
     match name {
         _ if order > 0 => {

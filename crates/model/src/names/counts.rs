@@ -124,8 +124,8 @@ fn nothing_to_solve_for(
         && Function::named(&function.text).is_none()
     {
         return diagnostic.with_hint(words(
-            "there are no functions of one's own: write what it stands for where it is needed",
-            "no hay funciones propias: escribe lo que representa allí donde se necesite",
+            "a function of one's own is declared: `function f(x) = ...`",
+            "una función propia se declara: `function f(x) = ...`",
         ));
     }
     diagnostic.with_hint(words(

@@ -2,7 +2,10 @@
 //! reserved names, ranges of parameters.
 
 use super::scope::{Meaning, PI, Scope};
-use crate::{Action, Diagnostic, Expression, Name, ParameterStatement, Span, StatedUnit, Statement, StatementKind};
+use crate::{
+    Action, Diagnostic, Expression, FunctionStatement, Name, ParameterStatement, Span, StatedUnit, Statement,
+    StatementKind,
+};
 use program::functions::Function;
 use std::collections::HashMap;
 use units::{Unit, words};
@@ -16,6 +19,7 @@ pub(crate) struct Declarations<'a> {
     pub initial_values: Vec<InitialEntry<'a>>,
     pub equations: Vec<Equation<'a>>,
     pub events: Vec<EventEntry<'a>>,
+    pub functions: Vec<&'a FunctionStatement>,
     pub scope: Scope,
 }
 
@@ -70,6 +74,7 @@ impl<'a> Declarations<'a> {
             initial_values: Vec::new(),
             equations: Vec::new(),
             events: Vec::new(),
+            functions: Vec::new(),
         };
         for statement in statements {
             let span = statement.span;
@@ -100,6 +105,12 @@ impl<'a> Declarations<'a> {
                         let entry = InitialEntry { name, order: 0, value, unit: unit.as_ref(), label };
                         declarations.initial_values.push(entry);
                         declarations.equations.push(Equation { left, right, span });
+                    }
+                }
+                StatementKind::Function(function) => {
+                    if declarations.may_declare(&function.name, &mut declared, diagnostics) {
+                        declarations.scope.declare_functions([function.name.text.as_str()]);
+                        declarations.functions.push(function);
                     }
                 }
                 StatementKind::Equation { left, right } => declarations.equations.push(Equation { left, right, span }),

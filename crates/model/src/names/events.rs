@@ -74,6 +74,7 @@ fn is_number(declarations: &Declarations, expression: &Expression, depth: usize)
                 | BinaryOperator::Divide
                 | BinaryOperator::Power
         ),
+        ExpressionKind::Expansion(expansion) => depth < DEEPEST && is_number(declarations, &expansion.body, depth + 1),
         ExpressionKind::If(_, chosen, _) => depth < DEEPEST && is_number(declarations, chosen, depth + 1),
         ExpressionKind::Name { name, order: 0 } => match declarations.scope.meaning(name) {
             Some(Meaning::Definition(index)) => {

@@ -27,6 +27,8 @@ pub(crate) struct Scope {
     meanings: HashMap<String, Meaning>,
     /// In the order of declaration, so that offers do not depend on the hash.
     names: Vec<String>,
+    /// The functions of the author's own.
+    functions: Vec<String>,
 }
 
 /// The name of the constant.
@@ -35,7 +37,12 @@ pub(crate) const PI: &str = "pi";
 impl Scope {
     /// Only `pi` and the independent variable.
     pub fn new(independent: &str) -> Self {
-        let mut scope = Self { independent: independent.to_owned(), meanings: HashMap::new(), names: Vec::new() };
+        let mut scope = Self {
+            independent: independent.to_owned(),
+            meanings: HashMap::new(),
+            names: Vec::new(),
+            functions: Vec::new(),
+        };
         scope.declare(PI, Meaning::Pi);
         scope.declare(independent, Meaning::Independent);
         scope
@@ -47,6 +54,16 @@ impl Scope {
             self.meanings.insert(name.to_owned(), meaning);
             self.names.push(name.to_owned());
         }
+    }
+
+    /// Declares functions of the author's own.
+    pub fn declare_functions<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
+        self.functions.extend(names.into_iter().map(str::to_owned));
+    }
+
+    /// Whether the author has a function of that name.
+    pub fn is_function(&self, name: &str) -> bool {
+        self.functions.iter().any(|function| function == name)
     }
 
     /// What a name means.
@@ -65,8 +82,9 @@ impl Scope {
     }
 
     /// The function that `name` was probably meant to be.
-    pub fn near_function(name: &str) -> Option<&'static str> {
-        nearest(name, FUNCTIONS.iter().map(|function| function.name))
+    pub fn near_function(&self, name: &str) -> Option<&str> {
+        let own = self.functions.iter().map(String::as_str);
+        nearest(name, own.chain(FUNCTIONS.iter().map(|function| function.name)))
     }
 }
 
@@ -92,7 +110,9 @@ mod tests {
         ] {
             assert_eq!(scope.near(written), meant, "{written}");
         }
-        assert_eq!(Scope::near_function("sine"), Some("sin"));
-        assert_eq!(Scope::near_function("squrt"), Some("sqrt"));
+        scope.declare_functions(["drag"]);
+        assert_eq!(scope.near_function("sine"), Some("sin"));
+        assert_eq!(scope.near_function("squrt"), Some("sqrt"));
+        assert_eq!(scope.near_function("darg"), Some("drag"));
     }
 }

@@ -23,6 +23,7 @@ pub(crate) fn children(expression: &Expression) -> Vec<&Expression> {
         ExpressionKind::Unary(_, operand) => vec![operand],
         ExpressionKind::Binary(_, left, right) => vec![left, right],
         ExpressionKind::Call { arguments, .. } => arguments.iter().collect(),
+        ExpressionKind::Expansion(expansion) => vec![&expansion.body],
         ExpressionKind::If(condition, chosen, other) => vec![condition, chosen, other],
     }
 }

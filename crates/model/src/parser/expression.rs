@@ -11,7 +11,7 @@ use units::{Words, words};
 pub(super) const DEEPEST: usize = 64;
 
 /// Levels of the tree. A sum of n terms has n of them, so this bounds the length of a sum too.
-const HIGHEST: usize = 400;
+const HIGHEST: usize = crate::limits::HEIGHT;
 
 /// An expression and the number of levels of its tree.
 pub(super) struct Tree {

@@ -2,13 +2,14 @@
 //!
 //! ```text
 //! model       = { statement line-end }
-//! statement   = parameter | independent | event | definition | initial | equation
+//! statement   = parameter | independent | event | function | definition | initial | equation
 //! parameter   = "parameter" NAME "=" [ "-" ] NUMBER [ UNIT ]
 //!               [ "in" signed ".." signed ] [ "step" NUMBER ] [ TEXT ]
 //! independent = "independent" NAME [ "in" UNIT ] [ TEXT ]
 //! event       = "when" expression "{" [ action { separator action } ] "}" [ TEXT ]
 //! action      = NAME [ PRIMES ] "=" expression
 //! separator   = ";" | "," | line-end
+//! function    = "function" NAME "(" NAME { "," NAME } ")" "=" expression [ "in" UNIT ] [ TEXT ]
 //! definition  = NAME "=" expression [ "in" UNIT ] [ TEXT ]
 //! initial     = NAME [ PRIMES ] "(" "0" ")" "=" expression [ "in" UNIT ] [ TEXT ]
 //! equation    = expression "=" expression [ TEXT ]
@@ -39,6 +40,7 @@ mod declaration;
 mod discrete;
 mod ending;
 mod expression;
+mod function;
 mod layout;
 mod operand;
 mod statement;

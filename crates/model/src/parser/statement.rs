@@ -12,6 +12,7 @@ use units::{Words, words};
 const OTHER_WORDS: &[(&str, &[&str])] = &[
     ("parameter", &["parameters", "param", "par", "const", "constant", "let", "var", "input", "parametro"]),
     ("independent", &["variable"]),
+    ("function", &["def", "func", "fn"]),
     ("when", &["event", "on", "while"]),
 ];
 
@@ -39,6 +40,7 @@ impl Cursor<'_> {
                 (nothing(start), self.plain_name(&words("a quantity", "una magnitud")).map(|_| ()))
             }
             TokenKind::Name { .. } if self.is_discrete() => self.discrete(),
+            TokenKind::Name { .. } if self.is_function() => self.function(),
             TokenKind::Name { .. } if self.meant_word().is_some() => (nothing(start), self.unknown_word()),
             TokenKind::Keyword(Keyword::Parameter) => self.parameter(),
             TokenKind::Keyword(Keyword::Independent) => self.independent(),

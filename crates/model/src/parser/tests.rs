@@ -40,7 +40,7 @@ fn shown(expression: &Expression) -> String {
         ExpressionKind::If(condition, yes, no) => {
             format!("(if {} then {} else {})", shown(condition), shown(yes), shown(no))
         }
-        ExpressionKind::Error => "?".to_owned(),
+        ExpressionKind::Error | ExpressionKind::Expansion(_) => "?".to_owned(),
     }
 }
 
@@ -64,6 +64,11 @@ fn shown_statement(statement: &Statement) -> String {
         }
         StatementKind::Discrete { name, value, unit, .. } => {
             format!("discrete {} := {}{}", name.text, shown(value), in_unit(unit))
+        }
+        StatementKind::Function(function) => {
+            let parameters: Vec<&str> = function.parameters.iter().map(|parameter| parameter.text.as_str()).collect();
+            let (name, body) = (&function.name.text, shown(&function.body));
+            format!("function {name}({}) := {body}{}", parameters.join(", "), in_unit(&function.unit))
         }
         StatementKind::Equation { left, right } => format!("{} = {}", shown(left), shown(right)),
         StatementKind::Event { condition, actions } => {
@@ -178,6 +183,10 @@ fn each_kind_of_statement_is_read() {
         ("T = m*y'^2/2 in [J]", "T := ((m*(y'^2))/2) in [J]"),
         ("y(0) = h in [cm] \"Displacement\"", "y@0 := h in [cm] \"Displacement\""),
         ("y'(0) = v_0", "y'@0 := v_0"),
+        ("function f(x) = 2*x", "function f(x) := (2*x)"),
+        ("function Re(v; d) = v*d/nu in [m] \"Number\"", "function Re(v, d) := ((v*d)/nu) in [m] \"Number\""),
+        ("function(x) = 2*x", "function(x) = (2*x)"),
+        ("function = 2", "function := 2"),
         ("m*y'' + b*y' = 0", "((m*y'')+(b*y')) = 0"),
         ("y'' = -g*y/L", "y'' = (((-g)*y)/L)"),
         ("0 = m*y''", "0 = (m*y'')"),

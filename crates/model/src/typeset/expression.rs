@@ -1,6 +1,7 @@
 //! Expressions as MathML: fractions, powers, roots and products without a sign, with no more parentheses than needed.
 
 use crate::{BinaryOperator, Expression, ExpressionKind, Name, UnaryOperator};
+use program::functions::Function;
 use units::markup::escaped;
 use units::mathml::{has_power_of_ten, is_word, name, number, unit_after_number};
 
@@ -123,6 +124,7 @@ impl Typesetter<'_> {
             ExpressionKind::Binary(operator, left, right) => self.infix(*operator, left, right, place),
             ExpressionKind::Call { function, arguments } => self.function(function, arguments, None, true),
             ExpressionKind::If(condition, yes, no) => self.branches(condition, yes, no),
+            ExpressionKind::Expansion(expansion) => self.set(&expansion.body, place),
             ExpressionKind::Error => "<mtext>?</mtext>".to_owned(),
         }
     }
@@ -222,6 +224,13 @@ impl Typesetter<'_> {
             }
             _ => format!("<msup>{}{above}</msup>", parenthesised(&self.set(base, place))),
         }
+    }
+
+    /// A function of the author's own with the names of its arguments.
+    pub(super) fn declared(&self, function: &Name, parameters: &[Name]) -> String {
+        let parameters: Vec<String> = parameters.iter().map(|parameter| name(&parameter.text, 0, None)).collect();
+        let inside = parenthesised(&format!("<mrow>{}</mrow>", parameters.join("<mo>,</mo>")));
+        format!("<mrow>{}<mo>&#x2061;</mo>{inside}</mrow>", name(&function.text, 0, None))
     }
 
     /// A call. Where `bare` allows it, the parentheses around a single name are left out: cos φ.
@@ -350,6 +359,8 @@ fn function_sign(function: &str) -> String {
         "atanh" => "artanh",
         "sign" => "sgn",
         "log10" => return "<msub><mi>log</mi><mn>10</mn></msub>".to_owned(),
+        // A function of the author's own.
+        other if Function::named(other).is_none() => return name(other, 0, None),
         other => other,
     };
     if printed.chars().count() == 1 {

@@ -29,6 +29,9 @@ impl Typesetter<'_> {
             StatementKind::Parameter(_) | StatementKind::Independent { .. } => return None,
             StatementKind::Definition { name, value, .. } => equals(mathml::name(&name.text, 0, None), value),
             StatementKind::InitialValue { name, order, value, .. } => equals(initial_value(&name.text, *order), value),
+            StatementKind::Function(function) => {
+                equals(self.declared(&function.name, &function.parameters), &function.body)
+            }
             StatementKind::Discrete { name, value, .. } => equals(initial_value(&name.text, 0), value),
             StatementKind::Equation { left, right } => equals(self.expression(left), right),
             StatementKind::Event { condition, actions } => {

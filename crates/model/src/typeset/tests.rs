@@ -169,7 +169,8 @@ fn names_have_greek_letters_subscripts_and_primes() {
 #[test]
 fn statements_are_set_one_by_one() {
     let source = "parameter g = 9.8 [m/s^2]\nm = rho*L \"Mass\"\nm*y'' = -b*y'\ny'(0) = v_0\nr = \"a < b\"\n\
-                  when y < 0 [m] { y' = -e*y'; y = 0 }";
+                  when y < 0 [m] { y' = -e*y'; y = 0 }\n\
+                  function F_d(v, rho) = c*rho*v^2\nF = F_d(y', 2)*a";
     let (statements, diagnostics) = parse(source, std::slice::from_ref(&(0..source.len())));
     assert!(diagnostics.is_empty(), "{diagnostics:?}");
     let translate = |text: &str| text.to_uppercase();
@@ -177,7 +178,18 @@ fn statements_are_set_one_by_one() {
     let all: Vec<String> = statements.iter().filter_map(|statement| typesetter.statement(statement)).collect();
     assert!(all.iter().all(|one| one.starts_with("<math display=\"block\">") && one.ends_with("</math>")));
     let read: Vec<String> = all.iter().map(|one| short(one)).collect();
-    assert_eq!(read, ["m=ρL", "my^{″}=−by^{′}", "y^{′}(0)=v_{0}", "r=A &lt; B", "y&lt;0~\\m⟹y^{′}←−ey^{′},y←0"]);
+    assert_eq!(
+        read,
+        [
+            "m=ρL",
+            "my^{″}=−by^{′}",
+            "y^{′}(0)=v_{0}",
+            "r=A &lt; B",
+            "y&lt;0~\\m⟹y^{′}←−ey^{′},y←0",
+            "F_{d}(v,ρ)=cρv^{2}",
+            "F=F_{d}(y^{′},2)~a"
+        ]
+    );
 }
 
 #[test]

@@ -30,6 +30,26 @@ fn definitions_that_double_each_time_stay_small() {
 }
 
 #[test]
+fn functions_that_double_each_time_are_refused() {
+    let source = "function f0(x) = x + x\n".to_owned()
+        + &lines(40, |n| format!("function f{}(x) = f{n}(x) + f{n}(2*x)", n + 1))
+        + "y = f40(1)\n";
+    let (model, text) = on_a_small_stack(source);
+    assert!(model.is_none());
+    assert!(text.starts_with("error [model-too-large]"), "{text}");
+}
+
+#[test]
+fn functions_of_functions_do_not_exhaust_the_stack() {
+    let source = "function f0(x) = 1 + x\n".to_owned()
+        + &lines(300, |n| format!("function f{}(x) = 1 + f{n}(2*(x - 1))", n + 1))
+        + "y = f300(1)\nz = f10(2)\n";
+    let (model, text) = on_a_small_stack(source);
+    assert!(model.is_none());
+    assert!(text.starts_with("error [model-too-large]"), "{text}");
+}
+
+#[test]
 fn many_primes_of_a_deep_expression_stay_bounded() {
     let nested = format!("{}t{}", "sin(1 + exp(".repeat(15), "))".repeat(15));
     let (model, text) = on_a_small_stack(format!("independent t\ny = {nested}\nz = y''''''''''''\n"));

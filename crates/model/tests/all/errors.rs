@@ -35,6 +35,11 @@ fn names() {
 }
 
 #[test]
+fn functions() {
+    check("functions.txt");
+}
+
+#[test]
 fn parameters() {
     check("parameters.txt");
 }

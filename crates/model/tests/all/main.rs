@@ -7,6 +7,7 @@ mod common;
 mod derivatives;
 mod errors;
 mod expressions;
+mod functions;
 mod lowering;
 mod properties;
 mod spanish;

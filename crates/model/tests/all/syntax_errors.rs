@@ -24,13 +24,28 @@ fn told(source: &str, diagnostics: &[Diagnostic]) -> String {
 #[test]
 fn every_wrong_text_gets_these_words() {
     let mut cases = 0;
-    for block in include_str!("syntax_errors.txt").split("\n\n").filter(|block| block.starts_with("> ")) {
+    let update = std::env::var_os("UPDATE_EXPECTED").is_some();
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/all/syntax_errors.txt");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let mut updated = Vec::new();
+    for block in text.trim_end().split("\n\n") {
+        if !block.starts_with("> ") {
+            updated.push(block.to_owned());
+            continue;
+        }
         let source: Vec<&str> = block.lines().filter_map(|line| line.strip_prefix("> ")).collect();
         let source = source.join("\n");
         let expected: Vec<&str> = block.lines().filter(|line| !line.starts_with("> ")).collect();
         let (_, diagnostics) = parse(&source, std::slice::from_ref(&(0..source.len())));
-        assert_eq!(told(&source, &diagnostics).trim_end(), expected.join("\n"), "\n{source}");
+        let found = told(&source, &diagnostics);
+        let found = found.trim_end();
+        assert!(update || found == expected.join("\n"), "{source}\n{found}");
+        let source: Vec<&str> = block.lines().filter(|line| line.starts_with("> ")).collect();
+        updated.push(format!("{}\n{found}", source.join("\n")));
         cases += 1;
+    }
+    if update {
+        std::fs::write(&path, updated.join("\n\n") + "\n").unwrap();
     }
     assert!(cases > 90, "only {cases} cases were found");
 }

@@ -56,6 +56,7 @@ const PIECES: &[&str] = &[
     "parameter ",
     "independent ",
     "when ",
+    "function ",
     " in ",
     "step ",
     "if ",
@@ -97,6 +98,7 @@ fn expressions(statement: &Statement) -> Vec<&Expression> {
         StatementKind::Definition { value, .. }
         | StatementKind::InitialValue { value, .. }
         | StatementKind::Discrete { value, .. } => vec![value],
+        StatementKind::Function(function) => vec![&function.body],
         StatementKind::Equation { left, right } => vec![left, right],
         StatementKind::Event { condition, actions } => {
             std::iter::once(condition).chain(actions.iter().map(|action| &action.value)).collect()
@@ -125,7 +127,7 @@ fn written(expression: &Expression) -> Option<String> {
             Some(unit) => format!("{value:?} [{unit}]"),
             None => format!("{value:?}"),
         },
-        ExpressionKind::Number { .. } | ExpressionKind::Error => return None,
+        ExpressionKind::Number { .. } | ExpressionKind::Error | ExpressionKind::Expansion(_) => return None,
         ExpressionKind::Text(text) => format!("\"{text}\""),
         ExpressionKind::Name { name, order } => primed(name, order),
         ExpressionKind::InitialValue { name, order } => primed(name, order) + "(0)",

@@ -1,0 +1,30 @@
+//! Calls of functions of the author's own, which are checked one by one.
+
+use super::infer::Inference;
+use super::types::Type;
+use crate::{Expansion, Span};
+use std::collections::HashSet;
+use units::words;
+
+impl Inference<'_> {
+    /// A call of a function of the author's own: what does not fit in its body says with which call.
+    pub(super) fn expansion(&mut self, expansion: &Expansion, call: Span) -> Type {
+        let before = self.diagnostics.len();
+        let found = self.expression(&expansion.body);
+        if let Some(stated) = &expansion.unit {
+            self.check_stated(&expansion.body, &found, stated);
+        }
+        let mut places = HashSet::new();
+        for mut diagnostic in self.diagnostics.split_off(before) {
+            if !call.contains(diagnostic.span()) {
+                let place = words!("with this call of `{}`", "con esta llamada a `{}`", expansion.function);
+                diagnostic = diagnostic.with_label(call, place);
+            }
+            // An argument that is used twice is wrong once.
+            if places.insert(diagnostic.labels.iter().map(|label| label.span).collect::<Vec<_>>()) {
+                self.diagnostics.push(diagnostic);
+            }
+        }
+        found
+    }
+}

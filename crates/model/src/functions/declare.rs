@@ -1,0 +1,118 @@
+//! Which functions there are, and that none of them calls itself.
+
+use super::{Function, Functions};
+use crate::matching::blocks;
+use crate::names::{for_each, for_each_name, list};
+use crate::{Diagnostic, ExpressionKind, FunctionStatement, Statement, StatementKind};
+use std::collections::HashMap;
+use units::words;
+
+impl Functions {
+    /// Reads the functions of a model. None if they call each other in circles.
+    pub(crate) fn collect(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> Option<Self> {
+        let mut declared: Vec<&FunctionStatement> = Vec::new();
+        let mut numbers: HashMap<&str, usize> = HashMap::new();
+        for statement in statements {
+            if let StatementKind::Function(function) = &statement.kind
+                // A second one is reported with the other names that are declared twice.
+                && !numbers.contains_key(function.name.text.as_str())
+            {
+                numbers.insert(&function.name.text, declared.len());
+                declared.push(function);
+                check_parameters(function, diagnostics);
+            }
+        }
+        let calls: Vec<Vec<usize>> = declared.iter().map(|function| called(function, &numbers)).collect();
+        let mut functions = Self::default();
+        let mut circles = false;
+        for block in blocks(&calls) {
+            let calls_itself = block.iter().any(|&member| calls[member].iter().any(|called| block.contains(called)));
+            if calls_itself {
+                diagnostics.push(recursion(&declared, &block));
+                circles = true;
+            }
+            for member in block {
+                let FunctionStatement { name, parameters, body, unit } = declared[member];
+                let function = Function {
+                    name: name.text.clone(),
+                    parameters: parameters.iter().map(|parameter| parameter.text.clone()).collect(),
+                    body: body.clone(),
+                    unit: unit.clone(),
+                    span: name.span,
+                };
+                functions.by_name.insert(name.text.clone(), function);
+            }
+        }
+        if circles { None } else { Some(functions) }
+    }
+}
+
+/// Which functions are called in the body of one, each once.
+fn called(function: &FunctionStatement, numbers: &HashMap<&str, usize>) -> Vec<usize> {
+    let mut called = Vec::new();
+    for_each(&function.body, |part| {
+        let name = match &part.kind {
+            ExpressionKind::Call { function, .. } => function.text.as_str(),
+            ExpressionKind::InitialValue { name, order: 0 } => name,
+            _ => return,
+        };
+        if let Some(&number) = numbers.get(name)
+            && !called.contains(&number)
+        {
+            called.push(number);
+        }
+    });
+    called
+}
+
+fn check_parameters(function: &FunctionStatement, diagnostics: &mut Vec<Diagnostic>) {
+    let mut used: Vec<&str> = Vec::new();
+    for_each_name(&function.body, |name, _, _| {
+        if function.parameters.iter().any(|parameter| parameter.text == name) && !used.contains(&name) {
+            used.push(name);
+        }
+    });
+    for (index, parameter) in function.parameters.iter().enumerate() {
+        let text = &parameter.text;
+        if let Some(first) = function.parameters[..index].iter().find(|earlier| earlier.text == *text) {
+            let message = words!("`{text}` is declared twice", "`{text}` se declara dos veces");
+            let diagnostic = Diagnostic::error("duplicate-name", message, parameter.span);
+            diagnostics
+                .push(diagnostic.with_label(first.span, words("first declared here", "se declara primero aquí")));
+        } else if !used.contains(&text.as_str()) {
+            let message = words!(
+                "the value of `{}` does not depend on its argument `{text}`",
+                "el valor de `{}` no depende de su argumento `{text}`",
+                function.name.text
+            );
+            diagnostics.push(
+                Diagnostic::error("unused-argument", message, parameter.span)
+                    .with_hint(words("leave it out, here and in the calls", "omítelo, aquí y en las llamadas")),
+            );
+        }
+    }
+}
+
+fn recursion(declared: &[&FunctionStatement], members: &[usize]) -> Diagnostic {
+    let name = |&member: &usize| &declared[member].name;
+    let hint = words(
+        "what is computed again and again from itself is a state: `x' = ...`",
+        "lo que se calcula una y otra vez a partir de sí mismo es un estado: `x' = ...`",
+    );
+    let (first, others) = members.split_first().map_or((&0, members), |parts| parts);
+    let message = if others.is_empty() {
+        words!("the function `{}` calls itself", "la función `{}` se llama a sí misma", name(first).text)
+    } else {
+        let names: Vec<String> = members.iter().map(|member| format!("`{}`", name(member).text)).collect();
+        words!(
+            "the functions {names} call each other in a circle",
+            "las funciones {names} se llaman unas a otras en círculo",
+            names = list(&names)
+        )
+    };
+    let mut diagnostic = Diagnostic::error("cycle", message, name(first).span).with_hint(hint);
+    for other in others {
+        diagnostic = diagnostic.with_label(name(other).span, words("and this", "y esta"));
+    }
+    diagnostic
+}

@@ -1,0 +1,189 @@
+//! Writing out the calls in an expression.
+
+use super::substitute::Substitution;
+use super::{Function, Functions};
+use crate::names::children;
+use crate::notation::quote;
+use crate::{Diagnostic, Expansion, Expression, ExpressionKind, Span, limits};
+use units::words;
+
+/// How many parts may still be written out.
+#[derive(Debug)]
+pub(crate) struct Budget(usize);
+
+impl Default for Budget {
+    fn default() -> Self {
+        Self(limits::WRITTEN_OUT)
+    }
+}
+
+impl Budget {
+    /// Whether one more part may be written out.
+    pub fn take(&mut self) -> bool {
+        let left = self.0 > 0;
+        self.0 = self.0.saturating_sub(1);
+        left
+    }
+}
+
+impl Functions {
+    /// The expression with all calls of these functions written out. A call that cannot be becomes
+    /// [`ExpressionKind::Error`], with a diagnostic.
+    pub(crate) fn expanded(
+        &self,
+        expression: &Expression,
+        budget: &mut Budget,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> Expression {
+        let mut expanded = expression.clone();
+        if self.by_name.is_empty() {
+            return expanded;
+        }
+        let mut writing = Writing { functions: self, budget, diagnostics };
+        writing.expand(&mut expanded, 1);
+        expanded
+    }
+}
+
+impl Functions {
+    /// The function that an expression calls.
+    fn called(&self, expression: &Expression) -> Option<&Function> {
+        match &expression.kind {
+            ExpressionKind::Call { function, .. } => self.by_name.get(&function.text),
+            // `f(0)` is read as a value at the start.
+            ExpressionKind::InitialValue { name, order: 0 } => self.by_name.get(name),
+            _ => None,
+        }
+    }
+}
+
+/// Writes out calls.
+struct Writing<'a> {
+    functions: &'a Functions,
+    budget: &'a mut Budget,
+    diagnostics: &'a mut Vec<Diagnostic>,
+}
+
+impl<'a> Writing<'a> {
+    /// Writes out the calls in what is nested so deeply.
+    fn expand(&mut self, expression: &mut Expression, depth: usize) {
+        if depth > limits::NESTING {
+            self.refuse(expression);
+            return;
+        }
+        let own = self.functions.called(expression);
+        let written = own.map(|own| (own, quote(expression), expression.span));
+        let kind = match &mut expression.kind {
+            ExpressionKind::Call { arguments, .. } => {
+                arguments.iter_mut().for_each(|argument| self.expand(argument, depth + 1));
+                let Some((own, text, span)) = written else { return };
+                let arguments = std::mem::take(arguments);
+                self.call(own, &arguments, (text, span), depth)
+            }
+            ExpressionKind::InitialValue { .. } => {
+                let Some((own, text, span)) = written else { return };
+                let kind = ExpressionKind::Number { value: 0.0, unit: None };
+                self.call(own, &[Expression { kind, span }], (text, span), depth)
+            }
+            ExpressionKind::Unary(_, operand) => return self.expand(operand, depth + 1),
+            ExpressionKind::Binary(..) => return self.chain(expression, depth),
+            ExpressionKind::If(condition, chosen, other) => {
+                return [condition, chosen, other].into_iter().for_each(|part| self.expand(part, depth + 1));
+            }
+            ExpressionKind::Number { .. }
+            | ExpressionKind::Text(_)
+            | ExpressionKind::Name { .. }
+            | ExpressionKind::Expansion(_)
+            | ExpressionKind::Error => return,
+        };
+        expression.kind = kind;
+        if is_too_deep(expression) {
+            self.refuse(expression);
+        }
+    }
+
+    /// `a + b + c`, which is nested to the left as often as it has operators: a loop spares the stack.
+    fn chain(&mut self, expression: &mut Expression, depth: usize) {
+        let mut first = expression;
+        while matches!(first.kind, ExpressionKind::Binary(..)) {
+            let ExpressionKind::Binary(_, left, right) = &mut first.kind else { return };
+            self.expand(right, depth + 1);
+            first = left;
+        }
+        self.expand(first, depth + 1);
+    }
+
+    /// What stands in the place of a call of `function`.
+    fn call(
+        &mut self,
+        function: &Function,
+        arguments: &[Expression],
+        (written, call): (String, Span),
+        depth: usize,
+    ) -> ExpressionKind {
+        if arguments.len() != function.parameters.len() {
+            self.diagnostics.push(wrong_count(function, arguments.len(), call));
+            return ExpressionKind::Error;
+        }
+        let (budget, diagnostics) = (&mut *self.budget, &mut *self.diagnostics);
+        let body = Substitution { function, arguments, call, budget, diagnostics }.of(&function.body);
+        let Some(mut body) = body.filter(|body| !is_too_deep(body)) else {
+            self.diagnostics.push(too_large(call));
+            return ExpressionKind::Error;
+        };
+        // Calls in the body come after its arguments: a name of the model in another function's body is none of them.
+        self.expand(&mut body, depth + 1);
+        let (function, unit) = (function.name.clone(), function.unit.clone());
+        ExpressionKind::Expansion(Box::new(Expansion { function, written, body, unit }))
+    }
+
+    fn refuse(&mut self, expression: &mut Expression) {
+        self.diagnostics.push(too_large(expression.span));
+        expression.kind = ExpressionKind::Error;
+    }
+}
+
+/// Whether an expression is nested more deeply than one that can be read.
+fn is_too_deep(expression: &Expression) -> bool {
+    let mut waiting = vec![(expression, 1, 1)];
+    while let Some((next, depth, height)) = waiting.pop() {
+        if depth > limits::NESTING || height > limits::HEIGHT {
+            return true;
+        }
+        // What is chained to the left, as a sum of many terms, is no deeper for it.
+        let chained = matches!(next.kind, ExpressionKind::Binary(..));
+        for (place, part) in children(next).into_iter().enumerate() {
+            waiting.push((part, if chained && place == 0 { depth } else { depth + 1 }, height + 1));
+        }
+    }
+    false
+}
+
+fn too_large(span: Span) -> Diagnostic {
+    let message = words(
+        "with the functions that it calls written out, this expression is too large",
+        "con las funciones a las que llama desarrolladas, esta expresión es demasiado grande",
+    );
+    Diagnostic::error("model-too-large", message, span).with_hint(words(
+        "define parts of it as quantities of their own",
+        "define partes de ella como magnitudes propias",
+    ))
+}
+
+fn wrong_count(function: &Function, given: usize, span: Span) -> Diagnostic {
+    let takes = match function.parameters.len() {
+        1 => words("1 argument", "1 argumento"),
+        count => words!("{count} arguments", "{count} argumentos"),
+    };
+    let name = &function.name;
+    let message = match given {
+        1 => words!("`{name}` takes {takes}, and 1 was given", "`{name}` toma {takes}, y se dio 1", takes = takes),
+        given => words!(
+            "`{name}` takes {takes}, and {given} were given",
+            "`{name}` toma {takes}, y se dieron {given}",
+            takes = takes
+        ),
+    };
+    Diagnostic::error("wrong-argument-count", message, span)
+        .with_label(function.span, words("it is declared here", "se declara aquí"))
+}

@@ -1,0 +1,45 @@
+//! The calls in the statements of a model.
+
+use super::Functions;
+use super::expand::Budget;
+use crate::{Diagnostic, Expression, Statement, StatementKind};
+use std::collections::HashSet;
+
+/// The functions of a model, and its statements with their calls written out, if there are any.
+pub(crate) fn written_out(
+    statements: &[Statement],
+    diagnostics: &mut Vec<Diagnostic>,
+) -> (Functions, Option<Vec<Statement>>) {
+    if !statements.iter().any(|statement| matches!(statement.kind, StatementKind::Function(_))) {
+        return (Functions::default(), None);
+    }
+    let Some(functions) = Functions::collect(statements, diagnostics) else { return (Functions::default(), None) };
+    let mut budget = Budget::default();
+    let mut written = statements.to_vec();
+    for expression in written.iter_mut().flat_map(|statement| expressions(&mut statement.kind)) {
+        *expression = functions.expanded(expression, &mut budget, diagnostics);
+    }
+    for statement in statements {
+        // Functions that are called nowhere.
+        if let StatementKind::Function(function) = &statement.kind {
+            functions.expanded(&function.body, &mut Budget::default(), diagnostics);
+        }
+    }
+    let mut places = HashSet::new();
+    diagnostics.retain(|diagnostic| places.insert((diagnostic.code, diagnostic.span())));
+    (functions, Some(written))
+}
+
+/// The expressions of a statement in which functions may be called.
+fn expressions(statement: &mut StatementKind) -> Vec<&mut Expression> {
+    match statement {
+        StatementKind::Parameter(_) | StatementKind::Independent { .. } | StatementKind::Function(_) => Vec::new(),
+        StatementKind::Definition { value, .. }
+        | StatementKind::InitialValue { value, .. }
+        | StatementKind::Discrete { value, .. } => vec![value],
+        StatementKind::Equation { left, right } => vec![left, right],
+        StatementKind::Event { condition, actions } => {
+            std::iter::once(condition).chain(actions.iter_mut().map(|action| &mut action.value)).collect()
+        }
+    }
+}

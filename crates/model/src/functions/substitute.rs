@@ -1,0 +1,96 @@
+//! Putting arguments into the body of a function.
+
+use super::Function;
+use super::expand::Budget;
+use crate::names::for_each;
+use crate::notation::quote;
+use crate::{Diagnostic, Expression, ExpressionKind, Span};
+use units::words;
+
+/// One call.
+pub(super) struct Substitution<'a> {
+    pub function: &'a Function,
+    pub arguments: &'a [Expression],
+    /// Where it stands.
+    pub call: Span,
+    pub budget: &'a mut Budget,
+    pub diagnostics: &'a mut Vec<Diagnostic>,
+}
+
+impl<'a> Substitution<'a> {
+    /// Part of the body with the arguments in it. None if it becomes too large.
+    pub fn of(&mut self, part: &Expression) -> Option<Expression> {
+        if !self.budget.take() {
+            return None;
+        }
+        let kind = match &part.kind {
+            ExpressionKind::Name { name, order } => match self.argument(name) {
+                Some(argument) if *order == 0 => return self.of_argument(argument),
+                Some(argument) => self.primed(argument, *order, part.span),
+                None => part.kind.clone(),
+            },
+            ExpressionKind::InitialValue { name, order } => match self.argument(name) {
+                Some(argument) => match self.primed(argument, *order, part.span) {
+                    ExpressionKind::Name { name, order } => ExpressionKind::InitialValue { name, order },
+                    other => other,
+                },
+                None => part.kind.clone(),
+            },
+            ExpressionKind::Number { .. }
+            | ExpressionKind::Text(_)
+            | ExpressionKind::Expansion(_)
+            | ExpressionKind::Error => part.kind.clone(),
+            ExpressionKind::Unary(operator, operand) => ExpressionKind::Unary(*operator, self.boxed(operand)?),
+            ExpressionKind::Binary(operator, left, right) => {
+                ExpressionKind::Binary(*operator, self.boxed(left)?, self.boxed(right)?)
+            }
+            ExpressionKind::If(condition, chosen, other) => {
+                ExpressionKind::If(self.boxed(condition)?, self.boxed(chosen)?, self.boxed(other)?)
+            }
+            ExpressionKind::Call { function, arguments } => {
+                let arguments = arguments.iter().map(|argument| self.of(argument)).collect::<Option<_>>()?;
+                ExpressionKind::Call { function: function.clone(), arguments }
+            }
+        };
+        Some(Expression { kind, span: part.span })
+    }
+
+    fn boxed(&mut self, part: &Expression) -> Option<Box<Expression>> {
+        self.of(part).map(Box::new)
+    }
+
+    /// What stands in the call for a name of the body.
+    fn argument(&self, name: &str) -> Option<&'a Expression> {
+        let place = self.function.parameters.iter().position(|parameter| parameter == name)?;
+        self.arguments.get(place)
+    }
+
+    /// The argument itself.
+    fn of_argument(&mut self, argument: &Expression) -> Option<Expression> {
+        let mut affordable = true;
+        for_each(argument, |_| affordable &= self.budget.take());
+        affordable.then(|| argument.clone())
+    }
+
+    /// The derivative of an argument, which a name alone has.
+    fn primed(&mut self, argument: &Expression, order: u32, place: Span) -> ExpressionKind {
+        if let ExpressionKind::Name { name, order: own } = &argument.kind {
+            return ExpressionKind::Name { name: name.clone(), order: own.saturating_add(order) };
+        }
+        let function = &self.function.name;
+        let message = words!(
+            "`{function}` needs a quantity here, with a derivative and a value at the start, not `{}`",
+            "`{function}` necesita aquí una magnitud, con derivada y valor inicial, no `{}`",
+            quote(argument)
+        );
+        let diagnostic = Diagnostic::error("argument-without-name", message, argument.span)
+            .with_label(place, words("it is used here", "se usa aquí"))
+            .with_label(self.call, words!("with this call of `{function}`", "con esta llamada a `{function}`"))
+            .with_hint(words(
+                "give the expression a name (v = ...) and write that here",
+                "da un nombre a la expresión (v = ...) y escríbelo aquí",
+            ));
+        self.diagnostics.push(diagnostic);
+        ExpressionKind::Error
+    }
+}

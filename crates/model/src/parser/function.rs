@@ -1,0 +1,70 @@
+//! `function Re(v, d) = rho*abs(v)*d/eta`: a function of the author's own.
+
+use super::cursor::{Cursor, Read};
+use super::statement::{Salvaged, nothing};
+use super::{after, unread};
+use crate::lexer::{Symbol, TokenKind};
+use crate::{Diagnostic, FunctionStatement, StatementKind};
+use units::words;
+
+impl Cursor<'_> {
+    /// Whether a statement begins with `function NAME`: a word that is free for other use everywhere else.
+    pub(super) fn is_function(&self) -> bool {
+        let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "function");
+        here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
+    }
+
+    /// `function Re(v, d) = rho*abs(v)*d/eta in [1]`
+    pub(super) fn function(&mut self) -> Salvaged {
+        let start = self.advance();
+        let name = match self.plain_name(&words("a function", "una función")) {
+            Ok(name) => name,
+            Err(reported) => return (nothing(start), Err(reported)),
+        };
+        let body = unread(after(name.span));
+        let mut function = FunctionStatement { name, parameters: Vec::new(), body, unit: None };
+        let read = self.function_parts(&mut function);
+        (StatementKind::Function(function), read)
+    }
+
+    fn function_parts(&mut self, function: &mut FunctionStatement) -> Read<()> {
+        let name = function.name.text.clone();
+        let form = words!("the form is: function {name}(x) = ...", "la forma es: function {name}(x) = ...");
+        let Some(open) = self.take(Symbol::LeftParenthesis) else {
+            let wrong = words!(
+                "the arguments of the function `{name}` are expected here, not {found}",
+                "aquí se esperan los argumentos de la función `{name}`, no {found}",
+                found = self.found()
+            );
+            let place = if self.at_line_end() { function.name.span } else { self.span() };
+            return self.fail(Diagnostic::error("function-form", wrong, place).with_hint(form));
+        };
+        if *self.peek() == TokenKind::Symbol(Symbol::RightParenthesis) {
+            let wrong = words!("the function `{name}` has no argument", "la función `{name}` no tiene argumentos");
+            let hint = words!(
+                "what depends on nothing else is a definition: `{name} = ...`",
+                "lo que no depende de nada más es una definición: `{name} = ...`"
+            );
+            return self.fail(Diagnostic::error("function-form", wrong, open.to(self.span())).with_hint(hint));
+        }
+        loop {
+            function.parameters.push(self.plain_name(&words("an argument", "un argumento"))?);
+            if self.take(Symbol::Comma).is_none() && self.take(Symbol::Semicolon).is_none() {
+                break;
+            }
+        }
+        self.close(open)?;
+        if self.take(Symbol::Equals).is_none() {
+            let wrong = words!(
+                "`=` is expected after the arguments of `{name}`, not {found}",
+                "después de los argumentos de `{name}` se espera `=`, no {found}",
+                found = self.found()
+            );
+            let place = if self.at_line_end() { function.name.span } else { self.span() };
+            return self.fail(Diagnostic::error("function-form", wrong, place).with_hint(form));
+        }
+        function.body = self.expression()?.expression;
+        function.unit = self.stated_unit()?;
+        Ok(())
+    }
+}

@@ -1,30 +1,12 @@
 //! Writing out the calls in an expression.
 
+use super::budget::Budget;
 use super::substitute::Substitution;
 use super::{Function, Functions};
 use crate::names::children;
 use crate::notation::quote;
 use crate::{Diagnostic, Expansion, Expression, ExpressionKind, Span, limits};
 use units::words;
-
-/// How many parts may still be written out.
-#[derive(Debug)]
-pub(crate) struct Budget(usize);
-
-impl Default for Budget {
-    fn default() -> Self {
-        Self(limits::WRITTEN_OUT)
-    }
-}
-
-impl Budget {
-    /// Whether one more part may be written out.
-    pub fn take(&mut self) -> bool {
-        let left = self.0 > 0;
-        self.0 = self.0.saturating_sub(1);
-        left
-    }
-}
 
 impl Functions {
     /// The expression with all calls of these functions written out. A call that cannot be becomes

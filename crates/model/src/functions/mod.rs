@@ -1,12 +1,13 @@
 //! Functions of the author's own. A call is written out: the body of the function with the arguments in it takes its place
 //! before names get their meanings, so that units, dependences and derivatives are those of each call.
 
+mod budget;
 mod declare;
 mod expand;
 mod statements;
 mod substitute;
 
-pub(crate) use expand::Budget;
+pub(crate) use budget::Budget;
 pub(crate) use statements::written_out;
 
 use crate::{Expression, Span, StatedUnit};

@@ -1,7 +1,7 @@
 //! The calls in the statements of a model.
 
 use super::Functions;
-use super::expand::Budget;
+use super::budget::Budget;
 use crate::{Diagnostic, Expression, Statement, StatementKind};
 use std::collections::HashSet;
 

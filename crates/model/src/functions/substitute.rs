@@ -1,7 +1,7 @@
 //! Putting arguments into the body of a function.
 
 use super::Function;
-use super::expand::Budget;
+use super::budget::Budget;
 use crate::names::for_each;
 use crate::notation::quote;
 use crate::{Diagnostic, Expression, ExpressionKind, Span};

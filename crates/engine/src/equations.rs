@@ -8,6 +8,8 @@ use program::{Model, NodeId};
 pub(crate) struct Equations {
     rates: Routine,
     slopes: Option<Routine>,
+    /// The order in which the routine takes the states, where it is another one than the model's.
+    order: Option<Order>,
     /// The parameters, and behind them the values at which switches are held.
     inputs: Vec<f64>,
     /// How often f was evaluated.
@@ -19,8 +21,16 @@ pub(crate) struct Equations {
 impl Equations {
     /// f alone.
     pub fn new(model: &Model) -> Self {
-        let rates = Routine::compile(model, &rate_nodes(model));
-        Self { rates, slopes: None, inputs: Vec::new(), evaluations: 0, jacobians: 0 }
+        let nodes = rate_nodes(model);
+        let order = Order::of(model);
+        let rates = match &order {
+            Some(Order { states, .. }) => {
+                let nodes: Vec<NodeId> = states.iter().map(|&state| nodes[state as usize]).collect();
+                Routine::with_order(&model.graph, states, &nodes)
+            }
+            None => Routine::compile(model, &nodes),
+        };
+        Self { rates, order, slopes: None, inputs: Vec::new(), evaluations: 0, jacobians: 0 }
     }
 
     /// f with its exact derivatives by the states and by the independent variable; `None` if they are too many.
@@ -44,14 +54,26 @@ impl Equations {
     #[inline]
     pub fn rates(&mut self, time: f64, state: &[f64], out: &mut [f64]) {
         self.evaluations += 1;
-        self.rates.evaluate(time, state, out);
+        match &mut self.order {
+            Some(Order { states, rates, .. }) => {
+                let set = |registers: &mut [f64]| gather(registers, states, state);
+                self.rates.evaluate_at(time, rates, set);
+                scatter(out, states, rates);
+            }
+            None => self.rates.evaluate(time, state, out),
+        }
     }
 
-    /// f at the state whose number `k` is `state(k)`.
+    /// f in the order of [`Equations::order`], at the state in that order that `set` writes.
     #[inline]
-    pub fn rates_at(&mut self, time: f64, out: &mut [f64], state: impl Fn(usize) -> f64) {
+    pub fn ordered_rates(&mut self, time: f64, out: &mut [f64], set: impl FnOnce(&mut [f64])) {
         self.evaluations += 1;
-        self.rates.evaluate_at(time, out, state);
+        self.rates.evaluate_at(time, out, set);
+    }
+
+    /// The numbers of the states in the order in which f is computed fastest, if that is not the model's own.
+    pub fn order(&self) -> Option<&[u32]> {
+        self.order.as_ref().map(|order| order.states.as_slice())
     }
 
     /// The derivatives of f: first by each state, one column after the other, then by the independent variable.
@@ -72,6 +94,45 @@ impl Equations {
     /// Whether the equations could not be solved for the highest derivatives when f was evaluated last.
     pub fn singular(&self) -> bool {
         self.rates.singular()
+    }
+}
+
+/// Another order of the states.
+#[derive(Clone, Debug)]
+struct Order {
+    /// Their numbers.
+    states: Vec<u32>,
+    /// Room for the rates of change in this order.
+    rates: Vec<f64>,
+}
+
+impl Order {
+    /// Models with fewer states are computed one by one.
+    const LEAST_STATES: usize = 32;
+
+    /// First all states of order 0, then those of order 1, and so on: what repeats then stands side by side.
+    fn of(model: &Model) -> Option<Self> {
+        let count = model.states.len();
+        if count < Self::LEAST_STATES || model.states.iter().all(|state| state.order == 0) {
+            return None;
+        }
+        let mut states: Vec<u32> = (0..count as u32).collect();
+        states.sort_by_key(|&state| model.states[state as usize].order);
+        Some(Self { states, rates: vec![0.0; count] })
+    }
+}
+
+/// Writes `values` in another order, of which `order` has the numbers.
+pub(crate) fn gather(out: &mut [f64], order: &[u32], values: &[f64]) {
+    for (out, &number) in out.iter_mut().zip(order) {
+        *out = values[number as usize];
+    }
+}
+
+/// Takes [`gather`] back.
+pub(crate) fn scatter(out: &mut [f64], order: &[u32], values: &[f64]) {
+    for (value, &number) in values.iter().zip(order) {
+        out[number as usize] = *value;
     }
 }
 

@@ -1,7 +1,7 @@
 //! The methods of fixed step.
 
 use crate::Method;
-use crate::equations::Equations;
+use crate::equations::{Equations, gather, scatter};
 use program::{Model, Node};
 
 /// A method of fixed step and its working storage.
@@ -10,21 +10,43 @@ pub(crate) struct Fixed {
     method: Method,
     rates: [Vec<f64>; 4],
     stage: Vec<f64>,
-    /// For velocity Verlet, the states that are positions; behind each stands its velocity. The others rest.
-    positions: Vec<usize>,
+    /// For velocity Verlet, the states that are positions, each with its velocity. The others rest.
+    pairs: Vec<(usize, usize)>,
+    /// Room for both ends of a step in the order of the equations, if they have one of their own.
+    ends: [Vec<f64>; 2],
 }
 
 impl Fixed {
-    pub fn new(method: Method, model: &Model) -> Self {
+    /// The method for a model and its equations.
+    pub fn new(method: Method, model: &Model, equations: &Equations) -> Self {
         let states = model.states.len();
-        let positions =
-            (1..states).filter(|&state| model.states[state].order == 1).map(|velocity| velocity - 1).collect();
-        Self { method, rates: std::array::from_fn(|_| vec![0.0; states]), stage: vec![0.0; states], positions }
+        let mut places: Vec<usize> = (0..states).collect();
+        if let Some(order) = equations.order() {
+            order.iter().enumerate().for_each(|(place, &state)| places[state as usize] = place);
+        }
+        let velocities = (1..states).filter(|&state| model.states[state].order == 1);
+        let pairs = velocities.map(|velocity| (places[velocity - 1], places[velocity])).collect();
+        let zeros = vec![0.0; states];
+        let ends = [zeros.clone(), zeros.clone()];
+        Self { method, rates: std::array::from_fn(|_| zeros.clone()), stage: zeros, pairs, ends }
     }
 
     /// One step of `size` from the state `from` at `time`.
     #[inline]
     pub fn step(&mut self, equations: &mut Equations, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
+        if equations.order().is_none() {
+            return self.ordered_step(equations, time, size, from, to);
+        }
+        let [mut start, mut end] = std::mem::take(&mut self.ends);
+        gather(&mut start, equations.order().unwrap_or_default(), from);
+        self.ordered_step(equations, time, size, &start, &mut end);
+        scatter(to, equations.order().unwrap_or_default(), &end);
+        self.ends = [start, end];
+    }
+
+    /// One step in the order of the equations.
+    #[inline]
+    fn ordered_step(&mut self, equations: &mut Equations, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
         match self.method {
             Method::Euler => self.euler(equations, time, size, from, to),
             Method::EulerRichardson => self.euler_richardson(equations, time, size, from, to),
@@ -38,7 +60,7 @@ impl Fixed {
 
     fn euler(&mut self, equations: &mut Equations, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
         let [rates, ..] = &mut self.rates;
-        equations.rates(time, from, rates);
+        equations.ordered_rates(time, rates, |state| state.copy_from_slice(from));
         advance(to, from, size, rates);
     }
 
@@ -46,9 +68,8 @@ impl Fixed {
     /// chapter 3), where all states and not only the velocity go to the middle of the step first.
     fn euler_richardson(&mut self, equations: &mut Equations, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
         let [first, middle, ..] = &mut self.rates;
-        equations.rates(time, from, first);
-        advance(&mut self.stage, from, 0.5 * size, first);
-        equations.rates(time + 0.5 * size, &self.stage, middle);
+        equations.ordered_rates(time, first, |state| state.copy_from_slice(from));
+        equations.ordered_rates(time + 0.5 * size, middle, |state| advance(state, from, 0.5 * size, first));
         advance(to, from, size, middle);
     }
 
@@ -57,18 +78,16 @@ impl Fixed {
     /// their lambda = 1: the prediction is off by O(h^2), the velocity after the step by O(h^3), so the order is still 2.
     fn velocity_verlet(&mut self, equations: &mut Equations, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
         let [start, end, ..] = &mut self.rates;
-        equations.rates(time, from, start);
+        equations.ordered_rates(time, start, |state| state.copy_from_slice(from));
         self.stage.copy_from_slice(from);
-        for &position in &self.positions {
-            let velocity = position + 1;
+        for &(position, velocity) in &self.pairs {
             let acceleration = start[velocity];
             self.stage[position] = from[position] + size * (from[velocity] + 0.5 * size * acceleration);
             self.stage[velocity] = from[velocity] + size * acceleration;
         }
-        equations.rates(time + size, &self.stage, end);
+        equations.ordered_rates(time + size, end, |state| state.copy_from_slice(&self.stage));
         to.copy_from_slice(from);
-        for &position in &self.positions {
-            let velocity = position + 1;
+        for &(position, velocity) in &self.pairs {
             to[position] = self.stage[position];
             to[velocity] = from[velocity] + 0.5 * size * (start[velocity] + end[velocity]);
         }
@@ -79,14 +98,13 @@ impl Fixed {
         let [k_1, k_2, k_3, k_4] = &mut self.rates;
         let half = 0.5 * size;
         let sixth = size / 6.0;
-        let count = from.len();
-        let (k_1, k_2, k_3, k_4) = (&mut k_1[..count], &mut k_2[..count], &mut k_3[..count], &mut k_4[..count]);
-        equations.rates_at(time, k_1, |k| from[k]);
-        equations.rates_at(time + half, k_2, |k| from[k] + half * k_1[k]);
-        equations.rates_at(time + half, k_3, |k| from[k] + half * k_2[k]);
-        equations.rates_at(time + size, k_4, |k| from[k] + size * k_3[k]);
-        for (k, to) in to.iter_mut().enumerate() {
-            *to = from[k] + sixth * (k_1[k] + 2.0 * k_2[k] + 2.0 * k_3[k] + k_4[k]);
+        equations.ordered_rates(time, k_1, |state| state.copy_from_slice(from));
+        equations.ordered_rates(time + half, k_2, |state| advance(state, from, half, k_1));
+        equations.ordered_rates(time + half, k_3, |state| advance(state, from, half, k_2));
+        equations.ordered_rates(time + size, k_4, |state| advance(state, from, size, k_3));
+        let rates = k_1.iter().zip(k_2.iter()).zip(k_3.iter()).zip(k_4.iter());
+        for ((to, from), (((k_1, k_2), k_3), k_4)) in to.iter_mut().zip(from).zip(rates) {
+            *to = from + sixth * (k_1 + 2.0 * k_2 + 2.0 * k_3 + k_4);
         }
     }
 }

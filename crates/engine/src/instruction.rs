@@ -1,6 +1,4 @@
-//! The register machine: what one instruction does, to the bit. Nothing here depends on the platform: the four operations
-//! and the square root are exact by IEEE 754, the other functions are those of [`program::Unary::evaluate`] and
-//! [`program::Binary::evaluate`], and nothing is ever fused.
+//! Instructions of the register machine.
 
 use crate::linear::Factors;
 use program::{Binary, Unary};
@@ -29,6 +27,60 @@ pub(crate) enum Instruction {
     Binary(Binary, Register, Register, Register),
     /// Solves the linear system of this number.
     Solve(u32),
+    /// Computes the column of this number.
+    Column(u32),
+}
+
+/// What an instruction or a column computes from its operands, in the order of [`Instruction`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Operation {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Negate,
+    MultiplyAdd,
+    MultiplySubtract,
+    SubtractProduct,
+    Select,
+    Unary(Unary),
+    Binary(Binary),
+}
+
+impl Operation {
+    /// The instruction with this target and these operands, of which it reads as many as it has.
+    pub fn instruction(self, to: Register, [a, b, c]: [Register; 3]) -> Instruction {
+        match self {
+            Self::Add => Instruction::Add(to, a, b),
+            Self::Subtract => Instruction::Subtract(to, a, b),
+            Self::Multiply => Instruction::Multiply(to, a, b),
+            Self::Divide => Instruction::Divide(to, a, b),
+            Self::Negate => Instruction::Negate(to, a),
+            Self::MultiplyAdd => Instruction::MultiplyAdd(to, a, b, c),
+            Self::MultiplySubtract => Instruction::MultiplySubtract(to, a, b, c),
+            Self::SubtractProduct => Instruction::SubtractProduct(to, a, b, c),
+            Self::Select => Instruction::Select(to, a, b, c),
+            Self::Unary(function) => Instruction::Unary(function, to, a),
+            Self::Binary(function) => Instruction::Binary(function, to, a, b),
+        }
+    }
+
+    /// A number of its own for each operation.
+    pub fn number(self) -> u16 {
+        match self {
+            Self::Add => 0,
+            Self::Subtract => 1,
+            Self::Multiply => 2,
+            Self::Divide => 3,
+            Self::Negate => 4,
+            Self::MultiplyAdd => 5,
+            Self::MultiplySubtract => 6,
+            Self::SubtractProduct => 7,
+            Self::Select => 8,
+            Self::Unary(function) => 0x100 + function as u16,
+            Self::Binary(function) => 0x200 + function as u16,
+        }
+    }
 }
 
 /// A linear system among the registers of a routine.
@@ -68,32 +120,9 @@ impl Elimination {
     }
 }
 
-/// Runs `code` over `registers`, for as many rows at a time as a register has values: one dispatch serves them all, and the
-/// processor may treat several at once. The bits of a row do not depend on how many there are.
-pub(crate) fn run<const ROWS: usize>(code: &[Instruction], registers: &mut [[f64; ROWS]], systems: &mut [Elimination]) {
-    for &instruction in code {
-        match instruction {
-            Instruction::Add(to, a, b) => each(registers, to, [a, b], |[a, b]| a + b),
-            Instruction::Subtract(to, a, b) => each(registers, to, [a, b], |[a, b]| a - b),
-            Instruction::Multiply(to, a, b) => each(registers, to, [a, b], |[a, b]| a * b),
-            Instruction::Divide(to, a, b) => each(registers, to, [a, b], |[a, b]| a / b),
-            Instruction::Negate(to, a) => each(registers, to, [a], |[a]| -a),
-            Instruction::MultiplyAdd(to, a, b, c) => each(registers, to, [a, b, c], |[a, b, c]| a * b + c),
-            Instruction::MultiplySubtract(to, a, b, c) => each(registers, to, [a, b, c], |[a, b, c]| a * b - c),
-            Instruction::SubtractProduct(to, a, b, c) => each(registers, to, [a, b, c], |[a, b, c]| c - a * b),
-            Instruction::Select(to, condition, a, b) => {
-                each(registers, to, [condition, a, b], |[condition, a, b]| if condition != 0.0 { a } else { b });
-            }
-            Instruction::Unary(function, to, a) => each(registers, to, [a], |[a]| function.evaluate(a)),
-            Instruction::Binary(function, to, a, b) => each(registers, to, [a, b], |[a, b]| function.evaluate(a, b)),
-            Instruction::Solve(system) => (0..ROWS).for_each(|row| systems[system as usize].solve(registers, row)),
-        }
-    }
-}
-
 /// Puts the result of `operation` into register `to`, row by row.
 #[inline(always)]
-fn each<const ROWS: usize, const OPERANDS: usize>(
+pub(crate) fn each<const ROWS: usize, const OPERANDS: usize>(
     registers: &mut [[f64; ROWS]],
     to: Register,
     operands: [Register; OPERANDS],

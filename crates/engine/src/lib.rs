@@ -2,6 +2,10 @@
 
 mod adaptive;
 mod checkpoints;
+mod code;
+mod column;
+mod columns;
+mod compile;
 mod crossing;
 pub mod csv;
 mod dormand_prince;

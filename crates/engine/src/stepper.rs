@@ -93,7 +93,8 @@ impl Stepper {
         let adaptive = |pair| Solver::Adaptive(Box::new(Adaptive::new(pair, model, setup)));
         let (solver, equations) = match setup.method {
             method @ (Method::Euler | Method::EulerRichardson | Method::VelocityVerlet | Method::RungeKutta4) => {
-                (Solver::Fixed(Fixed::new(method, model)), Equations::new(moving))
+                let equations = Equations::new(moving);
+                (Solver::Fixed(Fixed::new(method, model, &equations)), equations)
             }
             Method::DormandPrince => {
                 (adaptive(Pair::DormandPrince(DormandPrince::new(states))), Equations::new(moving))

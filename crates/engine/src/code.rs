@@ -1,0 +1,103 @@
+//! The code of a routine, and the register machine that runs it: what an instruction does, to the bit. Nothing here depends
+//! on the platform: the four operations and the square root are exact by IEEE 754, the other functions are those of
+//! [`program::Unary::evaluate`] and [`program::Binary::evaluate`], and nothing is ever fused.
+
+use crate::column::Column;
+use crate::instruction::{Elimination, Instruction, Register, each};
+
+/// Register code for a set of expressions, the roots.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Code {
+    /// What depends on parameters and initial values only.
+    pub prologue: Vec<Instruction>,
+    /// The rest.
+    pub body: Vec<Instruction>,
+    /// The columns that instructions of both compute.
+    pub columns: Vec<Column>,
+    /// The linear systems that instructions of both solve.
+    pub systems: Vec<Elimination>,
+    /// The independent variable, the states, then what is computed; constants have their values.
+    pub registers: Vec<f64>,
+    /// Indices of parameters, and their registers.
+    pub parameters: Vec<(usize, Register)>,
+    /// Indices of states, and the registers of their initial values.
+    pub initial: Vec<(usize, Register)>,
+    /// The registers of the roots.
+    pub roots: Vec<Register>,
+    /// Where most of them stand in rows: the first register of each row of roots, and their number.
+    pub rows: Vec<(Register, usize)>,
+}
+
+/// Rows of roots must be so long on average to be copied as rows.
+const LEAST_ROW: usize = 8;
+
+impl Code {
+    /// How many operations the instructions of the body stand for.
+    pub fn operations(&self) -> usize {
+        let count = |instruction: &Instruction| match instruction {
+            Instruction::Column(column) => self.columns[*column as usize].count as usize,
+            _ => 1,
+        };
+        self.body.iter().map(count).sum()
+    }
+
+    /// Finds out which roots stand in a row.
+    pub fn find_rows(&mut self) {
+        for &register in &self.roots {
+            match self.rows.last_mut() {
+                Some((first, count)) if *first as usize + *count == register as usize => *count += 1,
+                _ => self.rows.push((register, 1)),
+            }
+        }
+        if self.rows.len() * LEAST_ROW > self.roots.len() {
+            self.rows.clear();
+        }
+    }
+
+    /// Writes the values of the roots.
+    #[inline]
+    pub fn copy_roots(&self, out: &mut [f64]) {
+        if self.rows.is_empty() {
+            for (value, &register) in out.iter_mut().zip(&self.roots) {
+                *value = self.registers[register as usize];
+            }
+            return;
+        }
+        let mut rest = out;
+        for &(first, count) in &self.rows {
+            let (some, others) = rest.split_at_mut(count.min(rest.len()));
+            let values = &self.registers[first as usize..];
+            some.iter_mut().zip(values).for_each(|(value, register)| *value = *register);
+            rest = others;
+        }
+    }
+}
+
+/// Runs `code` over `registers`, for as many rows at a time as a register has values: one dispatch serves them all, and the
+/// processor may treat several at once. The bits of a row do not depend on how many there are.
+pub(crate) fn run<const ROWS: usize>(
+    code: &[Instruction],
+    registers: &mut [[f64; ROWS]],
+    columns: &[Column],
+    systems: &mut [Elimination],
+) {
+    for &instruction in code {
+        match instruction {
+            Instruction::Add(to, a, b) => each(registers, to, [a, b], |[a, b]| a + b),
+            Instruction::Subtract(to, a, b) => each(registers, to, [a, b], |[a, b]| a - b),
+            Instruction::Multiply(to, a, b) => each(registers, to, [a, b], |[a, b]| a * b),
+            Instruction::Divide(to, a, b) => each(registers, to, [a, b], |[a, b]| a / b),
+            Instruction::Negate(to, a) => each(registers, to, [a], |[a]| -a),
+            Instruction::MultiplyAdd(to, a, b, c) => each(registers, to, [a, b, c], |[a, b, c]| a * b + c),
+            Instruction::MultiplySubtract(to, a, b, c) => each(registers, to, [a, b, c], |[a, b, c]| a * b - c),
+            Instruction::SubtractProduct(to, a, b, c) => each(registers, to, [a, b, c], |[a, b, c]| c - a * b),
+            Instruction::Select(to, condition, a, b) => {
+                each(registers, to, [condition, a, b], |[condition, a, b]| if condition != 0.0 { a } else { b });
+            }
+            Instruction::Unary(function, to, a) => each(registers, to, [a], |[a]| function.evaluate(a)),
+            Instruction::Binary(function, to, a, b) => each(registers, to, [a, b], |[a, b]| function.evaluate(a, b)),
+            Instruction::Column(column) => columns[column as usize].run(registers),
+            Instruction::Solve(system) => (0..ROWS).for_each(|row| systems[system as usize].solve(registers, row)),
+        }
+    }
+}

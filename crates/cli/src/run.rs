@@ -11,7 +11,7 @@ use document::Document;
 use engine::table::Table;
 use engine::{RunError, Subject};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use model::Diagnostic;
+use model::{Diagnostic, Span};
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 
@@ -48,7 +48,7 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
     };
     let steps = steps(until, setup.step)?;
     let failed = |error: RunError| failed(&sources, &document, &error, terminal);
-    let run = engine::Run::start(model, setup).map_err(failed)?;
+    let mut run = engine::Run::start(model, setup).map_err(failed)?;
     let output = match &arguments.output {
         Some(path) => Output::to(path, &sources)?,
         None => Output::standard(),
@@ -57,8 +57,15 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
     let rows = Rows::new(table, format(arguments));
     let mut writer = Writer { output, rows, text: String::new() };
     writer.rows.head(&mut writer.text);
-    let outcome = write_rows(run, steps, &mut writer, &progress);
+    let outcome = write_rows(&mut run, steps, &mut writer, &progress);
     progress.finish_and_clear();
+    for notice in run.notices() {
+        let (message, hint) = (notice.message(model), notice.hint());
+        // What has no event of its own is about the equations.
+        let subject = notice.subject().unwrap_or(Subject::State(0));
+        let span = place(&document, subject).unwrap_or_default();
+        terminal.report_one(&sources, &Diagnostic::warning(notice.code(), message, span).with_hint(hint));
+    }
     match outcome? {
         None => writer.finish(),
         Some(error) => {
@@ -81,7 +88,7 @@ fn steps(until: f64, step: f64) -> Result<u64, Failure> {
 
 /// Writes all rows; the error that ended the run, if one did.
 fn write_rows(
-    mut run: engine::Run,
+    run: &mut engine::Run,
     steps: u64,
     writer: &mut Writer,
     progress: &ProgressBar,
@@ -105,18 +112,24 @@ fn write_rows(
     Ok(None)
 }
 
-/// Shows why a run cannot start or go on, with the place in the document where there is one.
-fn failed(sources: &Sources, document: &Document, error: &RunError, terminal: Terminal) -> Failure {
+/// Where a part of the model stands.
+fn place(document: &Document, subject: Subject) -> Option<Span> {
     let places = &document.places;
-    let span = error.subject().and_then(|subject| match subject {
+    let span = match subject {
         Subject::Parameter(index) => places.parameters.get(index),
         Subject::State(index) => places.states.get(index),
         Subject::Event(index) => places.events.get(index),
-    });
+    };
+    span.copied()
+}
+
+/// Shows why a run cannot start or go on, with the place in the document where there is one.
+fn failed(sources: &Sources, document: &Document, error: &RunError, terminal: Terminal) -> Failure {
+    let span = error.subject().and_then(|subject| place(document, subject));
     let (message, hint) = (error.message(&document.program.model), error.hint());
     match span {
         Some(span) => {
-            terminal.report_one(sources, &Diagnostic::error(error.code(), message, *span).with_hint(hint));
+            terminal.report_one(sources, &Diagnostic::error(error.code(), message, span).with_hint(hint));
         }
         None => terminal.error(message.text(terminal.language), Some(hint.text(terminal.language))),
     }

@@ -254,7 +254,7 @@ impl fmt::Display for RunError {
 impl std::error::Error for RunError {}
 
 /// `t = 3.2 s`; in Spanish `t = 3,2 s`.
-fn moment(model: &Model, time: f64) -> Words {
+pub(crate) fn moment(model: &Model, time: f64) -> Words {
     let (name, unit) = (&model.independent.name, &model.independent.unit);
     let value = units::number::shortest(unit.from_si(time));
     let spanish = value.replace('.', ",");

@@ -8,6 +8,7 @@ mod columns;
 mod compile;
 mod crossing;
 pub mod csv;
+mod cubic;
 mod dormand_prince;
 mod equations;
 mod error;
@@ -17,6 +18,8 @@ mod history;
 mod instruction;
 mod jumps;
 mod linear;
+mod looks;
+mod notice;
 #[cfg(test)]
 mod order_conditions;
 mod readings;
@@ -34,6 +37,7 @@ mod timetable;
 
 pub use error::{Cause, RunError, Subject};
 pub use history::History;
+pub use notice::{Notice, NoticeKind};
 pub use program::Method;
 pub use readings::Readings;
 pub use record::{AfterJump, Record};

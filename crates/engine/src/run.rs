@@ -1,7 +1,7 @@
 //! A run: a model in motion and the record of it.
 
 use crate::checkpoints::Checkpoints;
-use crate::{History, Progress, Readings, RunError, Setup, Stepper};
+use crate::{History, Notice, Progress, Readings, RunError, Setup, Stepper};
 use program::{Model, NodeId};
 
 /// The greatest size of a history in bytes; a run that reaches it pauses.
@@ -116,6 +116,11 @@ impl Run {
     /// The state there.
     pub fn state(&self) -> &[f64] {
         self.stepper.state()
+    }
+
+    /// What cannot be promised of the rows so far.
+    pub fn notices(&self) -> Vec<Notice> {
+        self.stepper.notices()
     }
 
     /// Changes the parameters from the next step on, one value for each; the state stays. Of a step that is only partly

@@ -14,7 +14,7 @@ use crate::rosenbrock::Rosenbrock;
 use crate::start;
 use crate::surfaces::Surfaces;
 use crate::switches::Switches;
-use crate::{Cause, Method, Routine, RunError, Setup};
+use crate::{Cause, Method, Notice, Routine, RunError, Setup};
 use program::{Model, NodeId};
 
 /// A model in motion: goes from one point of the grid t_n = n h to the next.
@@ -159,6 +159,11 @@ impl Stepper {
             Solver::Fixed(_) => 0,
         };
         self.equations.work() + self.surfaces.work() + systems
+    }
+
+    /// What cannot be promised of what was done so far.
+    pub fn notices(&self) -> Vec<Notice> {
+        self.surfaces.notices()
     }
 
     /// The parameters in force.

@@ -3,8 +3,10 @@
 use crate::crossing::Crossing;
 use crate::equations::Equations;
 use crate::events::Events;
+use crate::looks::{Dense, Looks};
 use crate::switches::Switches;
 use crate::timetable::Timetable;
+use crate::{Notice, NoticeKind};
 use program::Model;
 
 /// What can end a step before its time.
@@ -13,6 +15,8 @@ pub(crate) struct Surfaces {
     pub events: Events,
     pub switches: Switches,
     pub timetable: Timetable,
+    /// Where within a step to look.
+    pub looks: Option<Looks>,
     /// The state before a crossing.
     before: Vec<f64>,
     /// The state after a crossing, without what events do.
@@ -23,7 +27,8 @@ impl Surfaces {
     pub fn new(model: &Model, switches: Switches) -> Self {
         let zeros = vec![0.0; model.states.len()];
         let timetable = Timetable::new(model);
-        Self { events: Events::new(model), switches, timetable, before: zeros.clone(), beyond: zeros }
+        let looks = Looks::new(model);
+        Self { events: Events::new(model), switches, timetable, looks, before: zeros.clone(), beyond: zeros }
     }
 
     /// Whether there are none.
@@ -36,17 +41,72 @@ impl Surfaces {
         self.events.prepare(parameters, initial);
         self.switches.prepare(parameters, initial);
         self.timetable.prepare(parameters, initial);
+        if let Some(looks) = &mut self.looks {
+            looks.prepare(parameters, initial);
+        }
     }
 
     /// About how many floating-point operations all looks took.
     pub fn work(&self) -> u64 {
-        self.events.work() + self.switches.work() + self.timetable.work()
+        let looks = self.looks.as_ref().map_or(0, Looks::work);
+        self.events.work() + self.switches.work() + self.timetable.work() + looks
+    }
+
+    /// What may have been missed.
+    pub fn notices(&self) -> Vec<Notice> {
+        let skipped = self.looks.as_ref().and_then(Looks::doubt).map(|doubt| Notice {
+            kind: NoticeKind::MayBeSkipped(doubt.event),
+            time: doubt.time,
+        });
+        let too_fast = self.timetable.doubt().map(|time| Notice { kind: NoticeKind::TooFastInTime, time });
+        skipped.into_iter().chain(too_fast).collect()
+    }
+
+    /// Forgets what was noticed at `time` and later.
+    pub fn go_back_to(&mut self, time: f64) {
+        self.timetable.go_back_to(time);
+        if let Some(looks) = &mut self.looks {
+            looks.go_back_to(time);
+        }
     }
 
     /// Whether an event fires or a switch changes between the last look and `time`.
     pub fn crossed(&mut self, time: f64, state: &[f64]) -> bool {
         let due = self.events.due(time, state);
         self.switches.differ(time, state) || due
+    }
+
+    /// Looks between the ends of a step that started at `start`, or of a part of it, for what happens there: the last moment
+    /// at which nothing has happened, and the next look, at which something has. These count from `start`, and `state_at`
+    /// gives the state so long after it; `dense` is the continuous solution, if the method has one.
+    pub fn look_between(
+        &mut self,
+        start: f64,
+        dense: Dense,
+        from: (f64, &[f64]),
+        to: (f64, &[f64]),
+        mut state_at: impl FnMut(f64, &mut [f64]),
+    ) -> (f64, Option<f64>) {
+        let mut low = from.0 - start;
+        let moments = self.looks.as_mut().map_or(0, |looks| looks.find(dense, from, to));
+        let mut probe = std::mem::take(&mut self.before);
+        let mut happened = None;
+        for number in 0..moments {
+            let Some(moment) = self.looks.as_ref().and_then(|looks| looks.moment(number)) else { break };
+            let since = moment - start;
+            if since <= low {
+                continue;
+            }
+            state_at(since, &mut probe);
+            if self.crossed(start + since, &probe) {
+                happened = Some(since);
+                break;
+            }
+            self.events.pass();
+            low = since;
+        }
+        self.before = probe;
+        (low, happened)
     }
 
     /// Finds the first moment at which anything that was found at `high` happens, for a step that started at `start`, and

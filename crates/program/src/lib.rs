@@ -16,7 +16,7 @@ mod scene;
 pub use graph::{Binary, Graph, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate, differentiate_all};
 pub use method::{Method, UnknownMethod};
 pub use model::{
-    Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity, Sensitive, State, Switch,
+    Compared, Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity, Sensitive, State, Switch,
     Timed,
 };
 pub use plots::{Curve, Plot};

@@ -212,6 +212,8 @@ fn trouble(app: App, announced: bool) -> String {
         }
         Status::Full if announced => words.full.to_owned(),
         Status::Playing if !announced && play.slippage() > 0.5 => words.slow.to_owned(),
-        _ => String::new(),
+        Status::Failed | Status::Full => String::new(),
+        _ if announced => String::new(),
+        _ => play.notice().map(|notice| format!("{} {}", notice.message, notice.hint)).unwrap_or_default(),
     })
 }

@@ -146,12 +146,14 @@ impl Stepper {
             return Err(self.error(cause));
         }
         if !self.surfaces.is_empty() {
-            if self.surfaces.crossed(end, &self.next) {
-                let expected = expected.map(|expected| expected.since(time));
-                let crossing = self.surfaces.locate(time, (0.0, size), expected, |since, out| {
-                    method.step(equations, time, since, &self.state, out);
-                });
-                return Ok(Some(Early::new(crossing, time, size, end)));
+            let (from, to) = ((time, self.state.as_slice()), (end, self.next.as_slice()));
+            let mut state_at = |since: f64, out: &mut [f64]| method.step(equations, time, since, from.1, out);
+            let (low, happened) = self.surfaces.look_between(time, None, from, to, &mut state_at);
+            if happened.is_some() || self.surfaces.crossed(end, &self.next) {
+                let expected = expected.filter(|_| happened.is_none()).map(|expected| expected.since(time));
+                let (high, end) = happened.map_or((size, end), |since| (since, time + since));
+                let crossing = self.surfaces.locate(time, (low, high), expected, state_at);
+                return Ok(Some(Early::new(crossing, time, high, end)));
             }
             self.surfaces.events.pass();
         }
@@ -185,10 +187,14 @@ impl Stepper {
             method.dense(until - method.start(), &mut self.next);
         }
         if !self.surfaces.is_empty() {
-            if self.surfaces.crossed(until, &self.next) {
-                let start = method.start();
-                let (low, high) = (self.time - start, until - start);
-                let expected = expected.map(|expected| expected.since(start));
+            let start = method.start();
+            let (from, to) = ((self.time, self.state.as_slice()), (until, self.next.as_slice()));
+            let dense = |time: f64, out: &mut [f64]| method.dense(time - start, out);
+            let state_at = |since: f64, out: &mut [f64]| method.dense(since, out);
+            let (low, happened) = self.surfaces.look_between(start, Some(&dense), from, to, state_at);
+            if happened.is_some() || self.surfaces.crossed(until, &self.next) {
+                let (high, until) = happened.map_or((until - start, until), |since| (since, start + since));
+                let expected = expected.filter(|_| happened.is_none()).map(|expected| expected.since(start));
                 let crossing = method.locate(equations, &mut self.surfaces, (low, high), expected);
                 return Ok(Some(Early::new(crossing, start, high, until)));
             }

@@ -74,6 +74,7 @@ impl Stepper {
         self.parameters = parameters;
         self.stopped = None;
         self.row = RowWork::default();
+        self.surfaces.go_back_to(time);
         self.find_grid();
         self.prepare();
     }

@@ -9,6 +9,7 @@ mod going_on;
 mod orders;
 mod runs;
 mod sensitivities;
+mod skipped;
 mod support;
 mod switches;
 mod tables;

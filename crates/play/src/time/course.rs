@@ -3,7 +3,7 @@
 //! The run is computed a little ahead: the time shown lies inside the last step or on its end. What lies behind the
 //! *front*, the greatest time reached, can be shown again; what lies before it is not shown yet.
 
-use engine::{Advance, CAPACITY, History, Run, RunError, Setup};
+use engine::{Advance, CAPACITY, History, Notice, Run, RunError, Setup};
 use program::Model;
 
 /// How far [`Course::proceed`] got.
@@ -61,6 +61,11 @@ impl Course {
     /// Why it cannot start or go on.
     pub fn error(&self) -> Option<&RunError> {
         self.error.as_ref()
+    }
+
+    /// What the run cannot promise.
+    pub fn notices(&self) -> Vec<Notice> {
+        self.run.as_ref().map(Run::notices).unwrap_or_default()
     }
 
     /// The recorded rows; absent when it could not start.

@@ -25,6 +25,18 @@ impl Play {
     }
 }
 
+impl Play {
+    /// What the run cannot promise up to the front, if there is anything; it goes on.
+    pub fn notice(&self) -> Option<Problem> {
+        let notice = self.course.notices().into_iter().find(|notice| notice.time <= self.course.front())?;
+        Some(Problem {
+            code: notice.code(),
+            message: sentence(notice.message(self.model()).text(self.language), false),
+            hint: sentence(notice.hint().text(self.language), false),
+        })
+    }
+}
+
 /// With a full stop, and with a capital letter unless it begins with a name.
 fn sentence(text: &str, named: bool) -> String {
     let mut characters = text.chars();

@@ -1,5 +1,6 @@
 //! The checked model: a system of first-order equations and everything that can be shown of it.
 
+mod compared;
 mod lookup;
 mod motion;
 mod sensitivity;
@@ -7,6 +8,7 @@ mod slopes;
 mod switches;
 mod whole;
 
+pub use compared::Compared;
 pub use lookup::Dependence;
 pub use switches::{Held, Switch, Timed};
 

@@ -34,9 +34,13 @@ pub struct Switch {
 /// parameters and what only events change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Timed {
-    /// Its true value, a node of the model.
+    /// Its true value, a node of the graph that comes with it.
     pub node: NodeId,
-    /// Whether it changes at most once between changes of the others, because what it compares or rounds grows evenly.
+    /// What it compares with 0 or rounds.
+    pub argument: NodeId,
+    /// How fast that changes.
+    pub slope: NodeId,
+    /// Whether it changes at most once between changes of the others, because its argument grows evenly.
     pub even: bool,
 }
 
@@ -85,14 +89,14 @@ impl Model {
         Some(Held { model, switches })
     }
 
-    /// The switches whose moments can be known beforehand.
-    pub fn timed_switches(&self) -> Vec<Timed> {
+    /// The switches whose moments can be known beforehand, in a graph that extends the model's.
+    pub fn timed_switches(&self) -> (Graph, Vec<Timed>) {
         let rates = self.states.iter().map(|state| state.derivative);
         let roots: Vec<NodeId> = rates.chain(self.events.iter().map(|event| event.condition)).collect();
         let nodes = self.graph.reachable(&roots);
         let steps = |id: &NodeId| self.graph.node(*id).is_switch() && !is_corner(self.graph.node(*id));
         if !nodes.iter().any(steps) {
-            return Vec::new();
+            return (Graph::default(), Vec::new());
         }
         let moving = self.moving(&nodes);
         let mut graph = self.graph.clone();
@@ -105,9 +109,9 @@ impl Model {
             };
             let slope = differentiate(&mut graph, argument, Variable::Independent);
             let even = graph.reachable(&[slope]).into_iter().all(|id| graph.node(id) != Node::Independent);
-            found.push(Timed { node, even });
+            found.push(Timed { node, argument, slope, even });
         }
-        found
+        (graph, found)
     }
 
     /// What switches in the rates of change, in the order of the graph; `node` is that of this model. Of sensitivities the
@@ -134,7 +138,7 @@ impl Model {
     }
 
     /// By node, what makes its value change between events.
-    fn moving(&self, nodes: &[NodeId]) -> HashMap<NodeId, Motion> {
+    pub(super) fn moving(&self, nodes: &[NodeId]) -> HashMap<NodeId, Motion> {
         let mut found: HashMap<NodeId, Motion> = HashMap::new();
         for &id in nodes {
             let motion = match self.graph.node(id) {
@@ -159,7 +163,7 @@ impl Model {
 
 /// Why a value changes between events; the later include the earlier.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Motion {
+pub(super) enum Motion {
     AtRest,
     WithTime,
     WithState,

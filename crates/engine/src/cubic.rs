@@ -1,0 +1,104 @@
+//! The cubic through two values with two slopes (Hermite), on the interval from 0 to 1: where it turns and where it is zero.
+
+/// A cubic on the interval from 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Cubic {
+    start: f64,
+    change: f64,
+    leaving: f64,
+    arriving: f64,
+}
+
+impl Cubic {
+    /// With these values and slopes at 0 and 1. Slopes that are no numbers are those of the straight line.
+    pub fn new(values: [f64; 2], slopes: [f64; 2]) -> Self {
+        let change = values[1] - values[0];
+        let [leaving, arriving] = slopes.map(|slope| if slope.is_finite() { slope } else { change });
+        Self { start: values[0], change, leaving, arriving }
+    }
+
+    /// Its value.
+    pub fn at(&self, part: f64) -> f64 {
+        let rest = 1.0 - part;
+        let bend = rest * (self.leaving - self.change) - part * (self.arriving - self.change);
+        self.start + part * (self.change + rest * bend)
+    }
+
+    /// The ends, and between them where it turns; ascending.
+    fn knots(&self) -> ([f64; 4], usize) {
+        // c' = slope + 2 second p + 3 third p^2
+        let slope = self.leaving;
+        let second = 3.0 * self.change - 2.0 * self.leaving - self.arriving;
+        let third = 3.0 * (self.leaving + self.arriving - 2.0 * self.change);
+        let (mut knots, mut count) = ([0.0; 4], 1);
+        let root = (second * second - third * slope).sqrt();
+        if root >= 0.0 {
+            let product = -(second + if second < 0.0 { -root } else { root });
+            let (one, other) = (slope / product, product / third);
+            for turn in [one.min(other), one.max(other)] {
+                if turn > 0.0 && turn < 1.0 {
+                    knots[count] = turn;
+                    count += 1;
+                }
+            }
+        }
+        knots[count] = 1.0;
+        (knots, count + 1)
+    }
+
+    /// Its least and greatest value.
+    pub fn range(&self) -> (f64, f64) {
+        let (knots, count) = self.knots();
+        let values = knots.iter().take(count).map(|&knot| self.at(knot));
+        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+    }
+
+    /// Where its sign changes, ascending; zero counts as positive.
+    pub fn zeros(&self, mut found: impl FnMut(f64)) {
+        let (knots, count) = self.knots();
+        for pair in knots[..count].windows(2) {
+            let &[mut low, mut high] = pair else { continue };
+            let negative = self.at(low) < 0.0;
+            if (self.at(high) < 0.0) == negative {
+                continue;
+            }
+            for _ in 0..Self::HALVINGS {
+                let middle = 0.5 * (low + high);
+                if (self.at(middle) < 0.0) == negative { low = middle } else { high = middle }
+            }
+            found(high);
+        }
+    }
+
+    /// To a billionth of the interval.
+    const HALVINGS: usize = 30;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// (p - 0.25) (p - 0.5) (p - 0.75), and a parabola that touches zero or does not.
+    #[test]
+    fn zeros_and_range() {
+        let cubic = |p: f64| (p - 0.25) * (p - 0.5) * (p - 0.75);
+        let slope = |p: f64| (p - 0.5) * (p - 0.75) + (p - 0.25) * (p - 0.75) + (p - 0.25) * (p - 0.5);
+        let found = Cubic::new([cubic(0.0), cubic(1.0)], [slope(0.0), slope(1.0)]);
+        let mut zeros = Vec::new();
+        found.zeros(|zero| zeros.push(zero));
+        assert_eq!(zeros.len(), 3);
+        for (zero, expected) in zeros.iter().zip([0.25, 0.5, 0.75]) {
+            assert!((zero - expected).abs() < 1e-8, "{zero}");
+        }
+        // 4 (p - 0.3)^2 + low
+        for (low, count) in [(-0.01, 2), (0.01, 0)] {
+            let parabola = Cubic::new([0.36 + low, 1.96 + low], [-2.4, 5.6]);
+            let mut zeros = 0;
+            parabola.zeros(|_| zeros += 1);
+            assert_eq!(zeros, count);
+            let (least, greatest) = parabola.range();
+            assert!((least - low).abs() < 1e-15 && (greatest - 1.96 - low).abs() < 1e-15);
+        }
+        assert_eq!(Cubic::new([1.0, 3.0], [f64::NAN, f64::INFINITY]).at(0.5), 2.0);
+    }
+}

@@ -1,0 +1,73 @@
+//! What a run cannot promise.
+
+use crate::Subject;
+use crate::error::moment;
+use program::Model;
+use units::{Words, words};
+
+/// Something that a run cannot promise from some moment on. It is no error: the run goes on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Notice {
+    /// What it is.
+    pub kind: NoticeKind,
+    /// From when on, in SI.
+    pub time: f64,
+}
+
+/// What a run cannot promise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoticeKind {
+    /// What the condition of this event compares, or a jump of the equations, changes too fast within a step for all its
+    /// changes to be seen.
+    MayBeSkipped(Option<usize>),
+    /// A function of the independent variable alone changes too often within a step.
+    TooFastInTime,
+}
+
+impl Notice {
+    /// The part of the model that it is about, if there is one.
+    pub fn subject(&self) -> Option<Subject> {
+        match self.kind {
+            NoticeKind::MayBeSkipped(event) => event.map(Subject::Event),
+            NoticeKind::TooFastInTime => None,
+        }
+    }
+
+    /// A stable name; never translated.
+    pub fn code(&self) -> &'static str {
+        match self.kind {
+            NoticeKind::MayBeSkipped(_) => "may-be-skipped",
+            NoticeKind::TooFastInTime => "too-fast-in-time",
+        }
+    }
+
+    /// What it is, in one sentence without a full stop.
+    pub fn message(&self, model: &Model) -> Words {
+        let (name, moment) = (&model.independent.name, moment(model, self.time));
+        match self.kind {
+            NoticeKind::MayBeSkipped(Some(_)) => words!(
+                "this event may be skipped from {moment} on: what its condition compares changes too fast within a step",
+                "desde {moment} este evento puede pasarse por alto: lo que compara su condición cambia demasiado deprisa \
+                 dentro de un paso",
+                moment = moment
+            ),
+            NoticeKind::MayBeSkipped(None) => words!(
+                "a jump of the equations may be skipped from {moment} on: what decides it changes too fast within a step",
+                "desde {moment} un salto de las ecuaciones puede pasarse por alto: lo que lo decide cambia demasiado deprisa \
+                 dentro de un paso",
+                moment = moment
+            ),
+            NoticeKind::TooFastInTime => words!(
+                "a condition on {name} alone changes so often in a step that changes may be skipped from {moment} on",
+                "una condición que solo depende de {name} cambia tantas veces en un paso que desde {moment} pueden pasarse \
+                 por alto cambios",
+                moment = moment
+            ),
+        }
+    }
+
+    /// What to do.
+    pub fn hint(&self) -> Words {
+        words("a smaller step helps", "ayuda un paso menor")
+    }
+}

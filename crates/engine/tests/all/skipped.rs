@@ -1,0 +1,105 @@
+//! Events that are over before the step is: none is skipped, and where that cannot be promised the run says so.
+
+use crate::support::{jumps, model, run, setup};
+use engine::{Method, Run, Subject};
+
+/// The methods that follow a parabola exactly, besides Euler's.
+const EXACT: [Method; 5] =
+    [Method::EulerRichardson, Method::VelocityVerlet, Method::RungeKutta4, Method::DormandPrince, Method::Rosenbrock];
+
+fn counting(text: &str, method: Method, step: f64, steps: usize) -> Run {
+    let model = model(text);
+    run(&model, setup(&model, method, step), steps)
+}
+
+/// A stone that is thrown up 4.9 m dips through a threshold for a time that is shorter than the step, whatever the step.
+#[test]
+fn a_graze_through_a_threshold_is_seen() {
+    for method in EXACT {
+        for (height, steps) in [(4.899, 20), (4.899_999, 20), (4.8, 3), (4.899_999_999, 7)] {
+            let text = format!(
+                "y'' = -9.8 [m/s^2]\ny(0) = 0 [m]\ny'(0) = 9.8 [m/s]\ndiscrete n = 0\nwhen y > {height} [m] {{ n = n + 1 }}"
+            );
+            let run = counting(&text, method, 2.1 / steps as f64, steps);
+            assert_eq!(run.state()[2], 1.0, "{method}, {height}, {steps} steps");
+            let expected = 1.0 - (1.0 - height / 4.9_f64).sqrt();
+            // At a height of so little less than the greatest the moment is rounded most.
+            let found = jumps(&run)[0];
+            assert!((found - expected).abs() < 1e-7, "{method}, {height}: {found} for {expected}");
+            assert_eq!(run.notices(), [], "{method}");
+        }
+        // Not quite as high: nothing happens, and the bits are those of the model without an event.
+        let plain = "y'' = -9.8 [m/s^2]\ny(0) = 0 [m]\ny'(0) = 9.8 [m/s]\ndiscrete n = 0\n";
+        let missed = counting(&format!("{plain}when y > 4.900001 [m] {{ n = n + 1 }}"), method, 0.3, 7);
+        assert_eq!(missed.history().fingerprint(), counting(plain, method, 0.3, 7).history().fingerprint(), "{method}");
+    }
+}
+
+/// Two conditions that hold together only between two crossings inside one step.
+#[test]
+fn two_crossings_in_a_step() {
+    let text = "x' = 1 [m/s]\nx(0) = 0 [m]\ny' = -1 [m/s]\ny(0) = 1 [m]\ndiscrete n = 0\n\
+                when x > 0.52 [m] and y > 0.47 [m] { n = n + 1 }";
+    for method in Method::ALL.into_iter().filter(|method| *method != Method::VelocityVerlet) {
+        for step in [0.1, 0.5, 0.9] {
+            let run = counting(text, method, step, 2);
+            assert_eq!(run.state()[2], if step > 0.4 { 1.0 } else { 0.0 }, "{method}, {step}");
+        }
+        let run = counting(text, method, 1.0, 1);
+        assert!((jumps(&run)[0] - 0.52).abs() < 1e-12, "{method}");
+    }
+}
+
+/// A wheel that turns many times in a step, by a state and not by the time, and the pulses of a remainder.
+#[test]
+fn none_of_238_fast_events_is_skipped() {
+    let text = "phi' = 2*pi*238 [1/s]\nphi(0) = 0\ndiscrete n = 0\ndiscrete m = 0\nwhen sin(phi) > 0 { n = n + 1 }\n\
+                when mod(phi, 2*pi) < 0.001 { m = m + 1 }";
+    for method in [Method::Euler, Method::RungeKutta4, Method::DormandPrince, Method::Rosenbrock] {
+        let run = counting(text, method, 0.05, 20);
+        // The angle is small at the start already; the last of both lies at the very end.
+        assert!((237.0..=238.0).contains(&run.state()[1]), "{method}: {}", run.state()[1]);
+        assert!((237.0..=238.0).contains(&run.state()[2]), "{method}: {}", run.state()[2]);
+        assert_eq!(run.notices(), [], "{method}");
+    }
+}
+
+/// An action between two crossings of one step is seen by the second.
+#[test]
+fn a_threshold_that_moves_at_its_first_crossing() {
+    let text = "y'' = -9.8 [m/s^2]\ny(0) = 0 [m]\ny'(0) = 9.8 [m/s]\ndiscrete h = 4.8 [m]\ndiscrete n = 0\n\
+                when y > h { h = h + 0.03 [m], n = n + 1 }";
+    for method in EXACT {
+        assert_eq!(counting(text, method, 0.7, 3).state()[3], 4.0, "{method}");
+    }
+}
+
+/// A short push by the equations, not by an event.
+#[test]
+fn a_jump_of_the_equations_is_not_skipped_either() {
+    let text = "x' = 1 [m/s]\nx(0) = 0 [m]\nv' = if x > 0.52 [m] and x < 0.53 [m] then 100 [1/s] else 0\nv(0) = 0";
+    for method in Method::ALL.into_iter().filter(|method| *method != Method::VelocityVerlet) {
+        let run = counting(text, method, 0.4, 3);
+        assert!((run.state()[1] - 1.0).abs() < 1e-9, "{method}: {}", run.state()[1]);
+    }
+}
+
+#[test]
+fn what_cannot_be_promised_is_said() {
+    let fast = "phi' = 1 [rad/s]\nphi(0) = 0\ndiscrete n = 0\nwhen sin(100000*phi) > 0 { n = n + 1 }";
+    let run = counting(fast, Method::RungeKutta4, 0.05, 1);
+    let [notice] = run.notices().try_into().expect("one notice");
+    assert_eq!((notice.code(), notice.time, notice.subject()), ("may-be-skipped", 0.0, Some(Subject::Event(0))));
+    let in_time = "discrete n = 0\nwhen sin(100000 [1/s]*t) > 0 { n = n + 1 }";
+    let run = counting(in_time, Method::RungeKutta4, 0.05, 1);
+    assert_eq!(run.notices().iter().map(|notice| notice.code()).collect::<Vec<_>>(), ["too-fast-in-time"]);
+    let message = run.notices()[0].message(&model(in_time));
+    assert!(message.english.ends_with("from t = 0 s on"), "{message:?}");
+    assert!(message.spanish.contains("t = 0 s"), "{message:?}");
+    // After going back to the start nothing is left to be said of it.
+    let mut back = counting(fast, Method::RungeKutta4, 0.05, 1);
+    back.truncate(0);
+    assert_eq!(back.notices(), []);
+    let slow = "discrete n = 0\nwhen sin(2*pi*238 [1/s]*t) > 0 { n = n + 1 }";
+    assert_eq!(counting(slow, Method::RungeKutta4, 0.05, 20).notices(), []);
+}

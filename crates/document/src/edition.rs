@@ -104,7 +104,7 @@ impl File<'_> {
                 );
             }
         }
-        for key in ["method", "step", "until", "tolerance", "vary"] {
+        for key in ["method", "step", "until", "speed", "tolerance", "vary"] {
             if let Some(value) = self.outline.front_matter().get(key) {
                 let message =
                     words!("`{key}` in a translation means nothing", "`{key}` no significa nada en una traducción");

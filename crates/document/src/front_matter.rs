@@ -7,7 +7,7 @@ use std::ops::Range;
 use units::{nearest, words};
 
 /// The keys there are.
-const KEYS: [&str; 8] = ["title", "language", "translates", "method", "step", "until", "tolerance", "vary"];
+const KEYS: [&str; 9] = ["title", "language", "translates", "method", "step", "until", "speed", "tolerance", "vary"];
 
 /// A value of the front matter and where it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -212,7 +212,7 @@ mod tests {
             [
                 "the front matter has no key `titel`; did you mean `title`?",
                 "the front matter has no key `wibble`; the keys are title, language, translates, method, step, until, \
-                 tolerance, vary",
+                 speed, tolerance, vary",
                 "`title` has no value",
                 "`step` is given twice",
             ]

@@ -162,6 +162,7 @@ impl<'a> File<'a> {
             method: settings.method,
             step: settings.step,
             until: settings.until,
+            speed: settings.speed,
             tolerance: settings.tolerance,
             vary,
             plots,

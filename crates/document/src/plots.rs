@@ -1,6 +1,6 @@
-//! Figures: `"Phase portrait": y' against y`.
+//! Figures: `"Phase portrait": y' against y`, `"Orbits": y_1 against x_1, y_2 against x_2, equal axes`.
 
-use crate::expressions::Expressions;
+use crate::expressions::{Expressions, dimension_error};
 use crate::scan::{find_word, leading_text, split, statements};
 use crate::source::trim;
 use model::{Diagnostic, ExpressionKind, Span};
@@ -60,16 +60,8 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>) -> Option<Plot> 
         ));
         return None;
     }
-    let rest = rest.start + 1..rest.end;
-    let Some(against) = find_word(source, rest.clone(), "against") else {
-        expressions.diagnostics.push(malformed(
-            words("the plot does not say what it is drawn against", "la gráfica no dice frente a qué se dibuja"),
-            &statement,
-        ));
-        return None;
-    };
-    let x = curve(expressions, against.end..rest.end);
-    let parts = split(source, rest.start..against.start, ',');
+    let mut parts = split(source, rest.start + 1..rest.end, ',');
+    let equal = parts.pop_if(|part| is_equal_axes(&source[part.clone()])).is_some();
     if parts.len() > CURVES {
         expressions.error(
             "too-large",
@@ -78,15 +70,99 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>) -> Option<Plot> 
         );
         return None;
     }
-    let curves: Vec<Curve> = parts.into_iter().filter_map(|part| curve(expressions, part)).collect();
-    if curves.is_empty() {
+    let mut plot: Option<Plot> = None;
+    // The curves of which it is not yet said what they are drawn against.
+    let mut waiting = Vec::new();
+    for part in parts {
+        let against = find_word(source, part.clone(), "against");
+        waiting.push(part.start..against.as_ref().map_or(part.end, |against| against.start));
+        if let Some(against) = against {
+            let x = curve(expressions, against.end..part.end).and_then(|x| changing(expressions, x));
+            let curves: Vec<Curve> =
+                waiting.drain(..).filter_map(|part| Some(curve(expressions, part)?.curve)).collect();
+            add(expressions, &mut plot, title, curves, x?)?;
+        }
+    }
+    if !waiting.is_empty() || plot.is_none() {
+        expressions.diagnostics.push(malformed(
+            words("the plot does not say what it is drawn against", "la gráfica no dice frente a qué se dibuja"),
+            &statement,
+        ));
         return None;
     }
-    Some(Plot { title: title.to_owned(), x: x?, curves })
+    plot.filter(|plot| !plot.curves.is_empty()).map(|plot| Plot { equal, ..plot })
+}
+
+/// Whether a part after a comma asks for units of the same length on both axes.
+fn is_equal_axes(part: &str) -> bool {
+    part.split_whitespace().eq(["equal", "axes"])
+}
+
+/// A curve or an abscissa, and where it stands.
+struct Read {
+    curve: Curve,
+    span: Span,
+}
+
+/// Adds curves against `x` to a plot. All abscissas have one dimension.
+fn add(expressions: &mut Expressions, plot: &mut Option<Plot>, title: &str, curves: Vec<Curve>, x: Read) -> Option<()> {
+    let Some(plot) = plot else {
+        let (others, equal) = (Vec::new(), false);
+        *plot = Some(Plot { title: title.to_owned(), x: x.curve, curves, others, equal });
+        return Some(());
+    };
+    let (found, expected) = (x.curve.value.dimension(), plot.x.value.dimension());
+    if found != expected {
+        let message = words!(
+            "`{}` cannot share the horizontal axis with `{}`",
+            "`{}` no puede compartir el eje horizontal con `{}`",
+            x.curve.expression,
+            plot.x.expression
+        );
+        let mut diagnostic = dimension_error(message, (x.span, found), (x.span, expected));
+        // Both labels would lie on one another.
+        let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
+        expressions.diagnostics.push(
+            diagnostic
+                .with_note(words!("the axis is {expected}", "el eje es {expected}", expected = expected))
+                .with_hint(words("make it a plot of its own", "haz con ella otra gráfica")),
+        );
+        return None;
+    }
+    for curve in curves {
+        if x.curve != plot.x {
+            plot.others.push((plot.curves.len(), x.curve.clone()));
+        }
+        plot.curves.push(curve);
+    }
+    Some(())
+}
+
+/// An abscissa that changes during a run; against anything else a curve would be a point.
+fn changing(expressions: &mut Expressions, x: Read) -> Option<Read> {
+    let dependence = expressions.model().depends(x.curve.value.node);
+    if dependence.varies() {
+        return Some(x);
+    }
+    let name = &x.curve.expression;
+    let diagnostic = Diagnostic::error(
+        "constant-abscissa",
+        words!(
+            "`{name}` stays the same during a run, so nothing can be drawn against it",
+            "`{name}` no cambia durante la simulación: no se puede dibujar nada frente a eso"
+        ),
+        x.span,
+    );
+    let time = &expressions.model().independent.name;
+    expressions.diagnostics.push(diagnostic.with_hint(words!(
+        "draw against `{time}` or against something that changes with it",
+        "dibuja frente a `{time}` o frente a algo que cambie con ella"
+    )));
+    None
 }
 
 /// `y'` or `(h_l + h_r)/2 + y "Left level"`
-fn curve(expressions: &mut Expressions, range: Range<usize>) -> Option<Curve> {
+fn curve(expressions: &mut Expressions, range: Range<usize>) -> Option<Read> {
     let source = expressions.source;
     let mut range = trim(source, range);
     let mut label = None;
@@ -99,8 +175,9 @@ fn curve(expressions: &mut Expressions, range: Range<usize>) -> Option<Curve> {
     }
     let value = expressions.number(range.clone())?.value;
     let expression = source[range.clone()].split_whitespace().collect::<Vec<_>>().join(" ");
+    let span = span(&range);
     let label = label.or_else(|| label_of_name(expressions.model(), source, range));
-    Some(Curve { expression, label, value })
+    Some(Read { curve: Curve { expression, label, value }, span })
 }
 
 /// The author's label of the name that fills `range`, if a name does.

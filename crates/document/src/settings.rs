@@ -3,7 +3,7 @@
 use crate::expressions::dimension_error;
 use crate::front_matter::{FrontMatter, Value};
 use model::{Diagnostic, Span};
-use program::{Method, Model};
+use program::{Method, Model, Speed};
 use units::{Dimension, Unit, words};
 
 /// The front matter, checked. Values are SI.
@@ -18,6 +18,8 @@ pub struct Settings {
     pub step: Option<f64>,
     /// Where the run stops.
     pub until: Option<f64>,
+    /// How fast it is watched.
+    pub speed: Option<Speed>,
     /// The relative tolerance of adaptive methods.
     pub tolerance: Option<f64>,
 }
@@ -36,8 +38,15 @@ pub fn read(matter: &FrontMatter, model: &Model, diagnostics: &mut Vec<Diagnosti
         title: matter.get("title").map_or_else(|| "Untitled".to_owned(), |title| title.text.clone()),
         language: language.map_or_else(|| "en".to_owned(), |language| language.text.clone()),
         method: matter.get("method").and_then(|value| method(value, diagnostics)),
-        step: matter.get("step").and_then(|value| quantity("step", value, independent, diagnostics)),
-        until: matter.get("until").and_then(|value| quantity("until", value, independent, diagnostics)),
+        step: matter.get("step").and_then(|value| quantity("step", value, independent, diagnostics)).map(|(si, _)| si),
+        until: matter
+            .get("until")
+            .and_then(|value| quantity("until", value, independent, diagnostics))
+            .map(|(si, _)| si),
+        speed: matter
+            .get("speed")
+            .and_then(|value| quantity("speed", value, independent, diagnostics))
+            .map(|(per_second, unit)| Speed { per_second, unit }),
         tolerance: matter.get("tolerance").and_then(|value| tolerance(value, diagnostics)),
     }
 }
@@ -68,7 +77,7 @@ fn method(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<Method> {
 }
 
 fn tolerance(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
-    let tolerance = quantity("tolerance", value, &Unit::dimensionless(), diagnostics)?;
+    let (tolerance, _) = quantity("tolerance", value, &Unit::dimensionless(), diagnostics)?;
     if tolerance <= 0.1 {
         return Some(tolerance);
     }
@@ -86,8 +95,8 @@ fn tolerance(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
     None
 }
 
-/// A positive number, bare (then in `unit`) or with a unit of its dimension. SI.
-fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
+/// A positive number, bare (then in `unit`) or with a unit of its dimension: its SI value, and the unit.
+fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnostic>) -> Option<(f64, Unit)> {
     let (number, stated) = match value.text.split_once('[') {
         Some((number, rest)) => (number.trim(), rest.trim_end().strip_suffix(']')),
         None => (value.text.as_str(), Some("")),
@@ -107,10 +116,10 @@ fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnos
         return None;
     };
     if stated.is_empty() {
-        return Some(unit.to_si(number));
+        return Some((unit.to_si(number), unit.clone()));
     }
     match Unit::parse(stated) {
-        Ok(stated) if stated.dimension == unit.dimension => Some(stated.to_si(number)),
+        Ok(stated) if stated.dimension == unit.dimension => Some((stated.to_si(number), stated)),
         Ok(stated) => {
             diagnostics.push(mismatch(key, value.span, stated.dimension, unit.dimension));
             None

@@ -150,17 +150,19 @@ impl Figure {
             samples.extend(self.sample(plot, index, row));
         }
         let (_, x) = nearest?;
-        Some(Readout { heading: self.heading_at(plot, x), samples })
+        Some(Readout { heading: self.heading_at(plot, plot.x.label, x), samples })
     }
 
     fn single(&self, plot: &Plot<'_>, series: usize, row: usize) -> Option<Readout> {
         let sample = self.sample(plot, series, row)?;
-        Some(Readout { heading: self.heading_at(plot, sample.x), samples: vec![sample] })
+        let own = plot.series.get(series).map(|series| series.across).filter(|across| !across.is_empty());
+        let heading = self.heading_at(plot, own.unwrap_or(plot.x.label), sample.x);
+        Some(Readout { heading, samples: vec![sample] })
     }
 
-    fn heading_at(&self, plot: &Plot<'_>, x: f64) -> String {
+    fn heading_at(&self, plot: &Plot<'_>, label: &str, x: f64) -> String {
         let resolution = self.x.map_or(0.0, |scale| scale.resolution());
-        self.quantity(plot.x.label, &plot.x, x, resolution, self.x_power)
+        self.quantity(label, &plot.x, x, resolution, self.x_power)
     }
 
     fn sample(&self, plot: &Plot<'_>, index: usize, row: usize) -> Option<Sample> {

@@ -41,6 +41,8 @@ pub struct Axis<'a> {
 pub struct Series<'a> {
     /// The name in the legend; a series without a name is not listed there.
     pub label: &'a str,
+    /// What its abscissas are in a read-out, where it is not the label of the horizontal axis; else empty.
+    pub across: &'a str,
     /// Which of the plot's vertical axes it belongs to.
     pub axis: usize,
     /// Which of the palette's series colours it is drawn in (counted modulo their number).

@@ -9,6 +9,8 @@ pub enum Announcement {
     Playing,
     /// The run stands still at this time (SI).
     Paused(f64),
+    /// The run has come to the end that the document gives it, at this time (SI).
+    Ended(f64),
     /// A step was made or shown; the time now.
     Stepped(f64),
     /// An earlier time is shown.
@@ -34,7 +36,7 @@ pub enum Announcement {
         /// The parameters before, SI.
         before: Vec<f64>,
     },
-    /// Model time passes so many times as fast as wall time.
+    /// The run is watched so many times as fast as the document says.
     Speed(f64),
     /// The run was kept under this name.
     Kept(String),
@@ -86,7 +88,8 @@ impl Announcement {
             | Self::Speed(_)
             | Self::Method(_)
             | Self::Step(_)
-            // The transport shows why the run cannot go on.
+            // The transport shows why the run does not go on.
+            | Self::Ended(_)
             | Self::Full
             | Self::Failed => Prominence::Spoken,
             Self::Replaced(lost) if lost.is_empty() => Prominence::Spoken,

@@ -44,4 +44,3 @@ pub use refusal::Refusal;
 pub use share::{LONGEST_PACKED, LONGEST_UNPACKED, Link, Subject, packed_length};
 pub use time::{Course, LONGEST_GAP, Problem, SPEEDS, Status, WORK_PER_TICK};
 pub use values::{Follows, Outline, Readout, ReadoutKind, symbol};
-pub use words::speed_text;

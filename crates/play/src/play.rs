@@ -11,7 +11,7 @@ use crate::removed::Undo;
 use crate::time::course::Course;
 use crate::values::Outline;
 use engine::{Readings, Setup};
-use program::{Model, NodeId, Program};
+use program::{Model, NodeId, Program, Speed};
 use units::Language;
 
 /// Counts changes, so that the shell draws only what has changed.
@@ -72,6 +72,8 @@ pub struct Play {
     pub(crate) playing: bool,
     /// Whether the run stopped because its memory is used up.
     pub(crate) full: bool,
+    /// How fast the document is to be watched, and how many times as fast it is.
+    pub(crate) pace: Speed,
     pub(crate) speed: f64,
     pub(crate) slippage: f64,
     pub(crate) hold: Option<Hold>,
@@ -137,6 +139,7 @@ impl Play {
             plots: program.plots.iter().map(|_| PlotState::default()).collect(),
             rewritten: None,
             outline: None,
+            pace: program.pace(),
             program,
             tag,
             defaults,

@@ -1,6 +1,6 @@
 //! The words of playing in every language. What the document says is translated by the document.
 
-use crate::{Announcement, Grade, Play, Refusal, number};
+use crate::{Announcement, Grade, Play, Refusal};
 use engine::Method;
 use units::Language;
 
@@ -198,6 +198,11 @@ impl Play {
         match announcement {
             Announcement::Playing => say("Playing", "En marcha"),
             Announcement::Paused(at) => with("Paused at {}", "En pausa en {}", &time(*at)),
+            Announcement::Ended(at) => with(
+                "The run ends at {}; press Play to continue",
+                "La serie termina en {}; pulsa Reproducir para continuar",
+                &time(*at),
+            ),
             Announcement::Stepped(at) => with("Step, {}", "Paso, {}", &time(*at)),
             Announcement::Scrubbed(at) => time(*at),
             Announcement::BackAtStart if self.is_started_by_hand() => {
@@ -234,7 +239,7 @@ impl Play {
                 let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
                 format!("{}: {value}; {}", self.state_label(*state), changed.join(", "))
             }
-            Announcement::Speed(speed) => with("Speed {}", "Velocidad {}", &speed_text(*speed)),
+            Announcement::Speed(speed) => with("Speed {}", "Velocidad {}", &self.speed_text(*speed)),
             Announcement::Kept(name) => with("Run kept: {}", "Serie guardada: {}", name),
             Announcement::Removed(name) => with("Run removed: {}", "Serie quitada: {}", name),
             Announcement::Undone => say("Undone", "Deshecho"),
@@ -257,15 +262,6 @@ impl Play {
             ),
             Announcement::Restored => say("The saved state is back", "Se recuperó el estado guardado"),
         }
-    }
-}
-
-/// `1/8×`, `1×`, `8×`
-pub fn speed_text(speed: f64) -> String {
-    if speed > 0.0 && speed < 1.0 {
-        format!("1/{}×", number::plain(1.0 / speed, 3, number::Style::default()))
-    } else {
-        format!("{}×", number::plain(speed, 3, number::Style::default()))
     }
 }
 

@@ -76,8 +76,9 @@ fn check(program: &Program) -> Result<(), BundleError> {
             let mut targets = targets.map(|(state, value)| (*state as usize) < model.states.len() && known(value));
             known(&event.condition) && targets.all(|good| good) && event.jump.is_none()
         })
+        && program.speed.as_ref().is_none_or(|speed| speed.per_second.is_finite() && speed.per_second > 0.0)
         && program.vary.iter().all(parameter)
-        && program.plots.iter().all(|plot| plot.curves.iter().chain([&plot.x]).all(|curve| compiled(&curve.value)))
+        && program.plots.iter().all(|plot| plot.expressions().all(|curve| compiled(&curve.value)))
         && program.presets.iter().all(|preset| assignments(&preset.values))
         && program.questions.iter().all(|question| {
             let hidden = |index: &usize| *index < model.quantities.len();

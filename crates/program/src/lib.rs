@@ -12,6 +12,7 @@ mod program;
 mod prose;
 mod questions;
 mod scene;
+mod speed;
 
 pub use graph::{Binary, Graph, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate, differentiate_all};
 pub use method::{Method, UnknownMethod};
@@ -25,3 +26,4 @@ pub use program::{Edition, Program};
 pub use prose::{Block, Section};
 pub use questions::{Question, QuestionText, Tolerance};
 pub use scene::{Attribute, Child, Drag, Element, Piece, Scene, Template};
+pub use speed::Speed;

@@ -1,6 +1,6 @@
 //! A program: a checked model and everything that is shown of it.
 
-use crate::{Method, Model, Plot, Preset, Question, QuestionText, Scene, Section};
+use crate::{Method, Model, Plot, Preset, Question, QuestionText, Scene, Section, Speed};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -21,6 +21,8 @@ pub struct Program {
     pub step: Option<f64>,
     /// Where a run without an end of its own stops, SI.
     pub until: Option<f64>,
+    /// How fast it is watched, where the document says so: see [`Self::pace`].
+    pub speed: Option<Speed>,
     /// The relative tolerance of adaptive methods.
     pub tolerance: Option<f64>,
     /// The parameters that a fit varies unless another choice is made, by their places in [`Model::parameters`].
@@ -37,6 +39,11 @@ impl Program {
     /// The languages in which the document exists, its own first.
     pub fn languages(&self) -> impl Iterator<Item = &str> {
         self.editions.iter().map(|edition| edition.language.as_str())
+    }
+
+    /// How fast it is watched.
+    pub fn pace(&self) -> Speed {
+        self.speed.clone().unwrap_or_else(|| Speed::chosen(self.until, &self.model.independent.unit))
     }
 
     /// The edition in `language`; the document's own where there is none.
@@ -56,7 +63,7 @@ impl Program {
         let labels = (model.parameters.iter().map(|parameter| &parameter.label))
             .chain(model.states.iter().map(|state| &state.label))
             .chain(model.quantities.iter().map(|quantity| &quantity.label));
-        let curves = self.plots.iter().flat_map(|plot| plot.curves.iter().chain([&plot.x])).map(|curve| &curve.label);
+        let curves = self.plots.iter().flat_map(Plot::expressions).map(|curve| &curve.label);
         let groups = self.presets.iter().map(|preset| &preset.group);
         let optional = labels.chain(curves).chain(groups).flatten();
         let named = self.plots.iter().map(|plot| &plot.title).chain(self.presets.iter().map(|preset| &preset.name));

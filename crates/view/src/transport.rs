@@ -116,6 +116,7 @@ pub fn view(app: App) -> HtmlSection {
         .child(div().class("time").child(clock).child(place_of_line))
         .child(div().class("extras").child(speed(app)).child(sound(app)).maybe(fill_screen(app)))
         // Why the run has stopped is announced by the play; only the other has to be spoken from here.
+        .child(ended(app))
         .child(p().class("trouble").child(text(move || trouble(true))))
         .child(p().class("trouble").role("status").child(text(move || trouble(false))))
 }
@@ -151,8 +152,8 @@ fn speed(app: App) -> HtmlLabel {
         app.read(|play| play.speed())
     };
     let choose = |speed: f64| {
-        let text = if speed < 1.0 { format!("1/{} ×", 1.0 / speed) } else { format!("{speed} ×") };
-        option().value(speed.to_string()).selected(move || chosen() == speed).child(text)
+        let name = app.read(|play| play.speed_text(speed));
+        option().value(speed.to_string()).selected(move || chosen() == speed).child(name)
     };
     let set = move |event| {
         if let Ok(speed) = value_of(&event).parse() {
@@ -200,6 +201,26 @@ fn fill_screen(app: App) -> Option<HtmlButton> {
             .called(app.words().fill_screen)
             .when(events::click, fill)
             .child(icons::full_screen())
+    })
+}
+
+/// Says that the run is at the end which the document gives it, and offers to go on. The play announces it.
+fn ended(app: App) -> impl Into<View> {
+    let words = app.words();
+    let at_end = memo(move || {
+        app.changes.transport.track();
+        app.read(|play| play.status() == Status::Ended)
+    });
+    // The button goes away when it is used; the focus stays in the transport.
+    let go_on = move |_| {
+        app.act(Play::play);
+        if let Some(play) = browser::by_id::<HtmlElement>("play") {
+            let _ = play.focus();
+        }
+    };
+    changing(move || {
+        let go_on = button().id("go-on").child(words.go_on).when(events::click, go_on);
+        if at_end.get() { p().class("ended").child(words.ended).child(go_on).into() } else { View::new() }
     })
 }
 

@@ -141,7 +141,6 @@ fn points<'a>(
     record_name: &dyn Fn(u32) -> &'a str,
 ) -> Vec<Points> {
     let mut found = Vec::new();
-    let against_time = model.is_independent(plot.x.value.node);
     let of = |curve: &Curve, measured: &&Measured| measured.observed.node == curve.value.node;
     // Curves of one dimension share the axis, and with it the unit, of the first of them.
     let unit = |curve: &Curve| {
@@ -149,14 +148,15 @@ fn points<'a>(
         plot.curves.iter().find(same).map_or_else(|| curve.value.unit.clone(), |first| first.value.unit.clone())
     };
     for (number, curve) in plot.curves.iter().enumerate() {
-        let unit = unit(curve);
+        let (unit, across) = (unit(curve), plot.x_of(number));
+        let against_time = model.is_independent(across.value.node);
         for column in measured.iter().filter(|measured| of(curve, measured)) {
             let (x_unit, y_unit) = (&plot.x.value.unit, &unit);
             let (x, y): (Vec<f64>, Vec<f64>) = if against_time {
                 let x = column.times.iter().map(|time| x_unit.from_si(*time)).collect();
                 (x, column.values.iter().map(|value| y_unit.from_si(*value)).collect())
             } else {
-                let Some(other) = measured.iter().find(|other| other.record == column.record && of(&plot.x, other))
+                let Some(other) = measured.iter().find(|other| other.record == column.record && of(across, other))
                 else {
                     continue;
                 };

@@ -127,6 +127,7 @@ impl Desk {
         });
         let curves = curves.collect();
         let labels = Labels {
+            across: Vec::new(),
             title: title.to_owned(),
             description: format!("{title}: {left_over}"),
             x: (symbol(&independent.name), number::unit_text(&independent.unit.text)),

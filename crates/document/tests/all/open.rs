@@ -28,11 +28,15 @@ fn several_model_blocks_are_one_model() {
 
 #[test]
 fn settings_are_in_si() {
-    let front = "---\ntitle: T\nlanguage: es\nmethod: euler\nstep: 50 [ms]\nuntil: 2 [min]\ntolerance: 1e-9\n---\n";
+    let front = "---\ntitle: T\nlanguage: es\nmethod: euler\nstep: 50 [ms]\nuntil: 2 [min]\nspeed: 3 [s]\ntolerance: 1e-9\n---\n";
     let document = good(&format!("{front}{MODEL}"), &[]);
     assert_eq!(
         (document.program.step, document.program.until, document.program.tolerance),
         (Some(0.05), Some(120.0), Some(1e-9))
+    );
+    assert_eq!(
+        document.program.speed.as_ref().map(|speed| (speed.per_second, speed.unit.text.as_str())),
+        Some((3.0, "s"))
     );
     assert_eq!(document.program.method, Some(program::Method::Euler));
     assert_eq!((document.program.title.as_str(), document.program.language.as_str()), ("T", "es"));
@@ -43,13 +47,14 @@ fn settings_are_in_si() {
 
 #[test]
 fn settings_out_of_place() {
-    let front = "---\nlanguage: my tongue\nstep: -1\nuntil: 5 [kg]\ntolerance: 0.5\n---\n";
+    let front = "---\nlanguage: my tongue\nstep: -1\nuntil: 5 [kg]\nspeed: 0 [d]\ntolerance: 0.5\n---\n";
     assert_eq!(
         open(&format!("{front}{MODEL}"), &[]).1,
         [
             "0: `my tongue` is not a language",
             "0: `step` must be a positive number",
             "0: `until` has the wrong dimension",
+            "0: `speed` must be a positive number",
             "0: the tolerance is too large",
         ]
     );

@@ -2,9 +2,10 @@
 
 use super::added::{AddedPlot, POINTS};
 use super::plot::PlotId;
-use crate::time::transport::STEPS_AT_FIRST;
+use super::traces::CurveColumns;
 use crate::{Play, words};
 use figure::{Axis, Interval, Plot, Series, Style, View};
+use program::Curve;
 use units::Unit;
 
 impl Play {
@@ -26,7 +27,7 @@ impl Play {
         let kept = self.kept.iter().filter(|kept| kept.shown);
         let kept = kept.map(|kept| (&kept.traces, Style::Run(kept.pattern)));
         let points = state.points.iter().filter_map(|points| {
-            let (_, axis) = *columns.curves.get(points.curve)?;
+            let axis = columns.curves.get(points.curve)?.axis;
             let (colour, style) = (POINTS + points.curve as u8, Style::Points);
             let (x, y, version) = (&points.x[..], &points.y[..], points.version);
             let label = points.label.as_str();
@@ -35,16 +36,17 @@ impl Play {
         let mut series: Vec<Series<'_>> = points.collect();
         for (traces, style) in ghosts.chain(kept).chain([(&self.traces, Style::Line)]) {
             let present_run = style == Style::Line;
-            for (number, &(column, axis)) in columns.curves.iter().enumerate() {
-                let present = self.present.get(columns.x).copied().zip(self.present.get(column).copied());
+            for (number, &CurveColumns { x, y, axis }) in columns.curves.iter().enumerate() {
+                let present = self.present.get(x).copied().zip(self.present.get(y).copied());
                 let label = match style {
                     Style::Line => labels.curves.get(number).map_or("", String::as_str),
                     // One entry stands for all its curves.
                     Style::Ghost if number == 0 => words::previous_run(self.language),
                     _ => "",
                 };
-                let (x, y) = (traces.column(columns.x), traces.column(column));
-                let mut curve = Series { label, axis, colour: number as u8, style, x, y, ..Series::default() };
+                let (x, y) = (traces.column(x), traces.column(y));
+                let across = labels.across.get(number).map_or("", String::as_str);
+                let mut curve = Series { label, across, axis, colour: number as u8, style, x, y, ..Series::default() };
                 curve.breaks = traces.breaks(columns.first + number);
                 curve.present = present.filter(|_| present_run);
                 series.push(curve);
@@ -52,7 +54,7 @@ impl Play {
         }
         let independent = self.is_against_independent(index);
         let unit = &self.model().independent.unit;
-        let first = Interval::new(0.0, unit.from_si(self.step() * STEPS_AT_FIRST));
+        let first = Interval::new(0.0, unit.from_si(self.first_part()));
         Some(Plot {
             title: &labels.title,
             description: &labels.description,
@@ -66,13 +68,10 @@ impl Play {
         })
     }
 
-    /// Whether lengths are drawn against a length.
+    /// Whether lengths are drawn against a length, or the document asks for equal axes.
     fn is_path(&self, index: usize) -> bool {
-        let plot = self.program.plots.get(index);
-        plot.is_some_and(|plot| {
-            let mut drawn = plot.curves.iter().map(|curve| &curve.value).chain([&plot.x.value]);
-            drawn.all(|value| value.unit.dimension == units::Dimension::LENGTH)
-        })
+        let is_length = |curve: &Curve| curve.value.unit.dimension == units::Dimension::LENGTH;
+        self.program.plots.get(index).is_some_and(|plot| plot.equal || plot.expressions().all(is_length))
     }
 
     /// What a zoomed plot of the document against the independent variable shows of it; `None` where none is zoomed.
@@ -89,7 +88,8 @@ impl Play {
     }
 
     fn is_against_independent(&self, index: usize) -> bool {
-        self.program.plots.get(index).is_some_and(|plot| self.model().is_independent(plot.x.value.node))
+        let independent = |x: &Curve| self.model().is_independent(x.value.node);
+        self.program.plots.get(index).is_some_and(|plot| plot.abscissas().all(independent))
     }
 
     /// What is drawn in a plot that was added.

@@ -3,6 +3,7 @@
 use super::labels::Labels;
 use crate::values::symbol::symbol;
 use crate::{Play, number, words};
+use program::{Curve, Plot};
 
 impl Play {
     /// Writes the texts of all plots in the chosen language.
@@ -27,19 +28,41 @@ impl Play {
             None => symbol(&curve.expression),
         };
         let names: Vec<String> = plot.curves.iter().map(named).collect();
-        let description = words::against(self.language, &names.join(", "), &named(&plot.x));
+        let description = self.described(plot, &names, named);
         let curves: Vec<String> = plot.curves.iter().map(|curve| symbol(&curve.expression)).collect();
         let axes = columns.axes.iter().enumerate().map(|(axis, unit)| {
-            let here = columns.curves.iter().zip(&curves).filter(|((_, of), _)| *of == axis);
+            let here = columns.curves.iter().zip(&curves).filter(|(columns, _)| columns.axis == axis);
             let names: Vec<&str> = here.map(|(_, name)| name.as_str()).collect();
             (names.join(", "), number::unit_text(&unit.text))
         });
+        let mut all_across: Vec<String> = plot.abscissas().map(|x| symbol(&x.expression)).collect();
+        let across = (0..curves.len()).map(|curve| match plot.others.is_empty() {
+            true => String::new(),
+            false => symbol(&plot.x_of(curve).expression),
+        });
+        let across = across.collect();
+        all_across.dedup();
         Some(Labels {
             axes: axes.collect(),
             description: format!("{title}: {description}"),
             title,
-            x: (symbol(&plot.x.expression), number::unit_text(&plot.x.value.unit.text)),
+            x: (all_across.join(", "), number::unit_text(&plot.x.value.unit.text)),
             curves,
+            across,
         })
+    }
+
+    /// What a plot shows: `Height (y), Speed (v) against Time (t).` Curves with the same abscissa stand together.
+    fn described(&self, plot: &Plot, names: &[String], named: impl Fn(&Curve) -> String) -> String {
+        let mut groups: Vec<(String, Vec<&str>)> = Vec::new();
+        for (curve, name) in names.iter().enumerate() {
+            let x = named(plot.x_of(curve));
+            match groups.last_mut() {
+                Some((last, together)) if *last == x => together.push(name),
+                _ => groups.push((x, vec![name])),
+            }
+        }
+        let sentences = groups.iter().map(|(x, curves)| words::against(self.language, &curves.join(", "), x));
+        sentences.collect::<Vec<_>>().join(" ")
     }
 }

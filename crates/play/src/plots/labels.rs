@@ -13,4 +13,6 @@ pub struct Labels {
     pub axes: Vec<(String, String)>,
     /// The name of each curve.
     pub curves: Vec<String>,
+    /// Of each curve the name of what it is drawn against, where that is not the whole horizontal axis; else empty.
+    pub across: Vec<String>,
 }

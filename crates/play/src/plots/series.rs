@@ -55,7 +55,8 @@ impl Play {
         let heads = plot.series.iter().zip(&names).flat_map(|(series, name)| {
             let unit = plot.y.get(series.axis).map_or("", |axis| axis.unit);
             let run = name.run.as_ref().map(|run| format!(" ({run})")).unwrap_or_default();
-            [head(&format!("{}{run}", plot.x.label), plot.x.unit), head(&format!("{}{run}", name.curve), unit)]
+            let across = if series.across.is_empty() { plot.x.label } else { series.across };
+            [head(&format!("{across}{run}"), plot.x.unit), head(&format!("{}{run}", name.curve), unit)]
         });
         // Writing to a string does not fail.
         for (place, head) in heads.enumerate() {

@@ -19,14 +19,25 @@ pub(crate) struct Columns {
 /// The columns of one plot.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PlotColumns {
-    /// The abscissa.
+    /// The abscissa of the first curve.
     pub x: usize,
     /// The number of its first curve among those of all plots.
     pub first: usize,
-    /// For each curve its column and the number of its axis.
-    pub curves: Vec<(usize, usize)>,
+    /// Its curves.
+    pub curves: Vec<CurveColumns>,
     /// The unit of each axis: that of its first curve.
     pub axes: Vec<Unit>,
+}
+
+/// Where a curve finds its columns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct CurveColumns {
+    /// The abscissas.
+    pub x: usize,
+    /// The ordinates.
+    pub y: usize,
+    /// The number of its axis.
+    pub axis: usize,
 }
 
 impl Columns {
@@ -38,13 +49,15 @@ impl Columns {
             let x = columns.add(plot.x.value.node, &plot.x.value.unit);
             let mut axes: Vec<Unit> = Vec::new();
             let mut curves = Vec::new();
-            for curve in &plot.curves {
+            for (number, curve) in plot.curves.iter().enumerate() {
                 let unit = &curve.value.unit;
                 let axis = axes.iter().position(|axis| axis.dimension == unit.dimension).unwrap_or_else(|| {
                     axes.push(unit.clone());
                     axes.len() - 1
                 });
-                curves.push((columns.add(curve.value.node, &axes[axis]), axis));
+                // All share the horizontal axis, and with it the unit of the first.
+                let x = columns.add(plot.x_of(number).value.node, &plot.x.value.unit);
+                curves.push(CurveColumns { x, y: columns.add(curve.value.node, &axes[axis]), axis });
             }
             let first = columns.plots.iter().map(|plot| plot.curves.len()).sum();
             columns.plots.push(PlotColumns { x, first, curves, axes });
@@ -155,9 +168,9 @@ impl Traces {
             return;
         }
         let jumping = columns.jumping(history, row - 1, parameters, &self.columns);
-        let curves = columns.plots.iter().flat_map(|plot| plot.curves.iter().map(|&(column, _)| (plot.x, column)));
-        for ((x, column), breaks) in curves.zip(&mut self.breaks) {
-            if jumping[x] || jumping[column] {
+        let curves = columns.plots.iter().flat_map(|plot| &plot.curves);
+        for (curve, breaks) in curves.zip(&mut self.breaks) {
+            if jumping[curve.x] || jumping[curve.y] {
                 breaks.push(row);
             }
         }

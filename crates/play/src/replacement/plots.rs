@@ -9,7 +9,8 @@ fn same_curves(one: &Plot, other: &Plot) -> bool {
     let same =
         |(one, other): (&Curve, &Curve)| one.expression == other.expression && one.value.unit == other.value.unit;
     one.curves.len() == other.curves.len()
-        && one.curves.iter().chain([&one.x]).zip(other.curves.iter().chain([&other.x])).all(same)
+        && one.others.iter().map(|(place, _)| place).eq(other.others.iter().map(|(place, _)| place))
+        && one.expressions().zip(other.expressions()).all(same)
 }
 
 impl Play {

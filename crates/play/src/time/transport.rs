@@ -15,9 +15,11 @@ pub enum Status {
     Full,
     /// Standing still because the run cannot go on; [`Play::problem`] says why.
     Failed,
+    /// Standing still where the document ends the run; [`Play::play`] goes on beyond it.
+    Ended,
 }
 
-/// The speeds that are offered.
+/// The speeds that are offered, as multiples of the one that the document begins with ([`program::Speed`]).
 pub const SPEEDS: [f64; 7] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 
 /// The longest gap between ticks, in seconds, that the run makes up. Browsers wake a hidden page about once a second, at
@@ -32,7 +34,7 @@ pub const WORK_PER_TICK: u64 = 1_000_000;
 const WORK_PER_STEP: u64 = 50_000_000;
 
 /// The time line, and a plot against the independent variable, begin with room for so many steps.
-pub(crate) const STEPS_AT_FIRST: f64 = 200.0;
+const STEPS_AT_FIRST: f64 = 200.0;
 
 impl Play {
     /// Lets `seconds` of wall time pass. Returns whether anything that is shown has changed.
@@ -40,8 +42,13 @@ impl Play {
         if !self.playing || !seconds.is_finite() || seconds <= 0.0 || seconds > LONGEST_GAP {
             return false;
         }
-        let to = self.course.time() + seconds * self.speed;
-        self.proceed(to, WORK_PER_TICK);
+        let to = self.course.time() + seconds * self.speed * self.pace.per_second;
+        let end = self.end_ahead().filter(|end| *end <= to);
+        self.proceed(end.unwrap_or(to), WORK_PER_TICK);
+        if self.playing && end.is_some_and(|end| self.course.time() >= end) {
+            self.stop();
+            self.announce(Announcement::Ended(self.course.time()));
+        }
         true
     }
 
@@ -86,7 +93,8 @@ impl Play {
     pub fn step_forward(&mut self) {
         self.stop();
         self.branch();
-        self.proceed(self.course.next_grid_time(), WORK_PER_STEP);
+        let to = self.course.next_grid_time();
+        self.proceed(self.end_ahead().map_or(to, |end| to.min(end)), WORK_PER_STEP);
         self.announce(Announcement::Stepped(self.course.time()));
     }
 
@@ -116,9 +124,14 @@ impl Play {
         self.announce(Announcement::Scrubbed(self.course.time()));
     }
 
-    /// How many simulated seconds pass in one second.
+    /// How many times as fast the run is watched as the document says.
     pub fn speed(&self) -> f64 {
         self.speed
+    }
+
+    /// How fast a run is watched at one of [`SPEEDS`]: `2 ×` in real time, else with its unit, `2 d/s`.
+    pub fn speed_text(&self, speed: f64) -> String {
+        self.pace.text(speed, self.style)
     }
 
     /// Sets the speed to the nearest of [`SPEEDS`].
@@ -142,9 +155,16 @@ impl Play {
             Status::Failed
         } else if self.full {
             Status::Full
+        } else if self.program.until == Some(self.course.time()) {
+            Status::Ended
         } else {
             Status::Paused
         }
+    }
+
+    /// Where the document ends the run (SI), if that is still ahead.
+    fn end_ahead(&self) -> Option<f64> {
+        self.program.until.filter(|end| *end > self.course.time())
     }
 
     /// Whether the run goes on with the clock.
@@ -163,13 +183,20 @@ impl Play {
     }
 
     /// The end of the time line (SI): as long as a plot against time at first, and twice as long whenever the run gets
-    /// there. So the line shows how far the run has come and does not stretch in every frame.
+    /// there, but no longer than the document's run. So the line shows how far the run has come and does not stretch in
+    /// every frame.
     pub fn horizon(&self) -> f64 {
         let mut horizon = self.step() * STEPS_AT_FIRST;
         while horizon < self.end() {
             horizon *= 2.0;
         }
-        horizon
+        self.program.until.filter(|end| *end >= self.end()).map_or(horizon, |end| horizon.min(end))
+    }
+
+    /// What a plot against the independent variable shows at least (SI).
+    pub(crate) fn first_part(&self) -> f64 {
+        let first = self.step() * STEPS_AT_FIRST;
+        self.program.until.map_or(first, |end| first.min(end))
     }
 
     /// Whether an earlier time than [`Play::end`] is shown.
@@ -247,9 +274,10 @@ impl Play {
     }
 
     fn proceed(&mut self, to: f64, mut work: u64) {
+        let before = self.status();
         match self.course.proceed(to, &mut work) {
             Outcome::Reached => {}
-            Outcome::Behind(missing) => self.slippage += missing / self.speed,
+            Outcome::Behind(missing) => self.slippage += missing / (self.speed * self.pace.per_second),
             Outcome::Full => {
                 self.full = true;
                 self.stop();
@@ -260,6 +288,9 @@ impl Play {
                 self.revision.transport += 1;
                 self.announce(Announcement::Failed);
             }
+        }
+        if self.status() != before {
+            self.revision.transport += 1;
         }
         self.frame_changed();
     }

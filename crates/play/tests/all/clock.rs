@@ -82,6 +82,69 @@ fn speeds_multiply() {
     assert_eq!(play.speed(), 8.0);
 }
 
+/// Days that pass in seconds, and an end at 1 d that is no multiple of the step.
+fn days() -> Play {
+    open(
+        "---\nstep: 0.3 [d]\nuntil: 1 [d]\nspeed: 0.5 [d]\n---\n```model\nindependent t in [d]\nx' = 1 [1/d]\nx(0) = 0\n```\n",
+        &[],
+    )
+}
+
+#[test]
+fn a_document_says_how_fast_it_is_watched() {
+    let day = 86_400.0;
+    let mut play = days();
+    assert_eq!(
+        (play.speed(), play.speed_text(1.0), play.speed_text(0.25)),
+        (1.0, "0.5 d/s".into(), "0.125 d/s".into())
+    );
+    go_on(&mut play, [1.0]);
+    assert!((play.time() - 0.5 * day).abs() < 1e-6);
+    play.set_speed(2.0);
+    go_on(&mut play, [0.25]);
+    assert!((play.time() - 0.75 * day).abs() < 1e-6);
+    assert_eq!(play.share(), "1&t=64800&x=2", "a link holds the multiple, as it always did");
+    let mut spanish = days();
+    spanish.set_language("es");
+    assert_eq!(spanish.speed_text(1.0), "0,5 d/s");
+}
+
+#[test]
+fn a_run_pauses_at_its_end_and_can_be_continued() {
+    let day = 86_400.0;
+    let mut play = days();
+    go_on(&mut play, [1.0, 7.0]);
+    assert_eq!((play.time(), play.status(), play.is_playing()), (day, Status::Ended, false));
+    assert!((state(&play)[0] - 1.0).abs() < 1e-12);
+    assert_eq!(play.horizon(), day, "the time line is full");
+    let told: Vec<Announcement> = std::iter::from_fn(|| play.take_announcement()).collect();
+    assert_eq!(told, [Announcement::Playing, Announcement::Ended(day)]);
+    assert_eq!(play.announcement_text(&told[1]), "The run ends at 1.00 d; press Play to continue");
+    let link = play.share();
+    play.play();
+    play.tick(1.0);
+    assert_eq!((play.time(), play.is_playing()), (1.5 * day, true));
+    // Back before the end it is ahead again.
+    play.scrub(0.5 * day);
+    assert_eq!(play.status(), Status::Paused);
+    go_on(&mut play, [60.0]);
+    assert_eq!((play.time(), play.status()), (day, Status::Ended));
+    play.step_forward();
+    assert_eq!((play.time(), play.status()), (4.0 * 0.3 * day, Status::Paused));
+    let mut other = days();
+    other.restore(&link).unwrap();
+    assert_eq!((other.time(), other.status()), (day, Status::Ended));
+}
+
+#[test]
+fn a_step_stops_at_the_end() {
+    let mut play = days();
+    for _ in 0..4 {
+        play.step_forward();
+    }
+    assert_eq!((play.time(), play.status()), (86_400.0, Status::Ended));
+}
+
 #[test]
 fn a_hidden_page_goes_on_and_a_sleeping_machine_does_not() {
     let mut play = utube();

@@ -8,6 +8,7 @@ mod controls;
 mod dragging;
 mod history;
 mod legends;
+mod plots;
 mod replacement;
 mod sharing;
 mod simulations;

@@ -37,7 +37,8 @@ fn every_document_runs_and_is_drawn() {
         let mut play =
             Play::open(opened.document.unwrap_or_else(|| panic!("{name}: {:?}", opened.diagnostics)).program);
         go_on(&mut play, [1.0; 5]);
-        assert!((play.time() - 5.0).abs() < 1e-9, "{name}: {:?}", play.problem());
+        let expected = 5.0 * play.program().pace().per_second;
+        assert!((play.time() - expected).abs() < 1e-9, "{name}: {:?}", play.problem());
         assert!(play.scene_values().iter().all(|value| value.is_finite()), "{name}");
         for plot in 0..play.plots().len() {
             let figure = play.layout_plot(PlotId::at(plot), &Settings::default()).unwrap();

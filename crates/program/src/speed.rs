@@ -33,8 +33,10 @@ impl Speed {
                 Self { per_second: 1.0, unit: Unit::si(Dimension::TIME) }
             }
             Some(until) => {
-                let least = unit.from_si(until) / LONGEST;
-                Self { per_second: unit.to_si(nice(least)), unit: unit.clone() }
+                let per_second = unit.to_si(nice(unit.from_si(until) / LONGEST));
+                // At the ends of what a number can hold.
+                let usable = per_second > 0.0 && per_second.is_finite();
+                Self { per_second: if usable { per_second } else { until }, unit: unit.clone() }
             }
         }
     }
@@ -62,6 +64,9 @@ impl Speed {
 
 /// The least of 1, 2, 5, 10 ... that is not less than `value`.
 fn nice(value: f64) -> f64 {
+    if !value.is_normal() {
+        return value;
+    }
     let exponent = units::number::leading_exponent(value);
     let candidates = [(1, exponent), (2, exponent), (5, exponent), (1, exponent + 1)];
     let read = |(digit, power): (u8, i32)| format!("{digit}e{power}").parse::<f64>().ok();

@@ -209,7 +209,7 @@ fn everything_is_announced() {
     while let Some(announcement) = play.take_announcement() {
         texts.push(play.announcement_text(&announcement));
     }
-    assert_eq!(texts, ["Playing", "Paused at 1.00 s", "Speed 1/4×", "Mercury", "Step, 1.05 s", "Back at the start"]);
+    assert_eq!(texts, ["Playing", "Paused at 1.00 s", "Speed 1/4 ×", "Mercury", "Step, 1.05 s", "Back at the start"]);
     play.set_language("es");
     let h_l = parameter(&play, "h_l");
     for (announcement, expected) in [

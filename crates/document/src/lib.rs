@@ -6,6 +6,7 @@
 //! place. [`edit`] changes a text by its structure.
 
 mod block;
+mod curves;
 mod document;
 pub mod edit;
 mod edition;
@@ -24,6 +25,7 @@ mod scan;
 mod scene;
 mod settings;
 mod source;
+mod sweeps;
 mod translation;
 mod vary;
 

@@ -108,7 +108,7 @@ impl<'a> File<'a> {
             self.outline.front_matter().get("vary").map_or_else(Vec::new, |value| vary::read(&mut expressions, value));
         let mut plots = Vec::new();
         for block in self.outline.blocks_of(BlockKind::Plots) {
-            plots::read(&mut expressions, block.content.range(), &mut plots);
+            plots::read(&mut expressions, block.content.range(), settings.until, &mut plots);
         }
         let mut presets = Vec::new();
         for block in self.outline.blocks_of(BlockKind::Presets) {

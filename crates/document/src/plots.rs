@@ -1,11 +1,13 @@
-//! Figures: `"Phase portrait": y' against y`, `"Orbits": y_1 against x_1, y_2 against x_2, equal axes`.
+//! Figures: `"Phase portrait": y' against y`, `"Orbits": y_1 against x_1, y_2 against x_2, equal axes`,
+//! `"Section": points theta' against theta every 2*pi/Omega`, `"Resonance": A against omega in 1..12 [rad/s]`.
 
+use crate::curves::{self, Placed};
 use crate::expressions::{Expressions, dimension_error};
 use crate::scan::{find_word, leading_text, split, statements};
 use crate::source::trim;
-use model::{Diagnostic, ExpressionKind, Span};
-use program::Model;
-use program::{Curve, Plot};
+use crate::sweeps;
+use model::{Diagnostic, Span};
+use program::{Curve, Drawing, Every, Node, Plot};
 use std::ops::Range;
 use units::{Words, words};
 
@@ -14,7 +16,9 @@ const PLOTS: usize = 24;
 const CURVES: usize = 12;
 
 /// Reads the figures in `range`.
-pub fn read(expressions: &mut Expressions, range: Range<usize>, plots: &mut Vec<Plot>) {
+///
+/// `until` is where a run ends (SI), if the document says so.
+pub fn read(expressions: &mut Expressions, range: Range<usize>, until: Option<f64>, plots: &mut Vec<Plot>) {
     for statement in statements(expressions.source, range) {
         if plots.len() == PLOTS {
             expressions.error(
@@ -27,7 +31,7 @@ pub fn read(expressions: &mut Expressions, range: Range<usize>, plots: &mut Vec<
             );
             return;
         }
-        plots.extend(plot(expressions, statement));
+        plots.extend(plot(expressions, statement, until));
     }
 }
 
@@ -35,7 +39,7 @@ fn span(range: &Range<usize>) -> Span {
     Span::new(range.start, range.end)
 }
 
-fn plot(expressions: &mut Expressions, statement: Range<usize>) -> Option<Plot> {
+fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f64>) -> Option<Plot> {
     let source = expressions.source;
     let malformed = |message: Words, range: &Range<usize>| {
         Diagnostic::error("plot-syntax", message, span(range))
@@ -60,7 +64,9 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>) -> Option<Plot> 
         ));
         return None;
     }
-    let mut parts = split(source, rest.start + 1..rest.end, ',');
+    let rest = trim(source, rest.start + 1..rest.end);
+    let points = begins_with_points(&source[rest.clone()]);
+    let mut parts = split(source, rest.start + if points { POINTS.len() } else { 0 }..rest.end, ',');
     let equal = parts.pop_if(|part| is_equal_axes(&source[part.clone()])).is_some();
     if parts.len() > CURVES {
         expressions.error(
@@ -70,6 +76,11 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>) -> Option<Plot> 
         );
         return None;
     }
+    let every = match points {
+        true => Some(every(expressions, parts.last_mut()?)?),
+        false => None,
+    };
+    let last = parts.last().map_or(rest.end, |part| part.end);
     let mut plot: Option<Plot> = None;
     // The curves of which it is not yet said what they are drawn against.
     let mut waiting = Vec::new();
@@ -77,9 +88,26 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>) -> Option<Plot> 
         let against = find_word(source, part.clone(), "against");
         waiting.push(part.start..against.as_ref().map_or(part.end, |against| against.start));
         if let Some(against) = against {
-            let x = curve(expressions, against.end..part.end).and_then(|x| changing(expressions, x));
-            let curves: Vec<Curve> =
-                waiting.drain(..).filter_map(|part| Some(curve(expressions, part)?.curve)).collect();
+            let across = against.end..part.end;
+            if let Some(swept) = sweeps::find(source, across.clone()).filter(|_| every.is_none() && plot.is_none()) {
+                if part.end != last {
+                    expressions.diagnostics.push(malformed(
+                        words(
+                            "a plot over a range of values has one range, after all its curves",
+                            "una gráfica sobre un intervalo de valores tiene un solo intervalo, tras todas sus curvas",
+                        ),
+                        &statement,
+                    ));
+                    return None;
+                }
+                let (x, curves, sweep) = sweeps::read(expressions, waiting, &swept, until)?;
+                let curves = curves.into_iter().map(|placed| placed.curve).collect();
+                let (title, others, drawing) = (title.to_owned(), Vec::new(), Drawing::Sweep(sweep));
+                return Some(Plot { title, x: x.curve, curves, others, equal, drawing });
+            }
+            let x = curves::read(expressions, across).and_then(|x| changing(expressions, x));
+            let read = waiting.drain(..).filter_map(|part| Some(curves::read(expressions, part)?.curve));
+            let curves: Vec<Curve> = read.collect();
             add(expressions, &mut plot, title, curves, x?)?;
         }
     }
@@ -90,7 +118,84 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>) -> Option<Plot> 
         ));
         return None;
     }
-    plot.filter(|plot| !plot.curves.is_empty()).map(|plot| Plot { equal, ..plot })
+    let drawing = every.map_or(Drawing::Run, Drawing::Every);
+    plot.filter(|plot| !plot.curves.is_empty()).map(|plot| Plot { equal, drawing, ..plot })
+}
+
+/// The word before what is drawn as single points.
+const POINTS: &str = "points";
+
+/// Whether curves are to be drawn as points: the word stands before another one, not before an operator or a comma, which
+/// would make it a name.
+fn begins_with_points(text: &str) -> bool {
+    let Some(rest) = text.strip_prefix(POINTS) else { return false };
+    let next = rest.trim_start();
+    rest.starts_with(char::is_whitespace)
+        && next.starts_with(|letter: char| letter.is_alphanumeric() || letter == '(')
+        && !next
+            .split(|letter: char| !letter.is_alphanumeric())
+            .next()
+            .is_some_and(|word| ["against", "in"].contains(&word))
+}
+
+/// `every 2*pi/Omega from 10 [s]` at the end of `part`, which is taken off it.
+fn every(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Every> {
+    let source = expressions.source;
+    let Some(word) = find_word(source, part.clone(), "every") else {
+        expressions.diagnostics.push(
+            Diagnostic::error(
+                "plot-syntax",
+                words("it is not said when a point is drawn", "no se dice cuándo se dibuja un punto"),
+                span(&trim(source, part.clone())),
+            )
+            .with_hint(words(
+                "write `points y against x every 2 [s]`: a point at each multiple of that",
+                "escribe `points y against x every 2 [s]`: un punto en cada múltiplo",
+            )),
+        );
+        return None;
+    };
+    let from = find_word(source, word.end..part.end, "from");
+    let period = word.end..from.as_ref().map_or(part.end, |from| from.start);
+    let first = from.map(|from| trim(source, from.end..part.end));
+    part.end = word.start;
+    let period = moment(expressions, period, &words("the period", "el período"))?;
+    let from = match first {
+        Some(range) => {
+            let place = span(&range);
+            let first = moment(expressions, range, &words("the first moment", "el primer momento"))?;
+            let Node::Constant(bits) = expressions.model().graph.node(first) else {
+                expressions.error(
+                    "plot-syntax",
+                    words("the first moment must be a number", "el primer momento debe ser un número"),
+                    place,
+                );
+                return None;
+            };
+            Some(f64::from_bits(bits)).filter(|from| from.is_finite() && *from >= 0.0)
+        }
+        None => None,
+    };
+    Some(Every { period, from })
+}
+
+/// A value of the independent variable that stays the same during a run.
+fn moment(expressions: &mut Expressions, range: Range<usize>, what: &Words) -> Option<program::NodeId> {
+    let placed = expressions.constant(range, what)?;
+    let (found, expected) = (placed.value.dimension(), expressions.model().independent.unit.dimension);
+    if found != expected {
+        let message = words!("{what} has the wrong dimension", "{what} tiene una dimensión incorrecta", what = what);
+        let mut diagnostic = dimension_error(message, (placed.span, found), (placed.span, expected));
+        // Both labels would lie on one another.
+        let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
+        expressions.diagnostics.push(diagnostic.with_note(words!(
+            "it must be {expected}",
+            "debe ser {expected}",
+            expected = expected
+        )));
+        return None;
+    }
+    Some(placed.value.node)
 }
 
 /// Whether a part after a comma asks for units of the same length on both axes.
@@ -98,17 +203,17 @@ fn is_equal_axes(part: &str) -> bool {
     part.split_whitespace().eq(["equal", "axes"])
 }
 
-/// A curve or an abscissa, and where it stands.
-struct Read {
-    curve: Curve,
-    span: Span,
-}
-
 /// Adds curves against `x` to a plot. All abscissas have one dimension.
-fn add(expressions: &mut Expressions, plot: &mut Option<Plot>, title: &str, curves: Vec<Curve>, x: Read) -> Option<()> {
+fn add(
+    expressions: &mut Expressions,
+    plot: &mut Option<Plot>,
+    title: &str,
+    curves: Vec<Curve>,
+    x: Placed,
+) -> Option<()> {
     let Some(plot) = plot else {
-        let (others, equal) = (Vec::new(), false);
-        *plot = Some(Plot { title: title.to_owned(), x: x.curve, curves, others, equal });
+        let (title, others, equal, drawing) = (title.to_owned(), Vec::new(), false, Drawing::Run);
+        *plot = Some(Plot { title, x: x.curve, curves, others, equal, drawing });
         return Some(());
     };
     let (found, expected) = (x.curve.value.dimension(), plot.x.value.dimension());
@@ -139,7 +244,7 @@ fn add(expressions: &mut Expressions, plot: &mut Option<Plot>, title: &str, curv
 }
 
 /// An abscissa that changes during a run; against anything else a curve would be a point.
-fn changing(expressions: &mut Expressions, x: Read) -> Option<Read> {
+fn changing(expressions: &mut Expressions, x: Placed) -> Option<Placed> {
     let dependence = expressions.model().depends(x.curve.value.node);
     if dependence.varies() {
         return Some(x);
@@ -153,48 +258,27 @@ fn changing(expressions: &mut Expressions, x: Read) -> Option<Read> {
         ),
         x.span,
     );
-    let time = &expressions.model().independent.name;
-    expressions.diagnostics.push(diagnostic.with_hint(words!(
-        "draw against `{time}` or against something that changes with it",
-        "dibuja frente a `{time}` o frente a algo que cambie con ella"
-    )));
-    None
-}
-
-/// `y'` or `(h_l + h_r)/2 + y "Left level"`
-fn curve(expressions: &mut Expressions, range: Range<usize>) -> Option<Read> {
-    let source = expressions.source;
-    let mut range = trim(source, range);
-    let mut label = None;
-    if let Some(opening) = source[range.clone()].strip_suffix('"').and_then(|text| text.rfind('"')) {
-        let quote = range.start + opening;
-        if quote > range.start {
-            label = Some(source[quote + 1..range.end - 1].to_owned());
-            range = trim(source, range.start..quote);
+    let model = expressions.model();
+    let parameter = model.parameters.iter().find(|parameter| parameter.name == *name);
+    let hint = match parameter {
+        Some(parameter) => {
+            let unit = &parameter.unit;
+            let (low, high) =
+                parameter.range.map_or((1.0, 10.0), |(low, high)| (unit.from_si(low), unit.from_si(high)));
+            let stated = if unit.text.is_empty() { String::new() } else { format!(" [{unit}]") };
+            words!(
+                "for a curve over its values write them: `against {name} in {low}..{high}{stated}`",
+                "para una curva sobre sus valores, escríbelos: `against {name} in {low}..{high}{stated}`"
+            )
         }
-    }
-    let value = expressions.number(range.clone())?.value;
-    let expression = source[range.clone()].split_whitespace().collect::<Vec<_>>().join(" ");
-    let span = span(&range);
-    let label = label.or_else(|| label_of_name(expressions.model(), source, range));
-    Some(Read { curve: Curve { expression, label, value }, span })
-}
-
-/// The author's label of the name that fills `range`, if a name does.
-fn label_of_name(model: &Model, source: &str, range: Range<usize>) -> Option<String> {
-    let (expression, _, _) = model::parse_expression(source, range);
-    let ExpressionKind::Name { name, order } = expression.kind else {
-        return None;
+        None => {
+            let time = &model.independent.name;
+            words!(
+                "draw against `{time}`, against something that changes with it, or over the values of a parameter: `in LOW..HIGH`",
+                "dibuja frente a `{time}`, frente a algo que cambie con ella o sobre los valores de un parámetro: `in LOW..HIGH`"
+            )
+        }
     };
-    let state = model.states.iter().find(|state| state.variable == name && state.order == order);
-    if let Some(state) = state {
-        return state.label.clone();
-    }
-    if order > 0 {
-        return None;
-    }
-    let quantity = model.quantities.iter().find(|quantity| quantity.name == name).map(|quantity| &quantity.label);
-    let parameter =
-        || model.parameters.iter().find(|parameter| parameter.name == name).map(|parameter| &parameter.label);
-    quantity.or_else(parameter)?.clone()
+    expressions.diagnostics.push(diagnostic.with_hint(hint));
+    None
 }

@@ -54,10 +54,11 @@ impl Surfaces {
 
     /// What may have been missed.
     pub fn notices(&self) -> Vec<Notice> {
-        let skipped = self.looks.as_ref().and_then(Looks::doubt).map(|doubt| Notice {
-            kind: NoticeKind::MayBeSkipped(doubt.event),
-            time: doubt.time,
-        });
+        let skipped = self
+            .looks
+            .as_ref()
+            .and_then(Looks::doubt)
+            .map(|doubt| Notice { kind: NoticeKind::MayBeSkipped(doubt.event), time: doubt.time });
         let too_fast = self.timetable.doubt().map(|time| Notice { kind: NoticeKind::TooFastInTime, time });
         skipped.into_iter().chain(too_fast).collect()
     }

@@ -136,7 +136,7 @@ impl Play {
             whole: model.whole_numbers(),
             scales: vec![0.0; model.states.len() + model.quantities.len()],
             evaluators: Evaluators::new(&program, &tag),
-            plots: program.plots.iter().map(|_| PlotState::default()).collect(),
+            plots: PlotState::of(&program, &columns),
             rewritten: None,
             outline: None,
             pace: program.pace(),
@@ -271,6 +271,14 @@ impl Play {
     /// Brings the columns up to the front of the run.
     pub(crate) fn follow(&mut self) {
         self.traces.follow(&self.course, &mut self.columns, &self.present);
+        for plot in &mut self.plots {
+            if let Some(section) = &mut plot.section {
+                section.follow(&mut self.course);
+            }
+            if let Some(swept) = &mut plot.swept {
+                swept.follow(&self.course);
+            }
+        }
     }
 
     /// Starts another run; the present one stays behind as a ghost if there is something to see of it.
@@ -285,6 +293,7 @@ impl Play {
     pub(crate) fn replace_course(&mut self, course: Course) {
         self.course = course;
         self.traces = Traces::default();
+        self.plots.iter_mut().filter_map(|plot| plot.section.as_mut()).for_each(|section| section.truncate(0));
         self.note_rewritten(f64::NEG_INFINITY);
         self.scales.iter_mut().for_each(|scale| *scale = 0.0);
         self.evaluators.scene_scales.clear();

@@ -31,6 +31,11 @@ pub fn against(language: Language, curves: &str, x: &str) -> String {
     language.pick(format!("{curves} against {x}."), format!("{curves} frente a {x}."))
 }
 
+/// How far the runs of a plot over the values of a parameter have come.
+pub fn runs_complete(language: Language, done: usize, all: usize) -> String {
+    language.pick(format!("{done} of {all} runs"), format!("{done} de {all} series"))
+}
+
 /// What the run before the present one is called.
 pub fn previous_run(language: Language) -> &'static str {
     language.pick("previous run", "serie anterior")

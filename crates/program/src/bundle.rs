@@ -3,7 +3,7 @@
 //! A bundle is a signature, a version, and the program in the format of [postcard](https://postcard.jamesmunns.com).
 //! Reading checks everything that running relies on: a bundle that is read cannot make the engine reach beyond its model.
 
-use crate::{Compiled, Model, Node, NodeId, Piece, Program, Scene};
+use crate::{Compiled, Drawing, Model, Node, NodeId, Piece, Program, Scene, Sweep, Taken};
 
 /// What a bundle begins with.
 const SIGNATURE: &[u8] = b"meniscus";
@@ -79,6 +79,7 @@ fn check(program: &Program) -> Result<(), BundleError> {
         && program.speed.as_ref().is_none_or(|speed| speed.per_second.is_finite() && speed.per_second > 0.0)
         && program.vary.iter().all(parameter)
         && program.plots.iter().all(|plot| plot.expressions().all(|curve| compiled(&curve.value)))
+        && program.plots.iter().all(|plot| drawing_exists(&plot.drawing, plot.curves.len(), model))
         && program.presets.iter().all(|preset| assignments(&preset.values))
         && program.questions.iter().all(|question| {
             let hidden = |index: &usize| *index < model.quantities.len();
@@ -90,6 +91,25 @@ fn check(program: &Program) -> Result<(), BundleError> {
             drawn && element_exists(&scene.root, scene, model.states.len())
         });
     if good { Ok(()) } else { Err(BundleError::Damaged) }
+}
+
+/// Whether a plot of so many curves can come about as it says.
+fn drawing_exists(drawing: &Drawing, curves: usize, model: &Model) -> bool {
+    match drawing {
+        Drawing::Run => true,
+        Drawing::Every(every) => {
+            (every.period.0 as usize) < model.graph.len()
+                && every.from.is_none_or(|from| from.is_finite() && from >= 0.0)
+        }
+        Drawing::Sweep(sweep) => {
+            sweep.parameter < model.parameters.len()
+                && [sweep.low, sweep.high, sweep.step, sweep.until].iter().all(|number| number.is_finite())
+                && sweep.step > 0.0
+                && (1..=Sweep::MOST).contains(&sweep.count())
+                && sweep.taken.len() == curves
+                && sweep.taken.iter().all(|taken| *taken == Taken::Value || taken.from() < sweep.until)
+        }
+    }
 }
 
 /// Whether the graph reads parameters and states that there are.

@@ -17,10 +17,10 @@ mod speed;
 pub use graph::{Binary, Graph, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate, differentiate_all};
 pub use method::{Method, UnknownMethod};
 pub use model::{
-    Compared, Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity, Sensitive, State, Switch,
-    Timed,
+    Compared, Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity, Sensitive, State,
+    Switch, Timed,
 };
-pub use plots::{Curve, Plot};
+pub use plots::{Curve, Drawing, Every, Plot, Sweep, Taken};
 pub use presets::{Assignment, Preset};
 pub use program::{Edition, Program};
 pub use prose::{Block, Section};

@@ -1,6 +1,6 @@
 //! Plots: what is drawn against what.
 
-use crate::Compiled;
+use crate::{Compiled, NodeId};
 use serde::{Deserialize, Serialize};
 
 /// A figure: `"Phase portrait": y' against y`.
@@ -16,6 +16,89 @@ pub struct Plot {
     pub others: Vec<(usize, Curve)>,
     /// Whether the document asks for a unit of the same length on both axes.
     pub equal: bool,
+    /// How it comes about.
+    pub drawing: Drawing,
+}
+
+/// How a plot comes about.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub enum Drawing {
+    /// Lines along the run.
+    #[default]
+    Run,
+    /// A point of the run at each multiple of a period.
+    Every(Every),
+    /// Lines over the values of a parameter.
+    Sweep(Sweep),
+}
+
+/// The moments of a section.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Every {
+    /// The period, of the independent variable (SI); depends on parameters only.
+    pub period: NodeId,
+    /// The first moment (SI); one period after the start where the document does not say.
+    pub from: Option<f64>,
+}
+
+/// The values of a parameter over which curves are drawn.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Sweep {
+    /// By its place in [`crate::Model::parameters`].
+    pub parameter: usize,
+    /// The least value, SI.
+    pub low: f64,
+    /// The greatest value, SI.
+    pub high: f64,
+    /// The distance of the values, SI.
+    pub step: f64,
+    /// What is drawn of each curve, in their order.
+    pub taken: Vec<Taken>,
+    /// Where the runs end, SI; 0 where none are needed.
+    pub until: f64,
+}
+
+/// What is drawn for a value of the parameter. Times are SI.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Taken {
+    /// The curve's own value, which parameters alone decide.
+    Value,
+    /// Its greatest value in a run from this time on, at rows and events.
+    Maximum(f64),
+    /// Its least value likewise.
+    Minimum(f64),
+    /// Its mean over the time of a run from this time on.
+    Mean(f64),
+    /// Its value at the end of a run.
+    End,
+}
+
+impl Taken {
+    /// From when on a run counts (SI).
+    pub fn from(self) -> f64 {
+        match self {
+            Self::Maximum(from) | Self::Minimum(from) | Self::Mean(from) => from,
+            Self::Value | Self::End => 0.0,
+        }
+    }
+}
+
+impl Sweep {
+    /// No curve has more values.
+    pub const MOST: usize = 2_000;
+
+    /// How many values there are; at most one more than [`Self::MOST`].
+    pub fn count(&self) -> usize {
+        // The greatest value is one of them although quotients are rounded.
+        let steps = ((self.high - self.low) / self.step + 1e-9).floor();
+        if steps >= 0.0 { (steps.min(Self::MOST as f64) as usize) + 1 } else { 0 }
+    }
+
+    /// The values, ascending, SI.
+    pub fn values(&self) -> impl Iterator<Item = f64> + use<> {
+        let (low, step) = (self.low, self.step);
+        (0..self.count()).map(move |number| low + number as f64 * step)
+    }
 }
 
 impl Plot {

@@ -85,9 +85,10 @@ fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64) -> 
     if play.is_playing() && seconds > 0.0 {
         play.tick(seconds);
     }
+    let working = play.work_on_plots();
     let playing = play.is_playing();
     nodes.moved = playing.then_some(now);
-    let values = !playing || now - nodes.shown >= 1000.0 / VALUES_PER_SECOND;
+    let values = !(playing || working) || now - nodes.shown >= 1000.0 / VALUES_PER_SECOND;
     if values {
         nodes.shown = now;
     }
@@ -105,5 +106,5 @@ fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64) -> 
         scene.draw(play);
     }
     nodes.sound.follow(play);
-    (playing || unfinished, values)
+    (playing || unfinished || working, values)
 }

@@ -6,7 +6,7 @@ use crate::records::recognise::observed;
 use crate::records::record::{Record, Use};
 use engine::Readings;
 use play::{Points, symbol};
-use program::Curve;
+use program::{Curve, Drawing};
 
 /// Longer names of records are shortened in legends, in characters.
 const LONGEST_NAME: usize = 24;
@@ -141,6 +141,9 @@ fn points<'a>(
     record_name: &dyn Fn(u32) -> &'a str,
 ) -> Vec<Points> {
     let mut found = Vec::new();
+    if plot.drawing != Drawing::Run {
+        return found;
+    }
     let of = |curve: &Curve, measured: &&Measured| measured.observed.node == curve.value.node;
     // Curves of one dimension share the axis, and with it the unit, of the first of them.
     let unit = |curve: &Curve| {

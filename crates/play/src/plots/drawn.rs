@@ -2,6 +2,8 @@
 
 use super::added::{AddedPlot, POINTS};
 use super::plot::PlotId;
+use super::section::Section;
+use super::sweep::Swept;
 use super::traces::CurveColumns;
 use crate::{Play, words};
 use figure::{Axis, Interval, Plot, Series, Style, View};
@@ -12,9 +14,11 @@ impl Play {
     /// What is drawn in a plot.
     pub(crate) fn figure_of(&self, index: usize) -> Option<Plot<'_>> {
         let state = self.plots.get(index)?;
-        match &state.added {
-            None => self.figure_plot(index),
-            Some(added) => Some(self.added_figure(added, &state.view)),
+        match (&state.added, &state.section, &state.swept) {
+            (Some(added), ..) => Some(self.added_figure(added, &state.view)),
+            (_, Some(section), _) => self.section_figure(index, section),
+            (.., Some(swept)) => self.swept_figure(index, swept),
+            _ => self.figure_plot(index),
         }
     }
 
@@ -66,6 +70,57 @@ impl Play {
             ordered: independent,
             equal: self.is_path(index),
         })
+    }
+
+    /// A plot of the document without what is drawn in it.
+    fn empty_figure(&self, index: usize) -> Option<Plot<'_>> {
+        let state = self.plots.get(index)?;
+        let labels = &state.labels;
+        Some(Plot {
+            title: &labels.title,
+            description: &labels.description,
+            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: None },
+            y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, include: None }).collect(),
+            view: state.view.clone(),
+            equal: self.is_path(index),
+            ..Plot::default()
+        })
+    }
+
+    /// The series of a curve of a plot that is not drawn along the run.
+    fn curve_alone<'a>(&'a self, index: usize, number: usize, x: &'a [f64], y: &'a [f64]) -> Option<Series<'a>> {
+        let labels = &self.plots.get(index)?.labels;
+        let text = |list: &'a [String]| list.get(number).map_or("", String::as_str);
+        let axis = self.columns.plot(index)?.curves.get(number)?.axis;
+        let (label, across, colour) = (text(&labels.curves), text(&labels.across), number as u8);
+        Some(Series { label, across, axis, colour, x, y, ..Series::default() })
+    }
+
+    /// The points of the run at the multiples of a period.
+    fn section_figure<'a>(&'a self, index: usize, section: &'a Section) -> Option<Plot<'a>> {
+        let curves = self.columns.plot(index)?.curves.len();
+        let series = (0..curves).filter_map(|number| {
+            let (x, y) = section.curve(number);
+            Some(Series { style: Style::Points, ..self.curve_alone(index, number, x, y)? })
+        });
+        Some(Plot {
+            series: series.collect(),
+            ordered: self.is_against_independent(index),
+            ..self.empty_figure(index)?
+        })
+    }
+
+    /// The curves over the values of a parameter, of which the present one is marked.
+    fn swept_figure<'a>(&'a self, index: usize, swept: &'a Swept) -> Option<Plot<'a>> {
+        let mut plot = self.empty_figure(index)?;
+        let curves = swept.y.iter().enumerate();
+        plot.series = curves.filter_map(|(number, y)| self.curve_alone(index, number, &swept.x, y)).collect();
+        if let (Some(low), Some(high)) = (swept.x.first(), swept.x.last()) {
+            plot.x.include = Some(Interval::new(*low, *high));
+        }
+        plot.marker = swept.present(&self.course);
+        plot.ordered = true;
+        Some(plot)
     }
 
     /// Whether lengths are drawn against a length, or the document asks for equal axes.
@@ -129,10 +184,15 @@ impl Play {
 
     /// How many series of points are drawn behind all lines.
     pub(super) fn points_behind(&self, index: usize) -> usize {
-        self.plots.get(index).map_or(0, |plot| plot.points.len())
+        let along = self.plots.get(index).filter(|plot| plot.section.is_none() && plot.swept.is_none());
+        along.map_or(0, |plot| plot.points.len())
     }
 
     fn runs_behind(&self, index: usize) -> usize {
+        let state = self.plots.get(index);
+        if state.is_none_or(|state| state.section.is_some() || state.swept.is_some()) {
+            return 0;
+        }
         let curves = self.columns.plot(index).map_or(0, |plot| plot.curves.len());
         let behind = usize::from(self.ghost.is_some()) + self.kept.iter().filter(|kept| kept.shown).count();
         curves * behind

@@ -8,7 +8,9 @@ mod labelling;
 mod labels;
 pub(crate) mod plot;
 mod reading;
+pub(crate) mod section;
 mod series;
+pub(crate) mod sweep;
 pub(crate) mod traces;
 mod viewing;
 

@@ -2,7 +2,11 @@
 
 use super::added::{AddedPlot, Points};
 use super::labels::Labels;
+use super::section::Section;
+use super::sweep::Swept;
+use super::traces::Columns;
 use figure::{Figure, View};
+use program::{Drawing, Plot, Program};
 use std::fmt;
 
 /// Names a plot as long as the document is open. The document's plots come first, in the order of the text.
@@ -58,6 +62,9 @@ pub struct PlotState {
     pub points: Vec<Points>,
     /// What is drawn, where it is not a plot of the document.
     pub added: Option<AddedPlot>,
+    /// What is drawn, where it is not a line along the run.
+    pub section: Option<Section>,
+    pub swept: Option<Swept>,
 }
 
 impl Default for PlotState {
@@ -70,11 +77,31 @@ impl Default for PlotState {
             labels: Labels::default(),
             points: Vec::new(),
             added: None,
+            section: None,
+            swept: None,
         }
     }
 }
 
 impl PlotState {
+    /// Those of the document.
+    pub fn of(program: &Program, columns: &Columns) -> Vec<Self> {
+        let state = |(index, plot): (usize, &Plot)| {
+            let (mut state, model) = (Self::default(), &program.model);
+            match (&plot.drawing, columns.plot(index)) {
+                (Drawing::Every(every), Some(columns)) => {
+                    state.section = Some(Section::new(model, plot, every, columns));
+                }
+                (Drawing::Sweep(sweep), Some(columns)) => {
+                    state.swept = Some(Swept::new(model, plot, sweep, columns.units()));
+                }
+                _ => {}
+            }
+            state
+        };
+        program.plots.iter().enumerate().map(state).collect()
+    }
+
     /// An empty plot that is not the document's.
     pub fn added() -> Self {
         Self { added: Some(AddedPlot::default()), ..Self::default() }

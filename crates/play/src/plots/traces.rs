@@ -29,6 +29,13 @@ pub(crate) struct PlotColumns {
     pub axes: Vec<Unit>,
 }
 
+impl PlotColumns {
+    /// The unit of each curve.
+    pub fn units(&self) -> Vec<Unit> {
+        self.curves.iter().filter_map(|curve| self.axes.get(curve.axis).cloned()).collect()
+    }
+}
+
 /// Where a curve finds its columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CurveColumns {

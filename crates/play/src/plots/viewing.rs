@@ -2,7 +2,7 @@
 
 use super::added::{AddedPlot, Points};
 use super::plot::{PlotId, PlotState, PlotView};
-use crate::Play;
+use crate::{Play, WORK_PER_TICK};
 use figure::{Direction, Figure, Palette, Plot, Point, Readout, Settings, Style, View};
 
 impl Play {
@@ -17,6 +17,29 @@ impl Play {
             apart: plot.added.as_ref().is_some_and(|added| added.apart),
         };
         self.plots.iter().enumerate().map(view).collect()
+    }
+
+    /// Goes on with what plots take of runs for the values of a parameter, as far as they are shown, with no more than
+    /// [`WORK_PER_TICK`]. Returns whether more is to be done.
+    pub fn work_on_plots(&mut self) -> bool {
+        let mut left = WORK_PER_TICK;
+        let mut worked = false;
+        for plot in self.plots.iter_mut().filter(|plot| plot.shown) {
+            let Some(swept) = &mut plot.swept else { continue };
+            swept.follow(&self.course);
+            let before = swept.progress();
+            swept.proceed(&self.program.model, &mut left);
+            worked |= swept.progress() != before;
+        }
+        if worked {
+            self.revision.frame += 1;
+        }
+        self.plots.iter().any(|plot| plot.shown && plot.swept.as_ref().is_some_and(|swept| swept.is_unfinished()))
+    }
+
+    /// How many of the runs of a plot are complete, and of how many; `None` where it needs none or has all.
+    pub fn plot_progress(&self, PlotId(index): PlotId) -> Option<(usize, usize)> {
+        self.plots.get(index)?.swept.as_ref()?.progress().filter(|(done, all)| done < all)
     }
 
     /// Shows a plot or not.
@@ -115,7 +138,10 @@ impl Play {
 
     /// Moves the keyboard's cursor by so many rows along the run (from the present row at first) and reads there.
     pub fn move_cursor(&mut self, PlotId(index): PlotId, rows: isize) -> Option<Readout> {
-        let present = self.course.rows_until_shown().saturating_sub(1);
+        let present = match self.plots.get(index)?.swept.as_ref() {
+            Some(swept) => swept.present_row(&self.course),
+            None => self.course.rows_until_shown().saturating_sub(1),
+        };
         let row = self.plots.get(index)?.cursor.unwrap_or(present);
         let (mut series, mut plot) = (self.series_behind(index), self.readable_plot(index)?);
         if let Some(added) = self.added(index) {
@@ -177,7 +203,11 @@ impl Play {
         if self.added(index).is_some() {
             return Some(plot);
         }
-        for series in &mut plot.series {
+        let points = self.points_behind(index);
+        for (number, series) in plot.series.iter_mut().enumerate() {
+            if series.style == Style::Points && number >= points {
+                continue;
+            }
             if matches!(series.style, Style::Ghost | Style::Points) {
                 (series.x, series.y) = (&[], &[]);
             }

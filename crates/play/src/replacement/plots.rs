@@ -29,7 +29,9 @@ impl Play {
             let axes = |play: &Play, index: usize| play.columns.plot(index).map(|columns| columns.axes.clone());
             let own_axes = self.columns.plot(index).map(|columns| columns.axes.clone());
             if same_curves(plot, other) {
-                *state = old;
+                // What is computed for it belongs to the program.
+                let (section, swept) = (state.section.take(), state.swept.take());
+                *state = PlotState { section, swept, ..old };
             } else {
                 state.shown = old.shown;
                 if plot.x.value.unit == other.x.value.unit && own_axes == axes(before, place) {

@@ -125,6 +125,13 @@ impl Course {
         Some(history.parameters((history.row_at(time) + 1).min(history.len() - 1)).to_vec())
     }
 
+    /// The state at a time behind the front.
+    pub fn interpolate(&mut self, time: f64, out: &mut [f64]) {
+        if let Ok(run) = &mut self.run {
+            run.interpolate(time, out);
+        }
+    }
+
     /// Shows a moment between the start and the front.
     pub fn show(&mut self, time: f64) {
         self.time = if time.is_finite() { time.clamp(0.0, self.front) } else { self.front };

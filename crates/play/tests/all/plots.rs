@@ -1,6 +1,6 @@
 //! What a document can draw: several paths in one plot, and what is said of them.
 
-use crate::support::{go_on, open};
+use crate::support::{go_on, open, set};
 use figure::{Point, Settings};
 use play::{Play, PlotId};
 
@@ -51,4 +51,122 @@ fn equal_axes_keep_a_circle_round_and_readings_name_the_abscissa() {
     let described = "Bodies: Height (y₁) against x₁. Height of the second (y₂) against x₂.";
     assert!(svg.contains(described), "{svg}");
     assert!(svg.contains("x₁, x₂"), "the axis names both");
+}
+
+/// A driven oscillator: the amplitude from the textbook, and that of the computed runs.
+fn resonance() -> Play {
+    open(
+        "---\nstep: 0.02 [s]\nuntil: 40 [s]\nmethod: rk4\n---\n\
+         ```model\nparameter omega = 3 [rad/s] in 0.5..12 \"Driving frequency\"\nparameter omega_0 = 5 [rad/s]\n\
+         parameter gamma = 0.5 [1/s] in 0..5 \"Damping\"\nparameter f = 1 [m/s^2]\n\
+         A = f/sqrt((omega_0^2 - omega^2)^2 + (2*gamma*omega)^2) \"Amplitude\"\n\
+         x'' + 2*gamma*x' + omega_0^2*x = f*cos(omega*t)\nx(0) = 0 [m]\nx'(0) = 0 [m/s]\n```\n\
+         ```plots\n\"Theory\": A against omega in 1..12 [rad/s] step 0.5\n\
+         \"Runs\": maximum(x) from 25 [s], A, x at end, mean(x^2) from 25 [s] against omega in 3..6 step 0.25\n```\n",
+        &[],
+    )
+}
+
+/// The cells of a plot's CSV without the line of names.
+fn cells(play: &mut Play, plot: usize) -> Vec<Vec<f64>> {
+    let csv = play.plot_csv(PlotId::at(plot));
+    csv.lines().skip(1).map(|line| line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect()).collect()
+}
+
+fn amplitude(omega: f64, gamma: f64) -> f64 {
+    1.0 / (25.0 - omega * omega).hypot(2.0 * gamma * omega)
+}
+
+#[test]
+fn a_definition_is_drawn_over_the_values_of_a_parameter_and_follows_the_others() {
+    let mut play = resonance();
+    for gamma in [0.5, 2.0] {
+        set(&mut play, "gamma", gamma);
+        let rows = cells(&mut play, 0);
+        assert_eq!(rows.len(), 23);
+        for (number, row) in rows.iter().enumerate() {
+            assert_eq!(row[0], 1.0 + 0.5 * number as f64);
+            assert!((row[1] - amplitude(row[0], gamma)).abs() < 1e-14, "{row:?}");
+        }
+    }
+    assert_eq!(play.plot_progress(PlotId::at(0)), None);
+    // The parameter that is swept moves the mark and nothing else.
+    let before = cells(&mut play, 0);
+    set(&mut play, "omega", 7.0);
+    assert_eq!(cells(&mut play, 0), before);
+    let readout = {
+        play.layout_plot(PlotId::at(0), &SETTINGS);
+        play.move_cursor(PlotId::at(0), 0).unwrap()
+    };
+    assert!(readout.heading.starts_with("ω = 7"), "{readout:?}");
+}
+
+#[test]
+fn runs_over_the_values_of_a_parameter_are_made_by_and_by() {
+    let mut play = resonance();
+    assert!(cells(&mut play, 1).iter().all(|row| row[1].is_nan() && (row[3] - amplitude(row[2], 0.5)).abs() < 1e-14));
+    let mut slices = 0;
+    while play.work_on_plots() {
+        slices += 1;
+        assert!(slices < 1000);
+    }
+    assert_eq!(play.plot_progress(PlotId::at(1)), None);
+    let rows = cells(&mut play, 1);
+    assert_eq!(rows.len(), 13);
+    for row in &rows {
+        // After 25 s the transient is e^-12.5 of its size; rows 0.02 s apart miss the top by (0.06)^2/2 at most.
+        let expected = amplitude(row[0], 0.5);
+        assert!((row[1] / expected - 1.0).abs() < 3e-3, "{row:?}");
+        assert!((row[7] / (expected * expected / 2.0) - 1.0).abs() < 0.03, "{row:?}");
+    }
+    // Bits do not depend on how the work is divided.
+    let mut other = resonance();
+    other.play();
+    for _ in 0..slices + 50 {
+        other.tick(0.001);
+        other.work_on_plots();
+    }
+    assert_eq!(cells(&mut other, 1), rows);
+    // Another parameter makes them anew, the swept one does not.
+    set(&mut play, "omega", 7.0);
+    assert!(!play.work_on_plots());
+    set(&mut play, "gamma", 2.0);
+    assert!(play.work_on_plots());
+    let (done, all) = play.plot_progress(PlotId::at(1)).unwrap();
+    assert!(done < 13 && all == 13);
+    while play.work_on_plots() {}
+    assert!(cells(&mut play, 1).iter().all(|row| (row[1] / amplitude(row[0], 2.0) - 1.0).abs() < 3e-3));
+    // What is not shown is not computed.
+    play.show_plot(PlotId::at(1), false);
+    set(&mut play, "gamma", 1.0);
+    assert!(!play.work_on_plots());
+}
+
+#[test]
+fn a_section_has_a_point_at_each_multiple_of_the_period() {
+    let source = "---\nstep: 0.03 [s]\nmethod: dormand-prince\ntolerance: 1e-10\n---\n\
+        ```model\nparameter omega = 3 [rad/s] in 1..9\nx'' = -omega^2*x\nx(0) = 1 [m]\nx'(0) = 0 [m/s]\n```\n\
+        ```plots\n\"Section\": points x' against x every 2*pi/omega\n\"Quarters\": points x against t every pi/2/omega from 1 [s]\n```\n";
+    let mut play = open(source, &[]);
+    go_on(&mut play, [1.0; 10]);
+    let rows = cells(&mut play, 0);
+    assert_eq!(rows.len(), 4, "10 s hold 4 periods of 2.09 s");
+    assert!(rows.iter().all(|row| (row[0] - 1.0).abs() < 1e-6 && row[1].abs() < 1e-5), "{rows:?}");
+    let quarter = std::f64::consts::PI / 6.0;
+    let quarters = cells(&mut play, 1);
+    for (number, row) in quarters.iter().enumerate() {
+        let time = 1.0 + number as f64 * quarter;
+        assert!((row[0] - time).abs() < 1e-12 && (row[1] - (3.0 * time).cos()).abs() < 1e-6, "{row:?}");
+    }
+    assert_eq!(quarters.len(), 18);
+    // Rows that are given up take their points with them, and come back with the same ones.
+    play.scrub(5.0);
+    play.play();
+    assert_eq!(cells(&mut play, 0).len(), 2);
+    go_on(&mut play, [5.0]);
+    assert_eq!(cells(&mut play, 0), rows);
+    play.layout_plot(PlotId::at(0), &SETTINGS);
+    assert!(play.move_cursor(PlotId::at(0), 1).unwrap().heading.starts_with("x = "));
+    play.back_to_start();
+    assert!(cells(&mut play, 0).is_empty());
 }

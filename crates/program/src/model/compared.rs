@@ -27,8 +27,7 @@ impl Model {
         let roots: Vec<_> = conditions.chain(switches.map(|switch| (None, switch.node))).collect();
         let nodes: Vec<NodeId> = roots.iter().map(|(_, node)| *node).collect();
         let moving = self.moving(&self.graph.reachable(&nodes));
-        let mut compared =
-            Compared { model: self.clone(), values: Vec::new(), rates: Vec::new(), events: Vec::new() };
+        let mut compared = Compared { model: self.clone(), values: Vec::new(), rates: Vec::new(), events: Vec::new() };
         let mut seen = HashSet::new();
         for (event, root) in roots {
             for node in self.graph.reachable(&[root]) {

@@ -65,6 +65,22 @@ fn is_in_sight(app: App, id: PlotId) -> bool {
     front.or_else(|| shown.next().map(|plot| plot.id)) == Some(id)
 }
 
+/// How far a plot over the values of a parameter has come, which needs a run for each of them.
+fn progress(app: App, id: PlotId) -> View {
+    let runs = memo(move || {
+        app.changes.values.track();
+        app.changes.plots.track();
+        app.read(|play| play.plot_progress(id))
+    });
+    changing(move || match runs.get() {
+        Some((done, all)) => {
+            let language = app.language.get_untracked();
+            span().class("progress").child(play::words::runs_complete(language, done, all)).into()
+        }
+        None => View::new(),
+    })
+}
+
 /// A plot with its tools.
 pub fn figure(app: App, id: PlotId, shown: Box<dyn Fn() -> bool>) -> HtmlFigure {
     let words = app.words();
@@ -94,6 +110,7 @@ pub fn figure(app: App, id: PlotId, shown: Box<dyn Fn() -> bool>) -> HtmlFigure 
     let caption = figcaption()
         .child(h3().id(format!("plot-{id}")).child(text(title)))
         .child(legend::view(app, id))
+        .child(progress(app, id))
         .child(plot_tools::view(app, id, node));
     figure
         .class("plot")

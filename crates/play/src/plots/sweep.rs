@@ -1,0 +1,221 @@
+//! Curves over the values of a parameter: definitions at once, what is taken of runs by and by.
+
+use crate::time::course::Course;
+use engine::{Advance, Readings, Run, Setup};
+use program::{Model, NodeId, Plot, Sweep, Taken};
+use units::Unit;
+
+/// The curves of one plot over the values of a parameter, as far as they are computed.
+#[derive(Debug)]
+pub(crate) struct Swept {
+    sweep: Sweep,
+    /// The unit of the horizontal axis, and of each curve.
+    unit: Unit,
+    units: Vec<Unit>,
+    readings: Readings,
+    /// Computes the start of a run, on which definitions may depend.
+    initial: Readings,
+    /// What the values were computed with.
+    setup: Option<Setup>,
+    /// The values of the parameter.
+    pub x: Vec<f64>,
+    /// The values of each curve; not numbers where they are not known yet.
+    pub y: Vec<Vec<f64>>,
+    /// How many runs are complete, and the one that goes on.
+    done: usize,
+    run: Option<Going>,
+}
+
+/// A run that goes on, and what has been taken of it.
+#[derive(Debug)]
+struct Going {
+    run: Run,
+    /// Of each curve what was taken so far.
+    folds: Vec<Fold>,
+    /// Time and values at the row before.
+    before: Option<(f64, Vec<f64>)>,
+}
+
+/// What is taken of one curve in one run.
+#[derive(Clone, Copy, Debug, Default)]
+struct Fold {
+    value: Option<f64>,
+    /// How long a mean has been taken.
+    duration: f64,
+}
+
+impl Fold {
+    /// Takes the value at `time`, after that at the row before.
+    fn take(&mut self, taken: Taken, before: Option<(f64, f64)>, time: f64, value: f64) {
+        if time < taken.from() {
+            return;
+        }
+        match taken {
+            Taken::Value => {}
+            Taken::End => self.value = Some(value),
+            Taken::Maximum(_) => self.value = Some(self.value.map_or(value, |greatest| greatest.max(value))),
+            Taken::Minimum(_) => self.value = Some(self.value.map_or(value, |least| least.min(value))),
+            // The trapezoidal rule, which is right for rows at any distance.
+            Taken::Mean(from) => {
+                let Some((start, first)) = before.filter(|(start, _)| *start >= from) else { return };
+                let area = (time - start) * (first + value) / 2.0;
+                self.value = Some(self.value.unwrap_or(0.0) + area);
+                self.duration += time - start;
+            }
+        }
+    }
+
+    fn result(self, taken: Taken) -> f64 {
+        match (self.value, taken) {
+            (Some(area), Taken::Mean(_)) => area / self.duration,
+            (value, _) => value.unwrap_or(f64::NAN),
+        }
+    }
+}
+
+impl Swept {
+    /// Of a plot over a range of values, whose curves are drawn in these units.
+    pub fn new(model: &Model, plot: &Plot, sweep: &Sweep, units: Vec<Unit>) -> Self {
+        let nodes: Vec<NodeId> = plot.curves.iter().map(|curve| curve.value.node).collect();
+        let starts: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
+        let unit = plot.x.value.unit.clone();
+        let x: Vec<f64> = sweep.values().map(|value| unit.from_si(value)).collect();
+        let y = vec![vec![f64::NAN; x.len()]; nodes.len()];
+        let (readings, initial) = (Readings::new(model, &nodes), Readings::new(model, &starts));
+        Self { sweep: sweep.clone(), unit, units, readings, initial, setup: None, x, y, done: 0, run: None }
+    }
+
+    /// Begins again where the parameters or the method are others than before, with the values of definitions at once.
+    /// Returns whether that was so.
+    pub fn follow(&mut self, course: &Course) -> bool {
+        // A start that was set by hand belongs to the run that is watched.
+        let setup = Setup { parameters: course.parameters().to_vec(), start: None, ..course.begun().clone() };
+        let same = |before: &Setup| {
+            let mut now = setup.parameters.clone();
+            // The parameter that is swept decides nothing.
+            if let (Some(value), Some(own)) =
+                (now.get_mut(self.sweep.parameter), before.parameters.get(self.sweep.parameter))
+            {
+                *value = *own;
+            }
+            before.parameters == now && (before.method, before.step) == (setup.method, setup.step)
+        };
+        if self.setup.as_ref().is_some_and(same) {
+            return false;
+        }
+        (self.run, self.done) = (None, 0);
+        let nothing = vec![0.0; self.initial_length(course)];
+        for (place, value) in self.sweep.values().enumerate() {
+            let mut parameters = setup.parameters.clone();
+            if let Some(parameter) = parameters.get_mut(self.sweep.parameter) {
+                *parameter = value;
+            }
+            let start = self.initial.at(&parameters, &nothing, 0.0, &nothing).to_vec();
+            let values = self.readings.at(&parameters, &start, 0.0, &start);
+            for (curve, (column, taken)) in self.y.iter_mut().zip(&self.sweep.taken).enumerate() {
+                if let (Taken::Value, Some(cell), Some(unit)) = (taken, column.get_mut(place), self.units.get(curve)) {
+                    *cell = unit.from_si(values.get(curve).copied().unwrap_or(f64::NAN));
+                } else if let Some(cell) = column.get_mut(place) {
+                    *cell = f64::NAN;
+                }
+            }
+        }
+        self.setup = Some(setup);
+        true
+    }
+
+    fn initial_length(&self, course: &Course) -> usize {
+        course.state().len()
+    }
+
+    /// How many runs are complete, and of how many; `None` where none are needed.
+    pub fn progress(&self) -> Option<(usize, usize)> {
+        let runs = self.sweep.taken.iter().any(|taken| *taken != Taken::Value);
+        runs.then_some((self.done, self.x.len()))
+    }
+
+    /// Whether runs are missing.
+    pub fn is_unfinished(&self) -> bool {
+        self.setup.is_some() && self.progress().is_some_and(|(done, all)| done < all)
+    }
+
+    /// Goes on with the runs, with no more than about the work in `left`, from which what was done is taken.
+    pub fn proceed(&mut self, model: &Model, left: &mut u64) {
+        while *left > 0 && self.is_unfinished() {
+            let Some(going) = self.run.take().or_else(|| self.begin(model)) else {
+                // A run that cannot start leaves a gap.
+                self.done += 1;
+                *left = left.saturating_sub(1_000);
+                continue;
+            };
+            self.go_on(going, left);
+        }
+    }
+
+    /// Starts the next run.
+    fn begin(&mut self, model: &Model) -> Option<Going> {
+        let mut setup = self.setup.clone()?;
+        *setup.parameters.get_mut(self.sweep.parameter)? = self.sweep.values().nth(self.done)?;
+        let run = Run::start(model, setup).ok()?;
+        let mut going = Going { run, folds: vec![Fold::default(); self.sweep.taken.len()], before: None };
+        self.take(&mut going, 0);
+        Some(going)
+    }
+
+    /// Takes from a row of a run what is drawn of it.
+    fn take(&mut self, going: &mut Going, row: usize) {
+        let history = going.run.history();
+        let time = history.time(row);
+        if time > self.sweep.until * (1.0 + 1e-12) {
+            return;
+        }
+        let values = self.readings.at_row(history, row).to_vec();
+        for (curve, (fold, taken)) in going.folds.iter_mut().zip(&self.sweep.taken).enumerate() {
+            let before = going.before.as_ref().and_then(|(time, values)| Some((*time, *values.get(curve)?)));
+            if let Some(value) = values.get(curve) {
+                fold.take(*taken, before, time, *value);
+            }
+        }
+        going.before = Some((time, values));
+    }
+
+    /// Goes on with a run to its end, or as far as the work allows.
+    fn go_on(&mut self, mut going: Going, left: &mut u64) {
+        while going.run.time() < self.sweep.until * (1.0 - 1e-12) {
+            if *left == 0 {
+                self.run = Some(going);
+                return;
+            }
+            let (rows, work) = (going.run.history().len(), going.run.work());
+            let advance = going.run.advance_within(*left);
+            *left = left.saturating_sub((going.run.work() - work).max(1));
+            for row in rows..going.run.history().len() {
+                self.take(&mut going, row);
+            }
+            going.run.forget();
+            if matches!(advance, Err(_) | Ok(Advance::Full)) {
+                // What has no end has no value.
+                going.folds.iter_mut().for_each(|fold| fold.value = None);
+                break;
+            }
+        }
+        for (curve, (fold, taken)) in going.folds.iter().zip(&self.sweep.taken).enumerate() {
+            let cell = self.y.get_mut(curve).and_then(|column| column.get_mut(self.done));
+            if let (Some(cell), Some(unit), false) = (cell, self.units.get(curve), *taken == Taken::Value) {
+                *cell = unit.from_si(fold.result(*taken));
+            }
+        }
+        self.done += 1;
+    }
+
+    /// The parameter's value and those of the definitions at the moment shown, in the units of the axes.
+    pub fn present(&self, course: &Course) -> Option<f64> {
+        course.parameters().get(self.sweep.parameter).map(|value| self.unit.from_si(*value))
+    }
+
+    /// The row of the value next to the present one.
+    pub fn present_row(&self, course: &Course) -> usize {
+        let present = self.present(course).unwrap_or(f64::NAN);
+        self.x.partition_point(|value| *value < present).min(self.x.len().saturating_sub(1))
+    }
+}

@@ -14,9 +14,11 @@ use units::{Unit, words};
 const VALUES: f64 = 500.0;
 const RUNS: f64 = 60.0;
 
+/// What is taken of a run from a time on.
+type Take = fn(f64) -> Taken;
+
 /// The words before an expression in parentheses that take something of a run.
-const TAKEN: [(&str, fn(f64) -> Taken); 3] =
-    [("maximum", Taken::Maximum), ("minimum", Taken::Minimum), ("mean", Taken::Mean)];
+const TAKEN: [(&str, Take); 3] = [("maximum", Taken::Maximum), ("minimum", Taken::Minimum), ("mean", Taken::Mean)];
 
 /// `omega in 1..12 [rad/s] step 0.1`, as read: the parameter's name, its range and the step.
 pub struct Swept {

@@ -68,6 +68,10 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
     }
     match outcome? {
         None => writer.finish(),
+        Some(error) if error.is_end() => {
+            terminal.print(&format!("{}\n", error.message(model).text(terminal.language)));
+            writer.finish()
+        }
         Some(error) => {
             // What is on the standard output stays well-formed; a file does not appear at all.
             if matches!(writer.output, Output::Standard(_)) {

@@ -45,6 +45,8 @@ pub enum Cause {
     TooManySteps(usize, Method),
     /// More than so many events have happened in a hundredth of a step, the last of them this one.
     TooManyEvents(usize, Option<usize>),
+    /// This event has ended the run, as the document wants it.
+    Ended(usize),
     /// The equations have switched more than so many times in a hundredth of a step.
     TooManySwitches(usize),
 }
@@ -66,6 +68,11 @@ impl RunError {
         Self { cause, time: 0.0 }
     }
 
+    /// Whether nothing is wrong: an event has ended the run, and it can go on.
+    pub fn is_end(&self) -> bool {
+        matches!(self.cause, Cause::Ended(_))
+    }
+
     /// The part of the model that it is about, if there is one.
     pub fn subject(&self) -> Option<Subject> {
         match self.cause {
@@ -79,6 +86,7 @@ impl RunError {
                 Some(Subject::State(0))
             }
             Cause::TooManyEvents(_, event) => event.map(Subject::Event),
+            Cause::Ended(event) => Some(Subject::Event(event)),
             Cause::WrongParameters(..) | Cause::WrongStart(..) | Cause::StepNotPositive | Cause::BadTolerance => None,
         }
     }
@@ -99,6 +107,7 @@ impl RunError {
             Cause::StepTooSmall => "step-too-small",
             Cause::TooManySteps(..) => "too-many-steps",
             Cause::TooManyEvents(..) => "too-many-events",
+            Cause::Ended(_) => "ended",
             Cause::TooManySwitches(_) => "too-many-switches",
         }
     }
@@ -180,6 +189,20 @@ impl RunError {
                 "más de {limit} eventos en una centésima de paso, en {moment}",
                 moment = moment
             ),
+            Cause::Ended(event) => match model.events.get(event).and_then(|event| event.title.as_deref()) {
+                Some(title) => words!(
+                    "the run ends at {moment}: {title}",
+                    "la simulación termina en {moment}: {title}",
+                    moment = moment
+                ),
+                None => {
+                    words!(
+                        "an event ends the run at {moment}",
+                        "un evento termina la simulación en {moment}",
+                        moment = moment
+                    )
+                }
+            },
             Cause::TooManySwitches(limit) => words!(
                 "the equations switch to and fro without end: more than {limit} times in a hundredth of a step, at {moment}",
                 "las ecuaciones conmutan sin fin de un lado a otro: más de {limit} veces en una centésima de paso, en {moment}",
@@ -235,6 +258,7 @@ impl RunError {
                 "los eventos se suceden cada vez más deprisa, como los últimos botes de una pelota; haz que un evento \
                  termine el movimiento, o detente antes",
             ),
+            Cause::Ended(_) => words("press Play to go on from there", "pulsa Reproducir para seguir desde ahí"),
             Cause::TooManySwitches(_) => words(
                 "both sides of a condition or of `sign` lead back to it; if it is dry friction, write `coulomb(v, F)`",
                 "ambos lados de una condición o de `sign` llevan de vuelta a ella; si es un rozamiento seco, escribe \

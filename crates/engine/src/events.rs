@@ -23,6 +23,10 @@ pub(crate) struct Events {
     actions: Vec<Routine>,
     /// For each event, which states these are for.
     targets: Vec<Vec<usize>>,
+    /// By event: whether it ends the run.
+    stops: Vec<bool>,
+    /// The first event of the last moment that does.
+    ended: Option<usize>,
     /// By event: whether its condition was false when last looked at, so that it can fire.
     armed: Vec<bool>,
     /// By event: whether it fires now.
@@ -59,6 +63,8 @@ impl Events {
             conditions: Routine::compile(model, &conditions),
             actions: model.events.iter().map(of_event).collect(),
             targets: model.events.iter().map(targets).collect(),
+            stops: model.events.iter().map(|event| event.stops).collect(),
+            ended: None,
             armed: vec![false; conditions.len()],
             due: vec![false; conditions.len()],
             truths: vec![0.0; conditions.len()],
@@ -212,9 +218,17 @@ impl Events {
             for (&state, &value) in targets.iter().zip(&self.values) {
                 self.after[state] = value;
             }
+            if self.stops[event] {
+                self.ended = self.ended.or(Some(event));
+            }
             count += 1;
         }
         count
+    }
+
+    /// The event that has ended the run since this was asked last.
+    pub fn take_end(&mut self) -> Option<usize> {
+        self.ended.take()
     }
 
     /// An event that is due.

@@ -118,6 +118,11 @@ impl Run {
         self.stepper.state()
     }
 
+    /// Goes on beyond an event that has ended the run ([`RunError::is_end`]).
+    pub fn go_on(&mut self) {
+        self.stepper.go_on();
+    }
+
     /// What cannot be promised of the rows so far.
     pub fn notices(&self) -> Vec<Notice> {
         self.stepper.notices()

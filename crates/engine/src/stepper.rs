@@ -37,6 +37,8 @@ pub struct Stepper {
     initial: Vec<f64>,
     /// What has been done since the last point of the grid.
     row: RowWork,
+    /// Whether an event that ends the run does so.
+    heeds_ends: bool,
     /// Why it cannot go on, until something is changed.
     stopped: Option<RunError>,
 }
@@ -118,6 +120,7 @@ impl Stepper {
             parameters: setup.parameters.clone(),
             initial,
             row: RowWork::default(),
+            heeds_ends: true,
             stopped: None,
         };
         stepper.prepare();

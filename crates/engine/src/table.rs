@@ -69,8 +69,10 @@ impl Table {
     /// All columns: the independent variable, the states, the quantities that vary.
     pub fn new(model: &Model) -> Self {
         let mut chosen = vec![independent(model)];
-        chosen.extend((0..model.states.len()).map(|index| state(model, index)));
-        let varying = model.quantities.iter().enumerate().filter(|(_, quantity)| quantity.varies);
+        let remembered = |index: &usize| model.states[*index].is_remembered();
+        chosen.extend((0..model.states.len()).filter(|index| !remembered(index)).map(|index| state(model, index)));
+        let shown = |quantity: &program::Quantity| quantity.varies && !quantity.is_remembered();
+        let varying = model.quantities.iter().enumerate().filter(|(_, quantity)| shown(quantity));
         chosen.extend(varying.map(|(index, _)| quantity(model, index)));
         Self::of(model, chosen)
     }

@@ -4,7 +4,7 @@ use crate::dimensions::check_dimensions;
 use crate::functions::{Functions, written_out};
 use crate::lowering::{assemble, warn};
 use crate::names::{Declarations, NameCheck, Unknown, check_event, definition_order, find_unknowns};
-use crate::{Diagnostic, Places, Span, Statement, has_errors, limits, parse};
+use crate::{Diagnostic, Places, Span, Statement, has_errors, limits, moments, parse, so_far, ticks};
 use program::Model;
 use std::ops::Range;
 use units::words;
@@ -63,11 +63,13 @@ fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Opt
         diagnostics.push(Diagnostic::error("model-too-large", message, beyond.span));
         return None;
     }
-    let (functions, written) = written_out(&statements, diagnostics);
+    let scheduled = ticks::write_out(&statements);
+    let remembered = so_far::write_out(moments::write_out(&scheduled, diagnostics));
+    let (functions, written) = written_out(&remembered, diagnostics);
     if has_errors(diagnostics) {
         return None;
     }
-    let mut declarations = Declarations::collect(written.as_ref().unwrap_or(&statements), diagnostics);
+    let mut declarations = Declarations::collect(written.as_ref().map_or(&*remembered, Vec::as_slice), diagnostics);
     let order = definition_order(&declarations, diagnostics);
     let unknowns = find_unknowns(&mut declarations, &order, diagnostics);
     let states: u32 = unknowns.iter().map(|unknown| unknown.highest).sum();

@@ -9,11 +9,14 @@ mod lexer;
 mod limits;
 mod lowering;
 mod matching;
+mod moments;
 mod names;
 mod notation;
 mod parser;
 mod places;
+mod so_far;
 mod syntax;
+mod ticks;
 mod typeset;
 
 pub use compile::{Checked, check, compile, refuse_length};

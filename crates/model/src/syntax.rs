@@ -100,7 +100,22 @@ pub enum StatementKind {
         condition: Expression,
         /// What it changes, all from the values before the event.
         actions: Vec<Action>,
+        /// Its name, names of its own, and whether it ends the run.
+        extras: EventExtras,
     },
+}
+
+/// What an event may have besides its condition and actions.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct EventExtras {
+    /// `as landing`
+    pub name: Option<Name>,
+    /// `let u = e*y'`: names inside the event, for values before it. They have no primes.
+    pub names: Vec<Action>,
+    /// `every 0.1 [s] from 0 [s]` in the place of a condition: the interval, and when the first may be.
+    pub every: Option<Box<(Expression, Option<Expression>)>>,
+    /// `stop`: it ends the run.
+    pub stop: Option<Span>,
 }
 
 /// The parts of a parameter statement. Numbers in `range` and `step` are bare, in the declared unit.

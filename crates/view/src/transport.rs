@@ -228,7 +228,7 @@ fn ended(app: App) -> impl Into<View> {
 fn trouble(app: App, announced: bool) -> String {
     let words = app.words();
     app.read(|play| match play.status() {
-        Status::Failed if announced => {
+        Status::Failed | Status::Ended if announced => {
             play.problem().map(|problem| format!("{} {}", problem.message, problem.hint)).unwrap_or_default()
         }
         Status::Full if announced => words.full.to_owned(),

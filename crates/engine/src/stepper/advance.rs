@@ -81,14 +81,22 @@ impl Stepper {
         self.row.steps > 0 && self.stopped.is_none()
     }
 
-    /// Goes to any later time, which need not be on the grid, without a record; the result is the number of events.
+    /// Goes on beyond an event that has ended the run.
+    pub fn go_on(&mut self) {
+        self.stopped.take_if(|error| error.is_end());
+    }
+
+    /// Goes to any later time, which need not be on the grid, without a record and beyond events that end a run; the result
+    /// is the number of events.
     ///
     /// # Errors
     /// As [`Stepper::advance`].
     pub fn advance_to(&mut self, time: f64) -> Result<usize, RunError> {
         self.on_grid = false;
         self.row = RowWork::default();
+        self.heeds_ends = false;
         let result = self.try_until(time, u64::MAX, &mut |_: f64, _: &[f64], _: bool| {});
+        self.heeds_ends = true;
         self.find_grid();
         result.map(|_| std::mem::take(&mut self.row).events)
     }
@@ -268,7 +276,10 @@ impl Stepper {
         let on_grid = self.time == (self.index + 1) as f64 * self.step;
         record.after_jump(AfterJump { armed: self.surfaces.events.armed().to_vec(), on_grid });
         self.restart();
-        Ok(())
+        match self.surfaces.events.take_end() {
+            Some(event) if self.heeds_ends => Err(self.error(Cause::Ended(event))),
+            _ => Ok(()),
+        }
     }
 }
 

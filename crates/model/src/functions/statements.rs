@@ -38,7 +38,7 @@ fn expressions(statement: &mut StatementKind) -> Vec<&mut Expression> {
         | StatementKind::InitialValue { value, .. }
         | StatementKind::Discrete { value, .. } => vec![value],
         StatementKind::Equation { left, right } => vec![left, right],
-        StatementKind::Event { condition, actions } => {
+        StatementKind::Event { condition, actions, .. } => {
             std::iter::once(condition).chain(actions.iter_mut().map(|action| &mut action.value)).collect()
         }
     }

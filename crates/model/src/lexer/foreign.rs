@@ -7,7 +7,7 @@ use crate::{Diagnostic, Span};
 use units::words;
 
 /// The names of collections of functions.
-const COLLECTIONS: [&str; 5] = ["Math", "math", "np", "numpy", "cmath"];
+pub(super) const COLLECTIONS: [&str; 5] = ["Math", "math", "np", "numpy", "cmath"];
 
 /// Assignments that change what is on their left.
 const CHANGES: [&str; 4] = ["+=", "-=", "*=", "/="];

@@ -128,8 +128,8 @@ impl<'a> Lexer<'a> {
         self.push(TokenKind::Unknown, start);
     }
 
-    fn name(&mut self) {
-        let start = self.at;
+    /// The letters and digits of a name, in ASCII, and where a character is that a name cannot have.
+    fn letters(&mut self) -> (String, Option<Span>) {
         let mut text = String::new();
         let mut foreign = None;
         let mut below = false;
@@ -152,6 +152,20 @@ impl<'a> Lexer<'a> {
             }
             below = lowered(c).is_some();
             self.at += c.len_utf8();
+        }
+        (text, foreign)
+    }
+
+    fn name(&mut self) {
+        let start = self.at;
+        let (mut text, mut foreign) = self.letters();
+        // `landing.x`, what an event remembers.
+        let member = self.rest().strip_prefix('.').is_some_and(|rest| rest.starts_with(char::is_alphabetic));
+        if member && !foreign::COLLECTIONS.contains(&text.as_str()) {
+            self.at += 1;
+            let (member, more) = self.letters();
+            text = format!("{text}.{member}");
+            foreign = foreign.or(more);
         }
         if let Some(span) = foreign {
             let letter = &self.source[span.range()];

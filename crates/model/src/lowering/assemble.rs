@@ -166,7 +166,7 @@ fn states(
                 label: entry.label.map(str::to_owned),
                 unit,
                 initial: lower(lowering, entry.value)?,
-                internal: false,
+                internal: crate::moments::is_hidden(unknown.name),
                 derivative: chain.node(lowering.graph, order + 1).unwrap_or(chain.rate),
             });
             places.push(entry.value.span);
@@ -201,7 +201,12 @@ fn lower_event(
             actions.push((number, lower(lowering, &action.value)?));
         }
     }
-    Ok(conditions.into_iter().map(|condition| Event { condition, actions: actions.clone(), jump: None }).collect())
+    let of = |condition| Event {
+        title: event.title.map(str::to_owned),
+        stops: event.stops,
+        ..Event::new(condition, actions.clone())
+    };
+    Ok(conditions.into_iter().map(of).collect())
 }
 
 /// Makes initial values depend on parameters alone, and marks the parameters they depend on.

@@ -290,11 +290,11 @@ fn add_events(model: &mut Model, friction: &Friction, force: NodeId, held: NodeI
     let stopped = graph.subtract(state, excess);
     let direction = gives_way(graph, friction, held);
     let actions = vec![(target as u32, stopped), (motion, direction)];
-    model.events.push(Event { condition, actions, jump: None });
+    model.events.push(Event::new(condition, actions));
     let sticks = graph.binary(Binary::Equal, friction.motion, zero);
     let magnitude = graph.unary(Unary::Absolute, force);
     let exceeded = graph.binary(Binary::Less, friction.limits[0], magnitude);
     let condition = graph.binary(Binary::And, sticks, exceeded);
     let direction = graph.unary(Unary::Sign, force);
-    model.events.push(Event { condition, actions: vec![(motion, direction)], jump: None });
+    model.events.push(Event::new(condition, vec![(motion, direction)]));
 }

@@ -14,7 +14,8 @@ pub(crate) fn warn(model: &Model, places: &Places, declarations: &Declarations, 
     let mut number = 0;
     for event in &declarations.events {
         let crosses = crossing(declarations, event).is_some();
-        if !crosses {
+        let of_author = event.actions.iter().any(|action| !crate::moments::is_hidden(&action.name.text));
+        if !crosses && (of_author || event.stops) {
             written.push((&model.events[number], places.events[number]));
         }
         number += if crosses { 2 } else { 1 };

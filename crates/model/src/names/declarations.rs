@@ -58,6 +58,9 @@ pub(crate) struct Equation<'a> {
 pub(crate) struct EventEntry<'a> {
     pub condition: &'a Expression,
     pub actions: &'a [Action],
+    /// Its label, or else its name.
+    pub title: Option<&'a str>,
+    pub stops: bool,
     pub span: Span,
 }
 
@@ -114,8 +117,10 @@ impl<'a> Declarations<'a> {
                     }
                 }
                 StatementKind::Equation { left, right } => declarations.equations.push(Equation { left, right, span }),
-                StatementKind::Event { condition, actions } => {
-                    declarations.events.push(EventEntry { condition, actions, span });
+                StatementKind::Event { condition, actions, extras } => {
+                    let title = label.or(extras.name.as_ref().map(|name| name.text.as_str()));
+                    let stops = extras.stop.is_some();
+                    declarations.events.push(EventEntry { condition, actions, title, stops, span });
                 }
                 StatementKind::Independent { .. } => {}
             }

@@ -8,6 +8,9 @@ use units::{Words, words};
 /// What derivatives are written with elsewhere.
 const DERIVATIVES: [&str; 5] = ["der", "diff", "deriv", "derivative", "D"];
 
+/// What only the model has, because a run remembers it.
+const REMEMBERED: [&str; 4] = ["maximum", "minimum", "mean", "integral"];
+
 /// What to write instead of a function that does not exist.
 pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression]) -> Option<Words> {
     let text = &function.text;
@@ -23,6 +26,13 @@ pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression
         return Some(words!(
             "the derivative of `{name}` is written `{name}'`",
             "la derivada de `{name}` se escribe `{name}'`"
+        ));
+    }
+    if REMEMBERED.contains(&text.as_str()) && arguments.len() == 1 {
+        let name = name.map_or("x", String::as_str);
+        return Some(words!(
+            "a run remembers only what the model asks for: write `{name}_1 = {text}({name})` there",
+            "una simulación solo recuerda lo que el modelo pide: escribe allí `{name}_1 = {text}({name})`"
         ));
     }
     let name = name.filter(|_| arguments.len() == 1)?;

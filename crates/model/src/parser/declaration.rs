@@ -5,7 +5,7 @@ use super::cursor::{Cursor, Read, Told};
 use super::statement::{Salvaged, nothing};
 use super::unread;
 use crate::lexer::{Keyword, Symbol, TokenKind};
-use crate::{Action, Bounds, Diagnostic, ParameterStatement, Span, StatedUnit, StatementKind};
+use crate::{Action, Bounds, Diagnostic, EventExtras, ParameterStatement, Span, StatedUnit, StatementKind};
 use units::{Words, words};
 
 const EVENT_FORM: Words =
@@ -188,7 +188,7 @@ impl Cursor<'_> {
         Some(if negative { -value } else { value })
     }
 
-    fn at_word(&self, word: &str) -> bool {
+    pub(super) fn at_word(&self, word: &str) -> bool {
         matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == word)
     }
 
@@ -212,15 +212,18 @@ impl Cursor<'_> {
             Err(reported) => return (nothing(start), Err(reported)),
         };
         self.refuse_equals(words("condition", "una condición"));
-        let mut actions = Vec::new();
+        let (mut actions, mut extras) = (Vec::new(), EventExtras::default());
+        let mut read = self.event_name(&mut extras);
         if matches!(self.peek(), TokenKind::Newline) && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftBrace) {
             self.skip_lines();
         }
-        let read = self.actions(start, &mut actions);
-        (StatementKind::Event { condition, actions }, read)
+        if read.is_ok() {
+            read = self.actions(start, &mut actions, &mut extras);
+        }
+        (StatementKind::Event { condition, actions, extras }, read)
     }
 
-    fn actions(&mut self, start: Span, actions: &mut Vec<Action>) -> Read<()> {
+    pub(super) fn actions(&mut self, start: Span, actions: &mut Vec<Action>, extras: &mut EventExtras) -> Read<()> {
         let Some(open) = self.take(Symbol::LeftBrace) else {
             let wrong =
                 words!("`{{` is expected here, not {found}", "aquí se espera `{{`, no {found}", found = self.found());
@@ -250,15 +253,26 @@ impl Cursor<'_> {
                 return Ok(());
             }
             if let Some(end) = self.take(Symbol::RightBrace) {
-                if actions.is_empty() && !wrong_actions {
+                let nothing = actions.is_empty() && extras.stop.is_none() && extras.name.is_none();
+                if nothing && !wrong_actions {
                     let wrong = words("this event changes nothing", "este evento no cambia nada");
                     let diagnostic = Diagnostic::error("empty-event", wrong, open.to(end));
                     self.say(diagnostic.with_hint(EVENT_FORM));
                 }
                 return Ok(());
             }
-            match self.action() {
-                Ok(action) => actions.push(action),
+            if self.at_stop() {
+                extras.stop = Some(self.advance());
+                continue;
+            }
+            let read = if self.at_let() {
+                self.advance();
+                self.action().map(|action| extras.names.push(action))
+            } else {
+                self.action().map(|action| actions.push(action))
+            };
+            match read {
+                Ok(()) => {}
                 Err(Told) => {
                     wrong_actions = true;
                     self.skip_rest(true);

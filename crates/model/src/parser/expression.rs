@@ -217,6 +217,7 @@ impl Cursor<'_> {
             self.peek(),
             TokenKind::Number(_) | TokenKind::Name { .. } | TokenKind::Symbol(Symbol::LeftParenthesis | Symbol::Root)
         ) && !self.at_step()
+            && !self.at_event_word()
     }
 
     /// `step`, which is a word of its own only in a parameter's statement.

@@ -6,8 +6,9 @@
 //! parameter   = "parameter" NAME "=" [ "-" ] NUMBER [ UNIT ]
 //!               [ "in" signed ".." signed ] [ "step" NUMBER ] [ TEXT ]
 //! independent = "independent" NAME [ "in" UNIT ] [ TEXT ]
-//! event       = "when" expression "{" [ action { separator action } ] "}" [ TEXT ]
-//! action      = NAME [ PRIMES ] "=" expression
+//! event       = ( "when" expression | "every" expression [ "from" expression ] ) [ "as" NAME ]
+//!               "{" [ action { separator action } ] "}" [ TEXT ]
+//! action      = NAME [ PRIMES ] "=" expression | "let" NAME "=" expression | "stop"
 //! separator   = ";" | "," | line-end
 //! function    = "function" NAME "(" NAME { "," NAME } ")" "=" expression [ "in" UNIT ] [ TEXT ]
 //! definition  = NAME "=" expression [ "in" UNIT ] [ TEXT ]
@@ -23,7 +24,7 @@
 //! product     = signed { ( "*" | "/" ) signed }
 //! signed      = ( "-" | "+" ) signed | power
 //! power       = operand [ RAISED ] [ "^" signed ]                (to the right: a^b^c is a^(b^c))
-//! operand     = NUMBER [ UNIT ] | TEXT | NAME [ PRIMES ] | NAME [ PRIMES ] "(" "0" ")"
+//! operand     = NUMBER [ UNIT ] | TEXT | NAME [ "." NAME ] [ PRIMES ] | NAME [ PRIMES ] "(" "0" ")"
 //!             | NAME "(" expression { "," expression } ")" | "(" expression ")" | "√" operand
 //! ```
 //!
@@ -39,6 +40,7 @@ mod cursor;
 mod declaration;
 mod discrete;
 mod ending;
+mod event;
 mod expression;
 mod function;
 mod layout;

@@ -71,7 +71,7 @@ fn shown_statement(statement: &Statement) -> String {
             format!("function {name}({}) := {body}{}", parameters.join(", "), in_unit(&function.unit))
         }
         StatementKind::Equation { left, right } => format!("{} = {}", shown(left), shown(right)),
-        StatementKind::Event { condition, actions } => {
+        StatementKind::Event { condition, actions, .. } => {
             let actions: Vec<String> = actions
                 .iter()
                 .map(|a| format!("{}{} := {}", a.name.text, "'".repeat(a.order as usize), shown(&a.value)))

@@ -34,13 +34,25 @@ impl Typesetter<'_> {
             }
             StatementKind::Discrete { name, value, .. } => equals(initial_value(&name.text, 0), value),
             StatementKind::Equation { left, right } => equals(self.expression(left), right),
-            StatementKind::Event { condition, actions } => {
-                let actions: Vec<String> = actions.iter().map(|action| self.action(action)).collect();
-                let condition = self.expression(condition);
+            StatementKind::Event { condition, actions, extras } => {
+                let named = |action: &Action| equals(mathml::name(&action.name.text, 0, None), &action.value);
+                let mut actions: Vec<String> =
+                    extras.names.iter().map(named).chain(actions.iter().map(|action| self.action(action))).collect();
+                actions.extend(extras.stop.map(|_| "<mtext>stop</mtext>".to_owned()));
+                let condition = match extras.every.as_deref() {
+                    Some((interval, from)) => self.moments(interval, from.as_ref()),
+                    None => self.expression(condition),
+                };
                 format!("{condition}<mo>⟹</mo>{}", actions.join("<mo separator=\"true\">,</mo>"))
             }
         };
         Some(format!("<math display=\"block\"><mrow>{row}</mrow></math>"))
+    }
+
+    /// t = from + n interval
+    fn moments(&self, interval: &Expression, from: Option<&Expression>) -> String {
+        let from = from.map(|from| format!("{}<mo>+</mo>", self.expression(from))).unwrap_or_default();
+        format!("<mi>t</mi><mo>=</mo>{from}<mi>n</mi><mo>·</mo>{}", self.expression(interval))
     }
 
     /// The value after an event, from those before it.

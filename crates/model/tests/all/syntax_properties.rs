@@ -100,8 +100,9 @@ fn expressions(statement: &Statement) -> Vec<&Expression> {
         | StatementKind::Discrete { value, .. } => vec![value],
         StatementKind::Function(function) => vec![&function.body],
         StatementKind::Equation { left, right } => vec![left, right],
-        StatementKind::Event { condition, actions } => {
-            std::iter::once(condition).chain(actions.iter().map(|action| &action.value)).collect()
+        StatementKind::Event { condition, actions, extras } => {
+            let values = extras.names.iter().chain(actions).map(|action| &action.value);
+            std::iter::once(condition).chain(values).collect()
         }
     }
 }

@@ -63,6 +63,20 @@ impl Course {
         self.error.as_ref()
     }
 
+    /// Goes on beyond an event that has ended the run. Only from the front.
+    pub fn go_on(&mut self) {
+        if let Ok(run) = &mut self.run
+            && self.error.take_if(|error| error.is_end()).is_some()
+        {
+            run.go_on();
+        }
+    }
+
+    /// Whether an event has ended the run.
+    pub fn has_ended(&self) -> bool {
+        self.error.as_ref().is_some_and(RunError::is_end)
+    }
+
     /// What the run cannot promise.
     pub fn notices(&self) -> Vec<Notice> {
         self.run.as_ref().map(Run::notices).unwrap_or_default()

@@ -74,6 +74,8 @@ impl Course {
                 Moments::Times => course.has_computed(change.after),
             };
             while !is_due(&course) && *left > 0 {
+                // What was gone on with beyond its end is here, too.
+                course.go_on();
                 if matches!(course.advance(left), None | Some(Advance::Full)) {
                     break;
                 }
@@ -84,7 +86,12 @@ impl Course {
             }
             course.set_parameters(model, change.parameters.clone());
         }
-        let complete = course.proceed(recipe.front, left) == Outcome::Reached;
+        let mut outcome = course.proceed(recipe.front, left);
+        while outcome == Outcome::Failed && course.last_time() < recipe.front && course.has_ended() {
+            course.go_on();
+            outcome = course.proceed(recipe.front, left);
+        }
+        let complete = outcome == Outcome::Reached || course.has_ended() && course.last_time() >= recipe.front;
         course.show(recipe.time.min(course.front()));
         (course, complete)
     }

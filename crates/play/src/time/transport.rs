@@ -15,7 +15,7 @@ pub enum Status {
     Full,
     /// Standing still because the run cannot go on; [`Play::problem`] says why.
     Failed,
-    /// Standing still where the document ends the run; [`Play::play`] goes on beyond it.
+    /// Standing still where the document or an event of it ends the run; [`Play::play`] goes on beyond it.
     Ended,
 }
 
@@ -59,6 +59,7 @@ impl Play {
         }
         self.hold = None;
         self.branch();
+        self.course.go_on();
         self.playing = !self.full && self.course.history().is_some();
         self.slippage = 0.0;
         self.revision.transport += 1;
@@ -93,6 +94,7 @@ impl Play {
     pub fn step_forward(&mut self) {
         self.stop();
         self.branch();
+        self.course.go_on();
         let to = self.course.next_grid_time();
         self.proceed(self.end_ahead().map_or(to, |end| to.min(end)), WORK_PER_STEP);
         self.announce(Announcement::Stepped(self.course.time()));
@@ -151,6 +153,8 @@ impl Play {
             Status::Playing
         } else if self.course.is_scrubbed() {
             Status::Paused
+        } else if self.course.has_ended() {
+            Status::Ended
         } else if self.course.error().is_some() {
             Status::Failed
         } else if self.full {

@@ -58,8 +58,10 @@ impl Play {
     /// column has had in this run; times with those of the step.
     fn column_layouts(&self, table: &Table) -> Vec<ColumnLayout> {
         let model = self.model();
-        let varying = model.quantities.iter().enumerate().filter(|(_, quantity)| quantity.varies);
-        let states = (0..model.states.len()).map(|index| (index, model.graph.find(Node::State(index as u32))));
+        let shown = |quantity: &program::Quantity| quantity.varies && !quantity.is_remembered();
+        let varying = model.quantities.iter().enumerate().filter(|(_, quantity)| shown(quantity));
+        let of_author = (0..model.states.len()).filter(|index| !model.states[*index].is_remembered());
+        let states = of_author.map(|index| (index, model.graph.find(Node::State(index as u32))));
         let others = varying.map(|(index, quantity)| (model.states.len() + index, Some(quantity.value.node)));
         // An event happens between two steps, and an adaptive method ends its steps where it likes.
         let off_grid = !model.events.is_empty() || self.course.begun().method.adaptive();

@@ -6,6 +6,7 @@ mod answers;
 mod clock;
 mod controls;
 mod dragging;
+mod ending;
 mod history;
 mod legends;
 mod plots;

@@ -89,6 +89,11 @@ pub struct State {
 }
 
 impl State {
+    /// Whether the run keeps in it what it remembers ([`Quantity::is_remembered`]).
+    pub fn is_remembered(&self) -> bool {
+        self.internal && (self.variable.ends_with('.') || self.variable.ends_with(" so far"))
+    }
+
     /// `y''`
     pub fn name(&self) -> String {
         let mut name = self.variable.clone();
@@ -108,6 +113,13 @@ pub struct Quantity {
     pub value: Compiled,
     /// Whether it depends on states or the independent variable; if not, it is constant while parameters are.
     pub varies: bool,
+}
+
+impl Quantity {
+    /// Whether it is what a run remembers, such as `landing.x` or `maximum(y)`, and none of the author's own.
+    pub fn is_remembered(&self) -> bool {
+        self.name.contains(['.', '(', ' '])
+    }
 }
 
 /// An expression compiled against a model.
@@ -146,8 +158,19 @@ pub struct Event {
     pub condition: NodeId,
     /// Which states change, and to what.
     pub actions: Vec<(u32, NodeId)>,
+    /// The author's label or name for it, if any.
+    pub title: Option<String>,
+    /// Whether it ends the run.
+    pub stops: bool,
     /// How sensitivities change, in a model that has them ([`Model::with_sensitivities`]).
     pub jump: Option<Jump>,
+}
+
+impl Event {
+    /// One without a name that does not end the run.
+    pub fn new(condition: NodeId, actions: Vec<(u32, NodeId)>) -> Self {
+        Self { condition, actions, title: None, stops: false, jump: None }
+    }
 }
 
 /// What a model with sensitivities knows of them.

@@ -1,0 +1,322 @@
+//! What events remember: `landing.x` after `when y < 0 [m] as landing { ... }` is x as it was before the last landing;
+//! `landing.time`, `.count` and `.interval` are its time, how many there have been, and the time since the one before.
+//!
+//! All of it is written out in statements that there are already. What is remembered becomes a discrete quantity that the
+//! event sets, `landing.x.` with a point at its end, and `landing.x` the definition that has no value before the first
+//! landing. `let u = e*y'` inside an event becomes a definition too, `let.u`.
+
+use crate::names::for_each;
+use crate::{
+    Action, BinaryOperator, Diagnostic, EventExtras, Expression, ExpressionKind, Name, Span, Statement, StatementKind,
+};
+use std::borrow::Cow;
+use std::collections::{HashMap, HashSet};
+use units::words;
+
+/// How often the event has happened.
+const COUNT: &str = "count";
+/// When it happened last.
+const TIME: &str = "time";
+/// How long after the one before.
+const INTERVAL: &str = "interval";
+
+/// Whether a state is none of the author's own: what is written out has names that no text can give.
+pub(crate) fn is_hidden(name: &str) -> bool {
+    name.contains(['.', ' '])
+}
+
+/// The statements with all that events remember as statements of their own.
+pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> Cow<'a, [Statement]> {
+    let uses_any = statements.iter().any(|statement| match &statement.kind {
+        StatementKind::Event { extras, .. } => extras.name.is_some() || !extras.names.is_empty(),
+        _ => false,
+    });
+    let mut mentions = Mentions::default();
+    statements.iter().for_each(|statement| expressions(statement).into_iter().for_each(|one| mentions.note(one)));
+    if !uses_any && mentions.found.is_empty() {
+        return Cow::Borrowed(statements);
+    }
+    let events = event_names(statements, diagnostics);
+    mentions.refuse_unknown(&events, diagnostics);
+    let mut writer = Writer { declared: declared(statements), independent: independent(statements), added: Vec::new() };
+    let mut number = 0;
+    let mut written: Vec<Statement> = Vec::new();
+    for statement in statements {
+        let mut statement = statement.clone();
+        let span = statement.span;
+        if let StatementKind::Event { actions, extras, .. } = &mut statement.kind {
+            number += 1;
+            writer.names(number, actions, extras, diagnostics);
+            if let Some(name) = &extras.name
+                && events.get(name.text.as_str()) == Some(&name.span)
+            {
+                let wanted = mentions.of(&name.text);
+                writer.remember(name, &wanted, actions, span);
+            }
+        }
+        expressions_mut(&mut statement).into_iter().for_each(|one| mentions.primes_into_names(one));
+        written.push(statement);
+    }
+    for statement in &mut writer.added {
+        expressions_mut(statement).into_iter().for_each(|one| mentions.primes_into_names(one));
+    }
+    written.append(&mut writer.added);
+    Cow::Owned(written)
+}
+
+/// The names of events, each with its place; one that is given twice is refused.
+fn event_names<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> HashMap<&'a str, Span> {
+    let mut events: HashMap<&str, Span> = HashMap::new();
+    for statement in statements {
+        let StatementKind::Event { extras: EventExtras { name: Some(name), .. }, .. } = &statement.kind else {
+            continue;
+        };
+        if let Some(&first) = events.get(name.text.as_str()) {
+            let message = words!("two events are called `{}`", "dos eventos se llaman `{}`", name.text);
+            diagnostics.push(
+                Diagnostic::error("duplicate-name", message, name.span)
+                    .with_label(first, words("the first is here", "el primero está aquí")),
+            );
+        } else {
+            events.insert(&name.text, name.span);
+        }
+    }
+    events
+}
+
+/// The names that the model declares.
+fn declared(statements: &[Statement]) -> HashSet<String> {
+    let name = |statement: &Statement| match &statement.kind {
+        StatementKind::Parameter(parameter) => Some(parameter.name.text.clone()),
+        StatementKind::Definition { name, .. }
+        | StatementKind::InitialValue { name, .. }
+        | StatementKind::Discrete { name, .. }
+        | StatementKind::Independent { name, .. } => Some(name.text.clone()),
+        _ => None,
+    };
+    statements.iter().filter_map(name).collect()
+}
+
+/// The name of the independent variable.
+pub(crate) fn independent(statements: &[Statement]) -> String {
+    let stated = statements.iter().find_map(|statement| match &statement.kind {
+        StatementKind::Independent { name, .. } => Some(name.text.clone()),
+        _ => None,
+    });
+    stated.unwrap_or_else(|| "t".to_owned())
+}
+
+/// The places where something that an event remembers is used.
+#[derive(Debug, Default)]
+struct Mentions {
+    /// The event, what of it, how many primes, and where first.
+    found: Vec<(String, String, u32, Span)>,
+}
+
+impl Mentions {
+    fn note(&mut self, expression: &Expression) {
+        for_each(expression, |part| {
+            if let ExpressionKind::Name { name, order } = &part.kind
+                && !name.contains(['(', ' '])
+                && let Some((event, member)) = name.split_once('.')
+                && !self.found.iter().any(|(e, m, o, _)| e == event && m == member && o == order)
+            {
+                self.found.push((event.to_owned(), member.to_owned(), *order, part.span));
+            }
+        });
+    }
+
+    fn refuse_unknown(&self, events: &HashMap<&str, Span>, diagnostics: &mut Vec<Diagnostic>) {
+        for (event, _, _, span) in self.found.iter().filter(|(event, ..)| !events.contains_key(event.as_str())) {
+            let message = words!("there is no event `{event}`", "no hay ningún evento `{event}`");
+            diagnostics.push(Diagnostic::error("unknown-name", message, *span).with_hint(words!(
+                "name it: when ... as {event} {{ ... }}",
+                "ponle nombre: when ... as {event} {{ ... }}"
+            )));
+        }
+    }
+
+    /// What of one event is used, besides what every event remembers.
+    fn of(&self, event: &str) -> Vec<(&str, u32, Span)> {
+        let common = |member: &str| [COUNT, TIME, INTERVAL].contains(&member);
+        let own = self.found.iter().filter(|(of, member, ..)| of == event && !common(member));
+        own.map(|(_, member, order, span)| (member.as_str(), *order, *span)).collect()
+    }
+
+    /// `landing.y'` is what is remembered of y', and no derivative.
+    fn primes_into_names(&self, expression: &mut Expression) {
+        rewrite(expression, &mut |part| {
+            if let ExpressionKind::Name { name, order } = &mut part.kind
+                && name.contains('.')
+                && !name.ends_with('.')
+                && !name.contains(['(', ' '])
+            {
+                name.extend(std::iter::repeat_n('\'', std::mem::take(order) as usize));
+            }
+        });
+    }
+}
+
+/// Writes statements that the author did not have to.
+#[derive(Debug)]
+struct Writer {
+    declared: HashSet<String>,
+    independent: String,
+    added: Vec<Statement>,
+}
+
+impl Writer {
+    /// Puts definitions in the place of `let`, for the event of this number.
+    fn names(
+        &mut self,
+        number: usize,
+        actions: &mut [Action],
+        extras: &mut EventExtras,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) {
+        if extras.names.is_empty() {
+            return;
+        }
+        let event = match &extras.name {
+            Some(name) => format!("{}.let", name.text),
+            None if number == 1 => "let".to_owned(),
+            None => format!("let{number}"),
+        };
+        let mut names = std::mem::take(&mut extras.names);
+        let own: HashMap<String, String> =
+            names.iter().map(|one| (one.name.text.clone(), format!("{event}.{}", one.name.text))).collect();
+        for name in &names {
+            if name.order > 0 || self.declared.contains(&name.name.text) || name.name.text == self.independent {
+                let message = words!(
+                    "`{}` has a meaning already, and `let` names something new",
+                    "`{}` ya tiene un significado, y `let` nombra algo nuevo",
+                    name.name.text
+                );
+                diagnostics.push(Diagnostic::error("let-of-known-name", message, name.name.span).with_hint(words!(
+                    "without `let` it sets what there is; or choose another name, such as `{}_1`",
+                    "sin `let` se fija lo que ya existe; o elige otro nombre, por ejemplo `{}_1`",
+                    name.name.text
+                )));
+            }
+        }
+        let mut rename = |part: &mut Expression| {
+            if let ExpressionKind::Name { name, order: 0 } = &mut part.kind
+                && let Some(inside) = own.get(name)
+            {
+                name.clone_from(inside);
+            }
+        };
+        actions.iter_mut().for_each(|action| rewrite(&mut action.value, &mut rename));
+        names.iter_mut().for_each(|name| rewrite(&mut name.value, &mut rename));
+        for Action { name, value, .. } in names {
+            let text = own.get(&name.text).cloned().unwrap_or_default();
+            self.define(Name { text, span: name.span }, value);
+        }
+    }
+
+    /// Lets an event remember these quantities, and its count, time and interval.
+    fn remember(&mut self, event: &Name, wanted: &[(&str, u32, Span)], actions: &mut Vec<Action>, span: Span) {
+        let at = event.span;
+        let name = |text: String| expression(ExpressionKind::Name { name: text, order: 0 }, at);
+        let number = |value: f64| expression(ExpressionKind::Number { value, unit: None }, at);
+        let kept = |member: &str| format!("{}.{member}.", event.text);
+        let operation =
+            |operator, left, right| expression(ExpressionKind::Binary(operator, Box::new(left), Box::new(right)), at);
+        let time = || name(self.independent.clone());
+        let counted = operation(BinaryOperator::Add, name(kept(COUNT)), number(1.0));
+        let interval = operation(BinaryOperator::Subtract, time(), name(kept(TIME)));
+        let mut all = vec![
+            (COUNT.to_owned(), counted, None, at),
+            (TIME.to_owned(), time(), Some(0.0), at),
+            (INTERVAL.to_owned(), interval, Some(1.0), at),
+        ];
+        for &(member, order, span) in wanted {
+            let primes = "'".repeat(order as usize);
+            let value = expression(ExpressionKind::Name { name: member.to_owned(), order }, span);
+            all.push((format!("{member}{primes}"), value, Some(0.0), span));
+        }
+        for (member, value, beyond, place) in all {
+            let state = Name { text: kept(&member), span: place };
+            actions.push(Action { name: state.clone(), order: 0, value });
+            let value = match beyond {
+                None => name(state.text.clone()),
+                // No value before so many times.
+                Some(count) => {
+                    let condition = operation(BinaryOperator::Greater, name(kept(COUNT)), number(count));
+                    let nothing = expression(ExpressionKind::Error, place);
+                    let parts = [condition, name(state.text.clone()), nothing].map(Box::new);
+                    let [condition, chosen, other] = parts;
+                    expression(ExpressionKind::If(condition, chosen, other), place)
+                }
+            };
+            self.define(Name { text: format!("{}.{member}", event.text), span: place }, value);
+            let rate = [
+                expression(ExpressionKind::Name { name: state.text.clone(), order: 1 }, place),
+                expression(ExpressionKind::Number { value: 0.0, unit: None }, place),
+            ];
+            let zero = expression(ExpressionKind::Number { value: 0.0, unit: None }, place);
+            let kind = StatementKind::Discrete { name: state, value: zero, unit: None, rate: Box::new(rate) };
+            self.added.push(Statement { kind, label: None, span });
+        }
+    }
+
+    fn define(&mut self, name: Name, value: Expression) {
+        let span = name.span;
+        let kind = StatementKind::Definition { name, value, unit: None };
+        self.added.push(Statement { kind, label: None, span });
+    }
+}
+
+fn expression(kind: ExpressionKind, span: Span) -> Expression {
+    Expression { kind, span }
+}
+
+/// The expressions of a statement.
+fn expressions(statement: &Statement) -> Vec<&Expression> {
+    match &statement.kind {
+        StatementKind::Definition { value, .. }
+        | StatementKind::InitialValue { value, .. }
+        | StatementKind::Discrete { value, .. } => vec![value],
+        StatementKind::Equation { left, right } => vec![left, right],
+        StatementKind::Function(function) => vec![&function.body],
+        StatementKind::Event { condition, actions, extras } => {
+            let values = extras.names.iter().chain(actions).map(|action| &action.value);
+            let moments = extras.every.iter().flat_map(|every| std::iter::once(&every.0).chain(&every.1));
+            std::iter::once(condition).chain(values).chain(moments).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The same to be changed.
+pub(crate) fn expressions_mut(statement: &mut Statement) -> Vec<&mut Expression> {
+    match &mut statement.kind {
+        StatementKind::Definition { value, .. }
+        | StatementKind::InitialValue { value, .. }
+        | StatementKind::Discrete { value, .. } => vec![value],
+        StatementKind::Equation { left, right } => vec![left, right],
+        StatementKind::Event { condition, actions, extras } => {
+            let values = extras.names.iter_mut().chain(actions).map(|action| &mut action.value);
+            std::iter::once(condition).chain(values).collect()
+        }
+        StatementKind::Function(function) => vec![&mut function.body],
+        _ => Vec::new(),
+    }
+}
+
+/// Changes an expression and everything inside it, without recursion.
+pub(crate) fn rewrite(expression: &mut Expression, change: &mut impl FnMut(&mut Expression)) {
+    let mut waiting = vec![expression];
+    while let Some(next) = waiting.pop() {
+        change(next);
+        match &mut next.kind {
+            ExpressionKind::Unary(_, operand) => waiting.push(operand),
+            ExpressionKind::Binary(_, left, right) => waiting.extend([&mut **left, &mut **right]),
+            ExpressionKind::Call { arguments, .. } => waiting.extend(arguments),
+            ExpressionKind::If(condition, chosen, other) => {
+                waiting.extend([&mut **condition, &mut **chosen, &mut **other]);
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! Events that end a run, and what a run remembers.
+
+use crate::support::{bits, go_on, open, readout};
+use play::{Play, Status};
+
+const STONE: &str = "---\ntitle: A stone\nstep: 0.1 [s]\n---\n\n```model\ny'' = -9.8 [m/s^2]\ny(0) = 0 [m]\n\
+                     y'(0) = 4.9 [m/s]\nwhen y < 0 [m] as landing { stop } \"The stone has landed\"\n\
+                     T = landing.time\nh = maximum(y)\n```\n";
+
+fn stone() -> Play {
+    open(STONE, &[])
+}
+
+#[test]
+fn a_run_ends_at_an_event_and_goes_on_when_asked() {
+    let mut play = stone();
+    assert_eq!(readout(&mut play, "T"), "–", "there is no value yet");
+    let names: Vec<String> = play.readouts().into_iter().map(|readout| readout.name).collect();
+    assert_eq!(names, ["t", "y", "y'", "T", "h"]);
+    go_on(&mut play, [0.5, 0.4, 0.4, 0.4]);
+    assert!((play.time() - 1.0).abs() < 1e-9, "{}", play.time());
+    assert_eq!(play.status(), Status::Ended);
+    let problem = play.problem().expect("a reason");
+    assert_eq!(problem.code, "ended");
+    assert!(problem.message.ends_with("The stone has landed."), "{}", problem.message);
+    assert!(readout(&mut play, "T").starts_with('1'), "{}", readout(&mut play, "T"));
+    // A link to the end leads to the end, and one beyond it beyond it.
+    for more in [0.0, 1.0] {
+        if more > 0.0 {
+            go_on(&mut play, [more]);
+            assert!((play.time() - 1.0 - more).abs() < 1e-9, "{}", play.time());
+        }
+        let mut other = stone();
+        other.restore(&play.share()).expect("the link holds");
+        assert_eq!((other.time(), bits(&other)), (play.time(), bits(&play)));
+    }
+    // Back before the end it ends again.
+    play.scrub(0.5);
+    assert!(play.problem().is_none());
+    go_on(&mut play, [2.0]);
+    assert_eq!(play.problem().map(|problem| problem.code), Some("ended"));
+}

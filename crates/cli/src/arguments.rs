@@ -27,7 +27,7 @@ pub struct Arguments {
 const EXIT_CODES: &str = "\
 Exit codes:
   0  done
-  1  the document has errors, or its run failed
+  1  the document has errors, its run failed, or a claim of it does not hold
   2  wrong arguments, or a file that cannot be read or written";
 
 /// When messages are coloured.
@@ -171,8 +171,12 @@ pub enum Format {
 
 const CHECK_EXAMPLES: &str = "\
 Examples:
-  meniscus check simulations/utube.md           for people
-  meniscus check simulations/*.md --format json for programs
+  meniscus check simulations/utube.md            for people
+  meniscus check simulations/*.md --format json  for programs
+  meniscus check simulations/*.md --run          and whether what their check blocks claim holds
+
+With --run each document without errors is run for its claims, and each claim gets one line: ✓ or ✗, its name, the worst
+value and when that was. In JSON a claim that does not hold is a finding of the code check-failed.
 
 JSON is one array of findings: file, severity (error or warning), code (stable), message, line and column (from 1, in
 characters), end (the line and column after the place), labels (further places, with their words), notes and hints.";
@@ -183,6 +187,10 @@ pub struct Check {
     /// The documents; the translations beside a document (NAME.es.md) are checked with it
     #[arg(value_name = "DOC", required = true)]
     pub documents: Vec<PathBuf>,
+
+    /// Run the documents and see whether the claims of their check blocks hold
+    #[arg(long)]
+    pub run: bool,
 
     /// The form of the findings
     #[arg(long, value_enum, default_value_t = Findings::Text)]

@@ -1,6 +1,7 @@
 //! `meniscus check`: what is wrong with documents, for people and for programs.
 
 use crate::arguments::{Check, Findings};
+use crate::claims::Claims;
 use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::output::Output;
@@ -23,35 +24,64 @@ pub fn check(arguments: &Check, terminal: Terminal) -> Result<(), Failure> {
         }
     }
     let language = terminal.language;
+    let claims: Vec<Option<Claims>> =
+        loaded.iter().map(|document| arguments.run.then(|| Claims::judge(document, language))).collect();
+    if arguments.format == Findings::Json {
+        for (document, claims) in loaded.iter_mut().zip(&claims) {
+            document.opened.diagnostics.extend(claims.iter().flat_map(Claims::findings).map(|finding| (0, finding)));
+        }
+    }
     let (mut output, text) = match arguments.format {
         Findings::Json => (Output::standard(), findings_as_json(&loaded, language)),
         Findings::Text => {
             let findings = findings_as_text(&loaded, language, terminal.standard_output_colors());
-            (Output::rendered(), findings + &visible(&summary(&loaded, language)))
+            (Output::rendered(), findings + &visible(&summary(&loaded, &claims, language)))
         }
     };
     output.write_all(text.as_bytes()).map_err(|error| output.failure(&error))?;
     output.finish()?;
-    if loaded.iter().any(|document| document.opened.has_errors()) { Err(Failure::Document) } else { Ok(()) }
+    let refuted = claims.iter().flatten().any(|claims| claims.counts().1 > 0);
+    let wrong = refuted || loaded.iter().any(|document| document.opened.has_errors());
+    if wrong { Err(Failure::Document) } else { Ok(()) }
 }
 
-/// A line for each document.
-fn summary(documents: &[Loaded], language: Language) -> String {
+/// A line for each document, and below it one for each of its claims.
+fn summary(documents: &[Loaded], claims: &[Option<Claims>], language: Language) -> String {
     let error = language.pick(["error", "errors"], ["error", "errores"]);
     let warning = language.pick(["warning", "warnings"], ["aviso", "avisos"]);
     let mut summary = String::new();
-    for loaded in documents {
+    for (loaded, claims) in documents.iter().zip(claims) {
         let errors = loaded.errors();
         let warnings = loaded.opened.diagnostics.len() - errors;
-        let verdict = match (errors, warnings) {
-            (0, 0) => language.pick("ok", "correcto").to_owned(),
-            (0, _) => counted(warnings, warning),
-            (_, 0) => counted(errors, error),
-            (_, _) => format!("{}, {}", counted(errors, error), counted(warnings, warning)),
+        let found = match (errors, warnings) {
+            (0, 0) => None,
+            (0, _) => Some(counted(warnings, warning)),
+            (_, 0) => Some(counted(errors, error)),
+            (_, _) => Some(format!("{}, {}", counted(errors, error), counted(warnings, warning))),
         };
-        summary.push_str(&format!("{}: {verdict}\n", loaded.sources.path().display()));
+        let claims = claims.as_ref().filter(|_| errors == 0);
+        let refuted = claims.is_some_and(|claims| claims.counts().1 > 0);
+        let fine = (found.is_none() && !refuted).then(|| language.pick("ok", "correcto").to_owned());
+        let claimed = claims.map(|claims| claimed(claims, language));
+        let verdict: Vec<String> = found.into_iter().chain(fine).chain(claimed).collect();
+        summary.push_str(&format!("{}: {}\n", loaded.sources.path().display(), verdict.join(", ")));
+        summary.extend(claims.iter().map(|claims| claims.lines(language)));
     }
     summary
+}
+
+/// `4 claims hold`
+fn claimed(claims: &Claims, language: Language) -> String {
+    match (claims.counts(), language) {
+        ((0, _), Language::English) => "no claims".to_owned(),
+        ((0, _), Language::Spanish) => "sin afirmaciones".to_owned(),
+        ((1, 0), Language::English) => "1 claim holds".to_owned(),
+        ((1, 0), Language::Spanish) => "1 afirmación se cumple".to_owned(),
+        ((all, 0), Language::English) => format!("{all} claims hold"),
+        ((all, 0), Language::Spanish) => format!("{all} afirmaciones se cumplen"),
+        ((all, failed), Language::English) => format!("{failed} of {all} claims do not hold"),
+        ((all, failed), Language::Spanish) => format!("{failed} de {all} afirmaciones no se cumplen"),
+    }
 }
 
 fn counted(count: usize, [one, many]: [&str; 2]) -> String {

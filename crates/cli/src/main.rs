@@ -3,6 +3,7 @@
 mod arguments;
 mod assignments;
 mod check;
+mod claims;
 mod columns;
 mod cycles;
 mod data;

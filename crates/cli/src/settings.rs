@@ -13,16 +13,14 @@ use std::str::FromStr;
 use units::Unit;
 use units::nearest;
 
-/// Where a run ends if neither the document nor the command says: 100 s, or 100 of whatever the independent variable is.
-const UNTIL: f64 = 100.0;
-
 /// The setup of a run and the value of the independent variable at its end, all SI.
 pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Result<(Setup, f64), Failure> {
     let mut setup = Setup::of(&document.program);
     for name in &arguments.preset {
         apply_preset(document, name, &mut setup.parameters)?;
     }
-    let Program { model, until, .. } = &mut document.program;
+    let end = document.program.end();
+    let Program { model, .. } = &mut document.program;
     let time = model.independent.unit.clone();
     let mut reader = Reader { model, terminal };
     for assignment in &arguments.set {
@@ -44,7 +42,7 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
     }
     let until = match &arguments.until {
         Some(text) => positive("--until", reader.value("--until", text, &time, &setup.parameters)?)?,
-        None => until.unwrap_or(time.to_si(UNTIL)),
+        None => end,
     };
     Ok((setup, until))
 }

@@ -17,14 +17,16 @@ pub enum BlockKind {
     Presets,
     /// A question.
     Question,
+    /// Claims about runs.
+    Check,
     /// Texts and their translations.
     Translations,
 }
 
 impl BlockKind {
     /// The kinds that stand between fence lines: all but prose.
-    pub const FENCED: [Self; 6] =
-        [Self::Model, Self::Scene, Self::Plots, Self::Presets, Self::Question, Self::Translations];
+    pub const FENCED: [Self; 7] =
+        [Self::Model, Self::Scene, Self::Plots, Self::Presets, Self::Question, Self::Check, Self::Translations];
 
     /// The name; of a fenced block, the word after the backquotes.
     pub fn word(self) -> &'static str {
@@ -35,6 +37,7 @@ impl BlockKind {
             Self::Plots => "plots",
             Self::Presets => "presets",
             Self::Question => "question",
+            Self::Check => "check",
             Self::Translations => "translations",
         }
     }

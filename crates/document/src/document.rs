@@ -1,6 +1,6 @@
 //! What an opened document is: its text, and the program that was understood of it.
 
-use model::{Diagnostic, Places};
+use model::{Diagnostic, Places, Span};
 use program::Program;
 
 /// What came of opening a document.
@@ -35,6 +35,8 @@ pub struct Document {
     pub translations: Vec<String>,
     /// Where the parts of the model stand in the source.
     pub places: Places,
+    /// Where the claims of the checks stand in the source, in the order of [`Program::checks`].
+    pub claims: Vec<Span>,
     /// What runs.
     pub program: Program,
 }

@@ -64,7 +64,7 @@ impl<'a> Expressions<'a> {
         let (expression, unit, diagnostics) = model::parse_expression(self.source, range);
         let failed = model::has_errors(&diagnostics);
         self.diagnostics.extend(diagnostics);
-        let placed = if failed { None } else { self.finish(expression, unit.as_ref()) }?;
+        let placed = if failed { None } else { self.place(expression, unit.as_ref()) }?;
         Some((placed, unit.is_some()))
     }
 
@@ -98,7 +98,7 @@ impl<'a> Expressions<'a> {
                 );
                 continue;
             }
-            let Some(value) = self.finish(assignment.value, assignment.unit.as_ref()) else {
+            let Some(value) = self.place(assignment.value, assignment.unit.as_ref()) else {
                 continue;
             };
             let Some(value) = self.expect_number(value) else {
@@ -196,7 +196,7 @@ impl<'a> Expressions<'a> {
                 );
             } else {
                 let whole = value.clone();
-                if self.finish(whole, unit.as_ref()).is_none() {
+                if self.place(whole, unit.as_ref()).is_none() {
                     // Said once, here; what uses the name is passed over.
                     value.kind = ExpressionKind::Error;
                 } else {
@@ -212,7 +212,8 @@ impl<'a> Expressions<'a> {
         self.local.clear();
     }
 
-    fn finish(&mut self, mut expression: Expression, unit: Option<&StatedUnit>) -> Option<Placed> {
+    /// An expression that was read, completed and compiled.
+    pub fn place(&mut self, mut expression: Expression, unit: Option<&StatedUnit>) -> Option<Placed> {
         let mut nodes = 0;
         self.replace(&mut expression, &mut nodes);
         if nodes > NODES || depth(&expression) > DEPTH {

@@ -1,4 +1,4 @@
-//! The simulation document: one Markdown file with prose, equations, scene, plots, presets and questions, and further
+//! The simulation document: one Markdown file with prose, equations, scene, plots, presets, questions and checks, and further
 //! files that translate it.
 //!
 //! [`read`] gives the structure of a text, whatever is wrong in it. [`open`] also checks it and gives a program if the
@@ -6,6 +6,7 @@
 //! place. [`edit`] changes a text by its structure.
 
 mod block;
+mod checks;
 mod curves;
 mod document;
 pub mod edit;

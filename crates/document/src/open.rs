@@ -1,6 +1,7 @@
 //! From text to document.
 
 use crate::block::BlockKind;
+use crate::checks::Checks;
 use crate::document::{Document, Opened};
 use crate::expressions::Expressions;
 use crate::findings::limited;
@@ -114,6 +115,10 @@ impl<'a> File<'a> {
         for block in self.outline.blocks_of(BlockKind::Presets) {
             presets::read(&mut expressions, block.content.range(), &mut presets);
         }
+        let mut checks = Checks::default();
+        for block in self.outline.blocks_of(BlockKind::Check) {
+            checks.read(&mut expressions, block.content.range());
+        }
         let mut scenes = self.outline.blocks_of(BlockKind::Scene);
         let (scene, scene_words) =
             scenes.next().and_then(|block| scene::build(&mut expressions, block.content.range())).unzip();
@@ -168,9 +173,10 @@ impl<'a> File<'a> {
             plots,
             presets,
             questions: compiled,
+            checks: checks.checks,
         };
         let source = self.outline.source().to_owned();
-        let document = Document { source, translations: Vec::new(), places, program };
+        let document = Document { source, translations: Vec::new(), places, claims: checks.places, program };
         Read { document, statements, questions, scene_words: scene_words.unwrap_or_default() }
     }
 

@@ -1,7 +1,8 @@
-//! Runs a model: virtual machine, methods, events, history.
+//! Runs a model: virtual machine, methods, events, history; and judges what its author claims about runs.
 
 mod adaptive;
 mod checkpoints;
+pub mod checks;
 mod code;
 mod column;
 mod columns;

@@ -8,6 +8,7 @@
 //! | `plots` | figures of the run, of kept runs, of points and plots that others add |
 //! | `values` | readouts, the scene's values, the table of rows |
 //! | `questions` | answers and what they are worth |
+//! | `checks.rs` | claims of the author, and whether they hold |
 //! | `replacement` | another program in the place of the present one |
 //! | `share` | the state as a link |
 //!
@@ -15,6 +16,7 @@
 //! the chosen language. No method panics; an index that does not exist is ignored or refused.
 
 mod announcement;
+mod checks;
 mod controls;
 mod name;
 mod play;
@@ -35,6 +37,7 @@ pub use program;
 pub use units::{Language, number};
 
 pub use announcement::{Announcement, Prominence};
+pub use checks::{ClaimView, ClaimsView};
 pub use controls::{DIGITS, MethodView, ParameterView, PresetGroup, PresetView, Slider, StateView};
 pub use name::name_of;
 pub use play::{Play, Revision};

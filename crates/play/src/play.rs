@@ -10,6 +10,7 @@ use crate::questions::given::Answer;
 use crate::removed::Undo;
 use crate::time::course::Course;
 use crate::values::Outline;
+use engine::checks::Checking;
 use engine::{Readings, Setup};
 use program::{Model, NodeId, Program, Speed};
 use units::Language;
@@ -31,6 +32,8 @@ pub struct Revision {
     pub plots: u64,
     /// What has been answered to questions.
     pub answers: u64,
+    /// What is known of the author's claims.
+    pub checks: u64,
     /// The language.
     pub language: u64,
 }
@@ -46,6 +49,7 @@ impl Revision {
             runs: self.runs + 1,
             plots: self.plots + 1,
             answers: self.answers + 1,
+            checks: self.checks + 1,
             language: self.language + 1,
         }
     }
@@ -94,6 +98,8 @@ pub struct Play {
     pub(crate) solved: Vec<bool>,
     /// Whether the values that questions hide are shown all the same.
     pub(crate) shows_hidden: bool,
+    /// The author's claims, once somebody wants to know whether they hold.
+    pub(crate) checking: Option<Checking>,
     pub(crate) undo: Undo,
     /// For each node of the model whether it is a count.
     pub(crate) whole: Vec<bool>,
@@ -159,6 +165,7 @@ impl Play {
             kept_issued: 0,
             solved,
             shows_hidden: false,
+            checking: None,
             undo: Undo::default(),
         };
         play.label_plots();

@@ -85,6 +85,12 @@ fn check(program: &Program) -> Result<(), BundleError> {
             let hidden = |index: &usize| *index < model.quantities.len();
             assignments(&question.setup) && compiled(&question.answer) && question.hides.iter().all(hidden)
         })
+        && program.checks.iter().all(|check| {
+            let claim = |claim: &crate::Claim| {
+                claim.values().into_iter().all(compiled) && claim.condition().is_none_or(|node| known(&node))
+            };
+            assignments(&check.setup) && check.claims.iter().all(claim)
+        })
         && program.editions.first().is_some_and(|first| first.questions.len() == program.questions.len())
         && program.editions.iter().filter_map(|edition| edition.scene.as_ref()).all(|scene| {
             let drawn = scene.values.iter().all(compiled);

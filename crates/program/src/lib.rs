@@ -1,7 +1,8 @@
-//! What is left when a document is understood: equations as a graph, drawing, plots, presets, questions and finished prose,
+//! What is left when a document is understood: equations as a graph, drawing, plots, presets, questions, checks and finished prose,
 //! without source text and places in it. It is what runs; [`bundle`] writes and reads it.
 
 pub mod bundle;
+mod checks;
 pub mod functions;
 mod graph;
 mod method;
@@ -14,6 +15,7 @@ mod questions;
 mod scene;
 mod speed;
 
+pub use checks::{Check, Claim, Moment, Relation, Sides, Test};
 pub use graph::{Binary, Graph, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate, differentiate_all};
 pub use method::{Method, UnknownMethod};
 pub use model::{

@@ -1,6 +1,6 @@
 //! A program: a checked model and everything that is shown of it.
 
-use crate::{Method, Model, Plot, Preset, Question, QuestionText, Scene, Section, Speed};
+use crate::{Check, Method, Model, Plot, Preset, Question, QuestionText, Scene, Section, Speed};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -33,9 +33,19 @@ pub struct Program {
     pub presets: Vec<Preset>,
     /// In the order of the text.
     pub questions: Vec<Question>,
+    /// In the order of the text.
+    pub checks: Vec<Check>,
 }
 
 impl Program {
+    /// Where a run ends if the document does not say: at so many of whatever the independent variable is measured in.
+    pub const UNTIL: f64 = 100.0;
+
+    /// Where a run of its own ends, SI.
+    pub fn end(&self) -> f64 {
+        self.until.unwrap_or_else(|| self.model.independent.unit.to_si(Self::UNTIL))
+    }
+
     /// The languages in which the document exists, its own first.
     pub fn languages(&self) -> impl Iterator<Item = &str> {
         self.editions.iter().map(|edition| edition.language.as_str())
@@ -51,7 +61,7 @@ impl Program {
         self.editions.iter().find(|edition| edition.language == language).unwrap_or(&self.editions[0])
     }
 
-    /// What a text of the document (a label, a title of a plot, a preset's or its group's name, a text value) is in
+    /// What a text of the document (a label, a title of a plot, a preset's or its group's name, a claim's name, a text value) is in
     /// `language`; itself where it has no translation.
     pub fn text<'a>(&'a self, language: &str, original: &'a str) -> &'a str {
         self.edition(language).texts.get(original).map_or(original, String::as_str)
@@ -67,7 +77,8 @@ impl Program {
         let groups = self.presets.iter().map(|preset| &preset.group);
         let optional = labels.chain(curves).chain(groups).flatten();
         let named = self.plots.iter().map(|plot| &plot.title).chain(self.presets.iter().map(|preset| &preset.name));
-        optional.chain(named).chain(&model.texts).map(String::as_str).collect()
+        let claims = self.checks.iter().flat_map(|check| &check.claims).map(|claim| &claim.name);
+        optional.chain(named).chain(claims).chain(&model.texts).map(String::as_str).collect()
     }
 
     /// The scene with its texts in `language`.

@@ -113,3 +113,82 @@ fn every_command_explains_itself_with_examples() {
     let done = meniscus(&["--help"]);
     assert!(done.stdout.contains("Exit codes:"), "{}", done.stdout);
 }
+
+#[test]
+fn the_claims_of_the_documents_that_ship_hold() {
+    let simulations = ["simulations", "simulations/theories"];
+    let of = |folder: &str| names(&root().join(folder)).into_iter().map(|name| format!("{folder}/{name}")).collect();
+    let files = simulations.into_iter().flat_map(|folder| -> Vec<String> { of(folder) });
+    let documents: Vec<String> = files.filter(|file| file.ends_with(".md") && file.matches('.').count() == 1).collect();
+    assert!(documents.len() >= 15, "{documents:?}");
+    let mut words = vec!["check", "--run"];
+    words.extend(documents.iter().map(String::as_str));
+    let done = meniscus(&words);
+    assert_eq!((done.code, done.stderr.as_str()), (0, ""), "{}", done.stdout);
+    for document in &documents {
+        let line =
+            done.stdout.lines().find(|line| line.starts_with(&format!("{document}: "))).expect("a line for each");
+        assert!(line.contains(": ok, ") && line.ends_with("claims hold"), "{line}");
+    }
+}
+
+/// A spring with two claims, the second of which is this one.
+fn claiming(claim: &str) -> String {
+    let checks = "```check\nset: m = 1 [kg], k = 4*pi^2*1 [N/m]\n\"Energy is kept\": E within 0.1 % of E(0) always\n";
+    let spring = SPRING.replace("step: 0.1 [s]", "step: 0.01 [s]");
+    format!("{spring}\n{checks}\"Period\": {claim}\n```\n")
+}
+
+#[test]
+fn claims_are_run_when_asked_for() {
+    let (_directory, path) = directory_with(&claiming("x within 0.1 % of 5 [cm] at 1 [s]"));
+    let path = path.to_str().expect("UTF-8");
+    let done = meniscus(&["check", path, "--run"]);
+    assert_eq!((done.code, done.stderr.as_str()), (0, ""), "{}", done.stdout);
+    let lines: Vec<&str> = done.stdout.lines().collect();
+    assert_eq!(lines.len(), 3, "{}", done.stdout);
+    assert_eq!(lines[0], format!("{path}: ok, 2 claims hold"));
+    assert!(
+        lines[1].starts_with("  ✓ Energy is kept: at worst 0.0493") && lines[1].contains(" J at t = "),
+        "{}",
+        lines[1]
+    );
+    assert!(lines[2].starts_with("  ✓ Period: 5 cm at t = 1 s; expected 5 cm, off by "), "{}", lines[2]);
+    assert_eq!(meniscus(&["check", path, "--run", "--format", "json"]).stdout, "[]\n");
+    assert_eq!(meniscus(&["check", path]).stdout, format!("{path}: ok\n"), "nothing is run unasked");
+}
+
+#[test]
+fn a_claim_that_does_not_hold_is_an_error_with_its_place() {
+    // After half a period the body is on the other side.
+    let (_directory, path) = directory_with(&claiming("x within 0.1 % of 5 [cm] at 0.5 [s]"));
+    let (_other, sound) = directory_with(&claiming("x < 6 [cm] always"));
+    let (path, sound) = (path.to_str().expect("UTF-8"), sound.to_str().expect("UTF-8"));
+    let done = meniscus(&["check", path, sound, "--run"]);
+    assert_eq!((done.code, done.stderr.as_str()), (1, ""));
+    assert!(done.stdout.contains(&format!("{path}: 1 of 2 claims do not hold\n")), "{}", done.stdout);
+    assert!(done.stdout.contains("  ✗ Period: −5 cm at t = 0.5 s; expected 5 cm, off by 200 % (0.1 % allowed) (line "));
+    assert!(done.stdout.contains(&format!("{sound}: ok, 2 claims hold\n")), "{}", done.stdout);
+    let spanish = meniscus(&["check", path, "--run", "--language", "es"]).stdout;
+    assert!(
+        spanish.contains("1 de 2 afirmaciones no se cumplen") && spanish.contains("en t = 0,5 s; se espera"),
+        "{spanish}"
+    );
+    let done = meniscus(&["check", path, "--run", "--format", "json"]);
+    assert_eq!(done.code, 1);
+    let findings: serde_json::Value = serde_json::from_str(&done.stdout).expect("JSON");
+    assert_eq!((&findings[0]["severity"], &findings[0]["code"]), (&"error".into(), &"check-failed".into()));
+    let line = claiming("").lines().position(|line| line.starts_with("\"Period\"")).expect("it is there") + 1;
+    assert_eq!((&findings[0]["line"], &findings[0]["column"]), (&line.into(), &1.into()));
+}
+
+#[test]
+fn what_a_document_claims_may_come_to_nothing() {
+    let (_directory, path) = directory_with(SPRING);
+    let path = path.to_str().expect("UTF-8");
+    assert_eq!(meniscus(&["check", path, "--run"]).stdout, format!("{path}: ok, no claims\n"));
+    let (_directory, path) = directory_with(&claiming("x within 1 % of z always"));
+    let done = meniscus(&["check", path.to_str().expect("UTF-8"), "--run"]);
+    assert_eq!(done.code, 1);
+    assert!(done.stdout.ends_with(": 1 error\n"), "a document with errors is not run: {}", done.stdout);
+}

@@ -1,6 +1,7 @@
 //! What is written to a bundle and read back is the same program: the same texts, and runs of the same bits.
 
 use crate::simulations::{faultless, names};
+use engine::checks::Checking;
 use engine::{Run, Setup};
 use program::{Program, bundle};
 
@@ -49,7 +50,7 @@ fn every_simulation_is_the_same_when_it_is_read_back() {
         assert_eq!(program.model.events, read.model.events, "{name}");
         assert_eq!(program.model.texts, read.model.texts, "{name}");
         assert_eq!((&program.plots, &program.presets), (&read.plots, &read.presets), "{name}");
-        assert_eq!(program.questions, read.questions, "{name}");
+        assert_eq!((&program.questions, &program.checks), (&read.questions, &read.checks), "{name}");
         assert_eq!(format!("{:?}", program.editions), format!("{:?}", read.editions), "{name}");
     }
 }
@@ -71,6 +72,7 @@ fn damaged_bundles_are_refused() {
             if let Ok(mut run) = Run::start(&program.model, setup) {
                 let _ = run.advance();
             }
+            let _ = Checking::new().advance(&program, 1000);
         }
     }
 }

@@ -6,6 +6,7 @@ mod arbitrary;
 mod bundles;
 #[path = "../../../model/tests/all/common/catalogue.rs"]
 mod catalogue;
+mod checks;
 mod edit;
 mod open;
 mod outline;

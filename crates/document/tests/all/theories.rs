@@ -151,7 +151,7 @@ fn every_theory_can_be_fitted_to_a_measured_level_and_its_velocity() {
             let damping = ["gamma", "beta", "mu", "D"].contains(&parameter.name.as_str());
             assert!(!damping || low == 0.0, "{name}: {}", parameter.name);
         }
-        assert!(document.source.len() < 3000, "{name}: every page carries it");
+        assert!(document.source.len() < 4500, "{name}: every page carries it");
         // The level is what is measured: offset and drift are in it, and only the drift in its velocity.
         let (level, velocity) = (done.values("y"), done.values("y'"));
         assert!((level[0] - 0.037).abs() < 1e-12, "{name}: {}", level[0]);

@@ -1,0 +1,80 @@
+//! `meniscus check --run`: whether what a document claims about its runs holds.
+
+use crate::load::Loaded;
+use document::Document;
+use engine::checks::{Outcome, claim_outcome, judge_all};
+use model::{Diagnostic, Span};
+use program::Claim;
+use units::{Language, words};
+
+/// The claims of one document, each with what came of it.
+pub struct Claims {
+    /// In the order of the text.
+    judged: Vec<Judged>,
+}
+
+struct Judged {
+    /// Its name in the language of the messages.
+    name: String,
+    held: bool,
+    /// What came of it, in both languages.
+    text: units::Words,
+    place: Span,
+    /// The number of its line, from 1.
+    line: usize,
+}
+
+impl Claims {
+    /// Runs a document for its claims. None of a document with errors.
+    pub fn judge(loaded: &Loaded, language: Language) -> Self {
+        let sound = loaded.opened.document.as_ref().filter(|_| !loaded.opened.has_errors());
+        let judged = sound.map_or_else(Vec::new, |document| judged(document, language));
+        Self { judged }
+    }
+
+    /// How many there are, and how many do not hold.
+    pub fn counts(&self) -> (usize, usize) {
+        (self.judged.len(), self.judged.iter().filter(|judged| !judged.held).count())
+    }
+
+    /// A line for each.
+    pub fn lines(&self, language: Language) -> String {
+        let line = |judged: &Judged| {
+            let (name, text) = (&judged.name, judged.text.text(language));
+            if judged.held {
+                return format!("  ✓ {name}: {text}\n");
+            }
+            let line = language.pick("line", "línea");
+            format!("  ✗ {name}: {text} ({line} {})\n", judged.line)
+        };
+        self.judged.iter().map(line).collect()
+    }
+
+    /// A finding for each that does not hold.
+    pub fn findings(&self) -> impl Iterator<Item = Diagnostic> {
+        let failed = self.judged.iter().filter(|judged| !judged.held);
+        failed.map(|judged| {
+            let message = words!(
+                "the claim \"{name}\" does not hold: {text}",
+                "la afirmación «{name}» no se cumple: {text}",
+                name = units::Words::same(judged.name.clone()),
+                text = judged.text
+            );
+            Diagnostic::error("check-failed", message, judged.place)
+        })
+    }
+}
+
+fn judged(document: &Document, language: Language) -> Vec<Judged> {
+    let program = &document.program;
+    let outcomes = judge_all(program).into_iter().flatten();
+    let claims = program.checks.iter().flat_map(|check| &check.claims);
+    let one = |((claim, outcome), place): ((&Claim, Outcome), &Span)| Judged {
+        name: program.text(language.tag(), &claim.name).to_owned(),
+        held: outcome.held(),
+        text: claim_outcome(program, claim, &outcome),
+        place: *place,
+        line: 1 + document.source.get(..place.start).unwrap_or_default().matches('\n').count(),
+    };
+    claims.zip(outcomes).zip(&document.claims).map(one).collect()
+}

@@ -1,0 +1,279 @@
+//! One claim: what is said, and when.
+
+use super::tolerance::tolerance;
+use crate::expressions::{Expressions, Placed, dimension_error};
+use crate::scan::{find_word, top_level};
+use crate::source::trim;
+use model::{BinaryOperator, Diagnostic, ExpressionKind, Span};
+use program::{Claim, Kind, Moment, Relation, Sides, Test};
+use std::ops::Range;
+use units::{Words, words};
+
+/// What a claim about the step begins with, blanks aside.
+const HALVING: [&str; 4] = ["halving", "the", "step", "changes"];
+
+/// The claim that fills `range`.
+pub fn read(expressions: &mut Expressions, name: String, range: Range<usize>) -> Option<Claim> {
+    let source = expressions.source;
+    let halved = after_words(source, range.clone(), &HALVING);
+    let (what, moment) = moment(expressions, range.clone(), halved.is_some())?;
+    let test = match halved {
+        Some(halved) => halved_step(expressions, trim(source, halved..what.end))?,
+        None => match find_word(source, what.clone(), "within") {
+            Some(within) => near(expressions, what, within)?,
+            None => holds(expressions, what)?,
+        },
+    };
+    let written = source[range].split_whitespace().collect::<Vec<_>>().join(" ");
+    Some(Claim { name, written, test, moment })
+}
+
+/// Where the text goes on behind these words, if it begins with them.
+fn after_words(source: &str, range: Range<usize>, words: &[&str]) -> Option<usize> {
+    let mut at = range.start;
+    for word in words {
+        let rest = trim(source, at..range.end);
+        let after = source[rest.clone()].strip_prefix(word)?;
+        if after.starts_with(|letter: char| letter.is_alphanumeric() || letter == '_') {
+            return None;
+        }
+        at = rest.start + word.len();
+    }
+    Some(at)
+}
+
+/// What stands before the moment, and the moment: `always`, `at end` or `at 5 [s]`. A claim about the step may leave it out.
+fn moment(expressions: &mut Expressions, range: Range<usize>, is_step: bool) -> Option<(Range<usize>, Moment)> {
+    let source = expressions.source;
+    let before = |at: usize| trim(source, range.start..at);
+    if let Some(always) = find_word(source, range.clone(), "always").filter(|always| always.end == range.end) {
+        return Some((before(always.start), Moment::Always));
+    }
+    let Some(at) = find_word(source, range.clone(), "at") else {
+        if is_step {
+            return Some((range, Moment::End));
+        }
+        expressions.diagnostics.push(
+            Diagnostic::error(
+                "check-syntax",
+                words("the claim does not say when it holds", "la afirmación no dice cuándo se cumple"),
+                Span::new(range.start, range.end),
+            )
+            .with_hint(words(
+                "end it with `always`, with `at end` or with a time such as `at 5 [s]`",
+                "termínala con `always`, con `at end` o con un instante, por ejemplo `at 5 [s]`",
+            )),
+        );
+        return None;
+    };
+    let when = trim(source, at.end..range.end);
+    if &source[when.clone()] == "end" {
+        return Some((before(at.start), Moment::End));
+    }
+    let time = expressions.constant(when, &words("the moment of a claim", "el instante de una afirmación"))?;
+    let independent = expressions.model().independent.unit.clone();
+    if time.value.dimension() != independent.dimension {
+        let message = words("this is not a moment of the run", "esto no es un instante de la simulación");
+        let expected = (time.span, independent.dimension);
+        let mut diagnostic = dimension_error(message, (time.span, time.value.dimension()), expected);
+        // Both labels would lie on one another.
+        let expected = diagnostic.labels.pop().map_or_else(|| Words::same(""), |label| label.text);
+        expressions.diagnostics.push(diagnostic.with_note(words!(
+            "it must be {expected}",
+            "debe ser {expected}",
+            expected = expected
+        )));
+        return None;
+    }
+    if expressions.model().graph.as_constant(time.value.node).is_some_and(|time| !(time >= 0.0 && time.is_finite())) {
+        let message = words("the run begins at 0", "la simulación empieza en 0");
+        expressions.error("check-syntax", message, time.span);
+        return None;
+    }
+    Some((before(at.start), Moment::At(time.value)))
+}
+
+/// `E within 1e-6 of E(0)`, where `within` stands at this place.
+fn near(expressions: &mut Expressions, range: Range<usize>, within: Range<usize>) -> Option<Test> {
+    let source = expressions.source;
+    let rest = within.end..range.end;
+    let Some(of) = first_word(source, rest, "of") else {
+        expressions.diagnostics.push(
+            Diagnostic::error(
+                "check-syntax",
+                words("within this of what?", "¿con esta tolerancia respecto a qué?"),
+                Span::new(within.start, range.end),
+            )
+            .with_hint(words("write `E within 1 % of E(0) always`", "escribe `E within 1 % of E(0) always`")),
+        );
+        return None;
+    };
+    let value = expressions.number(range.start..within.start);
+    let expected = expressions.number(of.end..range.end);
+    let (value, expected) = (value?, expected?);
+    let zero = expressions.model().graph.as_constant(expected.value.node) == Some(0.0);
+    let bare_zero = zero && expected.value.dimension().is_none();
+    if value.value.dimension() != expected.value.dimension() && !bare_zero {
+        let message = words(
+            "the value and what it should be have different dimensions",
+            "el valor y lo que debería ser tienen dimensiones distintas",
+        );
+        let found = (value.span, value.value.dimension());
+        expressions.diagnostics.push(dimension_error(message, found, (expected.span, expected.value.dimension())));
+        return None;
+    }
+    let tolerance = tolerance(expressions, trim(source, within.end..of.start), &value, zero)?;
+    warn_if_constant(expressions, &[&value, &expected]);
+    Some(Test::Near { value: value.value, expected: expected.value, tolerance })
+}
+
+/// The place of the first `word` at the top level.
+fn first_word(source: &str, range: Range<usize>, word: &str) -> Option<Range<usize>> {
+    let mut range = range;
+    let mut first = None;
+    while let Some(found) = find_word(source, range.clone(), word) {
+        range.end = found.start;
+        first = Some(found);
+    }
+    first
+}
+
+/// `halving the step changes` EXPRESSION `by less than` TOLERANCE, from the expression on.
+fn halved_step(expressions: &mut Expressions, range: Range<usize>) -> Option<Test> {
+    let source = expressions.source;
+    let by = find_word(source, range.clone(), "by");
+    let limit = by.clone().and_then(|by| after_words(source, by.start..range.end, &["by", "less", "than"]));
+    let (Some(by), Some(limit)) = (by, limit) else {
+        expressions.diagnostics.push(
+            Diagnostic::error(
+                "check-syntax",
+                words(
+                    "by how much may halving the step change it?",
+                    "¿cuánto puede cambiarlo reducir el paso a la mitad?",
+                ),
+                Span::new(range.start, range.end),
+            )
+            .with_hint(words(
+                "write `halving the step changes y by less than 0.1 %`",
+                "escribe `halving the step changes y by less than 0.1 %`",
+            )),
+        );
+        return None;
+    };
+    let value = expressions.number(range.start..by.start)?;
+    let tolerance = tolerance(expressions, trim(source, limit..range.end), &value, false)?;
+    if expressions.model().depends(value.value.node).states.is_empty() {
+        expressions.diagnostics.push(
+            Diagnostic::warning(
+                "check-constant",
+                words(
+                    "no step changes this: it does not depend on what the equations are solved for",
+                    "ningún paso cambia esto: no depende de las incógnitas de las ecuaciones",
+                ),
+                value.span,
+            )
+            .with_hint(words(
+                "name what the run computes, such as `y`",
+                "nombra lo que calcula la simulación, por ejemplo `y`",
+            )),
+        );
+    }
+    Some(Test::HalvedStep { value: value.value, tolerance })
+}
+
+/// `y < 2 [m]`
+fn holds(expressions: &mut Expressions, range: Range<usize>) -> Option<Test> {
+    let source = expressions.source;
+    if let Some(at) = lone_equals(source, range.clone()) {
+        expressions.diagnostics.push(
+            Diagnostic::error(
+                "check-syntax",
+                words("`=` defines, and a claim compares", "`=` define, y una afirmación compara"),
+                Span::new(at, at + 1),
+            )
+            .with_hint(words(
+                "write `==` for exactly equal, or `E within 1e-6 of E(0)`",
+                "escribe `==` para la igualdad exacta, o `E within 1e-6 of E(0)`",
+            )),
+        );
+        return None;
+    }
+    let (expression, unit, diagnostics) = model::parse_expression(source, range);
+    let failed = model::has_errors(&diagnostics);
+    expressions.diagnostics.extend(diagnostics);
+    if failed {
+        return None;
+    }
+    let sides = match &expression.kind {
+        ExpressionKind::Binary(operator, left, right) => {
+            relation(*operator).map(|relation| (relation, left.as_ref().clone(), right.as_ref().clone()))
+        }
+        _ => None,
+    };
+    let condition = expressions.place(expression, unit.as_ref())?;
+    if condition.value.kind != Kind::Truth {
+        expressions.diagnostics.push(
+            Diagnostic::error(
+                "check-syntax",
+                words(
+                    "a claim is true or false, and this is neither",
+                    "una afirmación es verdadera o falsa, y esto no es ni lo uno ni lo otro",
+                ),
+                condition.span,
+            )
+            .with_hint(words(
+                "compare it, as in `y < 2 [m] always`, or write `within 1 % of ...`",
+                "compáralo, como en `y < 2 [m] always`, o escribe `within 1 % of ...`",
+            )),
+        );
+        return None;
+    }
+    warn_if_constant(expressions, &[&condition]);
+    let compared = sides.and_then(|(relation, left, right)| {
+        let (left, right) = (expressions.place(left, None)?.value, expressions.place(right, None)?.value);
+        let numbers = left.kind == Kind::Number && right.kind == Kind::Number;
+        numbers.then_some(Sides { left, relation, right })
+    });
+    Some(Test::Holds { condition: condition.value.node, compared })
+}
+
+fn relation(operator: BinaryOperator) -> Option<Relation> {
+    match operator {
+        BinaryOperator::Less | BinaryOperator::LessOrEqual => Some(Relation::Below),
+        BinaryOperator::Greater | BinaryOperator::GreaterOrEqual => Some(Relation::Above),
+        BinaryOperator::Equal => Some(Relation::Equal),
+        BinaryOperator::NotEqual => Some(Relation::Different),
+        _ => None,
+    }
+}
+
+/// The place of an `=` that belongs to no comparison.
+fn lone_equals(source: &str, range: Range<usize>) -> Option<usize> {
+    let part_of_comparison = |at: usize| {
+        source[range.start..at].ends_with(['=', '<', '>', '!']) || source[at + 1..range.end].starts_with('=')
+    };
+    let mut equals = top_level(source, range.clone()).filter(|(_, letter)| *letter == '=');
+    equals.find(|(at, _)| !part_of_comparison(*at)).map(|(at, _)| at)
+}
+
+/// A claim about what never changes says nothing about a run.
+fn warn_if_constant(expressions: &mut Expressions, values: &[&Placed]) {
+    if values.iter().any(|placed| expressions.model().depends(placed.value.node).varies()) {
+        return;
+    }
+    let Some(span) = values.iter().map(|placed| placed.span).reduce(Span::to) else { return };
+    expressions.diagnostics.push(
+        Diagnostic::warning(
+            "check-constant",
+            words(
+                "nothing in this claim changes during a run",
+                "nada en esta afirmación cambia durante una simulación",
+            ),
+            span,
+        )
+        .with_hint(words(
+            "compare what the run computes with what it should be",
+            "compara lo que calcula la simulación con lo que debería ser",
+        )),
+    );
+}

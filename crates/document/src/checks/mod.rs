@@ -1,0 +1,95 @@
+//! Checks: `"Energy is kept": E within 1e-6 of E(0) always`, in a block of their own.
+
+mod claim;
+mod tolerance;
+
+use crate::expressions::Expressions;
+use crate::scan::{leading_text, statements};
+use crate::source::trim;
+use model::{Diagnostic, Span};
+use program::{Assignment, Check};
+use std::ops::Range;
+use units::words;
+
+/// How many claims a document may make.
+const CLAIMS: usize = 100;
+
+/// The checks of a document, and where their claims stand.
+#[derive(Debug, Default)]
+pub struct Checks {
+    /// In the order of the text.
+    pub checks: Vec<Check>,
+    /// Where each claim stands: those of the first check, then those of the next.
+    pub places: Vec<Span>,
+}
+
+impl Checks {
+    /// Reads the block in `range`. `set:` stands before the claims that it is for.
+    pub fn read(&mut self, expressions: &mut Expressions, range: Range<usize>) {
+        let source = expressions.source;
+        let mut setup: Vec<Assignment> = Vec::new();
+        for statement in with_indented(source, statements(source, range)) {
+            let span = Span::new(statement.start, statement.end);
+            if let Some(rest) = source[statement.clone()].strip_prefix("set:") {
+                setup = expressions.assignments(trim(source, statement.end - rest.len()..statement.end));
+                continue;
+            }
+            if self.places.len() == CLAIMS {
+                let message = words!(
+                    "a document cannot make more than {CLAIMS} claims in its checks",
+                    "un documento no puede hacer más de {CLAIMS} afirmaciones en sus comprobaciones"
+                );
+                expressions.error("too-large", message, span);
+                return;
+            }
+            let Some((name, range)) = named(expressions, statement) else { continue };
+            let Some(claim) = claim::read(expressions, name, range) else { continue };
+            self.places.push(span);
+            match self.checks.last_mut() {
+                Some(last) if last.setup == setup => last.claims.push(claim),
+                _ => self.checks.push(Check { setup: setup.clone(), claims: vec![claim] }),
+            }
+        }
+    }
+}
+
+/// The statements, where an indented line goes on with the one before it unless it begins another claim.
+fn with_indented(source: &str, lines: Vec<Range<usize>>) -> Vec<Range<usize>> {
+    let mut statements: Vec<Range<usize>> = Vec::new();
+    for line in lines {
+        let indented = source[..line.start].ends_with([' ', '\t']);
+        let begins = source[line.clone()].starts_with('"') || source[line.clone()].starts_with("set:");
+        match statements.last_mut() {
+            Some(last) if indented && !begins => last.end = line.end,
+            _ => statements.push(line),
+        }
+    }
+    statements
+}
+
+/// The name before the colon, and where the claim behind it stands.
+fn named(expressions: &mut Expressions, statement: Range<usize>) -> Option<(String, Range<usize>)> {
+    let source = expressions.source;
+    let name = leading_text(source, statement.clone()).filter(|(name, _)| !name.trim().is_empty());
+    let named = name.and_then(|(name, end)| {
+        let rest = trim(source, end..statement.end);
+        source[rest.clone()].starts_with(':').then(|| (name.to_owned(), trim(source, rest.start + 1..rest.end)))
+    });
+    if named.is_none() {
+        expressions.diagnostics.push(
+            Diagnostic::error(
+                "check-syntax",
+                words(
+                    "a check is a name in quotation marks, a colon and a claim",
+                    "una comprobación es un nombre entre comillas, dos puntos y una afirmación",
+                ),
+                Span::new(statement.start, statement.end),
+            )
+            .with_hint(words(
+                "write `\"Energy is kept\": E within 1e-6 of E(0) always`",
+                "escribe `\"La energía se conserva\": E within 1e-6 of E(0) always`",
+            )),
+        );
+    }
+    named
+}

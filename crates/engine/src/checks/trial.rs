@@ -1,0 +1,114 @@
+//! One run, or two with different steps side by side, and the claims about it.
+
+use super::judge::{Judge, rounding, when};
+use super::outcome::Outcome;
+use super::parameters::{at_start, supposed};
+use super::side::Side;
+use crate::{RunError, Setup};
+use program::{Check, NodeId, Program};
+
+/// A run for the claims of one check.
+#[derive(Debug)]
+pub(super) struct Trial {
+    judges: Vec<Judge>,
+    /// The run, or why there is none.
+    side: Result<Side, RunError>,
+    /// The same with half the step or a tenth of the tolerance, where a claim asks for it.
+    finer: Option<Result<Side, RunError>>,
+    /// Where the run ends.
+    end: f64,
+    /// The last moment that a claim waits for.
+    last: f64,
+    over: bool,
+}
+
+impl Trial {
+    /// Starts the run of a check.
+    pub fn begin(program: &Program, check: &Check) -> Self {
+        let model = &program.model;
+        let end = program.end();
+        let setup = Setup { parameters: supposed(program, &check.setup), ..Setup::of(program) };
+        let mut roots: Vec<NodeId> = Vec::new();
+        let mut judges = Vec::with_capacity(check.claims.len());
+        for claim in &check.claims {
+            let when = when(&claim.moment, end, |node| at_start(model, &setup.parameters, node));
+            judges.push(Judge::new(claim, when, &mut roots));
+        }
+        let last = judges.iter().map(|judge| judge.until(end)).filter(|time| time.is_finite()).fold(0.0, f64::max);
+        let finer = judges.iter().any(|judge| judge.halves).then(|| Side::start(model, setup.finer(), &roots));
+        let mut trial = Self { judges, side: Side::start(model, setup, &roots), finer, end, last, over: false };
+        trial.read();
+        trial
+    }
+
+    /// Goes on, taking what this costs off `work`. Whether all claims are decided.
+    pub fn advance(&mut self, work: &mut u64) -> bool {
+        while !self.over && *work > 0 {
+            let Ok(side) = &mut self.side else {
+                self.over = true;
+                break;
+            };
+            let time = side.time();
+            // The finer run follows the other one row by row.
+            if let Some(Ok(finer)) = &mut self.finer
+                && finer.time() + rounding(time) < time
+            {
+                match finer.advance(work) {
+                    Err(error) => self.finer = Some(Err(error)),
+                    Ok(false) => {}
+                    Ok(true) => while finer.next_row().is_some() {},
+                }
+                continue;
+            }
+            self.compare(time);
+            if time + rounding(self.last) >= self.last {
+                self.over = true;
+                break;
+            }
+            let Ok(side) = &mut self.side else { break };
+            match side.advance(work) {
+                Err(error) => self.side = Err(error),
+                Ok(false) => {}
+                Ok(true) => self.read(),
+            }
+        }
+        self.over
+    }
+
+    /// Judges what the run alone decides at its new rows.
+    fn read(&mut self) {
+        let Ok(side) = &mut self.side else { return };
+        while let Some((time, read)) = side.next_row() {
+            for judge in self.judges.iter_mut().filter(|judge| !judge.halves && judge.counts(time, self.end)) {
+                judge.take(time, read);
+            }
+        }
+        let time = side.time();
+        for judge in self.judges.iter_mut().filter(|judge| !judge.halves) {
+            if let Some(moment) = judge.is_due(time) {
+                judge.take(moment, side.at(moment));
+            }
+        }
+    }
+
+    /// Judges what both runs decide, which have come to the row of this time.
+    fn compare(&mut self, time: f64) {
+        let (Ok(side), Some(Ok(finer))) = (&mut self.side, &mut self.finer) else { return };
+        for judge in self.judges.iter_mut().filter(|judge| judge.halves) {
+            let moment = if judge.counts(time, self.end) { Some(time) } else { judge.is_due(time) };
+            if let Some(moment) = moment {
+                judge.take_both(moment, side.at(moment), finer.at(moment));
+            }
+        }
+    }
+
+    /// What came of the claims.
+    pub fn outcomes(&self) -> Vec<Outcome> {
+        let stopped = self.side.as_ref().err();
+        let outcome = |judge: &Judge| {
+            let finer = self.finer.as_ref().filter(|_| judge.halves).and_then(|finer| finer.as_ref().err());
+            judge.outcome(stopped.or(finer), !self.over)
+        };
+        self.judges.iter().map(outcome).collect()
+    }
+}

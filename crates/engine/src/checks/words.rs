@@ -1,0 +1,122 @@
+//! What came of a claim, for people.
+
+use super::outcome::{Measured, Outcome, Verdict};
+use program::{Claim, Model, Moment, Program, Test, Tolerance};
+use units::number::{Style, plain};
+use units::{Language, Unit, Words, words};
+
+/// How many digits values are written with; differences get [`FEW`].
+const DIGITS: usize = 7;
+const FEW: usize = 2;
+
+/// What came of a claim in one line: its worst value, when that was, what it should be and how far off it is.
+pub fn claim_outcome(program: &Program, claim: &Claim, outcome: &Outcome) -> Words {
+    match (&outcome.verdict, &outcome.worst) {
+        (Verdict::Stopped(error), _) => {
+            words!(
+                "the run stops: {stopped}",
+                "la simulación se detiene: {stopped}",
+                stopped = error.message(&program.model)
+            )
+        }
+        (Verdict::NotReached, _) => words("the run ends before", "la simulación termina antes"),
+        (Verdict::TooLong, _) => {
+            words("not decided: the run takes too much computing", "sin decidir: la simulación exige demasiado cálculo")
+        }
+        (Verdict::Held, None) => words("true", "se cumple"),
+        (Verdict::Failed, None) => words("not true", "no se cumple"),
+        (_, Some(worst)) => {
+            let at = moment(&program.model, worst.time);
+            match worst.measured {
+                None => words!("not true at {at}", "no se cumple en {at}", at = at),
+                Some(measured) => {
+                    let said = said(program, claim, &measured, &at);
+                    match claim.moment {
+                        Moment::Always => words!("at worst {said}", "en el peor caso {said}", said = said),
+                        _ => said,
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The value of the independent variable, `t = 3.2 s`.
+pub fn moment(model: &Model, time: f64) -> Words {
+    let (name, unit) = (&model.independent.name, &model.independent.unit);
+    Words::each(|language| format!("{name} = {}", quantity(time, unit, DIGITS, language)))
+}
+
+fn said(program: &Program, claim: &Claim, measured: &Measured, at: &Words) -> Words {
+    let (unit, relative) = match &claim.test {
+        Test::Near { value, tolerance, .. } | Test::HalvedStep { value, tolerance } => {
+            (&value.unit, matches!(tolerance, Tolerance::Relative(_)))
+        }
+        Test::Holds { compared, .. } => {
+            let Some(compared) = compared else { return Words::same("") };
+            (
+                if program.model.graph.as_constant(compared.left.node).is_some() {
+                    &compared.right.unit
+                } else {
+                    &compared.left.unit
+                },
+                false,
+            )
+        }
+    };
+    let number = |si: f64| Words::each(|language| quantity(si, unit, DIGITS, language));
+    let distance = |off: f64| Words::each(|language| difference(off, unit, relative, language));
+    let (value, expected) = (number(measured.value), number(measured.expected));
+    let off = distance(measured.off);
+    let allowed = measured.allowed.map(distance).unwrap_or_else(|| Words::same(""));
+    match &claim.test {
+        Test::Near { .. } => words!(
+            "{value} at {at}; expected {expected}, off by {off} ({allowed} allowed)",
+            "{value} en {at}; se espera {expected}, difiere en {off} (se admite {allowed})",
+            value = value,
+            at = at,
+            expected = expected,
+            off = off,
+            allowed = allowed
+        ),
+        Test::HalvedStep { .. } if program.method.unwrap_or_default().adaptive() => words!(
+            "{value} at {at}; with a tenth of the tolerance {expected}, a change of {off} (less than {allowed} claimed)",
+            "{value} en {at}; con un décimo de la tolerancia {expected}, un cambio de {off} (se afirma menos de {allowed})",
+            value = value,
+            at = at,
+            expected = expected,
+            off = off,
+            allowed = allowed
+        ),
+        Test::HalvedStep { .. } => words!(
+            "{value} at {at}; with half the step {expected}, a change of {off} (less than {allowed} claimed)",
+            "{value} en {at}; con la mitad del paso {expected}, un cambio de {off} (se afirma menos de {allowed})",
+            value = value,
+            at = at,
+            expected = expected,
+            off = off,
+            allowed = allowed
+        ),
+        Test::Holds { .. } => words!(
+            "{value} at {at}, compared with {expected}",
+            "{value} en {at}, comparado con {expected}",
+            value = value,
+            at = at,
+            expected = expected
+        ),
+    }
+}
+
+/// `612.5 J`
+fn quantity(si: f64, unit: &Unit, digits: usize, language: Language) -> String {
+    let number = plain(unit.from_si(si), digits, Style::of(language.tag()));
+    if unit.text.is_empty() { number } else { format!("{number} {unit}") }
+}
+
+/// A difference: in percent where it is a fraction.
+fn difference(off: f64, unit: &Unit, relative: bool, language: Language) -> String {
+    if relative {
+        return format!("{} %", plain(100.0 * off, FEW, Style::of(language.tag())));
+    }
+    quantity(off, unit, FEW, language)
+}

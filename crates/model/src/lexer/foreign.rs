@@ -7,7 +7,7 @@ use crate::{Diagnostic, Span};
 use units::words;
 
 /// The names of collections of functions.
-pub(super) const COLLECTIONS: [&str; 5] = ["Math", "math", "np", "numpy", "cmath"];
+const COLLECTIONS: [&str; 5] = ["Math", "math", "np", "numpy", "cmath"];
 
 /// Assignments that change what is on their left.
 const CHANGES: [&str; 4] = ["+=", "-=", "*=", "/="];
@@ -75,6 +75,11 @@ impl Lexer<'_> {
         );
         self.skip(|c| !matches!(c, '\n' | '#'));
         self.push(TokenKind::Unknown, start);
+    }
+
+    /// Whether a point after this name is that of another tool: `Math.sin`.
+    pub(super) fn is_foreign_collection(&self, name: &str) -> bool {
+        COLLECTIONS.contains(&name)
     }
 
     /// `Math.sin`, of which `sin` is left. Whether the point belongs to such a name.

@@ -161,7 +161,7 @@ impl<'a> Lexer<'a> {
         let (mut text, mut foreign) = self.letters();
         // `landing.x`, what an event remembers.
         let member = self.rest().strip_prefix('.').is_some_and(|rest| rest.starts_with(char::is_alphabetic));
-        if member && !foreign::COLLECTIONS.contains(&text.as_str()) {
+        if member && !self.is_foreign_collection(&text) {
             self.at += 1;
             let (member, more) = self.letters();
             text = format!("{text}.{member}");

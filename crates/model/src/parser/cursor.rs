@@ -89,6 +89,11 @@ impl<'a> Cursor<'a> {
         (*self.peek() == TokenKind::Keyword(keyword)).then(|| self.advance())
     }
 
+    /// Whether this name is next, without primes.
+    pub(super) fn at_word(&self, word: &str) -> bool {
+        matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == word)
+    }
+
     /// Reads line ends.
     pub(super) fn skip_lines(&mut self) {
         while *self.peek() == TokenKind::Newline {

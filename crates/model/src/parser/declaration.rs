@@ -188,10 +188,6 @@ impl Cursor<'_> {
         Some(if negative { -value } else { value })
     }
 
-    pub(super) fn at_word(&self, word: &str) -> bool {
-        matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == word)
-    }
-
     /// `independent x in [m]`
     pub(super) fn independent(&mut self) -> Salvaged {
         let start = self.advance();

@@ -208,3 +208,13 @@ fn every_document_that_ships_makes_claims_and_they_hold() {
     }
     assert_eq!(report, "");
 }
+
+#[test]
+fn an_event_that_ends_the_run_is_its_end() {
+    let source = "---\nuntil: 9 [s]\nstep: 0.01 [s]\n---\n```model\ny'' = -2 [m/s^2]\ny(0) = 4 [m]\ny'(0) = 0 [m/s]\nwhen y < 0 [m] { stop }\n```\n```check\n\"Landing\": t within 1e-6 of 2 [s] at end\n\"Above\": y > -0.001 [mm] always\n\"Step\": halving the step changes y' by less than 1e-6\n\"Later\": y < 0 [m] at 3 [s]\n```\n";
+    let opened = open(source, &[]);
+    assert_eq!(opened.diagnostics, Vec::new());
+    let outcomes: Vec<Outcome> = judge_all(&opened.document.unwrap().program).into_iter().flatten().collect();
+    assert!(outcomes[..3].iter().all(Outcome::held), "{outcomes:?}");
+    assert_eq!(outcomes[3].verdict, Verdict::NotReached);
+}

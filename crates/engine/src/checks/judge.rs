@@ -23,6 +23,8 @@ enum Measure {
 #[derive(Clone, Debug)]
 pub(super) struct Judge {
     pub when: When,
+    /// Whether that is where the run ends.
+    at_end: bool,
     /// Whether its number is compared with that of a run with a finer step.
     pub halves: bool,
     measure: Measure,
@@ -62,7 +64,27 @@ impl Judge {
         };
         let count = roots.len() - first;
         let distance = f64::NEG_INFINITY;
-        Self { when, halves, measure, first, count, worst: None, distance, scale: 0.0, failed: false, met: false }
+        let at_end = claim.moment == Moment::End;
+        Self {
+            when,
+            at_end,
+            halves,
+            measure,
+            first,
+            count,
+            worst: None,
+            distance,
+            scale: 0.0,
+            failed: false,
+            met: false,
+        }
+    }
+
+    /// The run has ended here, before it was expected to.
+    pub fn end_at(&mut self, time: f64) {
+        if self.at_end {
+            self.when = When::At(time);
+        }
     }
 
     /// When the last moment is that it waits for, in a run until `end`.

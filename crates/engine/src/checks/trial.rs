@@ -19,6 +19,8 @@ pub(super) struct Trial {
     end: f64,
     /// The last moment that a claim waits for.
     last: f64,
+    /// Whether an event has ended the finer run.
+    finer_ended: bool,
     over: bool,
 }
 
@@ -36,7 +38,8 @@ impl Trial {
         }
         let last = judges.iter().map(|judge| judge.until(end)).filter(|time| time.is_finite()).fold(0.0, f64::max);
         let finer = judges.iter().any(|judge| judge.halves).then(|| Side::start(model, setup.finer(), &roots));
-        let mut trial = Self { judges, side: Side::start(model, setup, &roots), finer, end, last, over: false };
+        let mut trial =
+            Self { judges, side: Side::start(model, setup, &roots), finer, end, last, finer_ended: false, over: false };
         trial.read();
         trial
     }
@@ -51,9 +54,11 @@ impl Trial {
             let time = side.time();
             // The finer run follows the other one row by row.
             if let Some(Ok(finer)) = &mut self.finer
+                && !self.finer_ended
                 && finer.time() + rounding(time) < time
             {
                 match finer.advance(work) {
+                    Err(error) if error.is_end() => self.finer_ended = true,
                     Err(error) => self.finer = Some(Err(error)),
                     Ok(false) => {}
                     Ok(true) => while finer.next_row().is_some() {},
@@ -67,7 +72,16 @@ impl Trial {
             }
             let Ok(side) = &mut self.side else { break };
             match side.advance(work) {
-                Err(error) => self.side = Err(error),
+                Err(error) if error.is_end() => {
+                    self.end = side.time();
+                    self.last = self.end;
+                    self.judges.iter_mut().for_each(|judge| judge.end_at(self.end));
+                    self.read();
+                }
+                Err(error) => {
+                    self.read();
+                    self.side = Err(error);
+                }
                 Ok(false) => {}
                 Ok(true) => self.read(),
             }

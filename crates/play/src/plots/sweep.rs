@@ -1,7 +1,7 @@
 //! Curves over the values of a parameter: definitions at once, what is taken of runs by and by.
 
 use crate::time::course::Course;
-use engine::{Advance, Readings, Run, Setup};
+use engine::{Advance, Readings, Run, RunError, Setup};
 use program::{Model, NodeId, Plot, Sweep, Taken};
 use units::Unit;
 
@@ -193,6 +193,9 @@ impl Swept {
                 self.take(&mut going, row);
             }
             going.run.forget();
+            if advance.as_ref().is_err_and(RunError::is_end) {
+                break;
+            }
             if matches!(advance, Err(_) | Ok(Advance::Full)) {
                 // What has no end has no value.
                 going.folds.iter_mut().for_each(|fold| fold.value = None);

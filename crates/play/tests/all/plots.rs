@@ -170,3 +170,20 @@ fn a_section_has_a_point_at_each_multiple_of_the_period() {
     play.back_to_start();
     assert!(cells(&mut play, 0).is_empty());
 }
+
+#[test]
+fn a_run_that_an_event_ends_has_a_value_there() {
+    let source = "---\nstep: 0.05 [s]\nuntil: 20 [s]\n---\n\
+        ```model\nparameter alpha = 30 [deg] in 5..85\nparameter v = 20 [m/s]\nparameter g = 10 [m/s^2]\n\
+        x'' = 0\ny'' = -g\nx(0) = 0\ny(0) = 0\nx'(0) = v*cos(alpha)\ny'(0) = v*sin(alpha)\n\
+        when y < 0 [m] { stop }\n```\n\
+        ```plots\n\"Range\": x at end against alpha in 10..80 [deg] step 10\n```\n";
+    let mut play = open(source, &[]);
+    while play.work_on_plots() {}
+    let rows = cells(&mut play, 0);
+    assert_eq!(rows.len(), 8);
+    for row in rows {
+        let range = 40.0 * (2.0 * row[0]).to_radians().sin();
+        assert!((row[1] - range).abs() < 1e-6, "{row:?}: {range}");
+    }
+}

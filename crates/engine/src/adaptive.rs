@@ -143,10 +143,9 @@ impl Adaptive {
     /// About how many operations the linear systems of the stiff method took, after so many evaluations of the equations:
     /// a factorisation for each step and a solution for each stage.
     pub fn work_of_systems(&self, evaluations: u64) -> u64 {
-        let states = self.attempt.len() as u64;
-        match self.pair {
+        match &self.pair {
             Pair::DormandPrince(_) => 0,
-            Pair::Rosenbrock(_) => evaluations * states * states * (2 + states / 18),
+            Pair::Rosenbrock(pair) => evaluations * pair.work_of_stage(),
         }
     }
 

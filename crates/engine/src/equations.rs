@@ -8,6 +8,8 @@ use program::{Model, NodeId};
 pub(crate) struct Equations {
     rates: Routine,
     slopes: Option<Routine>,
+    /// The places of the derivatives by states: number of the rate, number of the state.
+    pattern: Vec<(usize, usize)>,
     /// The order in which the routine takes the states, where it is another one than the model's.
     order: Option<Order>,
     /// The parameters, and behind them the values at which switches are held.
@@ -30,14 +32,17 @@ impl Equations {
             }
             None => Routine::compile(model, &nodes),
         };
-        Self { rates, order, slopes: None, inputs: Vec::new(), evaluations: 0, jacobians: 0 }
+        Self { rates, order, slopes: None, pattern: Vec::new(), inputs: Vec::new(), evaluations: 0, jacobians: 0 }
     }
 
     /// f with its exact derivatives by the states and by the independent variable; `None` if they are too many.
     pub fn with_slopes(model: &Model) -> Option<Self> {
-        let (graph, roots) = model.slopes()?;
-        let slopes = Routine::from_graph(&graph, model.states.len(), &roots);
-        Some(Self { slopes: Some(slopes), ..Self::new(model) })
+        let found = model.slopes()?;
+        let roots: Vec<NodeId> =
+            found.by_states.iter().map(|slope| slope.node).chain(found.by_independent.iter().copied()).collect();
+        let slopes = Routine::from_graph(&found.graph, model.states.len(), &roots);
+        let pattern = found.by_states.iter().map(|slope| (slope.rate as usize, slope.state as usize)).collect();
+        Some(Self { slopes: Some(slopes), pattern, ..Self::new(model) })
     }
 
     /// Sets parameters, the values at which switches are held ([`program::Held`]), and initial values.
@@ -76,7 +81,13 @@ impl Equations {
         self.order.as_ref().map(|order| order.states.as_slice())
     }
 
-    /// The derivatives of f: first by each state, one column after the other, then by the independent variable.
+    /// Which derivatives by states are not 0 everywhere: the numbers of rate and state of each.
+    pub fn pattern(&self) -> &[(usize, usize)] {
+        &self.pattern
+    }
+
+    /// The derivatives of f: first by the states, in the order of [`Equations::pattern`], then of all by the independent
+    /// variable.
     pub fn slopes(&mut self, time: f64, state: &[f64], out: &mut [f64]) {
         self.jacobians += 1;
         match &mut self.slopes {

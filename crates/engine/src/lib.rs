@@ -1,6 +1,8 @@
 //! Runs a model: virtual machine, methods, events, history; and judges what its author claims about runs.
 
 mod adaptive;
+mod banded;
+mod bandwidth;
 mod checkpoints;
 pub mod checks;
 mod code;
@@ -17,6 +19,7 @@ mod events;
 mod fixed;
 mod history;
 mod instruction;
+mod jacobian;
 mod jumps;
 mod linear;
 mod looks;

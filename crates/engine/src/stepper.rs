@@ -101,10 +101,14 @@ impl Stepper {
             Method::DormandPrince => {
                 (adaptive(Pair::DormandPrince(DormandPrince::new(states))), Equations::new(moving))
             }
-            Method::Rosenbrock => (
-                adaptive(Pair::Rosenbrock(Rosenbrock::new(states))),
-                Equations::with_slopes(moving).ok_or(RunError::at_start(Cause::ModelTooLarge))?,
-            ),
+            Method::Rosenbrock => {
+                let equations = Equations::with_slopes(moving).ok_or(RunError::at_start(Cause::ModelTooLarge))?;
+                let pattern = equations.pattern();
+                if !Rosenbrock::can_solve(states, pattern) {
+                    return Err(RunError::at_start(Cause::ModelTooLarge));
+                }
+                (adaptive(Pair::Rosenbrock(Rosenbrock::new(states, pattern))), equations)
+            }
         };
         let mut stepper = Self {
             equations,

@@ -4,11 +4,11 @@
 /// Bytes of a model's text.
 pub(crate) const SOURCE: usize = 200_000;
 /// Statements of a model.
-pub(crate) const STATEMENTS: usize = 2000;
+pub(crate) const STATEMENTS: usize = 20_000;
 /// Primes of one name.
 pub(crate) const ORDER: u32 = 16;
 /// States of a model.
-pub(crate) const STATES: usize = 256;
+pub(crate) const STATES: usize = 4096;
 /// Unknowns of equations that must be solved together.
 pub(crate) const COUPLED: usize = 32;
 /// Dry frictions of a model.
@@ -21,7 +21,7 @@ pub(crate) const NESTING: usize = 64;
 /// Levels of an expression, those of long sums and products counted.
 pub(crate) const HEIGHT: usize = 400;
 /// Nodes of the expression graph.
-pub(crate) const NODES: usize = 50_000;
+pub(crate) const NODES: usize = 200_000;
 
 /// Coefficients of highest derivatives in all expressions that contain such.
 pub(crate) const COEFFICIENTS: usize = 1_000_000;

@@ -5,9 +5,12 @@
 /// The answer has, for each unknown, its equation. (Kuhn's augmenting paths, without recursion.)
 pub(crate) fn match_equations(contains: &[Vec<usize>], unknowns: usize) -> Vec<Option<usize>> {
     let mut equation_of: Vec<Option<usize>> = vec![None; unknowns];
+    let mut unknown_of: Vec<Option<usize>> = vec![None; contains.len()];
+    let mut from: Vec<Option<usize>> = vec![None; unknowns];
+    let mut reached: Vec<usize> = Vec::new();
     for start in 0..contains.len() {
         // Breadth first: `from[unknown]` is the equation from which the unknown was reached.
-        let mut from: Vec<Option<usize>> = vec![None; unknowns];
+        reached.drain(..).for_each(|unknown| from[unknown] = None);
         let mut waiting = vec![start];
         let mut next = 0;
         let mut free = None;
@@ -18,6 +21,7 @@ pub(crate) fn match_equations(contains: &[Vec<usize>], unknowns: usize) -> Vec<O
                     continue;
                 }
                 from[unknown] = Some(equation);
+                reached.push(unknown);
                 match equation_of[unknown] {
                     Some(other) => waiting.push(other),
                     None => {
@@ -30,7 +34,7 @@ pub(crate) fn match_equations(contains: &[Vec<usize>], unknowns: usize) -> Vec<O
         // Exchange the pairs along the path.
         while let Some(unknown) = free {
             let Some(equation) = from[unknown] else { break };
-            free = equation_of.iter().position(|&paired| paired == Some(equation));
+            free = unknown_of[equation].replace(unknown);
             equation_of[unknown] = Some(equation);
             if equation == start {
                 break;

@@ -6,6 +6,7 @@ mod closed_forms;
 mod events;
 mod friction;
 mod going_on;
+mod large;
 mod orders;
 mod remembered;
 mod runs;

@@ -238,18 +238,19 @@ fn close_initial_values(model: &mut Model, places: &[Span]) -> Result<(), Vec<Di
         .iter()
         .map(|dependence| dependence.initial.iter().map(|&number| number as usize).collect())
         .collect();
+    let mut values: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
     for block in blocks(&needs) {
         let is_circle = block.len() > 1 || block.iter().any(|&number| needs[number].contains(&number));
         if is_circle {
             diagnostics.push(initial_circle(model, &block, places));
         }
         for number in block.into_iter().filter(|_| !is_circle) {
-            let values: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
             let closed = model.graph.substitute(&[values[number]], |_, input| match input {
                 Node::Initial(other) => values.get(other as usize).copied(),
                 _ => None,
             });
-            model.states[number].initial = closed.first().copied().unwrap_or(values[number]);
+            values[number] = closed.first().copied().unwrap_or(values[number]);
+            model.states[number].initial = values[number];
         }
     }
     for state in 0..model.states.len() {

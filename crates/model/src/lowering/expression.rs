@@ -53,6 +53,8 @@ pub(crate) struct Lowered {
     pub definitions: Vec<Option<NodeId>>,
     /// Derivatives that were already asked for.
     derivatives: HashMap<(Meaning, u32), NodeId>,
+    /// How each state changes, once it was asked for.
+    rates: HashMap<u32, NodeId>,
     /// Values at the start that were already asked for.
     starts: HashMap<NodeId, NodeId>,
     /// Where dry friction stands.
@@ -200,7 +202,7 @@ impl Lowering<'_> {
             node = match self.known.derivatives.get(&(meaning, order)) {
                 Some(&known) => known,
                 None => {
-                    let derivative = total_derivative(self.graph, self.chains, node);
+                    let derivative = total_derivative(self.graph, self.chains, &mut self.known.rates, node);
                     self.known.derivatives.insert((meaning, order), derivative);
                     derivative
                 }
@@ -213,11 +215,11 @@ impl Lowering<'_> {
     }
 }
 
-/// The rate of change along a solution of the equations.
-fn total_derivative(graph: &mut Graph, chains: &[Chain], node: NodeId) -> NodeId {
+/// The rate of change along a solution of the equations. `rates` are those of the states, once they were asked for.
+fn total_derivative(graph: &mut Graph, chains: &[Chain], rates: &mut HashMap<u32, NodeId>, node: NodeId) -> NodeId {
     let (one, unknown) = (graph.constant(1.0), graph.constant(f64::NAN));
-    let mut rates: HashMap<u32, NodeId> = HashMap::new();
-    for chain in chains {
+    let unset = if rates.is_empty() { chains } else { &[] };
+    for chain in unset {
         for order in 0..chain.highest {
             if let Some(rate) = chain.node(graph, order + 1) {
                 rates.insert(chain.first_state as u32 + order, rate);

@@ -14,7 +14,7 @@ pub(crate) fn is_singular(graph: &Graph, matrix: &[NodeId], size: usize) -> bool
     let order = graph.reachable(matrix);
     (0..POINTS).all(|point| {
         let values = evaluate(graph, &order, point);
-        let entries: Vec<f64> = matrix.iter().map(|entry| values[entry.0 as usize]).collect();
+        let entries: Vec<f64> = matrix.iter().map(|&entry| value(&order, &values, entry)).collect();
         entries.iter().all(|entry| entry.is_finite()) && has_no_pivot(entries, size)
     })
 }
@@ -29,12 +29,18 @@ fn arbitrary(input: u32, point: u32) -> f64 {
     0.5 + (bits >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// Values of the nodes at an arbitrary point, which is the same every time.
+/// The value of one of the nodes in `order`, which is sorted.
+fn value(order: &[NodeId], values: &[f64], node: NodeId) -> f64 {
+    let place = order.binary_search(&node).ok();
+    place.and_then(|place| values.get(place)).copied().unwrap_or(f64::NAN)
+}
+
+/// Values of the nodes in `order` at an arbitrary point, which is the same every time.
 fn evaluate(graph: &Graph, order: &[NodeId], point: u32) -> Vec<f64> {
-    let mut values = vec![f64::NAN; graph.len()];
+    let mut values = Vec::with_capacity(order.len());
     for &id in order {
-        let of = |id: NodeId| values[id.0 as usize];
-        values[id.0 as usize] = match graph.node(id) {
+        let of = |id: NodeId| value(order, &values, id);
+        let value = match graph.node(id) {
             Node::Constant(bits) => f64::from_bits(bits),
             Node::Parameter(_)
             | Node::Initial(_)
@@ -52,6 +58,7 @@ fn evaluate(graph: &Graph, order: &[NodeId], point: u32) -> Vec<f64> {
                 }
             }
         };
+        values.push(value);
     }
     values
 }

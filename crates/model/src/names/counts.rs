@@ -8,7 +8,7 @@ use super::unknown::{Orders, Unknown};
 use super::{Scope, list};
 use crate::matching::match_equations;
 use crate::notation::primed;
-use crate::{Diagnostic, ExpressionKind, limits};
+use crate::{Diagnostic, ExpressionKind, Span, limits};
 use program::functions::Function;
 use units::words;
 
@@ -22,14 +22,21 @@ pub(super) fn check_counts(
     let contains: Vec<Vec<usize>> = in_equations
         .iter()
         .map(|orders| {
-            let is_highest =
-                |unknown: &Unknown| orders.get(unknown.name).is_some_and(|&(order, _)| order == unknown.highest);
-            (0..unknowns.len()).filter(|&index| is_highest(&unknowns[index])).collect()
+            let highest = |(name, &(order, _)): (&&str, &(u32, Span))| match declarations.scope.meaning(name) {
+                Some(Meaning::Variable(index)) if unknowns[index].highest == order => Some(index),
+                _ => None,
+            };
+            let mut found: Vec<usize> = orders.iter().filter_map(highest).collect();
+            found.sort_unstable();
+            found
         })
         .collect();
     let equation_of = match_equations(&contains, unknowns.len());
+    let mut pairs = vec![false; declarations.equations.len()];
+    equation_of.iter().flatten().for_each(|&equation| pairs[equation] = true);
     let highest: Vec<String> =
         unknowns.iter().map(|unknown| format!("`{}`", primed(unknown.name, unknown.highest))).collect();
+    let mut told = 0;
     for (index, equation) in declarations.equations.iter().enumerate() {
         let meant = match &equation.left.kind {
             ExpressionKind::Call { function, arguments } => {
@@ -38,8 +45,12 @@ pub(super) fn check_counts(
             _ => None,
         };
         // What was meant by a function that does not exist is said of that.
-        if equation_of.contains(&Some(index)) || meant.is_some() {
+        if pairs[index] || meant.is_some() {
             continue;
+        }
+        told += 1;
+        if told > limits::TOLD {
+            break;
         }
         diagnostics.push(if contains[index].is_empty() {
             nothing_to_solve_for(declarations, equation, &in_equations[index], unknowns)
@@ -68,10 +79,9 @@ pub(super) fn check_counts(
     // If an equation is left over and the number is right, that equation was meant for the unknown and has been reported.
     let paired = equation_of.iter().flatten().count();
     let too_few = unknowns.len() > declarations.equations.len() || paired == declarations.equations.len();
-    for (index, unknown) in unknowns.iter().enumerate() {
-        if equation_of[index].is_none() && too_few {
-            diagnostics.push(no_equation_for(declarations, unknown, &highest, unknowns));
-        }
+    let unpaired = unknowns.iter().zip(&equation_of).filter(|(_, equation)| equation.is_none() && too_few);
+    for (unknown, _) in unpaired.take(limits::TOLD) {
+        diagnostics.push(no_equation_for(declarations, unknown, &highest, unknowns));
     }
     equation_of.iter().map(Option::is_some).collect()
 }

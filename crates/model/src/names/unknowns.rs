@@ -10,6 +10,7 @@ use super::unknown::{Orders, Unknown};
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, limits};
 use program::functions::Function;
+use std::collections::HashMap;
 use units::{Words, words};
 
 /// Finds the unknowns, declares them, and tells where there are more of them than equations or fewer, and which initial
@@ -31,8 +32,10 @@ pub(crate) fn find_unknowns<'a>(
         })
         .collect();
     let mut unknowns: Vec<Unknown> = Vec::new();
+    let mut places: HashMap<&str, usize> = HashMap::new();
     for (&name, &(highest, span)) in in_equations.iter().flatten() {
-        match unknowns.iter_mut().find(|unknown| unknown.name == name) {
+        let place = *places.entry(name).or_insert(unknowns.len());
+        match unknowns.get_mut(place) {
             Some(unknown) if unknown.highest < highest => (unknown.highest, unknown.span) = (highest, span),
             Some(_) => {}
             None => unknowns.push(Unknown { name, highest, first_state: 0, span, initial: Vec::new() }),
@@ -206,8 +209,12 @@ fn is_set_by_event(declarations: &Declarations, name: &str) -> bool {
 
 /// Sorts the unknowns' states as the author gives their initial values, else as the equations mention them.
 fn order_states(declarations: &Declarations, unknowns: &mut [Unknown]) {
+    let mut first: HashMap<&str, usize> = HashMap::new();
+    for (number, entry) in declarations.initial_values.iter().enumerate() {
+        first.entry(&entry.name.text).or_insert(number);
+    }
     let place = |unknown: &Unknown| {
-        let given = declarations.initial_values.iter().position(|entry| entry.name.text == unknown.name);
+        let given = first.get(unknown.name).copied();
         (given.unwrap_or(usize::MAX), unknown.span.start)
     };
     let mut by_place: Vec<usize> = (0..unknowns.len()).collect();

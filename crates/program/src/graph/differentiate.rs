@@ -27,21 +27,51 @@ pub fn differentiate(graph: &mut Graph, node: NodeId, variable: Variable) -> Nod
 
 /// The partial derivatives of several nodes, in one pass.
 pub fn differentiate_all(graph: &mut Graph, nodes: &[NodeId], variable: Variable) -> Vec<NodeId> {
+    let wanted = input(variable);
     let one = graph.constant(1.0);
-    let wanted = match variable {
+    along(graph, nodes, |node| (node == wanted).then_some(one))
+}
+
+/// The partial derivatives of nodes, by node; those that are 0 everywhere are left out. `nodes` are operands first, and hold
+/// everything that is computed from the variable.
+pub(crate) fn differentiate_through(
+    graph: &mut Graph,
+    nodes: &[NodeId],
+    variable: Variable,
+) -> HashMap<NodeId, NodeId> {
+    let wanted = input(variable);
+    let one = graph.constant(1.0);
+    let derivatives = rates_through(graph, nodes, |node| (node == wanted).then_some(one));
+    graph.constant(0.0);
+    derivatives
+}
+
+fn input(variable: Variable) -> Node {
+    match variable {
         Variable::State(index) => Node::State(index),
         Variable::Parameter(index) => Node::Parameter(index),
         Variable::Initial(index) => Node::Initial(index),
         Variable::Independent => Node::Independent,
-    };
-    along(graph, nodes, |node| (node == wanted).then_some(one))
+    }
 }
 
 /// The change of `nodes` per unit of a change in which each input changes as `rate` says; `None` is no change.
-pub fn along(graph: &mut Graph, nodes: &[NodeId], mut rate: impl FnMut(Node) -> Option<NodeId>) -> Vec<NodeId> {
+pub fn along(graph: &mut Graph, nodes: &[NodeId], rate: impl FnMut(Node) -> Option<NodeId>) -> Vec<NodeId> {
+    let reachable = graph.reachable(nodes);
+    let rates = rates_through(graph, &reachable, rate);
+    let zero = graph.constant(0.0);
+    nodes.iter().map(|node| rates.get(node).copied().unwrap_or(zero)).collect()
+}
+
+/// The changes of `nodes`, operands first, by node; those that are 0 everywhere are left out.
+fn rates_through(
+    graph: &mut Graph,
+    nodes: &[NodeId],
+    mut rate: impl FnMut(Node) -> Option<NodeId>,
+) -> HashMap<NodeId, NodeId> {
     let mut rates: HashMap<NodeId, NodeId> = HashMap::new();
     let mut systems: HashMap<u32, Option<u32>> = HashMap::new();
-    for id in graph.reachable(nodes) {
+    for &id in nodes {
         let derivative = match graph.node(id) {
             Node::Constant(_) => None,
             input @ (Node::Parameter(_)
@@ -81,8 +111,7 @@ pub fn along(graph: &mut Graph, nodes: &[NodeId], mut rate: impl FnMut(Node) -> 
             rates.insert(id, derivative);
         }
     }
-    let zero = graph.constant(0.0);
-    nodes.iter().map(|node| rates.get(node).copied().unwrap_or(zero)).collect()
+    rates
 }
 
 /// The derivative of `value = function(x)`, where `x` changes at the rate `dx`.

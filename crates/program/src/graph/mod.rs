@@ -9,6 +9,7 @@ mod same;
 mod walk;
 mod written;
 
+pub(crate) use differentiate::differentiate_through;
 pub use differentiate::{Variable, along, differentiate, differentiate_all};
 
 use serde::{Deserialize, Serialize};

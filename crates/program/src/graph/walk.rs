@@ -4,6 +4,9 @@
 use crate::{Graph, LinearSystem, Node, NodeId};
 use std::collections::{HashMap, HashSet};
 
+/// A set of less than this part of the nodes is found without going through all of them.
+const SMALL_PART: usize = 32;
+
 impl Graph {
     /// Calls `visit` with each operand of `id`; for a [`Node::Solution`] these are the entries of its system.
     pub fn for_each_operand(&self, id: NodeId, mut visit: impl FnMut(NodeId)) {
@@ -31,6 +34,10 @@ impl Graph {
         let Some(last) = roots.iter().max() else {
             return Vec::new();
         };
+        // One of many equations reaches a small part of a large graph.
+        if let Some(few) = self.reachable_few(roots, last.0 as usize / SMALL_PART) {
+            return few;
+        }
         let mut needed = vec![false; last.0 as usize + 1];
         for root in roots {
             needed[root.0 as usize] = true;
@@ -49,6 +56,28 @@ impl Graph {
             self.for_each_operand(id, |operand| needed[operand.0 as usize] = true);
         }
         (0..needed.len()).filter(|&number| needed[number]).map(|number| NodeId(number as u32)).collect()
+    }
+
+    /// [`Graph::reachable`] if these are no more than `most`.
+    fn reachable_few(&self, roots: &[NodeId], most: usize) -> Option<Vec<NodeId>> {
+        if roots.len() > most {
+            return None;
+        }
+        let mut found: HashSet<NodeId> = HashSet::new();
+        let mut systems = HashSet::new();
+        let mut waiting = roots.to_vec();
+        while let Some(id) = waiting.pop() {
+            if !found.insert(id) || matches!(self.node(id), Node::Solution { system, .. } if !systems.insert(system)) {
+                continue;
+            }
+            self.for_each_operand(id, |operand| waiting.push(operand));
+            if found.len() + waiting.len() > most {
+                return None;
+            }
+        }
+        let mut sorted: Vec<NodeId> = found.into_iter().collect();
+        sorted.sort_unstable();
+        Some(sorted)
     }
 
     /// Rebuilds `roots` inside `target`, with `replace` giving the new node for those inputs that change. The inputs

@@ -10,6 +10,7 @@ mod whole;
 
 pub use compared::Compared;
 pub use lookup::Dependence;
+pub use slopes::{Slope, Slopes};
 pub use switches::{Held, Switch, Timed};
 
 use crate::{Graph, NodeId};

@@ -1,22 +1,97 @@
 //! The derivatives that stiff methods need.
 
 use super::MOST_NODES;
-use crate::{Graph, Model, NodeId, Variable, differentiate_all};
+use crate::graph::differentiate_through;
+use crate::{Graph, Model, Node, NodeId, Variable, differentiate_all};
+use std::collections::HashMap;
+
+/// The derivatives of all rates of change, in a graph that extends the model's.
+#[derive(Clone, Debug)]
+pub struct Slopes {
+    /// The graph.
+    pub graph: Graph,
+    /// The derivatives by states, except those that are 0 everywhere, state by state.
+    pub by_states: Vec<Slope>,
+    /// The derivative of each rate of change by the independent variable.
+    pub by_independent: Vec<NodeId>,
+}
+
+/// The derivative of one rate of change by one state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slope {
+    /// The number of the state whose rate of change it is.
+    pub rate: u32,
+    /// The number of the state by which it is differentiated.
+    pub state: u32,
+    /// Its node.
+    pub node: NodeId,
+}
 
 impl Model {
-    /// The derivatives of all rates of change, for stiff methods: in a graph that extends the model's, first by each
-    /// state, one column after the other, then by the independent variable. `None` if there would be too many nodes.
-    pub fn slopes(&self) -> Option<(Graph, Vec<NodeId>)> {
+    /// The derivatives of all rates of change, for stiff methods. `None` if there would be too many nodes.
+    pub fn slopes(&self) -> Option<Slopes> {
         let mut graph = self.graph.clone();
         let rates: Vec<NodeId> = self.states.iter().map(|state| state.derivative).collect();
-        let mut slopes = Vec::with_capacity(rates.len() * (rates.len() + 1));
-        let states = (0..rates.len()).map(|number| Variable::State(number as u32));
-        for variable in states.chain([Variable::Independent]) {
-            slopes.extend(differentiate_all(&mut graph, &rates, variable));
+        let readers = Readers::of(&graph, &rates);
+        let mut numbers: HashMap<NodeId, Vec<u32>> = HashMap::new();
+        for (number, rate) in (0..).zip(&rates) {
+            numbers.entry(*rate).or_default().push(number);
+        }
+        let mut by_states = Vec::new();
+        for state in 0..rates.len() as u32 {
+            // Only what is computed from the state has a derivative by it.
+            let affected = self.graph.find(Node::State(state)).map(|node| readers.above(node)).unwrap_or_default();
+            let derivatives = differentiate_through(&mut graph, &affected, Variable::State(state));
+            let begin = by_states.len();
+            for (node, &derivative) in affected.iter().filter_map(|node| Some((node, derivatives.get(node)?))) {
+                let own = numbers.get(node).into_iter().flatten();
+                by_states.extend(own.map(|&rate| Slope { rate, state, node: derivative }));
+            }
+            by_states[begin..].sort_unstable_by_key(|slope| slope.rate);
             if graph.len() > MOST_NODES {
                 return None;
             }
         }
-        Some((graph, slopes))
+        let by_independent = differentiate_all(&mut graph, &rates, Variable::Independent);
+        (graph.len() <= MOST_NODES).then_some(Slopes { graph, by_states, by_independent })
+    }
+}
+
+/// By node, those that are computed directly from it, among what some roots are computed from.
+struct Readers(HashMap<NodeId, Vec<NodeId>>);
+
+impl Readers {
+    fn of(graph: &Graph, roots: &[NodeId]) -> Self {
+        let mut readers: HashMap<NodeId, Vec<NodeId>> = HashMap::new();
+        for &root in roots {
+            readers.entry(root).or_default();
+        }
+        for node in graph.reachable(roots) {
+            graph.for_each_operand(node, |operand| {
+                let readers = readers.entry(operand).or_default();
+                // A square reads its operand twice.
+                if readers.last() != Some(&node) {
+                    readers.push(node);
+                }
+            });
+        }
+        Self(readers)
+    }
+
+    /// A node and all that is computed from it, operands first.
+    fn above(&self, node: NodeId) -> Vec<NodeId> {
+        let mut found = Vec::new();
+        let mut seen = std::collections::HashSet::new();
+        let mut waiting = vec![node];
+        while let Some(next) = waiting.pop() {
+            if let Some(readers) = self.0.get(&next)
+                && seen.insert(next)
+            {
+                found.push(next);
+                waiting.extend(readers);
+            }
+        }
+        found.sort_unstable();
+        found
     }
 }

@@ -8,7 +8,7 @@ use crate::terminal::Terminal;
 use document::Document;
 use engine::{Method, Readings, Setup};
 use model::Compiler;
-use program::{Compiled, Kind, Model, Parameter, Program};
+use program::{Choices, Compiled, Kind, Model, Parameter, Program};
 use std::str::FromStr;
 use units::Unit;
 use units::nearest;
@@ -66,10 +66,27 @@ impl Reader<'_> {
         let Some(index) = self.model.parameters.iter().position(|parameter| parameter.name == assignment.name) else {
             return Err(self.no_parameter(&assignment.name));
         };
+        if self.model.parameters[index].choices != Choices::Numbers {
+            return Ok((index, self.chosen(option, index, &assignment.value)?));
+        }
         let unit = self.model.parameters[index].unit.clone();
         let value = self.value(&format!("{option} {}", assignment.name), &assignment.value, &unit, parameters)?;
         within_range(&self.model.parameters[index], value)?;
         Ok((index, value))
+    }
+
+    /// The value of a switch or a choice, with or without quotation marks.
+    fn chosen(&self, option: &str, index: usize, text: &str) -> Result<f64, Failure> {
+        let parameter = &self.model.parameters[index];
+        let word = text.trim().trim_matches('"');
+        parameter.chosen(word, &self.model.texts).ok_or_else(|| {
+            let known = parameter.words(&self.model.texts);
+            let hint = match nearest(word, known.iter().copied()) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("there are {}", listed(known.into_iter())),
+            };
+            Failure::with_hint(format!("{option} {}: there is no `{word}` to choose", parameter.name), hint)
+        })
     }
 
     /// What is said of a name that is no parameter.

@@ -1,7 +1,7 @@
 //! Expressions outside the model: read, completed with the scene's own names, and compiled against the model.
 
 use model::{Compiler, Diagnostic, Expression, ExpressionKind, Functions, Places, Span, StatedUnit, StatementKind};
-use program::{Assignment, Compiled, Kind, Model, Node};
+use program::{Assignment, Choices, Compiled, Kind, Model, Node};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use units::{QuantityName, Words, words};
@@ -98,6 +98,12 @@ impl<'a> Expressions<'a> {
                 );
                 continue;
             }
+            if self.model().parameters[parameter].choices != Choices::Numbers {
+                if let Some(value) = self.chosen(parameter, &assignment.value) {
+                    result.push(Assignment { parameter, value });
+                }
+                continue;
+            }
             let Some(value) = self.place(assignment.value, assignment.unit.as_ref()) else {
                 continue;
             };
@@ -114,6 +120,33 @@ impl<'a> Expressions<'a> {
             }
         }
         result
+    }
+
+    /// The value of a switch, `on` or `off`, or of a choice, one of its texts.
+    fn chosen(&mut self, parameter: usize, value: &Expression) -> Option<Compiled> {
+        let model = self.model();
+        let own = &model.parameters[parameter];
+        let word = match (&value.kind, &own.choices) {
+            (ExpressionKind::Error, _) => return None,
+            (ExpressionKind::Name { name, order: 0 }, Choices::Switch) => Some(name.as_str()),
+            (ExpressionKind::Text(text), Choices::Texts(_)) => Some(text.as_str()),
+            _ => None,
+        };
+        if let Some(number) = word.and_then(|word| own.chosen(word, &model.texts)) {
+            let kind = own.kind();
+            return Some(self.compiler.constant(number, kind));
+        }
+        let quoted =
+            |word: &&str| if own.choices == Choices::Switch { format!("`{word}`") } else { format!("\"{word}\"") };
+        let known: Vec<String> = own.words(&model.texts).iter().map(quoted).collect();
+        let message = words!("`{}` cannot have this value", "`{}` no puede tener este valor", own.name);
+        let hint = words!("it can be: {}", "puede ser: {}", known.join(", "));
+        let declared = self.places.parameters.get(parameter).copied().unwrap_or_default();
+        let diagnostic = Diagnostic::error("not-a-choice", message, value.span)
+            .with_label(declared, words("it is declared here", "se declara aquí"))
+            .with_hint(hint);
+        self.diagnostics.push(diagnostic);
+        None
     }
 
     /// Whether a parameter can have a value: of its dimension and, as far as that is known before the run, in its range.

@@ -52,6 +52,15 @@ pub fn read(expressions: &mut Expressions, value: &Value) -> Vec<usize> {
         let Some(parameter) = expressions.parameter(&Name { text: name, span }) else {
             continue;
         };
+        if expressions.model().parameters[parameter].choices != program::Choices::Numbers {
+            let message = words!(
+                "`{}` cannot be varied: it is no number",
+                "`{}` no se puede variar: no es un número",
+                expressions.model().parameters[parameter].name
+            );
+            expressions.error("vary", message, span);
+            continue;
+        }
         if varied.contains(&parameter) {
             let message = words!(
                 "`{}` is named twice",

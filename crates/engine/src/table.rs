@@ -153,7 +153,12 @@ fn state(model: &Model, index: usize) -> (Column, Origin) {
 fn parameter(model: &Model, index: usize) -> (Column, Origin) {
     let parameter = &model.parameters[index];
     let column = Column { name: parameter.name.clone(), label: parameter.label.clone(), unit: parameter.unit.clone() };
-    (column, Origin::Known(Source::Parameter(index)))
+    let node = model.graph.find(program::Node::Parameter(index as u32));
+    let origin = match (parameter.kind(), node) {
+        (Kind::Number, _) | (_, None) => Origin::Known(Source::Parameter(index)),
+        (kind, Some(node)) => Origin::Node(node, kind),
+    };
+    (column, origin)
 }
 
 fn quantity(model: &Model, index: usize) -> (Column, Origin) {

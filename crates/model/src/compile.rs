@@ -1,5 +1,6 @@
 //! From text to a checked model: syntax, names, dimensions, and then the graph.
 
+use crate::choices;
 use crate::dimensions::check_dimensions;
 use crate::functions::{Functions, written_out};
 use crate::lowering::{assemble, warn};
@@ -69,7 +70,12 @@ fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Opt
     if has_errors(diagnostics) {
         return None;
     }
-    let mut declarations = Declarations::collect(written.as_ref().map_or(&*remembered, Vec::as_slice), diagnostics);
+    let written = written.as_ref().map_or(&*remembered, Vec::as_slice);
+    let spread = choices::spread(written, diagnostics);
+    if has_errors(diagnostics) {
+        return None;
+    }
+    let mut declarations = Declarations::collect(spread.as_ref().map_or(written, Vec::as_slice), diagnostics);
     let order = definition_order(&declarations, diagnostics);
     let unknowns = find_unknowns(&mut declarations, &order, diagnostics);
     let states: u32 = unknowns.iter().map(|unknown| unknown.highest).sum();

@@ -5,7 +5,7 @@ use crate::functions::{Budget, Functions};
 use crate::lowering::{Chain, Lowered, Lowering, TooManyNodes, frictions, too_many_nodes};
 use crate::names::{Meaning, NameCheck, Scope, for_each};
 use crate::{Diagnostic, Expression, ExpressionKind, StatedUnit, has_errors};
-use program::{Compiled, Kind, Model};
+use program::{Choices, Compiled, Kind, Model};
 use units::{Unit, words};
 
 /// Compiles expressions of a document against its model. What the names of the model mean, and what was derived from
@@ -108,6 +108,11 @@ impl<'a> Compiler<'a> {
         Ok(Compiled { node, kind: found.kind(), unit })
     }
 
+    /// A value that never changes, without a unit.
+    pub fn constant(&mut self, value: f64, kind: Kind) -> Compiled {
+        Compiled { node: self.model.graph.constant(value), kind, unit: Unit::dimensionless() }
+    }
+
     /// How many of its units a number is, as a pure number.
     pub fn in_its_unit(&mut self, value: &Compiled) -> Compiled {
         let graph = &mut self.model.graph;
@@ -136,6 +141,10 @@ fn scope(model: &Model, variables: &[(&str, Chain)]) -> Scope {
     let mut scope = Scope::new(&model.independent.name);
     for (index, parameter) in model.parameters.iter().enumerate() {
         scope.declare(&parameter.name, Meaning::Parameter(index));
+        if let Choices::Texts(_) = parameter.choices {
+            let texts = parameter.words(&model.texts).into_iter().map(str::to_owned).collect();
+            scope.declare_choice(&parameter.name, texts);
+        }
     }
     for (index, quantity) in model.quantities.iter().enumerate() {
         scope.declare(&quantity.name, Meaning::Definition(index));
@@ -155,6 +164,7 @@ fn types(model: &Model, variables: &[(&str, Chain)]) -> Types {
     Types {
         independent: model.independent.unit.dimension.into(),
         parameters: model.parameters.iter().map(|parameter| parameter.unit.dimension.into()).collect(),
+        parameter_kinds: model.parameters.iter().map(program::Parameter::kind).collect(),
         definitions: model.quantities.iter().map(|quantity| of_quantity(&quantity.value)).collect(),
         numbers: model.quantities.iter().map(|quantity| model.graph.as_constant(quantity.value.node)).collect(),
         unknowns: variables.iter().map(|(_, chain)| model.states[chain.first_state].unit.dimension.into()).collect(),

@@ -1,5 +1,6 @@
 //! The equation language: from text to a checked system of first-order equations.
 
+mod choices;
 mod compile;
 mod diagnostic;
 mod dimensions;

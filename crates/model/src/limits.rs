@@ -20,6 +20,8 @@ pub(crate) const WRITTEN_OUT: usize = 50_000;
 pub(crate) const NESTING: usize = 64;
 /// Levels of an expression, those of long sums and products counted.
 pub(crate) const HEIGHT: usize = 400;
+/// Alternatives of a choice.
+pub(crate) const ALTERNATIVES: usize = 40;
 /// Nodes of the expression graph.
 pub(crate) const NODES: usize = 200_000;
 

@@ -46,6 +46,8 @@ pub struct Statement {
 pub enum StatementKind {
     /// `parameter b = 50 [kg/s] in 0..20000 step 1`
     Parameter(ParameterStatement),
+    /// `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3] }`
+    Choice(ChoiceStatement),
     /// `independent x in [m]`
     Independent {
         /// The independent variable.
@@ -134,6 +136,50 @@ pub struct ParameterStatement {
     pub range: Option<Bounds>,
     /// `step S`: the slider's, in the declared unit.
     pub step: Option<f64>,
+    /// What it can be.
+    pub form: ParameterForm,
+}
+
+/// What a parameter can be.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ParameterForm {
+    /// `parameter b = 50 [kg/s]`: a number.
+    Number,
+    /// `switch drag = on`: the value is 1 or 0.
+    Switch,
+    /// `choice liquid { ... }`: one of these texts; the value is the number of the one.
+    Choice(Vec<String>),
+}
+
+impl ParameterForm {
+    /// What its value is.
+    pub(crate) fn kind(&self) -> program::Kind {
+        match self {
+            Self::Number => program::Kind::Number,
+            Self::Switch => program::Kind::Truth,
+            Self::Choice(_) => program::Kind::Text,
+        }
+    }
+}
+
+/// The parts of `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3] }`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChoiceStatement {
+    /// What the reader chooses.
+    pub name: Name,
+    /// The label, which stands before the brace.
+    pub label: Option<Quoted>,
+    /// What there is to choose from.
+    pub alternatives: Vec<Alternative>,
+}
+
+/// One of the alternatives of a choice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Alternative {
+    /// What the reader sees.
+    pub text: Quoted,
+    /// What it defines.
+    pub values: Vec<crate::Assignment>,
 }
 
 /// The parts of a function of the author's own.

@@ -220,8 +220,7 @@ impl Play {
                 self.parameter_label(*index),
             ),
             Announcement::ParameterSet(index, value) => {
-                let unit = self.model().parameters.get(*index).map(|parameter| &parameter.unit);
-                let value = unit.map_or_else(String::new, |unit| self.quantity_text(*value, unit));
+                let value = self.parameter_value_text(*index, *value);
                 format!("{}: {value}", self.parameter_label(*index))
             }
             Announcement::DefaultsRestored => say(

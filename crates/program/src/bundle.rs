@@ -3,7 +3,7 @@
 //! A bundle is a signature, a version, and the program in the format of [postcard](https://postcard.jamesmunns.com).
 //! Reading checks everything that running relies on: a bundle that is read cannot make the engine reach beyond its model.
 
-use crate::{Compiled, Drawing, Model, Node, NodeId, Piece, Program, Scene, Sweep, Taken};
+use crate::{Choices, Compiled, Drawing, Model, Node, NodeId, Parameter, Piece, Program, Scene, Sweep, Taken};
 
 /// What a bundle begins with.
 const SIGNATURE: &[u8] = b"meniscus";
@@ -68,6 +68,7 @@ fn check(program: &Program) -> Result<(), BundleError> {
     let nodes = model.states.iter().flat_map(|state| [&state.initial, &state.derivative]);
     let good = model.sensitive.is_none()
         && inputs_exist(model)
+        && model.parameters.iter().all(|one| one.takes(one.value) && texts_exist(one, model.texts.len()))
         && nodes.into_iter().all(known)
         && orders_ascend(model)
         && model.quantities.iter().all(|quantity| compiled(&quantity.value))
@@ -115,6 +116,14 @@ fn drawing_exists(drawing: &Drawing, curves: usize, model: &Model) -> bool {
                 && sweep.taken.len() == curves
                 && sweep.taken.iter().all(|taken| *taken == Taken::Value || taken.from() < sweep.until)
         }
+    }
+}
+
+/// Whether the texts of a choice are there.
+fn texts_exist(parameter: &Parameter, texts: usize) -> bool {
+    match &parameter.choices {
+        Choices::Texts(own) => own.iter().all(|&text| (text as usize) < texts),
+        Choices::Numbers | Choices::Switch => true,
     }
 }
 

@@ -19,8 +19,8 @@ pub use checks::{Check, Claim, Moment, Relation, Sides, Test};
 pub use graph::{Binary, Graph, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate, differentiate_all};
 pub use method::{Method, UnknownMethod};
 pub use model::{
-    Compared, Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity, Sensitive, Slope,
-    Slopes, State, Switch, Timed,
+    Choices, Compared, Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity,
+    Sensitive, Slope, Slopes, State, Switch, Timed,
 };
 pub use plots::{Curve, Drawing, Every, Plot, Sweep, Taken};
 pub use presets::{Assignment, Preset};

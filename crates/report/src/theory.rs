@@ -41,8 +41,11 @@ pub fn theory(page: &mut Page, report: &Report<'_>) {
         let mut values: Vec<f64> =
             report.outcome.settings.iter().filter_map(|values| values.get(index).copied()).collect();
         values.dedup();
-        let values: Vec<String> =
-            values.iter().map(|si| plain(parameter.unit.from_si(*si), 8, language.style())).collect();
+        let shown = |si: &f64| match parameter.word(*si, &model.texts) {
+            Some(word) => report.document.program.text(language.tag(), word).to_owned(),
+            None => plain(parameter.unit.from_si(*si), 8, language.style()),
+        };
+        let values: Vec<String> = values.iter().map(shown).collect();
         let cells = [
             symbol(&parameter.name),
             escaped(label),

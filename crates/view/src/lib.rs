@@ -3,6 +3,7 @@
 
 mod app;
 pub mod browser;
+mod choices;
 mod colours;
 pub mod controls;
 mod data;

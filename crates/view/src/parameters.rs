@@ -1,6 +1,7 @@
 //! A control for each parameter: name, slider, number field with unit.
 
 use crate::app::App;
+use crate::choices;
 use crate::symbols::name_and_symbol;
 use crate::views::*;
 use play::ParameterView;
@@ -85,6 +86,11 @@ impl Field {
 
 /// The control of a parameter.
 pub fn control(app: App, first: ParameterView) -> HtmlDiv {
+    if first.choices.is_empty() { number(app, first) } else { choices::control(app, first) }
+}
+
+/// Slider and field of a number.
+fn number(app: App, first: ParameterView) -> HtmlDiv {
     let words = app.words();
     let index = first.index;
     let now = memo(move || {

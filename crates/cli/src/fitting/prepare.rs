@@ -274,6 +274,9 @@ fn column_errors(measured: &Measured, column: usize, observed: usize, unit: &Uni
 /// What a name means that can be varied.
 fn target(reader: &Reader, name: &str, observed: &[String]) -> Result<Target, Failure> {
     if let Some(index) = reader.model.parameters.iter().position(|parameter| parameter.name == name) {
+        if reader.model.parameters[index].choices != program::Choices::Numbers {
+            return Err(Failure::request(format!("{name} cannot be varied: it is no number")));
+        }
         return Ok(Target::Parameter(index));
     }
     if name == format!("{}_origin", reader.model.independent.name) {

@@ -87,7 +87,9 @@ impl Desk {
 
     /// What a fit can vary: the parameters, the zero of the clock, the zero of the scale.
     pub fn fit_choices(&self) -> Vec<ChoiceView> {
-        let parameters = self.play.model().parameters.iter().enumerate().map(|(index, parameter)| {
+        let parameters = self.play.model().parameters.iter().enumerate();
+        let numbers = parameters.filter(|(_, parameter)| parameter.choices == program::Choices::Numbers);
+        let parameters = numbers.map(|(index, parameter)| {
             let varied = self.fits.setup.varied.get(index).copied().unwrap_or(false);
             let same = self.is_several().then(|| self.fits.setup.is_same(&parameter.name, varied));
             ChoiceView {

@@ -2,7 +2,7 @@
 
 use super::{Edit, EditError, layout};
 use crate::outline::Outline;
-use model::{ExpressionKind, ParameterStatement, Span, StatementKind};
+use model::{ExpressionKind, ParameterForm, ParameterStatement, Span, StatementKind};
 
 /// Replaces the default value of a parameter by `text`, a number in the declared unit. Unit, range, label and comment
 /// stay; so does the column of what follows the value, if there is space and other lines show that it is aligned. `name`
@@ -47,7 +47,7 @@ pub fn set_parameter(outline: &Outline, name: &str, text: &str) -> Result<Edit, 
 fn parameters<'a>(outline: &'a Outline) -> impl Iterator<Item = &'a ParameterStatement> {
     let statements = outline.blocks().iter().flat_map(|block| &block.statements);
     statements.filter_map(|statement| match &statement.kind {
-        StatementKind::Parameter(parameter) => Some(parameter),
+        StatementKind::Parameter(parameter) if parameter.form == ParameterForm::Number => Some(parameter),
         _ => None,
     })
 }

@@ -183,3 +183,41 @@ fn an_unknown_method_is_an_error_that_names_the_methods() {
     let methods = "euler, euler-richardson, velocity-verlet, rk4, dormand-prince and rosenbrock";
     assert_eq!(findings, [format!("0: there is no method `leapfrog`; the methods are {methods}")]);
 }
+
+#[test]
+fn functions_of_the_model_may_be_called_everywhere() {
+    let source = "```model\nparameter h = 2 [m] in 0..9\nfunction energy(v) = v^2/2\ny'' = -9.8 [m/s^2]\ny(0) = h\ny'(0) = 0\n```\n\
+        ```scene\ne = energy(y')\n<svg viewBox=\"0 0 9 9\"><text>{2*e in [J/kg]}</text></svg>\n```\n\
+        ```plots\n\"E\": energy(y') in [J/kg] against t\n```\n\
+        ```presets\n\"High\": h = 3 [m] + energy(2)*(1 [m])\n```\n\
+        ```question\nHow fast?\nanswer: energy(3 [m/s]) within 1 %\n```\n";
+    let document = good(source, &[]);
+    assert_eq!(document.program.plots[0].curves[0].value.unit.text, "J/kg");
+    let wrong = source.replace("\"E\": energy(y')", "\"E\": energy(y', 2)");
+    assert_eq!(open(&wrong, &[]).1, ["0: `energy` takes 1 argument, and 2 were given"]);
+}
+
+#[test]
+fn presets_and_questions_set_switches_and_choices_by_their_words() {
+    let source = "```model\nswitch drag = on\nchoice place { \"Earth\": g = 9.8 [m/s^2]; \"Moon\": g = 1.6 [m/s^2] }\n```\n\
+        ```presets\n\"Moon\": drag = off, place = \"Moon\"\n```\n\
+        ```question\nHow much?\nset: place = \"Moon\"\nanswer: g within 1 %\n```\n";
+    let document = good(source, &[]);
+    let model = &document.program.model;
+    let values: Vec<_> =
+        document.program.presets[0].values.iter().map(|one| model.graph.as_constant(one.value.node)).collect();
+    assert_eq!(values, [Some(0.0), Some(1.0)]);
+    let wrong = source.replace("drag = off, place = \"Moon\"", "drag = 2, place = \"Mars\"");
+    assert_eq!(open(&wrong, &[]).1, ["0: `drag` cannot have this value", "0: `place` cannot have this value"]);
+    let (_, said) = open(&format!("---\nvary: place\n---\n{source}"), &[]);
+    assert_eq!(said, ["0: `place` cannot be varied: it is no number"]);
+}
+
+#[test]
+fn texts_of_choices_are_translated() {
+    let source = "```model\nchoice place { \"Earth\": g = 9.8 [m/s^2]; \"Moon\": g = 1.6 [m/s^2] }\n```\n";
+    let translation =
+        "---\nlanguage: es\ntranslates: a.md\n---\n```translations\n\"Earth\" = \"Tierra\"\n\"Moon\" = \"Luna\"\n```\n";
+    let document = good(source, &[translation]);
+    assert_eq!(document.program.text("es", "Moon"), "Luna");
+}

@@ -29,6 +29,7 @@ pub(crate) fn check_dimensions(
     let mut types = Types {
         independent: declarations.independent.1.dimension.into(),
         parameters: declarations.parameters.iter().map(|entry| unit(entry.statement.unit.as_ref()).into()).collect(),
+        parameter_kinds: declarations.parameters.iter().map(|entry| entry.statement.form.kind()).collect(),
         definitions: vec![Type::Unknown; declarations.definitions.len()],
         numbers: vec![None; declarations.definitions.len()],
         unknowns: unknowns.iter().map(|_| solver.fresh()).collect(),

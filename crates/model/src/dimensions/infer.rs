@@ -6,6 +6,7 @@ use super::types::{Type, Types};
 use crate::names::{Meaning, Scope};
 use crate::notation::quote;
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span, UnaryOperator};
+use program::Kind;
 use program::functions::{Function, Rule};
 use units::{Exponent, Words, words};
 
@@ -56,7 +57,11 @@ impl Inference<'_> {
 
     fn name(&mut self, name: &str, order: u32, span: Span) -> Type {
         let form = match self.scope.meaning(name) {
-            Some(Meaning::Parameter(index)) => self.types.parameters[index].clone(),
+            Some(Meaning::Parameter(index)) => match self.types.parameter_kinds.get(index) {
+                Some(Kind::Truth) => return Type::Truth,
+                Some(Kind::Text) => return Type::Text,
+                _ => self.types.parameters[index].clone(),
+            },
             Some(Meaning::Independent) => self.types.independent.clone(),
             Some(Meaning::Pi) => Form::pure(),
             Some(Meaning::Variable(index)) => self.types.unknowns[index].clone(),

@@ -1,6 +1,7 @@
 //! What kinds of values there are, and of which kind is what has a name.
 
 use super::form::Form;
+use program::Kind;
 use units::{Words, words};
 
 /// What an expression's value is.
@@ -21,6 +22,8 @@ pub(crate) enum Type {
 pub(crate) struct Types {
     pub independent: Form,
     pub parameters: Vec<Form>,
+    /// What the value of each parameter is.
+    pub parameter_kinds: Vec<Kind>,
     pub definitions: Vec<Type>,
     /// The values of definitions that are plain numbers, for exponents.
     pub numbers: Vec<Option<f64>>,

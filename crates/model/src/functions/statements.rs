@@ -37,6 +37,10 @@ fn expressions(statement: &mut StatementKind) -> Vec<&mut Expression> {
         StatementKind::Definition { value, .. }
         | StatementKind::InitialValue { value, .. }
         | StatementKind::Discrete { value, .. } => vec![value],
+        StatementKind::Choice(choice) => {
+            let values = choice.alternatives.iter_mut().flat_map(|alternative| &mut alternative.values);
+            values.map(|value| &mut value.value).collect()
+        }
         StatementKind::Equation { left, right } => vec![left, right],
         StatementKind::Event { condition, actions, .. } => {
             std::iter::once(condition).chain(actions.iter_mut().map(|action| &mut action.value)).collect()

@@ -71,6 +71,7 @@ pub(crate) enum Symbol {
     Comma,
     Semicolon,
     Dots,
+    Colon,
 }
 
 pub(super) const KEYWORDS: &[(&str, Keyword)] = &[
@@ -122,6 +123,7 @@ pub(super) const SYMBOLS: &[(&str, Symbol)] = &[
     ("}", Symbol::RightBrace),
     (",", Symbol::Comma),
     (";", Symbol::Semicolon),
+    (":", Symbol::Colon),
 ];
 
 /// What other languages write, the symbol it stands for here, and how that is written.

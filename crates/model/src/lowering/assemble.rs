@@ -8,8 +8,10 @@ use crate::dimensions::{Type, Types};
 use crate::matching::blocks;
 use crate::names::{Declarations, EventEntry, Meaning, Unknown, crossing, list};
 use crate::notation::primed;
-use crate::{Diagnostic, Expression, ExpressionKind, Places, Span};
-use program::{Binary, Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, State};
+use crate::{Diagnostic, Expression, ExpressionKind, ParameterForm, Places, Span};
+use program::{
+    Binary, Choices, Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, State,
+};
 use units::{Dimension, Exponent, Unit, words};
 
 /// Builds the model and says where its parts stand. `order` is that of the definitions.
@@ -21,6 +23,7 @@ pub(crate) fn assemble(
 ) -> Result<(Model, Places), Vec<Diagnostic>> {
     let mut graph = Graph::default();
     let mut texts = Vec::new();
+    let parameters = parameters(declarations, &mut texts);
     // What has a name is always there to be looked up.
     graph.insert(Node::Independent);
     for index in 0..declarations.parameters.len() {
@@ -64,7 +67,7 @@ pub(crate) fn assemble(
     let Lowered { definitions: values, frictions: calls, .. } = known;
     let mut model = Model {
         independent: Independent { name: declarations.independent.0.clone(), unit: declarations.independent.1.clone() },
-        parameters: parameters(declarations),
+        parameters,
         states,
         quantities: Vec::new(),
         events,
@@ -127,21 +130,42 @@ fn lower(lowering: &mut Lowering, expression: &Expression) -> Result<NodeId, Vec
     lowering.expression(expression).map_err(|TooManyNodes| vec![too_many_nodes(expression.span)])
 }
 
-fn parameters(declarations: &Declarations) -> Vec<Parameter> {
-    let parameter = |entry: &crate::names::ParameterEntry| {
+/// The parameters. The texts of choices come first among all.
+fn parameters(declarations: &Declarations, texts: &mut Vec<String>) -> Vec<Parameter> {
+    let mut parameter = |entry: &crate::names::ParameterEntry| {
         let statement = entry.statement;
         let unit = statement.unit.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
+        let choices = match &statement.form {
+            ParameterForm::Number => Choices::Numbers,
+            ParameterForm::Switch => Choices::Switch,
+            ParameterForm::Choice(own) => Choices::Texts(own.iter().map(|text| text_index(texts, text)).collect()),
+        };
+        let value = match &choices {
+            Choices::Texts(own) => own.first().copied().map_or(0.0, f64::from),
+            Choices::Numbers | Choices::Switch => unit.to_si(statement.value),
+        };
         Parameter {
             name: statement.name.text.clone(),
             label: entry.label.map(str::to_owned),
-            value: unit.to_si(statement.value),
+            value,
+            choices,
             range: statement.range.as_ref().map(|bounds| (unit.to_si(bounds.low), unit.to_si(bounds.high))),
             step: statement.step.map(|step| unit.to_si(step)),
             restarts: false,
             unit,
         }
     };
-    declarations.parameters.iter().map(parameter).collect()
+    declarations.parameters.iter().map(|entry| parameter(entry)).collect()
+}
+
+/// The index of a text, which is added if it is new.
+fn text_index(texts: &mut Vec<String>, text: &str) -> u32 {
+    let known = texts.iter().position(|known| known == text);
+    let index = known.unwrap_or_else(|| {
+        texts.push(text.to_owned());
+        texts.len() - 1
+    });
+    index as u32
 }
 
 /// The states in the order of their numbers, and where their initial values stand, which may still be computed from each

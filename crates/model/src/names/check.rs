@@ -5,7 +5,7 @@ use super::scope::{Meaning, Scope};
 use super::traverse::for_each;
 use crate::limits;
 use crate::notation::{primed, quote};
-use crate::{Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, Span};
+use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, Span};
 use program::functions::Function;
 use std::collections::HashSet;
 use units::{Words, words};
@@ -34,6 +34,10 @@ impl<'a> NameCheck<'a> {
             ExpressionKind::Name { name, order } => self.name(name, *order, part.span),
             ExpressionKind::InitialValue { name, order } => self.initial_value(name, *order, part.span),
             ExpressionKind::Call { function, arguments } => self.call(function, arguments),
+            ExpressionKind::Binary(BinaryOperator::Equal | BinaryOperator::NotEqual, left, right) => {
+                self.alternative(left, right);
+                self.alternative(right, left);
+            }
             _ => {}
         });
     }
@@ -43,6 +47,19 @@ impl<'a> NameCheck<'a> {
         self.arguments = &function.parameters;
         self.expression(&function.body);
         self.arguments = &[];
+    }
+
+    /// `liquid == "Watr"` is never true.
+    fn alternative(&mut self, name: &Expression, text: &Expression) {
+        let (ExpressionKind::Name { name, order: 0 }, ExpressionKind::Text(word)) = (&name.kind, &text.kind) else {
+            return;
+        };
+        let Some(texts) = self.scope.choice(name).filter(|texts| !texts.contains(word)) else { return };
+        let message =
+            words!("`{name}` has no alternative \"{word}\"", "`{name}` no tiene ninguna alternativa \"{word}\"");
+        let texts: Vec<String> = texts.iter().map(|text| format!("\"{text}\"")).collect();
+        let hint = words!("it can be: {}", "puede ser: {}", texts.join(", "));
+        self.diagnostics.push(Diagnostic::error("not-a-choice", message, text.span).with_hint(hint));
     }
 
     fn name(&mut self, name: &'a str, order: u32, span: Span) {
@@ -215,6 +232,10 @@ fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagn
             "the independent variable is `{}`",
             "la variable independiente es `{}`",
             scope.independent
+        )),
+        "on" | "off" | "true" | "false" => diagnostic.with_hint(words(
+            "what is true or false stands alone: `if drag then ... else ...`, `not drag`",
+            "lo que es verdadero o falso va solo: `if drag then ... else ...`, `not drag`",
         )),
         "e" => diagnostic.with_hint(words(
             "for a power of 2.718... write `exp(x)`",

@@ -3,8 +3,8 @@
 
 use super::scope::{Meaning, PI, Scope};
 use crate::{
-    Action, Diagnostic, Expression, FunctionStatement, Name, ParameterStatement, Span, StatedUnit, Statement,
-    StatementKind,
+    Action, Diagnostic, Expression, FunctionStatement, Name, ParameterForm, ParameterStatement, Span, StatedUnit,
+    Statement, StatementKind,
 };
 use program::functions::Function;
 use std::collections::HashMap;
@@ -88,6 +88,9 @@ impl<'a> Declarations<'a> {
                     if declarations.may_declare(&parameter.name, &mut declared, diagnostics) {
                         let meaning = Meaning::Parameter(declarations.parameters.len());
                         declarations.scope.declare(&parameter.name.text, meaning);
+                        if let ParameterForm::Choice(texts) = &parameter.form {
+                            declarations.scope.declare_choice(&parameter.name.text, texts.clone());
+                        }
                         declarations.parameters.push(ParameterEntry { statement: parameter, label, span });
                     }
                 }
@@ -122,7 +125,8 @@ impl<'a> Declarations<'a> {
                     let stops = extras.stop.is_some();
                     declarations.events.push(EventEntry { condition, actions, title, stops, span });
                 }
-                StatementKind::Independent { .. } => {}
+                // Choices have been spread into parameters and definitions.
+                StatementKind::Independent { .. } | StatementKind::Choice(_) => {}
             }
         }
         declarations

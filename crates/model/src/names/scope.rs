@@ -29,6 +29,8 @@ pub(crate) struct Scope {
     names: Vec<String>,
     /// The functions of the author's own.
     functions: Vec<String>,
+    /// The names of choices with their texts.
+    choices: HashMap<String, Vec<String>>,
 }
 
 /// The name of the constant.
@@ -42,6 +44,7 @@ impl Scope {
             meanings: HashMap::new(),
             names: Vec::new(),
             functions: Vec::new(),
+            choices: HashMap::new(),
         };
         scope.declare(PI, Meaning::Pi);
         scope.declare(independent, Meaning::Independent);
@@ -59,6 +62,16 @@ impl Scope {
     /// Declares functions of the author's own.
     pub fn declare_functions<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
         self.functions.extend(names.into_iter().map(str::to_owned));
+    }
+
+    /// Notes what texts the value of a name can be.
+    pub fn declare_choice(&mut self, name: &str, texts: Vec<String>) {
+        self.choices.insert(name.to_owned(), texts);
+    }
+
+    /// The texts that the value of a name can be; `None` if it is no choice.
+    pub fn choice(&self, name: &str) -> Option<&[String]> {
+        self.choices.get(name).map(Vec::as_slice)
     }
 
     /// Whether the author has a function of that name.

@@ -5,7 +5,9 @@ use super::cursor::{Cursor, Read, Told};
 use super::statement::{Salvaged, nothing};
 use super::unread;
 use crate::lexer::{Keyword, Symbol, TokenKind};
-use crate::{Action, Bounds, Diagnostic, EventExtras, ParameterStatement, Span, StatedUnit, StatementKind};
+use crate::{
+    Action, Bounds, Diagnostic, EventExtras, ParameterForm, ParameterStatement, Span, StatedUnit, StatementKind,
+};
 use units::{Words, words};
 
 const EVENT_FORM: Words =
@@ -20,8 +22,15 @@ impl Cursor<'_> {
             Err(reported) => return (nothing(start), Err(reported)),
         };
         let span = name.span;
-        let mut parameter =
-            ParameterStatement { name, value: f64::NAN, value_span: span, unit: None, range: None, step: None };
+        let mut parameter = ParameterStatement {
+            name,
+            value: f64::NAN,
+            value_span: span,
+            unit: None,
+            range: None,
+            step: None,
+            form: ParameterForm::Number,
+        };
         let read = self.parameter_parts(&mut parameter);
         (StatementKind::Parameter(parameter), read)
     }

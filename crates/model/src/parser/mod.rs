@@ -2,9 +2,13 @@
 //!
 //! ```text
 //! model       = { statement line-end }
-//! statement   = parameter | independent | event | function | definition | initial | equation
+//! statement   = parameter | switch | choice | independent | event | function | definition | initial | equation
 //! parameter   = "parameter" NAME "=" [ "-" ] NUMBER [ UNIT ]
 //!               [ "in" signed ".." signed ] [ "step" NUMBER ] [ TEXT ]
+//! switch      = "switch" NAME "=" ( "on" | "off" | "true" | "false" ) [ TEXT ]
+//! choice      = "choice" NAME [ TEXT ] "{" alternative { separator alternative } "}"
+//! alternative = TEXT ":" assignment { "," assignment }
+//! assignment  = NAME "=" expression [ "in" UNIT ]
 //! independent = "independent" NAME [ "in" UNIT ] [ TEXT ]
 //! event       = ( "when" expression | "every" expression [ "from" expression ] ) [ "as" NAME ]
 //!               "{" [ action { separator action } ] "}" [ TEXT ]
@@ -36,6 +40,7 @@
 //! not, and says why in diagnostics. After an error it goes on with the next statement, so that each mistake is reported
 //! once. Nesting is bounded, so that no text can exhaust the stack, here or in what walks the tree later.
 
+mod choice;
 mod cursor;
 mod declaration;
 mod discrete;
@@ -46,6 +51,7 @@ mod function;
 mod layout;
 mod operand;
 mod statement;
+mod switch;
 #[cfg(test)]
 mod tests;
 

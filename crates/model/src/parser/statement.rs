@@ -42,6 +42,8 @@ impl Cursor<'_> {
             TokenKind::Name { .. } if self.is_discrete() => self.discrete(),
             TokenKind::Name { .. } if self.is_function() => self.function(),
             TokenKind::Name { .. } if self.is_every() => self.every(),
+            TokenKind::Name { .. } if self.is_switch() => self.switch(),
+            TokenKind::Name { .. } if self.is_choice() => self.choice(),
             TokenKind::Name { .. } if self.meant_word().is_some() => (nothing(start), self.unknown_word()),
             TokenKind::Keyword(Keyword::Parameter) => self.parameter(),
             TokenKind::Keyword(Keyword::Independent) => self.independent(),

@@ -1,8 +1,8 @@
 //! What the parser makes of right texts. Wrong ones are in `tests/syntax_errors.rs`.
 
 use crate::{
-    BinaryOperator, Expression, ExpressionKind, StatedUnit, Statement, StatementKind, UnaryOperator, parse,
-    parse_assignments, parse_expression,
+    BinaryOperator, Expression, ExpressionKind, ParameterForm, StatedUnit, Statement, StatementKind, UnaryOperator,
+    parse, parse_assignments, parse_expression,
 };
 
 /// The tree with all its parentheses.
@@ -50,6 +50,9 @@ fn in_unit(unit: &Option<StatedUnit>) -> String {
 
 fn shown_statement(statement: &Statement) -> String {
     let text = match &statement.kind {
+        StatementKind::Parameter(switch) if switch.form == ParameterForm::Switch => {
+            format!("switch {}={}", switch.name.text, switch.value)
+        }
         StatementKind::Parameter(parameter) => {
             let range = parameter.range.as_ref().map_or(String::new(), |r| format!(" {}..{}", r.low, r.high));
             let step = parameter.step.map_or(String::new(), |step| format!(" step {step}"));
@@ -64,6 +67,15 @@ fn shown_statement(statement: &Statement) -> String {
         }
         StatementKind::Discrete { name, value, unit, .. } => {
             format!("discrete {} := {}{}", name.text, shown(value), in_unit(unit))
+        }
+        StatementKind::Choice(choice) => {
+            let value = |value: &super::Assignment| format!("{} := {}", value.name.text, shown(&value.value));
+            let alternative = |one: &crate::Alternative| {
+                format!("{:?}: {}", one.text.text, one.values.iter().map(value).collect::<Vec<_>>().join(", "))
+            };
+            let alternatives: Vec<String> = choice.alternatives.iter().map(alternative).collect();
+            let label = choice.label.as_ref().map_or(String::new(), |label| format!(" {:?}", label.text));
+            format!("choice {}{label} {{{}}}", choice.name.text, alternatives.join("; "))
         }
         StatementKind::Function(function) => {
             let parameters: Vec<&str> = function.parameters.iter().map(|parameter| parameter.text.as_str()).collect();
@@ -185,6 +197,13 @@ fn each_kind_of_statement_is_read() {
         ("y'(0) = v_0", "y'@0 := v_0"),
         ("function f(x) = 2*x", "function f(x) := (2*x)"),
         ("function Re(v; d) = v*d/nu in [m] \"Number\"", "function Re(v, d) := ((v*d)/nu) in [m] \"Number\""),
+        ("switch drag = on \"Drag\"", "switch drag=1 \"Drag\""),
+        ("switch drag = false", "switch drag=0"),
+        (
+            "choice c \"C\" {\n  \"A\": a = 1 [m], b = 2\n  \"B\":\n a = 3,\n b = 4 }",
+            "choice c \"C\" {\"A\": a := 1[m], b := 2; \"B\": a := 3, b := 4}",
+        ),
+        ("choice c\n{ \"A\": a = 1; \"B\": a = 2 }", "choice c {\"A\": a := 1; \"B\": a := 2}"),
         ("function(x) = 2*x", "function(x) = (2*x)"),
         ("function = 2", "function := 2"),
         ("m*y'' + b*y' = 0", "((m*y'')+(b*y')) = 0"),

@@ -5,6 +5,7 @@ mod expression;
 #[cfg(test)]
 mod tests;
 
+use crate::choices::definitions;
 use crate::{Action, Expression, Statement, StatementKind};
 use expression::{Typesetter, initial_value};
 use units::mathml;
@@ -14,7 +15,11 @@ use units::mathml;
 /// (`"underdamped"`).
 pub fn typeset(statements: &[Statement], translate: &dyn Fn(&str) -> String) -> Vec<String> {
     let typesetter = Typesetter { translate };
-    statements.iter().filter_map(|statement| typesetter.statement(statement)).collect()
+    let rows = |statement: &Statement| match &statement.kind {
+        StatementKind::Choice(choice) => definitions(choice).iter().filter_map(|kind| typesetter.kind(kind)).collect(),
+        kind => typesetter.kind(kind).into_iter().collect::<Vec<_>>(),
+    };
+    statements.iter().flat_map(rows).collect()
 }
 
 /// An expression as a `<math>` element for a line of text.
@@ -23,10 +28,10 @@ pub fn typeset_expression(expression: &Expression) -> String {
 }
 
 impl Typesetter<'_> {
-    fn statement(&self, statement: &Statement) -> Option<String> {
+    fn kind(&self, kind: &StatementKind) -> Option<String> {
         let equals = |left: String, right: &Expression| format!("{left}<mo>=</mo>{}", self.expression(right));
-        let row = match &statement.kind {
-            StatementKind::Parameter(_) | StatementKind::Independent { .. } => return None,
+        let row = match kind {
+            StatementKind::Parameter(_) | StatementKind::Choice(_) | StatementKind::Independent { .. } => return None,
             StatementKind::Definition { name, value, .. } => equals(mathml::name(&name.text, 0, None), value),
             StatementKind::InitialValue { name, order, value, .. } => equals(initial_value(&name.text, *order), value),
             StatementKind::Function(function) => {

@@ -35,6 +35,11 @@ fn names() {
 }
 
 #[test]
+fn choices() {
+    check("choices.txt");
+}
+
+#[test]
 fn functions() {
     check("functions.txt");
 }

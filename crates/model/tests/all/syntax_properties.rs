@@ -57,6 +57,9 @@ const PIECES: &[&str] = &[
     "independent ",
     "when ",
     "function ",
+    "choice ",
+    "switch ",
+    ":",
     " in ",
     "step ",
     "if ",
@@ -99,6 +102,10 @@ fn expressions(statement: &Statement) -> Vec<&Expression> {
         | StatementKind::InitialValue { value, .. }
         | StatementKind::Discrete { value, .. } => vec![value],
         StatementKind::Function(function) => vec![&function.body],
+        StatementKind::Choice(choice) => {
+            let values = choice.alternatives.iter().flat_map(|alternative| &alternative.values);
+            values.map(|value| &value.value).collect()
+        }
         StatementKind::Equation { left, right } => vec![left, right],
         StatementKind::Event { condition, actions, extras } => {
             let values = extras.names.iter().chain(actions).map(|action| &action.value);

@@ -14,7 +14,7 @@ pub(crate) mod typed;
 
 pub use input::DIGITS;
 pub use method::MethodView;
-pub use parameter::ParameterView;
+pub use parameter::{ChoiceView, ParameterView};
 pub use preset::{PresetGroup, PresetView};
 pub use slider::Slider;
 pub use state::StateView;

@@ -3,9 +3,9 @@
 use crate::controls::input::DIGITS;
 use crate::controls::slider::Mapping;
 use crate::removed::Removed;
-use crate::{Announcement, Play, Refusal, Slider, number};
+use crate::{Announcement, Play, Refusal, Slider, number, words};
 use engine::Setup;
-use program::Parameter;
+use program::{Choices, Parameter};
 
 /// A parameter as its control shows it.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +24,10 @@ pub struct ParameterView {
     pub text: String,
     /// The value with its unit, for `aria-valuetext`: `0,05 m²`.
     pub spoken: String,
+    /// What there is to choose from in a switch (off and on) or a choice; none for a number.
+    pub choices: Vec<ChoiceView>,
+    /// Whether it is on or off.
+    pub is_switch: bool,
     /// Least and greatest value for people, without unit: `("2", "9")`.
     pub range: Option<(String, String)>,
     /// The slider; `None` without a range.
@@ -32,6 +36,15 @@ pub struct ParameterView {
     pub is_default: bool,
     /// Whether changing it restarts the run.
     pub restarts: bool,
+}
+
+/// One value of a switch or a choice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChoiceView {
+    /// The value.
+    pub value: f64,
+    /// What it is called, in the chosen language.
+    pub text: String,
 }
 
 impl Play {
@@ -52,12 +65,37 @@ impl Play {
             unit: number::unit_text(&parameter.unit.text),
             value,
             text: shown(value),
-            spoken: self.quantity_text(value, &parameter.unit),
+            spoken: self.parameter_value_text(index, value),
+            choices: self.choices(index),
+            is_switch: parameter.choices == Choices::Switch,
             range: parameter.range.map(|(low, high)| (shown(low), shown(high))),
             slider: Mapping::of(parameter).map(|mapping| mapping.slider(value)),
             is_default: value == parameter.value,
             restarts: parameter.restarts,
         })
+    }
+
+    /// The values of a switch or a choice.
+    fn choices(&self, index: usize) -> Vec<ChoiceView> {
+        let values = match self.model().parameters.get(index).map(|parameter| &parameter.choices) {
+            None | Some(Choices::Numbers) => Vec::new(),
+            Some(Choices::Switch) => vec![0.0, 1.0],
+            Some(Choices::Texts(texts)) => texts.iter().map(|&text| f64::from(text)).collect(),
+        };
+        let view = |value| ChoiceView { value, text: self.parameter_value_text(index, value) };
+        values.into_iter().map(view).collect()
+    }
+
+    /// A value of a parameter for people: `50 kg/s`, `yes`, `Water`.
+    pub fn parameter_value_text(&self, index: usize, value: f64) -> String {
+        let Some(parameter) = self.model().parameters.get(index) else { return String::new() };
+        match parameter.choices {
+            Choices::Numbers => self.quantity_text(value, &parameter.unit),
+            Choices::Switch => words::truth(self.language, value != 0.0).to_owned(),
+            Choices::Texts(_) => {
+                parameter.word(value, &self.model().texts).map_or_else(String::new, |text| self.text(text).to_owned())
+            }
+        }
     }
 
     /// Sets a parameter to an SI value. One on which an initial value depends restarts the run; any other takes
@@ -131,7 +169,7 @@ impl Play {
         let parameter =
             self.model().parameters.get(index).ok_or_else(|| Refusal::Unknown { name: index.to_string() })?;
         let name = self.parameter_label(index).to_owned();
-        if !value.is_finite() {
+        if !parameter.takes(value) {
             return Err(Refusal::NoValue { name });
         }
         let Some((low, high)) = parameter.range else {

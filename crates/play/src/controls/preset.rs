@@ -83,7 +83,7 @@ impl Play {
         let assigned = |assignment: &Assignment| {
             let parameter = self.model().parameters.get(assignment.parameter)?;
             let value = parameters.get(assignment.parameter)?;
-            Some((parameter.name.clone(), self.quantity_text(*value, &parameter.unit)))
+            Some((parameter.name.clone(), self.parameter_value_text(assignment.parameter, *value)))
         };
         assignments.iter().filter_map(assigned).collect()
     }

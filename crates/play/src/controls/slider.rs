@@ -143,6 +143,7 @@ mod tests {
             step: step.map(|step| unit.to_si(step)),
             unit,
             restarts: false,
+            choices: program::Choices::Numbers,
         }
     }
 

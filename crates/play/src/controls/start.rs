@@ -1,7 +1,7 @@
 //! The start of the run as the hand sets it: which parameters give the initial value that a handle is pulled to.
 
 use engine::Readings;
-use program::{Model, Variable};
+use program::{Choices, Model, Variable};
 
 /// The initial value of one state as a function of the parameters that decide it.
 #[derive(Clone, Debug)]
@@ -35,7 +35,7 @@ impl Start {
     pub fn of(model: &Model, state: usize) -> Option<Self> {
         let initial = model.states.get(state)?.initial;
         let decides = |index: u32| {
-            let parameter = model.parameters.get(index as usize)?;
+            let parameter = model.parameters.get(index as usize).filter(|own| own.choices == Choices::Numbers)?;
             let range = parameter.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
             let width = range.1 - range.0;
             let size = if parameter.value == 0.0 { parameter.unit.to_si(1.0) } else { parameter.value };

@@ -153,11 +153,11 @@ impl Play {
             let mut values = recipe.parameter_sets().filter_map(|set| set.get(index));
             if values.any(|value| *value != parameter.value) {
                 let symbol = symbol(&parameter.name);
-                let now = self.quantity_text(value, &parameter.unit);
+                let now = self.parameter_value_text(index, value);
                 parts.push(if first == value {
                     format!("{symbol} = {now}")
                 } else {
-                    format!("{symbol} = {} → {now}", self.quantity_text(first, &parameter.unit))
+                    format!("{symbol} = {} → {now}", self.parameter_value_text(index, first))
                 });
             }
         }

@@ -15,7 +15,9 @@ impl Names {
     pub fn between(from: &Model, to: &Model) -> Self {
         let parameters = from.parameters.iter().map(|parameter| {
             let same = |other: &program::Parameter| {
-                other.name == parameter.name && other.unit.dimension == parameter.unit.dimension
+                other.name == parameter.name
+                    && other.unit.dimension == parameter.unit.dimension
+                    && other.kind() == parameter.kind()
             };
             to.parameters.iter().position(same)
         });

@@ -51,7 +51,10 @@ impl Play {
             if value == *default {
                 continue;
             }
-            let admitted = names.parameter(index).and_then(|place| Some((place, self.admit(place, value).ok()?)));
+            let admitted = names.parameter(index).and_then(|place| {
+                let value = self.same_choice(before, (index, value), place)?;
+                Some((place, self.admit(place, value).ok()?))
+            });
             match admitted.and_then(|(place, value)| parameters.get_mut(place).zip(Some(value))) {
                 Some((parameter, value)) => *parameter = value,
                 None => _ = left.insert(index, value),
@@ -108,10 +111,18 @@ impl Play {
         }
     }
 
+    /// A value of the former program in this one: a text stands at another place among its texts.
+    fn same_choice(&self, before: &Play, (index, value): (usize, f64), place: usize) -> Option<f64> {
+        match before.model().parameters.get(index)?.word(value, &before.model().texts) {
+            Some(word) => self.model().parameters.get(place)?.chosen(word, &self.model().texts),
+            None => Some(value),
+        }
+    }
+
     /// `b = 200 kg/s`
     fn parameter_text(&self, index: usize, value: f64) -> String {
         self.model().parameters.get(index).map_or_else(String::new, |parameter| {
-            format!("{} = {}", symbol(&parameter.name), self.quantity_text(value, &parameter.unit))
+            format!("{} = {}", symbol(&parameter.name), self.parameter_value_text(index, value))
         })
     }
 }

@@ -92,7 +92,7 @@ pub fn packed_length(bytes: usize) -> usize {
 }
 
 /// A name as it can stand in a fragment.
-fn encode(name: &str) -> String {
+pub(super) fn encode(name: &str) -> String {
     let mut text = String::new();
     for byte in name.bytes().take(LONGEST_NAME) {
         if byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte) {
@@ -106,7 +106,7 @@ fn encode(name: &str) -> String {
 }
 
 /// What [`encode`] has written; `None` for what is no name.
-fn decode(text: &str) -> Option<String> {
+pub(super) fn decode(text: &str) -> Option<String> {
     let mut bytes = Vec::new();
     let mut rest = text.bytes();
     while let Some(byte) = rest.next() {

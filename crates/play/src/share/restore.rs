@@ -1,6 +1,6 @@
 //! A state comes back from the text that [`Play::share`] has written.
 
-use super::link::VERSION;
+use super::link::{VERSION, decode};
 use super::state::MOST_CHANGES;
 use crate::time::course::Course;
 use crate::time::recipe::{Change, Moments, Recipe};
@@ -160,7 +160,12 @@ impl Reader<'_> {
         for text in values {
             let admitted = text.split_once(':').and_then(|(name, value)| {
                 let index = self.play.model().parameters.iter().position(|parameter| parameter.name == name)?;
-                Some((index, self.play.admit(index, number(value)?).ok()?))
+                let parameter = self.play.model().parameters.get(index)?;
+                let value = match parameter.choices {
+                    program::Choices::Numbers => number(value)?,
+                    _ => parameter.chosen(&decode(value)?, &self.play.model().texts)?,
+                };
+                Some((index, self.play.admit(index, value).ok()?))
             });
             match admitted.and_then(|(index, value)| parameters.get_mut(index).zip(Some(value))) {
                 Some((parameter, value)) => *parameter = value,

@@ -17,7 +17,7 @@
 //! | `v` | plots not shown: `0,2` |
 //! | `z` | what a plot is zoomed to, once for each: the plot, then the limits of the horizontal axis (empty if automatic) and of each vertical one: `0,1:2.5,-3:3` |
 
-use super::link::VERSION;
+use super::link::{VERSION, encode};
 use crate::Play;
 use crate::time::recipe::{Change, Recipe};
 use engine::Setup;
@@ -115,7 +115,12 @@ impl Play {
     fn differing(&self, from: &[f64], to: &[f64]) -> Vec<String> {
         let values = self.model().parameters.iter().zip(from.iter().zip(to));
         let differing = values.filter(|(_, (from, to))| from.to_bits() != to.to_bits());
-        differing.map(|(parameter, (_, to))| format!("{}:{}", parameter.name, exact(*to))).collect()
+        let texts = &self.model().texts;
+        let written = |(parameter, (_, to)): (&program::Parameter, (&f64, &f64))| {
+            let value = parameter.word(*to, texts).map_or_else(|| exact(*to), encode);
+            format!("{}:{value}", parameter.name)
+        };
+        differing.map(written).collect()
     }
 }
 

@@ -50,7 +50,9 @@ impl Model {
             return Some(number(find(Node::Independent)?, &self.independent.unit));
         }
         if let Some(index) = self.parameters.iter().position(|parameter| parameter.name == name) {
-            return Some(number(find(Node::Parameter(index as u32))?, &self.parameters[index].unit));
+            let parameter = &self.parameters[index];
+            let node = find(Node::Parameter(index as u32))?;
+            return Some(Compiled { node, kind: parameter.kind(), unit: parameter.unit.clone() });
         }
         self.quantities.iter().find(|quantity| quantity.name == name).map(|quantity| quantity.value.clone())
     }

@@ -68,6 +68,75 @@ pub struct Parameter {
     pub step: Option<f64>,
     /// Whether an initial value depends on it: a change restarts the run.
     pub restarts: bool,
+    /// What the user can choose.
+    pub choices: Choices,
+}
+
+/// What values a parameter can have.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Choices {
+    /// Numbers.
+    Numbers,
+    /// On (1) or off (0).
+    Switch,
+    /// One of these texts, the default first: indices into [`Model::texts`], which are also its values.
+    Texts(Vec<u32>),
+}
+
+impl Parameter {
+    /// What its value is.
+    pub fn kind(&self) -> Kind {
+        match self.choices {
+            Choices::Numbers => Kind::Number,
+            Choices::Switch => Kind::Truth,
+            Choices::Texts(_) => Kind::Text,
+        }
+    }
+
+    /// Whether it can have a value (SI), its range aside.
+    pub fn takes(&self, value: f64) -> bool {
+        match &self.choices {
+            Choices::Numbers => value.is_finite(),
+            Choices::Switch => value == 0.0 || value == 1.0,
+            Choices::Texts(texts) => texts.iter().any(|&text| f64::from(text) == value),
+        }
+    }
+
+    /// The value that a word stands for: `on` or `off`, or one of the texts; `None` for numbers and other words.
+    pub fn chosen(&self, word: &str, texts: &[String]) -> Option<f64> {
+        match &self.choices {
+            Choices::Numbers => None,
+            Choices::Switch => match word {
+                "on" | "true" => Some(1.0),
+                "off" | "false" => Some(0.0),
+                _ => None,
+            },
+            Choices::Texts(own) => {
+                let is_meant = |text: &&u32| texts.get(**text as usize).is_some_and(|text| text == word);
+                own.iter().find(is_meant).map(|&text| f64::from(text))
+            }
+        }
+    }
+
+    /// The words for all values, `on` and `off` or the texts; none for numbers.
+    pub fn words<'a>(&self, texts: &'a [String]) -> Vec<&'a str> {
+        match &self.choices {
+            Choices::Numbers => Vec::new(),
+            Choices::Switch => vec!["on", "off"],
+            Choices::Texts(own) => {
+                own.iter().filter_map(|&text| texts.get(text as usize)).map(String::as_str).collect()
+            }
+        }
+    }
+
+    /// The word for a value; `None` for a number.
+    pub fn word<'a>(&self, value: f64, texts: &'a [String]) -> Option<&'a str> {
+        match &self.choices {
+            Choices::Numbers => None,
+            Choices::Switch => Some(if value == 0.0 { "off" } else { "on" }),
+            Choices::Texts(_) => texts.get(value as usize).map(String::as_str),
+        }
+    }
 }
 
 /// One first-order state.

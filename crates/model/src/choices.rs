@@ -1,0 +1,128 @@
+//! Choices: a parameter whose value is a text, and for each name that the alternatives define one definition that selects
+//! by it.
+
+use crate::{
+    Assignment, BinaryOperator, ChoiceStatement, Diagnostic, Expression, ExpressionKind, ParameterForm,
+    ParameterStatement, Statement, StatementKind, limits,
+};
+use units::words;
+
+/// The statements with the parameters and definitions that choices stand for, if there are any.
+pub(crate) fn spread(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> Option<Vec<Statement>> {
+    if !statements.iter().any(|statement| matches!(statement.kind, StatementKind::Choice(_))) {
+        return None;
+    }
+    let mut spread = Vec::new();
+    for statement in statements {
+        match &statement.kind {
+            StatementKind::Choice(choice) if check(choice, diagnostics) => {
+                let parameter = StatementKind::Parameter(parameter(choice));
+                spread.push(Statement { kind: parameter, label: choice.label.clone(), span: statement.span });
+                for kind in definitions(choice) {
+                    spread.push(Statement { kind, label: None, span: statement.span });
+                }
+            }
+            StatementKind::Choice(_) => {}
+            _ => spread.push(statement.clone()),
+        }
+    }
+    Some(spread)
+}
+
+fn parameter(choice: &ChoiceStatement) -> ParameterStatement {
+    let texts = choice.alternatives.iter().map(|alternative| alternative.text.text.clone()).collect();
+    ParameterStatement {
+        name: choice.name.clone(),
+        value: 0.0,
+        value_span: choice.name.span,
+        unit: None,
+        range: None,
+        step: None,
+        form: ParameterForm::Choice(texts),
+    }
+}
+
+/// What a choice defines: `rho = if liquid == "Water" then ... else ...`. A stated unit of the first alternative, or that of
+/// its number, is the unit of all.
+pub(crate) fn definitions(choice: &ChoiceStatement) -> Vec<StatementKind> {
+    let Some((first, _)) = choice.alternatives.split_first() else { return Vec::new() };
+    first.values.iter().map(|value| definition(choice, value)).collect()
+}
+
+fn definition(choice: &ChoiceStatement, first: &Assignment) -> StatementKind {
+    let name = &first.name;
+    let mut value: Option<Expression> = None;
+    for alternative in choice.alternatives.iter().rev() {
+        let own = alternative.values.iter().find(|value| value.name.text == name.text).unwrap_or(first);
+        let span = own.value.span;
+        let of = |kind| Expression { kind, span };
+        value = Some(match value {
+            None => own.value.clone(),
+            Some(others) => {
+                let chosen = of(ExpressionKind::Name { name: choice.name.text.clone(), order: 0 });
+                let text = of(ExpressionKind::Text(alternative.text.text.clone()));
+                let condition = ExpressionKind::Binary(BinaryOperator::Equal, Box::new(chosen), Box::new(text));
+                let [condition, own, others] = [of(condition), own.value.clone(), others].map(Box::new);
+                of(ExpressionKind::If(condition, own, others))
+            }
+        });
+    }
+    let value = value.unwrap_or_else(|| first.value.clone());
+    let unit = first.unit.clone().or_else(|| match &first.value.kind {
+        ExpressionKind::Number { unit: Some(unit), .. } => {
+            Some(crate::StatedUnit { unit: unit.clone(), span: first.value.span })
+        }
+        _ => None,
+    });
+    StatementKind::Definition { name: name.clone(), value, unit }
+}
+
+/// Whether every alternative defines the same names, each once.
+fn check(choice: &ChoiceStatement, diagnostics: &mut Vec<Diagnostic>) -> bool {
+    let before = diagnostics.len();
+    let Some((first, others)) = choice.alternatives.split_first() else { return false };
+    if let Some(beyond) = choice.alternatives.get(limits::ALTERNATIVES) {
+        let message = words!(
+            "`{}` has more than {} alternatives",
+            "`{}` tiene más de {} alternativas",
+            choice.name.text,
+            limits::ALTERNATIVES
+        );
+        diagnostics.push(Diagnostic::error("model-too-large", message, beyond.text.span));
+        return false;
+    }
+    for (index, alternative) in choice.alternatives.iter().enumerate() {
+        let text = &alternative.text.text;
+        if let Some(same) = choice.alternatives[..index].iter().find(|earlier| earlier.text.text == *text) {
+            let message = words!("there are two alternatives \"{text}\"", "hay dos alternativas \"{text}\"");
+            let diagnostic = Diagnostic::error("duplicate-name", message, alternative.text.span);
+            diagnostics.push(diagnostic.with_label(same.text.span, words("the first is here", "la primera está aquí")));
+        }
+        for (place, value) in alternative.values.iter().enumerate() {
+            let name = &value.name.text;
+            if let Some(earlier) = alternative.values[..place].iter().find(|earlier| earlier.name.text == *name) {
+                let message = words!("`{name}` is set twice", "`{name}` se fija dos veces");
+                let diagnostic = Diagnostic::error("duplicate-name", message, value.name.span);
+                diagnostics.push(diagnostic.with_label(earlier.name.span, words("first here", "primero aquí")));
+            }
+        }
+    }
+    for other in others {
+        let defines = |values: &[Assignment], name: &str| values.iter().any(|value| value.name.text == name);
+        for (has, lacks) in [(first, other), (other, first)] {
+            for value in has.values.iter().filter(|value| !defines(&lacks.values, &value.name.text)) {
+                let (name, text) = (&value.name.text, &lacks.text.text);
+                let message = words!("\"{text}\" does not define `{name}`", "\"{text}\" no define `{name}`");
+                diagnostics.push(
+                    Diagnostic::error("choice-incomplete", message, lacks.text.span)
+                        .with_label(value.name.span, words("it is defined here", "se define aquí"))
+                        .with_hint(words(
+                            "every alternative defines the same names",
+                            "todas las alternativas definen los mismos nombres",
+                        )),
+                );
+            }
+        }
+    }
+    diagnostics.len() == before
+}

@@ -1,0 +1,136 @@
+//! `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3] }`: quantities that depend on what the reader chooses.
+
+use super::Assignment;
+use super::cursor::{Cursor, Read, Told};
+use super::statement::{Salvaged, nothing};
+use crate::lexer::{Symbol, TokenKind};
+use crate::{Alternative, ChoiceStatement, Diagnostic, Quoted, StatementKind};
+use units::{Words, words};
+
+const FORM: Words = words(
+    "the form is: choice NAME { \"TEXT\": NAME = EXPRESSION }",
+    "la forma es: choice NOMBRE { \"TEXTO\": NOMBRE = EXPRESIÓN }",
+);
+
+impl Cursor<'_> {
+    /// Whether a statement begins with `choice NAME`.
+    pub(super) fn is_choice(&self) -> bool {
+        self.begins_with("choice")
+    }
+
+    /// `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3], eta = 1 [mPa s] }`
+    pub(super) fn choice(&mut self) -> Salvaged {
+        let start = self.advance();
+        let name = match self.plain_name(&words("a choice", "una elección")) {
+            Ok(name) => name,
+            Err(reported) => return (nothing(start), Err(reported)),
+        };
+        let mut choice = ChoiceStatement { name, label: None, alternatives: Vec::new() };
+        if let TokenKind::Text(text) = self.peek().clone() {
+            choice.label = Some(Quoted { text, span: self.advance() });
+        }
+        if *self.peek() == TokenKind::Newline && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftBrace) {
+            self.skip_lines();
+        }
+        let read = self.alternatives(&mut choice);
+        (StatementKind::Choice(choice), read)
+    }
+
+    fn alternatives(&mut self, choice: &mut ChoiceStatement) -> Read<()> {
+        let Some(open) = self.take(Symbol::LeftBrace) else {
+            let wrong =
+                words!("`{{` is expected here, not {found}", "aquí se espera `{{`, no {found}", found = self.found());
+            let place = if self.at_line_end() { choice.name.span } else { self.span() };
+            return self.fail(Diagnostic::error("choice-form", wrong, place).with_hint(FORM));
+        };
+        let mut wrong = false;
+        loop {
+            self.skip_separators();
+            if let Some(end) = self.take(Symbol::RightBrace) {
+                if choice.alternatives.is_empty() && !wrong {
+                    let empty = words("there is nothing to choose from", "no hay nada que elegir");
+                    self.say(Diagnostic::error("choice-form", empty, open.to(end)).with_hint(FORM));
+                }
+                return Ok(());
+            }
+            if *self.peek() == TokenKind::End {
+                let unclosed = words("this `{` is not closed", "esta `{` no se cierra");
+                return self.fail(Diagnostic::error("unclosed-brace", unclosed, open).with_hint(FORM));
+            }
+            match self.alternative() {
+                Ok(alternative) => choice.alternatives.push(alternative),
+                Err(Told) => {
+                    wrong = true;
+                    self.skip_rest(true);
+                }
+            }
+        }
+    }
+
+    fn skip_separators(&mut self) {
+        while self.take(Symbol::Semicolon).is_some()
+            || self.take(Symbol::Comma).is_some()
+            || *self.peek() == TokenKind::Newline
+        {
+            self.skip_lines();
+        }
+    }
+
+    /// `"Water": rho = 998.2 [kg/m^3], eta = 1 [mPa s]`
+    fn alternative(&mut self) -> Read<Alternative> {
+        let span = self.span();
+        let TokenKind::Text(text) = self.peek().clone() else {
+            let wrong = words!(
+                "the text of an alternative is expected here, not {found}",
+                "aquí se espera el texto de una alternativa, no {found}",
+                found = self.found()
+            );
+            return self.fail(Diagnostic::error("choice-form", wrong, span).with_hint(FORM));
+        };
+        self.advance();
+        if self.take(Symbol::Colon).is_none() {
+            let wrong = words!(
+                "`:` is expected after the text of an alternative, not {found}",
+                "después del texto de una alternativa se espera `:`, no {found}",
+                found = self.found()
+            );
+            let place = if self.at_line_end() { span } else { self.span() };
+            return self.fail(Diagnostic::error("choice-form", wrong, place).with_hint(FORM));
+        }
+        self.skip_lines();
+        let mut values = Vec::new();
+        loop {
+            values.push(self.chosen_value()?);
+            let goes_on = *self.peek() == TokenKind::Symbol(Symbol::Comma) && {
+                self.advance();
+                self.skip_lines();
+                matches!(self.peek(), TokenKind::Name { .. })
+            };
+            if !goes_on {
+                return Ok(Alternative { text: Quoted { text, span }, values });
+            }
+        }
+    }
+
+    fn chosen_value(&mut self) -> Read<Assignment> {
+        let name = self.plain_name(&words("a quantity", "una magnitud"))?;
+        if self.take(Symbol::Equals).is_none() {
+            let wrong = words!(
+                "`=` and a value are expected after `{}`",
+                "después de `{}` se esperan `=` y un valor",
+                name.text
+            );
+            return self.fail(Diagnostic::error("missing-equals", wrong, name.span));
+        }
+        self.depth = 0;
+        let value = self.expression()?.expression;
+        let unit = self.stated_unit()?;
+        let separated = matches!(
+            self.peek(),
+            TokenKind::Newline
+                | TokenKind::End
+                | TokenKind::Symbol(Symbol::Semicolon | Symbol::Comma | Symbol::RightBrace)
+        );
+        if separated { Ok(Assignment { name, value, unit }) } else { self.unexpected_after_expression() }
+    }
+}

@@ -1,0 +1,66 @@
+//! `switch drag = on "With drag"`: a parameter that is on or off.
+
+use super::cursor::{Cursor, Read};
+use super::statement::{Salvaged, nothing};
+use crate::lexer::{Symbol, TokenKind};
+use crate::{Diagnostic, ParameterForm, ParameterStatement, StatementKind};
+use units::words;
+
+impl Cursor<'_> {
+    /// Whether a statement begins with this word and a name. The word is free for other use everywhere else.
+    pub(super) fn begins_with(&self, word: &str) -> bool {
+        let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == word);
+        here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
+    }
+
+    /// Whether a statement begins with `switch NAME`.
+    pub(super) fn is_switch(&self) -> bool {
+        self.begins_with("switch")
+    }
+
+    /// `switch drag = on`
+    pub(super) fn switch(&mut self) -> Salvaged {
+        let start = self.advance();
+        let name = match self.plain_name(&words("a switch", "un interruptor")) {
+            Ok(name) => name,
+            Err(reported) => return (nothing(start), Err(reported)),
+        };
+        let span = name.span;
+        let mut switch = ParameterStatement {
+            name,
+            value: f64::NAN,
+            value_span: span,
+            unit: None,
+            range: None,
+            step: None,
+            form: ParameterForm::Switch,
+        };
+        let read = self.on_or_off(&mut switch);
+        (StatementKind::Parameter(switch), read)
+    }
+
+    fn on_or_off(&mut self, switch: &mut ParameterStatement) -> Read<()> {
+        let equals = self.take(Symbol::Equals).is_some();
+        let value = match self.peek() {
+            TokenKind::Name { text, order: 0, .. } if equals => match text.as_str() {
+                "on" | "true" => Some(1.0),
+                "off" | "false" => Some(0.0),
+                _ => None,
+            },
+            _ => None,
+        };
+        let Some(value) = value else {
+            let name = &switch.name.text;
+            let wrong = words!(
+                "the switch `{name}` is `on` or `off` at the start",
+                "el interruptor `{name}` está al comienzo en `on` o en `off`"
+            );
+            let place = if self.at_line_end() || !equals { switch.name.span } else { self.span() };
+            let hint = words!("such as: `switch {name} = on`", "por ejemplo: `switch {name} = on`");
+            return self.fail(Diagnostic::error("switch-value", wrong, place).with_hint(hint));
+        };
+        switch.value = value;
+        switch.value_span = self.advance();
+        Ok(())
+    }
+}

@@ -1,0 +1,62 @@
+//! Switches and choices.
+
+use crate::common::{At, assert_near, compile};
+use program::{Choices, Kind};
+
+const SPHERE: &str = "switch drag = on \"With drag\"\n\
+    parameter rho_own = 5 [kg/m^3]\n\
+    choice liquid \"Liquid\" {\n\
+        \"Water\":     rho = 998 [kg/m^3], eta = 1 [mPa s]\n\
+        \"Glycerine\": rho = 1261 [kg/m^3], eta = 1.41 [Pa s]\n\
+        \"My own\":    rho = rho_own,\n            eta = 2*rho_own*(1 [m^2/s])\n\
+    }\n\
+    m = 1 [kg]\n\
+    m*v' = -(if drag then eta*(1 [m])*v else 0)\n\
+    v(0) = 1 [m/s]\n\
+    own = liquid == \"My own\"\n";
+
+#[test]
+fn alternatives_define_quantities() {
+    let model = compile(SPHERE);
+    let liquid = &model.parameters[2];
+    assert_eq!((liquid.name.as_str(), liquid.label.as_deref()), ("liquid", Some("Liquid")));
+    assert_eq!(liquid.words(&model.texts), ["Water", "Glycerine", "My own"]);
+    let quantity = |name: &str| model.quantities.iter().find(|quantity| quantity.name == name).unwrap();
+    assert_eq!(
+        (quantity("rho").value.unit.text.as_str(), quantity("eta").value.unit.text.as_str()),
+        ("kg/m^3", "mPa s")
+    );
+    for (text, rho, eta, own) in
+        [("Water", 998.0, 1e-3, 0.0), ("Glycerine", 1261.0, 1.41, 0.0), ("My own", 5.0, 10.0, 1.0)]
+    {
+        let mut at = At::new(&model, 0.0, &[1.0]);
+        at.parameters[2] = liquid.chosen(text, &model.texts).unwrap();
+        assert_near(at.value(&model.graph, quantity("rho").value.node), rho);
+        assert_near(at.value(&model.graph, quantity("eta").value.node), eta);
+        assert_near(at.value(&model.graph, quantity("own").value.node), own);
+        assert_near(at.value(&model.graph, model.states[0].derivative), -eta);
+        at.parameters[0] = 0.0;
+        assert_near(at.value(&model.graph, model.states[0].derivative), 0.0);
+    }
+}
+
+#[test]
+fn a_switch_is_a_truth_value_and_a_choice_a_text() {
+    let model = compile(SPHERE);
+    let drag = &model.parameters[0];
+    assert_eq!((drag.value, &drag.choices, drag.label.as_deref()), (1.0, &Choices::Switch, Some("With drag")));
+    let kinds = ["drag", "liquid", "rho_own"].map(|name| model.lookup(name, 0).unwrap().kind);
+    assert_eq!(kinds, [Kind::Truth, Kind::Text, Kind::Number]);
+    assert_eq!(
+        (drag.chosen("off", &[]), drag.chosen("perhaps", &[]), drag.word(1.0, &[])),
+        (Some(0.0), None, Some("on"))
+    );
+    assert!(drag.takes(1.0) && !drag.takes(0.5));
+}
+
+/// The words are free: what had them as names before goes on having them.
+#[test]
+fn the_words_stay_names() {
+    let model = compile("choice = 2\nswitch = 3*choice\non = 2\n");
+    assert_eq!(model.quantities.len(), 3);
+}

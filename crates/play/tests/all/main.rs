@@ -4,6 +4,7 @@
 
 mod answers;
 mod checks;
+mod choosing;
 mod clock;
 mod controls;
 mod dragging;

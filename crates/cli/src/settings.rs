@@ -6,6 +6,7 @@ use crate::failure::{Failure, listed};
 use crate::load::Sources;
 use crate::terminal::Terminal;
 use document::Document;
+use document::edit::set_parameter;
 use engine::{Method, Readings, Setup};
 use model::Compiler;
 use program::{Choices, Compiled, Kind, Model, Parameter, Program};
@@ -15,6 +16,7 @@ use units::nearest;
 
 /// The setup of a run and the value of the independent variable at its end, all SI.
 pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Result<(Setup, f64), Failure> {
+    let parameters = resize(document, &arguments.set)?;
     let mut setup = Setup::of(&document.program);
     for name in &arguments.preset {
         apply_preset(document, name, &mut setup.parameters)?;
@@ -23,7 +25,7 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
     let Program { model, .. } = &mut document.program;
     let time = model.independent.unit.clone();
     let mut reader = Reader { model, terminal };
-    for assignment in &arguments.set {
+    for assignment in parameters {
         let (index, value) = reader.parameter("--set", assignment, &setup.parameters)?;
         setup.parameters[index] = value;
     }
@@ -45,6 +47,33 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
         None => end,
     };
     Ok((setup, until))
+}
+
+/// Gives the sizes of families other values, as `--set N=50`: another size makes other equations, so the document is opened
+/// again with its text changed. What is left of the assignments are those of parameters.
+fn resize<'a>(document: &mut Document, assignments: &'a [Assignment]) -> Result<Vec<&'a Assignment>, Failure> {
+    let is_size =
+        |assignment: &&Assignment| document.program.model.sizes.iter().any(|size| size.name == assignment.name);
+    let (sizes, parameters): (Vec<_>, Vec<_>) = assignments.iter().partition(is_size);
+    let mut source = document.source.clone();
+    for assignment in &sizes {
+        let (name, value) = (&assignment.name, &assignment.value);
+        let outline = document::read(&source);
+        let edit = set_parameter(&outline, name, value).map_err(|error| Failure::request(error.to_string()))?;
+        source = document::edit::apply(&source, &[edit]).map_err(|error| Failure::request(error.to_string()))?;
+    }
+    if !sizes.is_empty() {
+        let translations: Vec<&str> = document.translations.iter().map(String::as_str).collect();
+        let opened = document::open(&source, &translations);
+        let error = opened.diagnostics.iter().find(|(_, found)| found.severity == model::Severity::Error);
+        let refused = error.map(|(_, found)| found.message.english.to_string());
+        let names: Vec<&str> = sizes.iter().map(|assignment| assignment.name.as_str()).collect();
+        *document = opened.sound().ok_or_else(|| {
+            let reason = refused.unwrap_or_default();
+            Failure::request(format!("`{}` cannot have this size: {reason}", names.join("`, `")))
+        })?;
+    }
+    Ok(parameters)
 }
 
 /// Values in the words of a command line, read with the document's names.

@@ -286,7 +286,7 @@ impl<'a> Expressions<'a> {
             *nodes += count(expression);
             return;
         }
-        for operand in operands_mut(expression) {
+        for operand in expression.operands_mut() {
             self.replace(operand, nodes);
         }
     }
@@ -359,11 +359,11 @@ pub fn dimension_error(
 
 /// Whether something in an expression could not be read.
 fn has_gap(expression: &Expression) -> bool {
-    matches!(expression.kind, ExpressionKind::Error) || operands(expression).into_iter().any(has_gap)
+    matches!(expression.kind, ExpressionKind::Error) || expression.operands().into_iter().any(has_gap)
 }
 
 fn count(expression: &Expression) -> usize {
-    1 + operands(expression).into_iter().map(count).sum::<usize>()
+    1 + expression.operands().into_iter().map(count).sum::<usize>()
 }
 
 /// Stops counting a little beyond [`DEPTH`].
@@ -371,28 +371,8 @@ fn depth(expression: &Expression) -> usize {
     let mut level = vec![expression];
     let mut depth = 0;
     while !level.is_empty() && depth <= DEPTH {
-        level = level.into_iter().flat_map(operands).collect();
+        level = level.into_iter().flat_map(Expression::operands).collect();
         depth += 1;
     }
     depth
-}
-
-fn operands(expression: &Expression) -> Vec<&Expression> {
-    match &expression.kind {
-        ExpressionKind::Unary(_, operand) => vec![operand],
-        ExpressionKind::Binary(_, left, right) => vec![left, right],
-        ExpressionKind::If(condition, yes, no) => vec![condition, yes, no],
-        ExpressionKind::Call { arguments, .. } => arguments.iter().collect(),
-        _ => Vec::new(),
-    }
-}
-
-fn operands_mut(expression: &mut Expression) -> Vec<&mut Expression> {
-    match &mut expression.kind {
-        ExpressionKind::Unary(_, operand) => vec![operand],
-        ExpressionKind::Binary(_, left, right) => vec![left, right],
-        ExpressionKind::If(condition, yes, no) => vec![condition, yes, no],
-        ExpressionKind::Call { arguments, .. } => arguments.iter_mut().collect(),
-        _ => Vec::new(),
-    }
 }

@@ -55,7 +55,11 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "chained-comparison"
         | "label-not-last"
         | "ambiguous-logarithm"
-        | "no-indices" => ("This cannot be read", "Esto no se puede leer"),
+        | "index-after-primes"
+        | "index-not-whole"
+        | "index-range"
+        | "size-value"
+        | "size-range" => ("This cannot be read", "Esto no se puede leer"),
 
         // Names.
         "unknown-name" | "unknown-function" => ("Unknown name", "Nombre desconocido"),

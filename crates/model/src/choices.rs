@@ -17,9 +17,9 @@ pub(crate) fn spread(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>
         match &statement.kind {
             StatementKind::Choice(choice) if check(choice, diagnostics) => {
                 let parameter = StatementKind::Parameter(parameter(choice));
-                spread.push(Statement { kind: parameter, label: choice.label.clone(), span: statement.span });
+                spread.push(Statement { label: choice.label.clone(), ..Statement::of(parameter, statement.span) });
                 for kind in definitions(choice) {
-                    spread.push(Statement { kind, label: None, span: statement.span });
+                    spread.push(Statement::of(kind, statement.span));
                 }
             }
             StatementKind::Choice(_) => {}

@@ -2,11 +2,13 @@
 
 use crate::choices;
 use crate::dimensions::check_dimensions;
+use crate::families::{sizes, without_families};
 use crate::functions::{Functions, written_out};
 use crate::lowering::{assemble, warn};
 use crate::names::{Declarations, NameCheck, Unknown, check_event, definition_order, find_unknowns};
 use crate::{Diagnostic, Places, Span, Statement, has_errors, limits, moments, parse, so_far, ticks};
-use program::Model;
+use program::{Model, Size};
+use std::borrow::Cow;
 use std::ops::Range;
 use units::words;
 
@@ -64,18 +66,24 @@ fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Opt
         diagnostics.push(Diagnostic::error("model-too-large", message, beyond.span));
         return None;
     }
-    let scheduled = ticks::write_out(&statements);
+    let sizes = sizes(&statements, diagnostics);
+    let single = without_families(&statements, &sizes, diagnostics);
+    let scheduled = ticks::write_out(&single);
     let remembered = so_far::write_out(moments::write_out(&scheduled, diagnostics));
-    let (functions, written) = written_out(&remembered, diagnostics);
+    let (functions, called) = written_out(&remembered, diagnostics);
     if has_errors(diagnostics) {
         return None;
     }
-    let written = written.as_ref().map_or(&*remembered, Vec::as_slice);
-    let spread = choices::spread(written, diagnostics);
+    // Functions may have members in their bodies.
+    let single = match &called {
+        Some(called) => without_families(called, &sizes, diagnostics),
+        None => Cow::Borrowed(&*remembered),
+    };
+    let spread = choices::spread(&single, diagnostics);
     if has_errors(diagnostics) {
         return None;
     }
-    let mut declarations = Declarations::collect(spread.as_ref().map_or(written, Vec::as_slice), diagnostics);
+    let mut declarations = Declarations::collect(spread.as_deref().unwrap_or(&single), diagnostics);
     let order = definition_order(&declarations, diagnostics);
     let unknowns = find_unknowns(&mut declarations, &order, diagnostics);
     let states: u32 = unknowns.iter().map(|unknown| unknown.highest).sum();
@@ -88,13 +96,14 @@ fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Opt
         );
         diagnostics.push(Diagnostic::error("model-too-large", message, span));
     }
-    check_names(&declarations, &unknowns, diagnostics);
+    check_names(&declarations, &unknowns, &sizes, diagnostics);
     let types = check_dimensions(&declarations, &order, &unknowns, diagnostics);
     if has_errors(diagnostics) {
         return None;
     }
     match assemble(&declarations, &order, &unknowns, &types) {
-        Ok((model, places)) => {
+        Ok((mut model, places)) => {
+            model.sizes = sizes;
             warn(&model, &places, &declarations, diagnostics);
             Some(Checked { model, places, statements, functions })
         }
@@ -105,12 +114,12 @@ fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Opt
     }
 }
 
-fn check_names(declarations: &Declarations, unknowns: &[Unknown], diagnostics: &mut Vec<Diagnostic>) {
+fn check_names(declarations: &Declarations, unknowns: &[Unknown], sizes: &[Size], diagnostics: &mut Vec<Diagnostic>) {
     let initial = declarations.initial_values.iter().map(|entry| entry.name.text.as_str());
     let reported = initial.filter(|name| declarations.scope.meaning(name).is_none()).collect();
     let mut check = NameCheck::new(&declarations.scope, reported);
     for function in &declarations.functions {
-        check.function(function);
+        check.function(function, sizes);
     }
     for definition in &declarations.definitions {
         check.expression(definition.value);

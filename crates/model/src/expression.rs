@@ -1,11 +1,13 @@
 //! Expressions of the document (scene, plots, presets, answers) against a checked model.
 
 use crate::dimensions::{Form, Inference, Solver, Type, Types};
+use crate::families::{Bindings, expression_without_families, whole_number};
 use crate::functions::{Budget, Functions};
 use crate::lowering::{Chain, Lowered, Lowering, TooManyNodes, frictions, too_many_nodes};
 use crate::names::{Meaning, NameCheck, Scope, for_each};
-use crate::{Diagnostic, Expression, ExpressionKind, StatedUnit, has_errors};
+use crate::{Diagnostic, Expression, ExpressionKind, Over, StatedUnit, has_errors};
 use program::{Choices, Compiled, Kind, Model};
+use std::ops::RangeInclusive;
 use units::{Unit, words};
 
 /// Compiles expressions of a document against its model. What the names of the model mean, and what was derived from
@@ -18,6 +20,7 @@ pub struct Compiler<'a> {
     chains: Vec<Chain>,
     lowered: Lowered,
     functions: Functions,
+    indices: Bindings,
 }
 
 impl<'a> Compiler<'a> {
@@ -27,7 +30,9 @@ impl<'a> Compiler<'a> {
         let (scope, types) = (scope(model, &variables), types(model, &variables));
         let chains = variables.into_iter().map(|(_, chain)| chain).collect();
         let definitions = model.quantities.iter().map(|quantity| Some(quantity.value.node)).collect();
-        Self { scope, types, chains, lowered: Lowered::of(definitions), functions: Functions::default(), model }
+        let lowered = Lowered::of(definitions);
+        let (functions, indices) = (Functions::default(), Bindings::default());
+        Self { scope, types, chains, lowered, functions, indices, model }
     }
 
     /// With the author's functions, which the expressions may then call.
@@ -43,6 +48,25 @@ impl<'a> Compiler<'a> {
         self.model
     }
 
+    /// Gives an index a value in the expressions that follow, until [`Self::unbind`].
+    pub fn bind(&mut self, index: &str, value: i64) {
+        self.indices.push(index, value);
+    }
+
+    /// Takes back the index that was bound last.
+    pub fn unbind(&mut self) {
+        self.indices.pop();
+    }
+
+    /// The whole numbers from the low to the high end of a range, both included, with the indices that are bound.
+    ///
+    /// # Errors
+    /// Ends that are not made of whole numbers, sizes and indices.
+    pub fn range(&self, over: &Over) -> Result<RangeInclusive<i64>, Box<Diagnostic>> {
+        let end = |end| whole_number(end, &self.model.sizes, &self.indices);
+        Ok(end(&over.low)?..=end(&over.high)?)
+    }
+
     /// Adds an expression of the document to the model's graph. `unit`, where stated, is checked and becomes the
     /// display unit. What could not be parsed is refused without a further word.
     ///
@@ -50,15 +74,17 @@ impl<'a> Compiler<'a> {
     /// Unknown names, mismatching dimensions, and whatever else would be wrong with it inside the model.
     pub fn compile(&mut self, expression: &Expression, unit: Option<&StatedUnit>) -> Result<Compiled, Vec<Diagnostic>> {
         let mut found = Vec::new();
-        let expression = &self.functions.expanded(expression, &mut Budget::default(), &mut found);
+        let called = self.functions.expanded(expression, &mut Budget::default(), &mut found);
         if has_errors(&found) {
             return Err(found);
         }
+        let (written, found) = expression_without_families(&called, &self.model.sizes, &self.indices);
         let mut unreadable = false;
-        for_each(expression, |part| unreadable |= part.kind == ExpressionKind::Error);
-        if unreadable {
-            return Err(Vec::new());
+        for_each(&written, |part| unreadable |= part.kind == ExpressionKind::Error);
+        if unreadable || has_errors(&found) {
+            return Err(found);
         }
+        let expression = &written;
         if !frictions(expression).is_empty() {
             let message = words(
                 "dry friction has a value in the model only",

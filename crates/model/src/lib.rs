@@ -5,6 +5,7 @@ mod compile;
 mod diagnostic;
 mod dimensions;
 mod expression;
+mod families;
 mod functions;
 mod lexer;
 mod limits;

@@ -5,6 +5,10 @@
 pub(crate) const SOURCE: usize = 200_000;
 /// Statements of a model.
 pub(crate) const STATEMENTS: usize = 20_000;
+/// The greatest size, and the greatest number of members of a family.
+pub(crate) const MEMBERS: u32 = 10_000;
+/// Operations of expressions with all members of families written out.
+pub(crate) const MEMBER_OPERATIONS: usize = 1_000_000;
 /// Primes of one name.
 pub(crate) const ORDER: u32 = 16;
 /// States of a model.

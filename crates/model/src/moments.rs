@@ -237,7 +237,7 @@ impl Writer {
         }
         for (member, value, beyond, place) in all {
             let state = Name { text: kept(&member), span: place };
-            actions.push(Action { name: state.clone(), order: 0, value });
+            actions.push(Action::of(state.clone(), 0, value));
             let value = match beyond {
                 None => name(state.text.clone()),
                 // No value before so many times.
@@ -256,14 +256,14 @@ impl Writer {
             ];
             let zero = expression(ExpressionKind::Number { value: 0.0, unit: None }, place);
             let kind = StatementKind::Discrete { name: state, value: zero, unit: None, rate: Box::new(rate) };
-            self.added.push(Statement { kind, label: None, span });
+            self.added.push(Statement::of(kind, span));
         }
     }
 
     fn define(&mut self, name: Name, value: Expression) {
         let span = name.span;
         let kind = StatementKind::Definition { name, value, unit: None };
-        self.added.push(Statement { kind, label: None, span });
+        self.added.push(Statement::of(kind, span));
     }
 }
 
@@ -309,14 +309,6 @@ pub(crate) fn rewrite(expression: &mut Expression, change: &mut impl FnMut(&mut 
     let mut waiting = vec![expression];
     while let Some(next) = waiting.pop() {
         change(next);
-        match &mut next.kind {
-            ExpressionKind::Unary(_, operand) => waiting.push(operand),
-            ExpressionKind::Binary(_, left, right) => waiting.extend([&mut **left, &mut **right]),
-            ExpressionKind::Call { arguments, .. } => waiting.extend(arguments),
-            ExpressionKind::If(condition, chosen, other) => {
-                waiting.extend([&mut **condition, &mut **chosen, &mut **other]);
-            }
-            _ => {}
-        }
+        waiting.extend(next.operands_mut());
     }
 }

@@ -72,6 +72,16 @@ fn operator_text(operator: BinaryOperator) -> (&'static str, u8) {
     }
 }
 
+fn list(out: &mut impl Write, expressions: &[Expression]) -> fmt::Result {
+    for (number, expression) in expressions.iter().enumerate() {
+        if number > 0 {
+            out.write_str(", ")?;
+        }
+        write(out, expression, 0)?;
+    }
+    Ok(())
+}
+
 fn write(out: &mut impl Write, expression: &Expression, least: u8) -> fmt::Result {
     let own = tightness(expression);
     if own < least {
@@ -85,6 +95,22 @@ fn write(out: &mut impl Write, expression: &Expression, least: u8) -> fmt::Resul
         ExpressionKind::Text(text) => write!(out, "\"{text}\""),
         ExpressionKind::Name { name, order } => out.write_str(&primed(name, *order)),
         ExpressionKind::InitialValue { name, order } => write!(out, "{}(0)", primed(name, *order)),
+        ExpressionKind::Member { name, indices, order, at_start } => {
+            write!(out, "{name}[")?;
+            list(out, indices)?;
+            write!(out, "]{}{}", primed("", *order), if *at_start { "(0)" } else { "" })
+        }
+        ExpressionKind::Reduction { function, body, over } => {
+            write!(out, "{}(", function.text)?;
+            write(out, body, 0)?;
+            for (number, over) in over.iter().enumerate() {
+                write!(out, "{}{} in ", if number == 0 { " for " } else { ", " }, over.index.text)?;
+                write(out, &over.low, 0)?;
+                out.write_str("..")?;
+                write(out, &over.high, 0)?;
+            }
+            out.write_char(')')
+        }
         ExpressionKind::Unary(UnaryOperator::Negate, operand) => {
             out.write_char('-')?;
             write(out, operand, 7)
@@ -103,12 +129,7 @@ fn write(out: &mut impl Write, expression: &Expression, least: u8) -> fmt::Resul
         }
         ExpressionKind::Call { function, arguments } => {
             write!(out, "{}(", function.text)?;
-            for (index, argument) in arguments.iter().enumerate() {
-                if index > 0 {
-                    out.write_str(", ")?;
-                }
-                write(out, argument, 0)?;
-            }
+            list(out, arguments)?;
             out.write_char(')')
         }
         ExpressionKind::Expansion(expansion) => out.write_str(&expansion.written),

@@ -108,7 +108,7 @@ impl Writer {
         self.add(StatementKind::Discrete { name: state.clone(), value, unit: None, rate: Box::new(rate) }, span);
         let slope = of(ExpressionKind::Name { name: present.clone(), order: 1 });
         let condition = of(ExpressionKind::Binary(turned, Box::new(slope), Box::new(of(number(0.0)))));
-        let action = Action { name: state, order: 0, value: extreme() };
+        let action = Action::of(state, 0, extreme());
         let (actions, extras) = (vec![action.clone()], EventExtras::default());
         self.kept.push(action);
         self.add(StatementKind::Event { condition, actions, extras }, span);
@@ -143,7 +143,7 @@ impl Writer {
     }
 
     fn add(&mut self, kind: StatementKind, span: Span) {
-        self.added.push(Statement { kind, label: None, span });
+        self.added.push(Statement::of(kind, span));
     }
 }
 

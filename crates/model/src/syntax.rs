@@ -35,6 +35,8 @@ pub struct StatedUnit {
 pub struct Statement {
     /// What it states.
     pub kind: StatementKind,
+    /// `for i in 1..N`: the indices for each of whose values it is stated; none of a statement that stands for itself.
+    pub over: Vec<Over>,
     /// The quoted label that ends it, such as `"Damping"`.
     pub label: Option<Quoted>,
     /// Where it stands, without its comment.
@@ -48,6 +50,8 @@ pub enum StatementKind {
     Parameter(ParameterStatement),
     /// `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3] }`
     Choice(ChoiceStatement),
+    /// `size N = 20 in 2..200`
+    Size(SizeStatement),
     /// `independent x in [m]`
     Independent {
         /// The independent variable.
@@ -73,6 +77,17 @@ pub enum StatementKind {
         /// Its value at the start.
         value: Expression,
         /// The stated unit, which is also the display unit of the state.
+        unit: Option<StatedUnit>,
+    },
+    /// `x[i](0) = A*sin(pi*i/(N + 1)) in [cm]`, `s[i] = s[i-1] + x[i]`, `discrete n[i] = 0`
+    Members {
+        /// What the members are.
+        what: Members,
+        /// Those that are meant: an [`ExpressionKind::Member`] without primes, unless it is an initial value.
+        left: Expression,
+        /// Their value.
+        value: Expression,
+        /// The stated unit.
         unit: Option<StatedUnit>,
     },
     /// `discrete n = 0 in [cm]`
@@ -118,6 +133,41 @@ pub struct EventExtras {
     pub every: Option<Box<(Expression, Option<Expression>)>>,
     /// `stop`: it ends the run.
     pub stop: Option<Span>,
+}
+
+/// What the members of a family are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Members {
+    /// Each is defined by an expression.
+    Definitions,
+    /// Each is an unknown, and this is its value at the start.
+    InitialValues,
+    /// Each is changed by events only, and this is its value at the start.
+    Discrete,
+}
+
+/// `size N = 20 in 2..200`: a whole number that decides how many members families have.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SizeStatement {
+    /// The size.
+    pub name: Name,
+    /// Its value.
+    pub value: u32,
+    /// Where the value stands.
+    pub value_span: Span,
+    /// `in LOW..HIGH`
+    pub range: Option<Bounds>,
+}
+
+/// `i in 1..N`: an index and the whole numbers that it takes, both ends included.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Over {
+    /// The index.
+    pub index: Name,
+    /// Its least value.
+    pub low: Expression,
+    /// Its greatest value; if that is less than the least, it takes none.
+    pub high: Expression,
 }
 
 /// The parts of a parameter statement. Numbers in `range` and `step` are bare, in the declared unit.
@@ -211,10 +261,14 @@ pub struct Bounds {
 pub struct Action {
     /// The variable.
     pub name: Name,
+    /// The indices of a member of a family; none of what stands for itself.
+    pub indices: Vec<Expression>,
     /// How many primes.
     pub order: u32,
     /// Its value after the event.
     pub value: Expression,
+    /// `for i in 1..N`: the indices for each of whose values it acts.
+    pub over: Vec<Over>,
 }
 
 /// An expression and where it stands.
@@ -251,6 +305,26 @@ pub enum ExpressionKind {
         name: String,
         /// How many primes.
         order: u32,
+    },
+    /// `x[i+1]''`, `u[i, j]`: a member of a family; `x[i](0)`: its value at the start.
+    Member {
+        /// The ASCII name of the family.
+        name: String,
+        /// Which member.
+        indices: Vec<Expression>,
+        /// How many primes.
+        order: u32,
+        /// Whether it is the value at the start of the run.
+        at_start: bool,
+    },
+    /// `sum(m*x[i]'^2/2 for i in 1..N)`
+    Reduction {
+        /// What joins the values: `sum`, `min` or `max`.
+        function: Name,
+        /// The value for each index.
+        body: Box<Expression>,
+        /// The indices.
+        over: Vec<Over>,
     },
     /// `-x`, `not x`
     Unary(UnaryOperator, Box<Expression>),
@@ -311,4 +385,74 @@ pub enum BinaryOperator {
     NotEqual,
     And,
     Or,
+}
+
+impl Statement {
+    /// A statement without a label that stands for itself.
+    pub(crate) fn of(kind: StatementKind, span: Span) -> Self {
+        Self { kind, over: Vec::new(), label: None, span }
+    }
+}
+
+impl Action {
+    /// What happens to a quantity that is no member of a family.
+    pub(crate) fn of(name: Name, order: u32, value: Expression) -> Self {
+        Self { name, indices: Vec::new(), order, value, over: Vec::new() }
+    }
+}
+
+impl StatementKind {
+    /// A quantity that only events change, with the equation that it stands for.
+    pub(crate) fn discrete(name: Name, value: Expression, unit: Option<StatedUnit>) -> Self {
+        let of = |kind| Expression { kind, span: name.span };
+        let rate = Box::new([
+            of(ExpressionKind::Name { name: name.text.clone(), order: 1 }),
+            of(ExpressionKind::Number { value: 0.0, unit: None }),
+        ]);
+        Self::Discrete { name, value, unit, rate }
+    }
+}
+
+impl Expression {
+    /// The direct operands, in the order of the text.
+    pub fn operands(&self) -> Vec<&Self> {
+        match &self.kind {
+            ExpressionKind::Number { .. }
+            | ExpressionKind::Text(_)
+            | ExpressionKind::Name { .. }
+            | ExpressionKind::InitialValue { .. }
+            | ExpressionKind::Error => Vec::new(),
+            ExpressionKind::Member { indices, .. } => indices.iter().collect(),
+            ExpressionKind::Reduction { body, over, .. } => {
+                let bounds = over.iter().flat_map(|over| [&over.low, &over.high]);
+                std::iter::once(&**body).chain(bounds).collect()
+            }
+            ExpressionKind::Unary(_, operand) => vec![operand],
+            ExpressionKind::Binary(_, left, right) => vec![left, right],
+            ExpressionKind::Call { arguments, .. } => arguments.iter().collect(),
+            ExpressionKind::Expansion(expansion) => vec![&expansion.body],
+            ExpressionKind::If(condition, chosen, other) => vec![condition, chosen, other],
+        }
+    }
+
+    /// The same, to be changed.
+    pub fn operands_mut(&mut self) -> Vec<&mut Self> {
+        match &mut self.kind {
+            ExpressionKind::Number { .. }
+            | ExpressionKind::Text(_)
+            | ExpressionKind::Name { .. }
+            | ExpressionKind::InitialValue { .. }
+            | ExpressionKind::Error => Vec::new(),
+            ExpressionKind::Member { indices, .. } => indices.iter_mut().collect(),
+            ExpressionKind::Reduction { body, over, .. } => {
+                let bounds = over.iter_mut().flat_map(|over| [&mut over.low, &mut over.high]);
+                std::iter::once(&mut **body).chain(bounds).collect()
+            }
+            ExpressionKind::Unary(_, operand) => vec![operand],
+            ExpressionKind::Binary(_, left, right) => vec![left, right],
+            ExpressionKind::Call { arguments, .. } => arguments.iter_mut().collect(),
+            ExpressionKind::Expansion(expansion) => vec![&mut expansion.body],
+            ExpressionKind::If(condition, chosen, other) => vec![condition, chosen, other],
+        }
+    }
 }

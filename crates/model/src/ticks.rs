@@ -74,14 +74,14 @@ impl Ticks<'_> {
         let rate = Box::new([self.name(&self.next, 1), self.number(0.0)]);
         let name = Name { text: self.next.clone(), span: self.span };
         let kind = StatementKind::Discrete { name, value: first, unit: None, rate };
-        Statement { kind, label: None, span: self.span }
+        Statement::of(kind, self.span)
     }
 
     /// n = n + 1
     fn counted(&self) -> Action {
         let name = Name { text: self.next.clone(), span: self.span };
         let value = self.binary(BinaryOperator::Add, self.name(&self.next, 0), self.number(1.0));
-        Action { name, order: 0, value }
+        Action::of(name, 0, value)
     }
 
     /// t > from + n interval

@@ -40,13 +40,16 @@ enum Build {
     /// Two arguments, or more from left to right.
     Binary(Binary),
     Hypotenuse,
+    /// Of any number of arguments.
+    Sum,
     /// `a - b*floor(a/b)`: the sign of the divisor.
     Remainder,
     /// Stands for itself until the model is solved ([`Node::Friction`]).
     Friction,
 }
 
-const MANY: usize = 32;
+/// As many as a model can write out.
+const MANY: usize = u32::MAX as usize;
 
 const fn one(name: &'static str, dimensions: Rule, function: Unary) -> Function {
     Function { name, least: 1, most: 1, dimensions, build: Build::Unary(function) }
@@ -81,6 +84,7 @@ pub const FUNCTIONS: &[Function] = &[
     one("floor", Rule::Whole, Unary::Floor),
     one("ceil", Rule::Whole, Unary::Ceil),
     one("round", Rule::Whole, Unary::Round),
+    Function { name: "sum", least: 1, most: MANY, dimensions: Rule::Same, build: Build::Sum },
     two("min", MANY, Rule::Same, Binary::Minimum),
     two("max", MANY, Rule::Same, Binary::Maximum),
     Function { name: "mod", least: 2, most: 2, dimensions: Rule::Same, build: Build::Remainder },
@@ -97,7 +101,7 @@ impl Function {
     /// The function of that name if nothing else may have it. The names of functions that the language has gained since its
     /// first edition are free for other use.
     pub fn reserving(name: &str) -> Option<&'static Self> {
-        Self::named(name).filter(|function| !matches!(function.build, Build::Friction))
+        Self::named(name).filter(|function| !matches!(function.build, Build::Friction | Build::Sum))
     }
 
     /// Whether it can be called with so many arguments.
@@ -125,6 +129,7 @@ impl Function {
         match self.build {
             Build::Unary(function) => graph.unary(function, first),
             Build::Binary(function) => rest.iter().fold(first, |value, &next| graph.binary(function, value, next)),
+            Build::Sum => pairwise_sum(graph, arguments),
             Build::Hypotenuse => {
                 let squares = arguments.iter().map(|&side| graph.multiply(side, side)).collect::<Vec<_>>();
                 let sum = squares.into_iter().reduce(|sum, square| graph.add(sum, square)).unwrap_or(first);
@@ -145,6 +150,22 @@ impl Function {
             }),
         }
     }
+}
+
+/// Neighbours first, then their sums, and so on: the rounding errors of n terms grow with log n only (N. J. Higham, SIAM J.
+/// Sci. Comput. 14 (1993) 783), and the sums of one level are alike.
+fn pairwise_sum(graph: &mut Graph, terms: &[NodeId]) -> NodeId {
+    let mut level = terms.to_vec();
+    while level.len() > 1 {
+        level = level
+            .chunks(2)
+            .map(|pair| match *pair {
+                [a, b] => graph.add(a, b),
+                _ => pair[0],
+            })
+            .collect();
+    }
+    level.first().copied().unwrap_or_else(|| graph.constant(0.0))
 }
 
 #[cfg(test)]

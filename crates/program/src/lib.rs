@@ -20,7 +20,7 @@ pub use graph::{Binary, Graph, LinearSystem, Node, NodeId, Unary, Variable, alon
 pub use method::{Method, UnknownMethod};
 pub use model::{
     Choices, Compared, Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity,
-    Sensitive, Slope, Slopes, State, Switch, Timed,
+    Sensitive, Size, Slope, Slopes, State, Switch, Timed,
 };
 pub use plots::{Curve, Drawing, Every, Plot, Sweep, Taken};
 pub use presets::{Assignment, Preset};

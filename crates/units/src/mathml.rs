@@ -7,10 +7,14 @@ use crate::markup::escaped;
 /// What a name is made of: ω with the subscript d for `omega_d`, h with 1 for `h1`.
 struct NameParts {
     base: String,
-    subscript: Option<String>,
+    subscript: Vec<String>,
 }
 
 fn name_parts(name: &str) -> NameParts {
+    let (name, member) = match name.strip_suffix(']').and_then(|name| name.split_once('[')) {
+        Some((family, numbers)) => (family, numbers),
+        None => (name, ""),
+    };
     let (base, mut lower) = match name.split_once('_') {
         Some((base, lower)) if !base.is_empty() && !lower.is_empty() => (base, vec![lower]),
         _ => (name, Vec::new()),
@@ -24,12 +28,9 @@ fn name_parts(name: &str) -> NameParts {
     } else {
         base
     };
-    let subscript: Vec<String> = lower.iter().flat_map(|part| part.split('_')).map(identifier).collect();
-    let subscript = match subscript.as_slice() {
-        [] => None,
-        [one] => Some(one.clone()),
-        several => Some(format!("<mrow>{}</mrow>", several.join("<mo>,</mo>"))),
-    };
+    let lower = lower.iter().flat_map(|part| part.split('_'));
+    let numbers = member.split(',').filter(|number| !number.is_empty());
+    let subscript = lower.chain(numbers).map(identifier).collect();
     NameParts { base: identifier(base), subscript }
 }
 
@@ -54,6 +55,9 @@ fn identifier(word: &str) -> String {
     if word.chars().all(|c| c.is_ascii_digit()) {
         return format!("<mn>{word}</mn>");
     }
+    if let Some(digits) = word.strip_prefix('-') {
+        return format!("<mrow><mo>−</mo><mn>{digits}</mn></mrow>");
+    }
     format!("<mi>{}</mi>", escaped(word))
 }
 
@@ -71,7 +75,18 @@ fn order_sign(order: u32) -> Option<String> {
 
 /// A name with its primes and an exponent, each in its place: y′² has one superscript, not one upon the other.
 pub fn name(name: &str, order: u32, exponent: Option<String>) -> String {
-    let NameParts { base, subscript } = name_parts(name);
+    indexed(name, &[], order, exponent)
+}
+
+/// A name with further subscripts, which are MathML: the indices of a member of a family.
+pub fn indexed(name: &str, indices: &[String], order: u32, exponent: Option<String>) -> String {
+    let NameParts { base, mut subscript } = name_parts(name);
+    subscript.extend_from_slice(indices);
+    let subscript = match subscript.as_slice() {
+        [] => None,
+        [one] => Some(one.clone()),
+        several => Some(format!("<mrow>{}</mrow>", several.join("<mo>,</mo>"))),
+    };
     let above = match (order_sign(order), exponent) {
         (None, None) => None,
         (Some(one), None) | (None, Some(one)) => Some(one),

@@ -21,6 +21,7 @@ pub(crate) fn bare(model: &Model) -> Model {
         events: model.events.clone(),
         graph: model.graph.clone(),
         texts: Vec::new(),
+        sizes: Vec::new(),
         sensitive: None,
     }
 }

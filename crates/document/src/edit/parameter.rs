@@ -1,10 +1,10 @@
-//! The default values of parameters.
+//! The default values of parameters, and the values of sizes.
 
 use super::{Edit, EditError, layout};
 use crate::outline::Outline;
-use model::{ExpressionKind, ParameterForm, ParameterStatement, Span, StatementKind};
+use model::{ExpressionKind, ParameterForm, Span, StatementKind};
 
-/// Replaces the default value of a parameter by `text`, a number in the declared unit. Unit, range, label and comment
+/// Replaces the default value of a parameter by `text`, a number in the declared unit, or the value of a size. Unit, range, label and comment
 /// stay; so does the column of what follows the value, if there is space and other lines show that it is aligned. `name`
 /// is the ASCII name; of several parameters of one name, the first is changed. Whether the value lies in the range is
 /// not checked.
@@ -18,20 +18,20 @@ pub fn set_parameter(outline: &Outline, name: &str, text: &str) -> Result<Edit, 
     if !is_number(text) {
         return Err(EditError::NotANumber(text.to_owned()));
     }
-    let Some(parameter) = parameters(outline).find(|parameter| parameter.name.text == name) else {
+    let Some((_, span)) = values(outline).find(|(known, _)| *known == name) else {
         return Err(EditError::UnknownParameter(name.to_owned()));
     };
-    if parameter.value.is_nan() {
+    let Some(span) = span else {
         return Err(EditError::UnreadableParameter(name.to_owned()));
-    }
+    };
     let source = outline.source();
-    let mut edit = Edit { span: parameter.value_span, text: text.to_owned() };
+    let mut edit = Edit { span, text: text.to_owned() };
     if let Some(follower) = Follower::of(source, edit.span) {
         let (old, new) = (source[edit.span.range()].chars().count(), text.chars().count());
         let spare = follower.blanks.saturating_sub(1);
         let is_aligned = || {
-            let others = parameters(outline).filter(|other| other.value_span != edit.span);
-            let mut others = others.filter_map(|other| Follower::of(source, other.value_span));
+            let others = values(outline).filter_map(|(_, span)| span).filter(|other| *other != edit.span);
+            let mut others = others.filter_map(|other| Follower::of(source, other));
             spare > 0 || others.any(|other| other.column == follower.column)
         };
         if new > old {
@@ -44,10 +44,14 @@ pub fn set_parameter(outline: &Outline, name: &str, text: &str) -> Result<Edit, 
     Ok(edit)
 }
 
-fn parameters<'a>(outline: &'a Outline) -> impl Iterator<Item = &'a ParameterStatement> {
+/// The names of parameters and sizes, and where their values stand; none where one could not be read.
+fn values<'a>(outline: &'a Outline) -> impl Iterator<Item = (&'a str, Option<Span>)> {
     let statements = outline.blocks().iter().flat_map(|block| &block.statements);
     statements.filter_map(|statement| match &statement.kind {
-        StatementKind::Parameter(parameter) if parameter.form == ParameterForm::Number => Some(parameter),
+        StatementKind::Parameter(parameter) if parameter.form == ParameterForm::Number => {
+            Some((parameter.name.text.as_str(), (!parameter.value.is_nan()).then_some(parameter.value_span)))
+        }
+        StatementKind::Size(size) => Some((size.name.text.as_str(), Some(size.value_span))),
         _ => None,
     })
 }

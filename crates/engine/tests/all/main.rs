@@ -4,6 +4,7 @@
 
 mod closed_forms;
 mod events;
+mod families;
 mod friction;
 mod going_on;
 mod large;

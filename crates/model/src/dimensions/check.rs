@@ -11,9 +11,11 @@ use super::infer::Inference;
 use super::mismatch::is_bare;
 use super::terms::{Place, Term};
 use super::types::{Type, Types};
+use crate::families::family;
 use crate::names::{Declarations, Equation, EventEntry, InitialEntry, Meaning, Unknown};
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, Span, StatedUnit, has_errors};
+use std::collections::HashMap;
 use units::{Dimension, Words, words};
 
 /// What is known about the names of a model once it has been checked; every dimension in it is known. `order` is that of
@@ -36,6 +38,7 @@ pub(crate) fn check_dimensions(
         unknown_names: unknowns.iter().map(|unknown| unknown.name.to_owned()).collect(),
     };
     let mut inference = Inference { scope: &declarations.scope, types: &mut types, solver, diagnostics: Vec::new() };
+    inference.families(unknowns);
     inference.stated_initial_values(unknowns);
     inference.definitions(declarations, order);
     inference.initial_values(unknowns, |entry| !is_bare(entry.value));
@@ -57,6 +60,20 @@ pub(crate) fn check_dimensions(
 }
 
 impl Inference<'_> {
+    /// The members of a family have one dimension.
+    fn families(&mut self, unknowns: &[Unknown]) {
+        let mut first: HashMap<&str, usize> = HashMap::new();
+        for (index, unknown) in unknowns.iter().enumerate() {
+            let Some(family) = family(unknown.name) else { continue };
+            let first = *first.entry(family).or_insert(index);
+            if first != index {
+                // Nothing is known of either yet, so this cannot fail.
+                let (one, other) = (&self.types.unknowns[first], &self.types.unknowns[index]);
+                let _ = self.solver.unify(one, other, unknown.span);
+            }
+        }
+    }
+
     /// `y(0) = h in [cm]` makes y a length, whatever h is.
     fn stated_initial_values(&mut self, unknowns: &[Unknown]) {
         for (index, unknown) in unknowns.iter().enumerate() {

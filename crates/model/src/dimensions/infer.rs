@@ -51,7 +51,8 @@ impl Inference<'_> {
                 self.same_kind((chosen, chosen_type), (other, other_type), Place::Branches)
             }
             ExpressionKind::Expansion(expansion) => self.expansion(expansion, expression.span),
-            ExpressionKind::Error => Type::Unknown,
+            // What belongs to families has been written out.
+            ExpressionKind::Member { .. } | ExpressionKind::Reduction { .. } | ExpressionKind::Error => Type::Unknown,
         }
     }
 

@@ -3,7 +3,6 @@
 use super::budget::Budget;
 use super::substitute::Substitution;
 use super::{Function, Functions};
-use crate::names::children;
 use crate::notation::quote;
 use crate::{Diagnostic, Expansion, Expression, ExpressionKind, Span, limits};
 use units::words;
@@ -69,6 +68,9 @@ impl<'a> Writing<'a> {
             }
             ExpressionKind::Unary(_, operand) => return self.expand(operand, depth + 1),
             ExpressionKind::Binary(..) => return self.chain(expression, depth),
+            ExpressionKind::Member { .. } | ExpressionKind::Reduction { .. } => {
+                return expression.operands_mut().into_iter().for_each(|part| self.expand(part, depth + 1));
+            }
             ExpressionKind::If(condition, chosen, other) => {
                 return [condition, chosen, other].into_iter().for_each(|part| self.expand(part, depth + 1));
             }
@@ -134,7 +136,7 @@ fn is_too_deep(expression: &Expression) -> bool {
         }
         // What is chained to the left, as a sum of many terms, is no deeper for it.
         let chained = matches!(next.kind, ExpressionKind::Binary(..));
-        for (place, part) in children(next).into_iter().enumerate() {
+        for (place, part) in next.operands().into_iter().enumerate() {
             waiting.push((part, if chained && place == 0 { depth } else { depth + 1 }, height + 1));
         }
     }

@@ -33,7 +33,11 @@ pub(crate) fn written_out(
 /// The expressions of a statement in which functions may be called.
 fn expressions(statement: &mut StatementKind) -> Vec<&mut Expression> {
     match statement {
-        StatementKind::Parameter(_) | StatementKind::Independent { .. } | StatementKind::Function(_) => Vec::new(),
+        StatementKind::Parameter(_)
+        | StatementKind::Size(_)
+        | StatementKind::Independent { .. }
+        | StatementKind::Function(_) => Vec::new(),
+        StatementKind::Members { value, .. } => vec![value],
         StatementKind::Definition { value, .. }
         | StatementKind::InitialValue { value, .. }
         | StatementKind::Discrete { value, .. } => vec![value],

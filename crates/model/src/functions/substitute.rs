@@ -4,7 +4,7 @@ use super::Function;
 use super::budget::Budget;
 use crate::names::for_each;
 use crate::notation::quote;
-use crate::{Diagnostic, Expression, ExpressionKind, Span};
+use crate::{Diagnostic, Expression, ExpressionKind, Over, Span};
 use units::words;
 
 /// One call.
@@ -32,10 +32,29 @@ impl<'a> Substitution<'a> {
             ExpressionKind::InitialValue { name, order } => match self.argument(name) {
                 Some(argument) => match self.primed(argument, *order, part.span) {
                     ExpressionKind::Name { name, order } => ExpressionKind::InitialValue { name, order },
+                    ExpressionKind::Member { name, indices, order, .. } => {
+                        ExpressionKind::Member { name, indices, order, at_start: true }
+                    }
                     other => other,
                 },
                 None => part.kind.clone(),
             },
+            ExpressionKind::Member { name, indices, order, at_start } => {
+                let indices = indices.iter().map(|index| self.of(index)).collect::<Option<_>>()?;
+                // A family may be an argument by its name.
+                let family = match self.argument(name).map(|argument| &argument.kind) {
+                    Some(ExpressionKind::Name { name, order: 0 }) => name,
+                    _ => name,
+                };
+                ExpressionKind::Member { name: family.clone(), indices, order: *order, at_start: *at_start }
+            }
+            ExpressionKind::Reduction { function, body, over } => {
+                let mut ranges = Vec::with_capacity(over.len());
+                for Over { index, low, high } in over {
+                    ranges.push(Over { index: index.clone(), low: self.of(low)?, high: self.of(high)? });
+                }
+                ExpressionKind::Reduction { function: function.clone(), body: self.boxed(body)?, over: ranges }
+            }
             ExpressionKind::Number { .. }
             | ExpressionKind::Text(_)
             | ExpressionKind::Expansion(_)
@@ -76,6 +95,10 @@ impl<'a> Substitution<'a> {
     fn primed(&mut self, argument: &Expression, order: u32, place: Span) -> ExpressionKind {
         if let ExpressionKind::Name { name, order: own } = &argument.kind {
             return ExpressionKind::Name { name: name.clone(), order: own.saturating_add(order) };
+        }
+        if let ExpressionKind::Member { name, indices, order: own, at_start: false } = &argument.kind {
+            let order = own.saturating_add(order);
+            return ExpressionKind::Member { name: name.clone(), indices: indices.clone(), order, at_start: false };
         }
         let function = &self.function.name;
         let message = words!(

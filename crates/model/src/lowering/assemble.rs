@@ -73,6 +73,7 @@ pub(crate) fn assemble(
         events,
         graph,
         texts,
+        sizes: Vec::new(),
         sensitive: None,
     };
     let mut places = Places {

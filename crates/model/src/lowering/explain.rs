@@ -2,7 +2,7 @@
 
 use super::affine::{Shape, Shapes};
 use super::expression::{Lowering, TooManyNodes};
-use crate::names::{Declarations, Equation, Meaning, Unknown, children, list};
+use crate::names::{Declarations, Equation, Meaning, Unknown, list};
 use crate::notation::{primed, quote};
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span};
 use program::Node;
@@ -30,7 +30,7 @@ pub(crate) fn nonlinear(
             through.push(index);
             inner = Some(declarations.definitions[index].value);
         } else {
-            for child in children(at) {
+            for child in at.operands() {
                 if is_nonlinear(child)? {
                     inner = Some(child);
                     break;

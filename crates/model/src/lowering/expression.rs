@@ -114,7 +114,10 @@ impl Lowering<'_> {
                 self.graph.select(condition, chosen, other)
             }
             ExpressionKind::Expansion(expansion) => self.expression(&expansion.body)?,
-            ExpressionKind::Error => self.undefined(),
+            // What belongs to families has been written out.
+            ExpressionKind::Member { .. } | ExpressionKind::Reduction { .. } | ExpressionKind::Error => {
+                self.undefined()
+            }
         };
         Ok(node)
     }

@@ -1,11 +1,13 @@
 //! Whether every name and function of an expression exists and is used as what it is.
 
 use super::foreign;
+use super::members;
 use super::scope::{Meaning, Scope};
 use super::traverse::for_each;
 use crate::limits;
 use crate::notation::{primed, quote};
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, Span};
+use program::Size;
 use program::functions::Function;
 use std::collections::HashSet;
 use units::{Words, words};
@@ -18,14 +20,14 @@ pub(crate) struct NameCheck<'a> {
     reported: Vec<&'a str>,
     unknown: Vec<(&'a str, u32, Vec<Span>)>,
     diagnostics: Vec<Diagnostic>,
-    /// What the arguments are called in the function that is looked at.
-    arguments: &'a [Name],
+    /// What has a meaning only in the function that is looked at: arguments, indices and sizes.
+    local: Vec<&'a str>,
 }
 
 impl<'a> NameCheck<'a> {
     /// An empty check. The names in `reported` are not reported again.
     pub fn new(scope: &'a Scope, reported: Vec<&'a str>) -> Self {
-        Self { scope, reported, unknown: Vec::new(), diagnostics: Vec::new(), arguments: &[] }
+        Self { scope, reported, unknown: Vec::new(), diagnostics: Vec::new(), local: Vec::new() }
     }
 
     /// Looks at one expression.
@@ -43,10 +45,16 @@ impl<'a> NameCheck<'a> {
     }
 
     /// Looks at the body of a function of the author's own, which may be called nowhere.
-    pub fn function(&mut self, function: &'a FunctionStatement) {
-        self.arguments = &function.parameters;
+    pub fn function(&mut self, function: &'a FunctionStatement, sizes: &'a [Size]) {
+        self.local.extend(function.parameters.iter().map(|parameter| parameter.text.as_str()));
+        self.local.extend(sizes.iter().map(|size| size.name.as_str()));
+        for_each(&function.body, |part| {
+            if let ExpressionKind::Reduction { over, .. } = &part.kind {
+                self.local.extend(over.iter().map(|over| over.index.text.as_str()));
+            }
+        });
         self.expression(&function.body);
-        self.arguments = &[];
+        self.local.clear();
     }
 
     /// `liquid == "Watr"` is never true.
@@ -63,7 +71,7 @@ impl<'a> NameCheck<'a> {
     }
 
     fn name(&mut self, name: &'a str, order: u32, span: Span) {
-        if self.arguments.iter().any(|argument| argument.text == name) {
+        if self.local.contains(&name) {
             return;
         }
         let (what, value) = match self.scope.meaning(name) {
@@ -86,8 +94,7 @@ impl<'a> NameCheck<'a> {
     }
 
     fn initial_value(&mut self, name: &'a str, order: u32, span: Span) {
-        let is_argument = self.arguments.iter().any(|argument| argument.text == name);
-        if is_argument || self.scope.is_function(name) {
+        if self.local.contains(&name) || self.scope.is_function(name) {
             return;
         }
         self.name(name, order, span);
@@ -207,6 +214,9 @@ fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagn
         || words!("`{name}` is a function: write `{name}(...)`", "`{name}` es una función: escribe `{name}(...)`");
     if scope.is_function(name) {
         return diagnostic.with_hint(is_function());
+    }
+    if let Some(hint) = members::hint(scope, name) {
+        return diagnostic.with_hint(hint);
     }
     if let Some(factors) = as_product(scope, name) {
         return diagnostic.with_hint(words!("for a product write `{factors}`", "para un producto escribe `{factors}`"));

@@ -125,8 +125,11 @@ impl<'a> Declarations<'a> {
                     let stops = extras.stop.is_some();
                     declarations.events.push(EventEntry { condition, actions, title, stops, span });
                 }
-                // Choices have been spread into parameters and definitions.
-                StatementKind::Independent { .. } | StatementKind::Choice(_) => {}
+                // Choices have been spread into parameters and definitions, and what belongs to families has been written out.
+                StatementKind::Independent { .. }
+                | StatementKind::Choice(_)
+                | StatementKind::Size(_)
+                | StatementKind::Members { .. } => {}
             }
         }
         declarations

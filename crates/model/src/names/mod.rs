@@ -6,6 +6,7 @@ mod counts;
 mod declarations;
 mod events;
 mod foreign;
+mod members;
 mod order;
 mod scope;
 mod traverse;
@@ -17,6 +18,6 @@ pub(crate) use declarations::{Declarations, Equation, EventEntry, InitialEntry, 
 pub(crate) use events::{check_event, crossing};
 pub(crate) use order::{alternatives, definition_order, list};
 pub(crate) use scope::{Meaning, Scope};
-pub(crate) use traverse::{children, for_each, for_each_name};
+pub(crate) use traverse::{for_each, for_each_name};
 pub(crate) use unknown::Unknown;
 pub(crate) use unknowns::find_unknowns;

@@ -124,7 +124,7 @@ impl Cursor<'_> {
     }
 
     /// `0..30` after `in`.
-    fn bounds(&mut self, keyword: Span) -> Read<Bounds> {
+    pub(super) fn bounds(&mut self, keyword: Span) -> Read<Bounds> {
         let start = self.span();
         if let TokenKind::Brackets(_) = self.peek() {
             let wrong = words(
@@ -185,7 +185,7 @@ impl Cursor<'_> {
     }
 
     /// A number with an optional sign. If there is none, at most the sign is read.
-    fn signed_number(&mut self) -> Option<f64> {
+    pub(super) fn signed_number(&mut self) -> Option<f64> {
         let negative = self.take(Symbol::Minus).is_some();
         if !negative {
             self.take(Symbol::Plus);
@@ -297,6 +297,12 @@ impl Cursor<'_> {
             return self.fail(Diagnostic::error("event-action", wrong, span));
         };
         self.advance();
+        let mut order = order;
+        let mut indices = Vec::new();
+        if order == 0 && self.at_indices() {
+            indices = self.indices()?.0;
+            order = self.primes_here()?;
+        }
         if self.take(Symbol::Equals).is_none() {
             let diagnostic = if *self.peek() == TokenKind::Symbol(Symbol::LeftParenthesis) {
                 let wrong = words(
@@ -313,6 +319,7 @@ impl Cursor<'_> {
             return self.fail(diagnostic.with_hint(EVENT_FORM));
         }
         let value = self.expression()?.expression;
+        let over = self.over()?;
         let separated = matches!(
             self.peek(),
             TokenKind::Newline
@@ -322,7 +329,8 @@ impl Cursor<'_> {
         if !separated {
             return self.unexpected_after_expression();
         }
-        Ok(Action { name: crate::Name { text, span: Span::new(span.start, end) }, order, value })
+        let name = crate::Name { text, span: Span::new(span.start, end) };
+        Ok(Action { name, indices, order, value, over })
     }
 
     /// Assignments up to the end.

@@ -4,7 +4,7 @@ use super::cursor::{Cursor, Read};
 use super::statement::{Salvaged, nothing};
 use super::{after, unread};
 use crate::lexer::{Symbol, TokenKind};
-use crate::{Diagnostic, Expression, ExpressionKind, Name, StatedUnit, StatementKind};
+use crate::{Diagnostic, Expression, Members, Name, StatedUnit, StatementKind};
 use units::words;
 
 impl Cursor<'_> {
@@ -21,15 +21,26 @@ impl Cursor<'_> {
             Ok(name) => name,
             Err(reported) => return (nothing(start), Err(reported)),
         };
-        let of = |kind| Expression { kind, span: name.span };
-        let rate = Box::new([
-            of(ExpressionKind::Name { name: name.text.clone(), order: 1 }),
-            of(ExpressionKind::Number { value: 0.0, unit: None }),
-        ]);
+        if self.at_indices() {
+            let (left, value) = (unread(name.span), unread(after(name.span)));
+            let mut members = (left, value, None);
+            let read = self.discrete_members(name, &mut members);
+            let (left, value, unit) = members;
+            return (StatementKind::Members { what: Members::Discrete, left, value, unit }, read);
+        }
         let mut value = unread(after(name.span));
         let mut unit = None;
         let read = self.value_at_the_start(&name, &mut value, &mut unit);
-        (StatementKind::Discrete { name, value, unit, rate }, read)
+        (StatementKind::discrete(name, value, unit), read)
+    }
+
+    fn discrete_members(
+        &mut self,
+        name: Name,
+        (left, value, unit): &mut (Expression, Expression, Option<StatedUnit>),
+    ) -> Read<()> {
+        *left = self.member(name.clone())?.expression;
+        self.value_at_the_start(&name, value, unit)
     }
 
     fn value_at_the_start(&mut self, name: &Name, value: &mut Expression, unit: &mut Option<StatedUnit>) -> Read<()> {

@@ -54,22 +54,22 @@ impl Cursor<'_> {
         self.unexpected_after_expression()
     }
 
+    /// Whether the token before ends in a prime.
+    fn ends_in_prime(&self) -> bool {
+        let last = self.source[self.last_span().range()].chars().next_back();
+        last.is_some_and(|last| units::alphabet::primes(last).is_some())
+    }
+
     /// Says why what follows an expression cannot.
     pub(super) fn unexpected_after_expression<T>(&mut self) -> Read<T> {
         let span = self.span();
         let found = self.found();
         let diagnostic = match self.peek() {
             TokenKind::Symbol(Symbol::Comma) => return self.decimal_comma(),
-            TokenKind::Brackets(inside)
-                if span.start == self.last_span().end && self.source[inside.clone()].trim().parse::<u32>().is_ok() =>
-            {
-                let index = self.source[inside.clone()].trim();
-                let before = &self.source[self.last_span().range()];
-                Diagnostic::error("no-indices", words("names have no indices", "los nombres no llevan índices"), span)
-                    .with_hint(words!(
-                        "give each its own name, such as {before}_{index}",
-                        "da a cada uno su propio nombre, por ejemplo {before}_{index}"
-                    ))
+            TokenKind::Brackets(_) if span.start == self.last_span().end && self.ends_in_prime() => {
+                let wrong = words("the index stands before the primes", "el índice va antes de las primas");
+                Diagnostic::error("index-after-primes", wrong, span)
+                    .with_hint(words("such as x[i]'", "por ejemplo, x[i]'"))
             }
             TokenKind::Brackets(_) => {
                 let wrong = words!(

@@ -218,6 +218,7 @@ impl Cursor<'_> {
             TokenKind::Number(_) | TokenKind::Name { .. } | TokenKind::Symbol(Symbol::LeftParenthesis | Symbol::Root)
         ) && !self.at_step()
             && !self.at_event_word()
+            && !self.at_for()
     }
 
     /// `step`, which is a word of its own only in a parameter's statement.

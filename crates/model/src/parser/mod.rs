@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! model       = { statement line-end }
-//! statement   = parameter | switch | choice | independent | event | function | definition | initial | equation
+//! statement   = parameter | switch | choice | independent | size | event | function | definition | initial
+//!             | equation
 //! parameter   = "parameter" NAME "=" [ "-" ] NUMBER [ UNIT ]
 //!               [ "in" signed ".." signed ] [ "step" NUMBER ] [ TEXT ]
 //! switch      = "switch" NAME "=" ( "on" | "off" | "true" | "false" ) [ TEXT ]
@@ -10,14 +11,17 @@
 //! alternative = TEXT ":" assignment { "," assignment }
 //! assignment  = NAME "=" expression [ "in" UNIT ]
 //! independent = "independent" NAME [ "in" UNIT ] [ TEXT ]
+//! size        = "size" NAME "=" NUMBER [ "in" signed ".." signed ] [ TEXT ]
 //! event       = ( "when" expression | "every" expression [ "from" expression ] ) [ "as" NAME ]
-//!               "{" [ action { separator action } ] "}" [ TEXT ]
-//! action      = NAME [ PRIMES ] "=" expression | "let" NAME "=" expression | "stop"
+//!               "{" [ action { separator action } ] "}" [ over ] [ TEXT ]
+//! action      = target "=" expression [ over ] | "let" NAME "=" expression | "stop"
+//! target      = NAME [ INDICES ] [ PRIMES ]
 //! separator   = ";" | "," | line-end
 //! function    = "function" NAME "(" NAME { "," NAME } ")" "=" expression [ "in" UNIT ] [ TEXT ]
-//! definition  = NAME "=" expression [ "in" UNIT ] [ TEXT ]
-//! initial     = NAME [ PRIMES ] "(" "0" ")" "=" expression [ "in" UNIT ] [ TEXT ]
-//! equation    = expression "=" expression [ TEXT ]
+//! definition  = NAME [ INDICES ] "=" expression [ "in" UNIT ] [ over ] [ TEXT ]
+//! initial     = target "(" "0" ")" "=" expression [ "in" UNIT ] [ over ] [ TEXT ]
+//! equation    = expression "=" expression [ over ] [ TEXT ]
+//! over        = "for" NAME "in" expression ".." expression { "," NAME "in" expression ".." expression }
 //!
 //! expression  = "if" expression "then" expression "else" expression | disjunction
 //! disjunction = conjunction { "or" conjunction }
@@ -28,13 +32,13 @@
 //! product     = signed { ( "*" | "/" ) signed }
 //! signed      = ( "-" | "+" ) signed | power
 //! power       = operand [ RAISED ] [ "^" signed ]                (to the right: a^b^c is a^(b^c))
-//! operand     = NUMBER [ UNIT ] | TEXT | NAME [ "." NAME ] [ PRIMES ] | NAME [ PRIMES ] "(" "0" ")"
-//!             | NAME "(" expression { "," expression } ")" | "(" expression ")" | "√" operand
+//! operand     = NUMBER [ UNIT ] | TEXT | target | NAME "." NAME [ PRIMES ] | target "(" "0" ")"
+//!             | NAME "(" expression { "," expression } [ over ] ")" | "(" expression ")" | "√" operand
 //! ```
 //!
 //! A statement ends with its line, unless a parenthesis is open or the line ends in an operator; see `layout.rs`. `#`
 //! begins a comment. UNIT is `[` ... `]` and is read by the `units` crate; TEXT stands in quotation marks; RAISED are
-//! characters such as ²; PRIMES follow their name without a blank.
+//! characters such as ²; PRIMES follow their name without a blank, and so do INDICES: `[` expression { "," expression } `]`.
 //!
 //! The parser cannot fail: it returns what it could read, with [`ExpressionKind::Error`] in the place of what it could
 //! not, and says why in diagnostics. After an error it goes on with the next statement, so that each mistake is reported
@@ -47,6 +51,7 @@ mod discrete;
 mod ending;
 mod event;
 mod expression;
+mod family;
 mod function;
 mod layout;
 mod operand;

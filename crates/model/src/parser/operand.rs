@@ -22,7 +22,8 @@ impl Cursor<'_> {
             }
             TokenKind::Name { text, order, end } => {
                 self.advance();
-                self.name(Name { text, span: Span::new(span.start, end) }, order, span)
+                let name = Name { text, span: Span::new(span.start, end) };
+                if order == 0 && self.at_indices() { self.member(name) } else { self.name(name, order, span) }
             }
             TokenKind::Symbol(Symbol::LeftParenthesis) => {
                 self.advance();
@@ -88,6 +89,9 @@ impl Cursor<'_> {
             loop {
                 arguments.push(self.expression()?);
                 self.refuse_equals(words("function's argument", "el argumento de una función"));
+                if self.at_for() {
+                    return self.reduction(name, arguments, parenthesis);
+                }
                 if self.take(Symbol::Comma).is_none() && self.take(Symbol::Semicolon).is_none() {
                     break;
                 }

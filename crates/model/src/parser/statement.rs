@@ -5,7 +5,7 @@ use super::cursor::{Cursor, Read, Told};
 use super::expression::Tree;
 use super::{after, unread};
 use crate::lexer::{Keyword, Symbol, TokenKind};
-use crate::{Diagnostic, Expression, ExpressionKind, Name, Quoted, Span, Statement, StatementKind};
+use crate::{Diagnostic, Expression, ExpressionKind, Members, Name, Quoted, Span, Statement, StatementKind};
 use units::{Words, words};
 
 /// What other languages write, and the word it stands for here.
@@ -44,6 +44,7 @@ impl Cursor<'_> {
             TokenKind::Name { .. } if self.is_every() => self.every(),
             TokenKind::Name { .. } if self.is_switch() => self.switch(),
             TokenKind::Name { .. } if self.is_choice() => self.choice(),
+            TokenKind::Name { .. } if self.is_size() => self.size(),
             TokenKind::Name { .. } if self.meant_word().is_some() => (nothing(start), self.unknown_word()),
             TokenKind::Keyword(Keyword::Parameter) => self.parameter(),
             TokenKind::Keyword(Keyword::Independent) => self.independent(),
@@ -51,6 +52,13 @@ impl Cursor<'_> {
             _ => self.equation(),
         };
         let mut label = None;
+        let mut over = Vec::new();
+        if read.is_ok() {
+            match self.over() {
+                Ok(read) => over = read,
+                Err(reported) => read = Err(reported),
+            }
+        }
         if read.is_ok() {
             label = self.label();
             read = self.statement_end(&kind, label.as_ref());
@@ -58,7 +66,7 @@ impl Cursor<'_> {
         if read.is_err() {
             self.skip_rest(false);
         }
-        Statement { kind, label, span: start.to(self.last_span()) }
+        Statement { kind, over, label, span: start.to(self.last_span()) }
     }
 
     /// The word of the language that was probably meant where a statement begins with two names.
@@ -121,6 +129,12 @@ impl Cursor<'_> {
                 let outcome = unit.as_ref().map(|_| ()).map_err(|reported| *reported);
                 let name = Name { text: name, span };
                 (StatementKind::InitialValue { name, order, value: right, unit: unit.unwrap_or(None) }, outcome)
+            }
+            ExpressionKind::Member { order, at_start, .. } if bare && (order == 0 || at_start) => {
+                let what = if at_start { Members::InitialValues } else { Members::Definitions };
+                let unit = outcome.and_then(|()| self.stated_unit());
+                let outcome = unit.as_ref().map(|_| ()).map_err(|reported| *reported);
+                (StatementKind::Members { what, left, value: right, unit: unit.unwrap_or(None) }, outcome)
             }
             ExpressionKind::Call { ref function, ref arguments } if bare => {
                 if let [Expression { kind: ExpressionKind::Number { .. }, span }] = arguments.as_slice()

@@ -1,8 +1,8 @@
 //! What the parser makes of right texts. Wrong ones are in `tests/syntax_errors.rs`.
 
 use crate::{
-    BinaryOperator, Expression, ExpressionKind, ParameterForm, StatedUnit, Statement, StatementKind, UnaryOperator,
-    parse, parse_assignments, parse_expression,
+    BinaryOperator, Expression, ExpressionKind, Over, ParameterForm, StatedUnit, Statement, StatementKind,
+    UnaryOperator, parse, parse_assignments, parse_expression,
 };
 
 /// The tree with all its parentheses.
@@ -14,6 +14,13 @@ fn shown(expression: &Expression) -> String {
         ExpressionKind::Text(text) => format!("{text:?}"),
         ExpressionKind::Name { name, order } => primed(name, *order),
         ExpressionKind::InitialValue { name, order } => primed(name, *order) + "@0",
+        ExpressionKind::Member { name, indices, order, at_start } => {
+            let indices = indices.iter().map(shown).collect::<Vec<_>>().join(", ");
+            primed(&format!("{name}[{indices}]"), *order) + if *at_start { "@0" } else { "" }
+        }
+        ExpressionKind::Reduction { function, body, over } => {
+            format!("{}({}{})", function.text, shown(body), shown_over(over))
+        }
         ExpressionKind::Unary(UnaryOperator::Negate, operand) => format!("(-{})", shown(operand)),
         ExpressionKind::Unary(UnaryOperator::Not, operand) => format!("(not {})", shown(operand)),
         ExpressionKind::Binary(operator, left, right) => {
@@ -44,6 +51,11 @@ fn shown(expression: &Expression) -> String {
     }
 }
 
+fn shown_over(over: &[Over]) -> String {
+    let range = |over: &Over| format!(" for {} in {}..{}", over.index.text, shown(&over.low), shown(&over.high));
+    over.iter().map(range).collect()
+}
+
 fn in_unit(unit: &Option<StatedUnit>) -> String {
     unit.as_ref().map_or(String::new(), |stated| format!(" in [{}]", stated.unit))
 }
@@ -57,6 +69,13 @@ fn shown_statement(statement: &Statement) -> String {
             let range = parameter.range.as_ref().map_or(String::new(), |r| format!(" {}..{}", r.low, r.high));
             let step = parameter.step.map_or(String::new(), |step| format!(" step {step}"));
             format!("parameter {}={}{}{range}{step}", parameter.name.text, parameter.value, in_unit(&parameter.unit))
+        }
+        StatementKind::Size(size) => {
+            let range = size.range.as_ref().map_or(String::new(), |r| format!(" {}..{}", r.low, r.high));
+            format!("size {}={}{range}", size.name.text, size.value)
+        }
+        StatementKind::Members { what, left, value, unit } => {
+            format!("{what:?} {} := {}{}", shown(left), shown(value), in_unit(unit))
         }
         StatementKind::Independent { name, unit } => format!("independent {}{}", name.text, in_unit(unit)),
         StatementKind::Definition { name, value, unit } => {
@@ -86,13 +105,17 @@ fn shown_statement(statement: &Statement) -> String {
         StatementKind::Event { condition, actions, .. } => {
             let actions: Vec<String> = actions
                 .iter()
-                .map(|a| format!("{}{} := {}", a.name.text, "'".repeat(a.order as usize), shown(&a.value)))
+                .map(|a| {
+                    let indices: Vec<String> = a.indices.iter().map(|index| format!("[{}]", shown(index))).collect();
+                    let target = format!("{}{}{}", a.name.text, indices.concat(), "'".repeat(a.order as usize));
+                    format!("{target} := {}{}", shown(&a.value), shown_over(&a.over))
+                })
                 .collect();
             format!("when {} {{{}}}", shown(condition), actions.join("; "))
         }
     };
     let label = statement.label.as_ref().map_or(String::new(), |label| format!(" {:?}", label.text));
-    text + &label
+    text + &shown_over(&statement.over) + &label
 }
 
 fn statements(source: &str) -> Vec<String> {
@@ -286,4 +309,29 @@ fn assignments_are_separated_by_commas_semicolons_or_lines() {
     let shown: Vec<_> =
         read.iter().map(|a| format!("{}={}{}", a.name.text, shown(&a.value), in_unit(&a.unit))).collect();
     assert_eq!(shown, ["rho=13534[kg/m^3]", "b=((2*m)*omega_0)", "h=1 in [cm]", "c=3"]);
+}
+
+#[test]
+fn families() {
+    for (source, statement) in [
+        ("size N = 20 in 2..200 \"Masses\"", "size N=20 2..200 \"Masses\""),
+        ("m*x[i]'' = k*(x[i-1] - 2*x[i]) for i in 1..N", "(m*x[i]'') = (k*(x[(i-1)]-(2*x[i]))) for i in 1..N"),
+        ("x[0] = 0 [m]", "Definitions x[0] := 0[m]"),
+        (
+            "x[i](0) = A*sin(pi*i/(N+1)) in [cm] for i in 1..N \"Place\"",
+            "InitialValues x[i]@0 := (A*sin(((pi*i)/(N+1)))) in [cm] for i in 1..N \"Place\"",
+        ),
+        ("x[i]'(0) = 0 for i in 1..N", "InitialValues x[i]'@0 := 0 for i in 1..N"),
+        ("u[i, j+1]' = 0 for i in 1..N, j in i+1..M", "u[i, (j+1)]' = 0 for i in 1..N for j in (i+1)..M"),
+        ("E = sum(m*x[i]'^2/2 for i in 1..N) + 1", "E := (sum(((m*(x[i]'^2))/2) for i in 1..N)+1)"),
+        ("discrete n[i] = 0 for i in 1..3", "Discrete n[i] := 0 for i in 1..3"),
+        (
+            "when x[i] < 0 { x[i]' = -x[i]', v = 0; y[j] = 1 for j in 1..2 } for i in 1..N",
+            "when (x[i]<0) {x[i]' := (-x[i]'); v := 0; y[j] := 1 for j in 1..2} for i in 1..N",
+        ),
+        ("size = 3", "size := 3"),
+        ("for = 2*sum", "for := (2*sum)"),
+    ] {
+        assert_eq!(statements(source), [statement], "{source}");
+    }
 }

@@ -3,7 +3,7 @@
 use crate::{BinaryOperator, Expression, ExpressionKind, Name, UnaryOperator};
 use program::functions::Function;
 use units::markup::escaped;
-use units::mathml::{has_power_of_ten, is_word, name, number, unit_after_number};
+use units::mathml::{has_power_of_ten, indexed, is_word, name, number, unit_after_number};
 
 /// How tightly the outermost operation of an expression binds.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
@@ -34,6 +34,7 @@ fn level(expression: &Expression, place: Place) -> Level {
     use BinaryOperator::{Add, And, Divide, Multiply, Or, Power, Subtract};
     match &expression.kind {
         ExpressionKind::If(..) => Level::Branches,
+        ExpressionKind::Reduction { function, .. } if function.text == "sum" => Level::Sum,
         ExpressionKind::Unary(UnaryOperator::Not, _) => Level::Not,
         ExpressionKind::Unary(UnaryOperator::Negate, _) => Level::Sum,
         ExpressionKind::Binary(Or, ..) => Level::Or,
@@ -102,6 +103,11 @@ impl Typesetter<'_> {
         self.set(expression, Place::Line)
     }
 
+    /// The expression, in parentheses if it is a sum.
+    pub(super) fn term(&self, expression: &Expression) -> String {
+        self.at_least(expression, Level::Product, Place::Line)
+    }
+
     fn set(&self, expression: &Expression, place: Place) -> String {
         match &expression.kind {
             ExpressionKind::Number { value, unit: None } => number(*value),
@@ -111,6 +117,11 @@ impl Typesetter<'_> {
             ExpressionKind::Text(text) => format!("<mtext>{}</mtext>", escaped(&(self.translate)(text))),
             ExpressionKind::Name { name: text, order } => name(text, *order, None),
             ExpressionKind::InitialValue { name, order } => initial_value(name, *order),
+            ExpressionKind::Member { name, indices, order, at_start } => {
+                let member = indexed(name, &self.indices(indices), *order, None);
+                if *at_start { at_start_of_run(&member) } else { member }
+            }
+            ExpressionKind::Reduction { function, body, over } => self.reduction(function, body, over),
             ExpressionKind::Unary(UnaryOperator::Not, operand) => {
                 format!("<mrow><mo>¬</mo>{}</mrow>", self.at_least(operand, Level::Operand, place))
             }
@@ -212,6 +223,9 @@ impl Typesetter<'_> {
         let above = self.set(exponent, Place::Exponent);
         match &base.kind {
             ExpressionKind::Name { name: text, order } => name(text, *order, Some(above)),
+            ExpressionKind::Member { name, indices, order, at_start: false } => {
+                indexed(name, &self.indices(indices), *order, Some(above))
+            }
             // sin²(x), as usual; but sin⁻¹ would be the inverse function.
             ExpressionKind::Call { function, arguments } if is_classical(function) && is_positive_number(exponent) => {
                 self.function(function, arguments, Some(&above), false)
@@ -274,10 +288,15 @@ impl Typesetter<'_> {
 
 /// `y′(0)`
 pub(super) fn initial_value(text: &str, order: u32) -> String {
-    format!("<mrow>{}<mo>&#x2061;</mo>{}</mrow>", name(text, order, None), parenthesised("<mn>0</mn>"))
+    at_start_of_run(&name(text, order, None))
 }
 
-fn parenthesised(inside: &str) -> String {
+/// The value at the start of the run of what is set already.
+pub(super) fn at_start_of_run(name: &str) -> String {
+    format!("<mrow>{name}<mo>&#x2061;</mo>{}</mrow>", parenthesised("<mn>0</mn>"))
+}
+
+pub(super) fn parenthesised(inside: &str) -> String {
     fenced("(", inside, ")")
 }
 
@@ -328,7 +347,9 @@ fn is_wide(factor: &Factor<'_>) -> bool {
         _ => *expression,
     };
     match &base.kind {
-        ExpressionKind::Name { name, .. } | ExpressionKind::InitialValue { name, .. } => is_word(name),
+        ExpressionKind::Name { name, .. }
+        | ExpressionKind::InitialValue { name, .. }
+        | ExpressionKind::Member { name, .. } => is_word(name),
         ExpressionKind::Call { function, .. } => !matches!(function.text.as_str(), "sqrt" | "exp" | "abs"),
         _ => false,
     }
@@ -349,7 +370,7 @@ fn has_own_brackets(function: &Name, arguments: &[Expression]) -> bool {
 }
 
 /// The name of a function as it is printed.
-fn function_sign(function: &str) -> String {
+pub(super) fn function_sign(function: &str) -> String {
     let printed = match function {
         "asin" => "arcsin",
         "acos" => "arccos",

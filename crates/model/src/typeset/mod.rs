@@ -2,12 +2,13 @@
 
 mod cases;
 mod expression;
+mod family;
 #[cfg(test)]
 mod tests;
 
 use crate::choices::definitions;
-use crate::{Action, Expression, Statement, StatementKind};
-use expression::{Typesetter, initial_value};
+use crate::{Action, Expression, ExpressionKind, Members, Over, Statement, StatementKind};
+use expression::{Typesetter, at_start_of_run, initial_value};
 use units::mathml;
 
 /// Each displayed statement as a `<math display="block">` element, in the order of the text: definitions, equations,
@@ -16,8 +17,10 @@ use units::mathml;
 pub fn typeset(statements: &[Statement], translate: &dyn Fn(&str) -> String) -> Vec<String> {
     let typesetter = Typesetter { translate };
     let rows = |statement: &Statement| match &statement.kind {
-        StatementKind::Choice(choice) => definitions(choice).iter().filter_map(|kind| typesetter.kind(kind)).collect(),
-        kind => typesetter.kind(kind).into_iter().collect::<Vec<_>>(),
+        StatementKind::Choice(choice) => {
+            definitions(choice).iter().filter_map(|kind| typesetter.kind(kind, &[])).collect()
+        }
+        kind => typesetter.kind(kind, &statement.over).into_iter().collect::<Vec<_>>(),
     };
     statements.iter().flat_map(rows).collect()
 }
@@ -28,10 +31,13 @@ pub fn typeset_expression(expression: &Expression) -> String {
 }
 
 impl Typesetter<'_> {
-    fn kind(&self, kind: &StatementKind) -> Option<String> {
+    fn kind(&self, kind: &StatementKind, over: &[Over]) -> Option<String> {
         let equals = |left: String, right: &Expression| format!("{left}<mo>=</mo>{}", self.expression(right));
         let row = match kind {
-            StatementKind::Parameter(_) | StatementKind::Choice(_) | StatementKind::Independent { .. } => return None,
+            StatementKind::Parameter(_)
+            | StatementKind::Choice(_)
+            | StatementKind::Size(_)
+            | StatementKind::Independent { .. } => return None,
             StatementKind::Definition { name, value, .. } => equals(mathml::name(&name.text, 0, None), value),
             StatementKind::InitialValue { name, order, value, .. } => equals(initial_value(&name.text, *order), value),
             StatementKind::Function(function) => {
@@ -39,6 +45,12 @@ impl Typesetter<'_> {
             }
             StatementKind::Discrete { name, value, .. } => equals(initial_value(&name.text, 0), value),
             StatementKind::Equation { left, right } => equals(self.expression(left), right),
+            StatementKind::Members { what, left, value, .. } => match (&left.kind, what) {
+                (ExpressionKind::Member { name, indices, .. }, Members::Discrete) => {
+                    equals(at_start_of_run(&self.member(name, indices, 0)), value)
+                }
+                _ => equals(self.expression(left), value),
+            },
             StatementKind::Event { condition, actions, extras } => {
                 let named = |action: &Action| equals(mathml::name(&action.name.text, 0, None), &action.value);
                 let mut actions: Vec<String> =
@@ -51,7 +63,8 @@ impl Typesetter<'_> {
                 format!("{condition}<mo>⟹</mo>{}", actions.join("<mo separator=\"true\">,</mo>"))
             }
         };
-        Some(format!("<math display=\"block\"><mrow>{row}</mrow></math>"))
+        let over = self.for_all(over);
+        Some(format!("<math display=\"block\"><mrow>{row}{over}</mrow></math>"))
     }
 
     /// t = from + n interval
@@ -62,7 +75,8 @@ impl Typesetter<'_> {
 
     /// The value after an event, from those before it.
     fn action(&self, action: &Action) -> String {
-        let target = mathml::name(&action.name.text, action.order, None);
-        format!("<mrow>{target}<mo>←</mo>{}</mrow>", self.expression(&action.value))
+        let target = self.member(&action.name.text, &action.indices, action.order);
+        let (value, over) = (self.expression(&action.value), self.for_all(&action.over));
+        format!("<mrow>{target}<mo>←</mo>{value}{over}</mrow>")
     }
 }

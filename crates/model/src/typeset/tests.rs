@@ -175,7 +175,8 @@ fn statements_are_set_one_by_one() {
     assert!(diagnostics.is_empty(), "{diagnostics:?}");
     let translate = |text: &str| text.to_uppercase();
     let typesetter = Typesetter { translate: &translate };
-    let all: Vec<String> = statements.iter().filter_map(|statement| typesetter.kind(&statement.kind)).collect();
+    let all: Vec<String> =
+        statements.iter().filter_map(|statement| typesetter.kind(&statement.kind, &statement.over)).collect();
     assert!(all.iter().all(|one| one.starts_with("<math display=\"block\">") && one.ends_with("</math>")));
     let read: Vec<String> = all.iter().map(|one| short(one)).collect();
     assert_eq!(

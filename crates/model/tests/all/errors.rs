@@ -83,3 +83,8 @@ fn events() {
 fn friction() {
     check("friction.txt");
 }
+
+#[test]
+fn families() {
+    check("families.txt");
+}

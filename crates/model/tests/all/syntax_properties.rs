@@ -97,7 +97,8 @@ fn all_lie_in(diagnostics: &[Diagnostic], source: &str) -> bool {
 /// Each expression of a statement.
 fn expressions(statement: &Statement) -> Vec<&Expression> {
     match &statement.kind {
-        StatementKind::Parameter(_) | StatementKind::Independent { .. } => Vec::new(),
+        StatementKind::Parameter(_) | StatementKind::Size(_) | StatementKind::Independent { .. } => Vec::new(),
+        StatementKind::Members { left, value, .. } => vec![left, value],
         StatementKind::Definition { value, .. }
         | StatementKind::InitialValue { value, .. }
         | StatementKind::Discrete { value, .. } => vec![value],
@@ -116,14 +117,7 @@ fn expressions(statement: &Statement) -> Vec<&Expression> {
 
 /// An expression and all it consists of.
 fn parts(expression: &Expression) -> Vec<&Expression> {
-    let inside: Vec<&Expression> = match &expression.kind {
-        ExpressionKind::Unary(_, operand) => vec![operand],
-        ExpressionKind::Binary(_, left, right) => vec![left, right],
-        ExpressionKind::Call { arguments, .. } => arguments.iter().collect(),
-        ExpressionKind::If(condition, yes, no) => vec![condition, yes, no],
-        _ => Vec::new(),
-    };
-    std::iter::once(expression).chain(inside.into_iter().flat_map(parts)).collect()
+    std::iter::once(expression).chain(expression.operands().into_iter().flat_map(parts)).collect()
 }
 
 /// The expression as it would be written, with all its parentheses; `None` where it could not be read.
@@ -139,6 +133,18 @@ fn written(expression: &Expression) -> Option<String> {
         ExpressionKind::Text(text) => format!("\"{text}\""),
         ExpressionKind::Name { name, order } => primed(name, order),
         ExpressionKind::InitialValue { name, order } => primed(name, order) + "(0)",
+        ExpressionKind::Member { name, indices, order, at_start } => {
+            let indices: Option<Vec<String>> = indices.iter().map(written).collect();
+            let member = format!("{name}[{}]", indices?.join(", "));
+            primed(&member, order) + if *at_start { "(0)" } else { "" }
+        }
+        ExpressionKind::Reduction { function, body, over } => {
+            let range = |over: &model::Over| {
+                Some(format!("{} in {}..{}", over.index.text, written(&over.low)?, written(&over.high)?))
+            };
+            let ranges: Option<Vec<String>> = over.iter().map(range).collect();
+            format!("{}({} for {})", function.text, written(body)?, ranges?.join(", "))
+        }
         ExpressionKind::Unary(UnaryOperator::Negate, operand) => format!("(-{})", written(operand)?),
         ExpressionKind::Unary(UnaryOperator::Not, operand) => format!("(not {})", written(operand)?),
         ExpressionKind::Binary(operator, left, right) => {

@@ -11,6 +11,8 @@ pub fn symbol(text: &str) -> String {
             rest.find(|character: char| !(character.is_ascii_alphanumeric() || character == '_')).unwrap_or(rest.len())
         } else if first == '\'' {
             rest.find(|character| character != '\'').unwrap_or(rest.len())
+        } else if first == '[' {
+            member(rest).unwrap_or(1)
         } else {
             first.len_utf8()
         };
@@ -18,12 +20,32 @@ pub fn symbol(text: &str) -> String {
         rest = tail;
         match first {
             '\'' => out.push_str(&primes(length)),
+            '[' if length > 1 => out.extend(piece.chars().filter_map(lowered)),
             '*' => out.push('·'),
             '-' => out.push('−'),
             _ => out.push_str(&name(piece)),
         }
     }
     out
+}
+
+/// How long the numbers of a member of a family are, with their brackets: `[3]`, `[1,2]`.
+fn member(text: &str) -> Option<usize> {
+    let (numbers, _) = text.strip_prefix('[')?.split_once(']')?;
+    let is_number = |number: &str| {
+        let digits = number.strip_prefix('-').unwrap_or(number);
+        !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
+    };
+    numbers.split(',').all(is_number).then_some(numbers.len() + 2)
+}
+
+/// The lowered form of a digit; of brackets none.
+fn lowered(character: char) -> Option<char> {
+    match character {
+        '-' => Some('₋'),
+        ',' => Some(','),
+        digit => char::from_u32(0x2080 + digit.to_digit(10)?),
+    }
 }
 
 fn primes(count: usize) -> String {
@@ -40,8 +62,7 @@ fn name(piece: &str) -> String {
     let stem = greek_letter(stem).map_or_else(|| stem.to_owned(), String::from);
     // Only the digits have lowered forms in every font.
     if !index.is_empty() && index.bytes().all(|byte| byte.is_ascii_digit()) {
-        let lowered = index.bytes().filter_map(|digit| char::from_u32(0x2080 + u32::from(digit - b'0')));
-        return stem + &String::from_iter(lowered);
+        return stem + &index.chars().filter_map(lowered).collect::<String>();
     }
     if index.is_empty() {
         stem
@@ -64,6 +85,9 @@ mod tests {
             ("theta_1'", "θ₁′"),
             ("m*y'^2/2 - V", "m·y′^2/2 − V"),
             ("Delta_rho", "Δ_ρ"),
+            ("x[12]''", "x₁₂″"),
+            ("u[0,-1]", "u₀,₋₁"),
+            ("1 [m]", "1 [m]"),
             ("a_", "a"),
             ("", ""),
         ] {

@@ -28,6 +28,8 @@ pub struct Model {
     pub independent: Independent,
     /// In the order of the text.
     pub parameters: Vec<Parameter>,
+    /// In the order of the text.
+    pub sizes: Vec<Size>,
     /// Each variable's orders stand together, lowest first: y, y', z, z'.
     pub states: Vec<State>,
     /// Named definitions, in the order of the text.
@@ -137,6 +139,20 @@ impl Parameter {
             Choices::Texts(_) => texts.get(value as usize).map(String::as_str),
         }
     }
+}
+
+/// A whole number that decides how many members families have. It is part of what the model was built from: another value
+/// needs another model.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Size {
+    /// Its ASCII name.
+    pub name: String,
+    /// The author's label, if any.
+    pub label: Option<String>,
+    /// Its value.
+    pub value: u32,
+    /// Least and greatest value.
+    pub range: Option<(u32, u32)>,
 }
 
 /// One first-order state.

@@ -1,0 +1,115 @@
+//! Whole numbers in indices and their ranges.
+
+use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, UnaryOperator};
+use program::Size;
+use units::{Unit, words};
+
+/// The values that indices have.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Bindings {
+    names: Vec<(String, i64)>,
+}
+
+impl Bindings {
+    /// Gives an index a value for as long as it is not taken back with [`Self::pop`].
+    pub fn push(&mut self, name: &str, value: i64) {
+        self.names.push((name.to_owned(), value));
+    }
+
+    /// Takes back the last index.
+    pub fn pop(&mut self) {
+        self.names.pop();
+    }
+
+    /// The value of an index.
+    pub fn value(&self, name: &str) -> Option<i64> {
+        self.names.iter().rfind(|(known, _)| known == name).map(|(_, value)| *value)
+    }
+}
+
+/// Why an expression is no whole number.
+#[derive(Clone, Copy, Debug)]
+enum Fault<'a> {
+    /// This is neither a whole number nor made of such.
+    NotWhole(&'a Expression),
+    /// Beyond all bounds.
+    TooLarge(&'a Expression),
+}
+
+/// The whole number that an index or the end of its range is.
+///
+/// # Errors
+/// What is not made of whole numbers, sizes and indices, or is too large.
+pub(crate) fn whole_number(
+    expression: &Expression,
+    sizes: &[Size],
+    bindings: &Bindings,
+) -> Result<i64, Box<Diagnostic>> {
+    evaluate(expression, sizes, bindings).map_err(|fault| {
+        let (Fault::NotWhole(part) | Fault::TooLarge(part)) = fault;
+        if part.kind == ExpressionKind::Error {
+            // It has been said already, with the error that it is.
+            let message = words("this index could not be read", "no se pudo leer este índice");
+            return Box::new(Diagnostic::error("index-not-whole", message, part.span));
+        }
+        if let Fault::TooLarge(_) = fault {
+            let message = words("this index is too large", "este índice es demasiado grande");
+            return Box::new(Diagnostic::error("index-not-whole", message, part.span));
+        }
+        let message = words("an index is a whole number", "un índice es un número entero");
+        let diagnostic = Diagnostic::error("index-not-whole", message, part.span);
+        let written = crate::notation::quote(expression);
+        let hint = if Unit::parse(&written).is_ok() {
+            words!(
+                "a unit stands after a number, as in `1 [{written}]`, or after `in`",
+                "una unidad va tras un número, como en `1 [{written}]`, o tras `in`"
+            )
+        } else {
+            words(
+                "it is made of whole numbers, sizes (`size N = 20`) and the names after `for`",
+                "se compone de números enteros, tamaños (`size N = 20`) y los nombres tras `for`",
+            )
+        };
+        Box::new(diagnostic.with_hint(hint))
+    })
+}
+
+fn evaluate<'a>(expression: &'a Expression, sizes: &[Size], bindings: &Bindings) -> Result<i64, Fault<'a>> {
+    /// All whole numbers up to here are exact as numbers of an expression.
+    const GREATEST: i64 = 1 << 40;
+    let of = |operand: &'a Expression| evaluate(operand, sizes, bindings);
+    let value = match &expression.kind {
+        ExpressionKind::Number { value, unit: None } if value.fract() == 0.0 => {
+            if value.abs() > GREATEST as f64 {
+                return Err(Fault::TooLarge(expression));
+            }
+            *value as i64
+        }
+        ExpressionKind::Name { name, order: 0 } => {
+            let size = || sizes.iter().find(|size| size.name == *name).map(|size| i64::from(size.value));
+            bindings.value(name).or_else(size).ok_or(Fault::NotWhole(expression))?
+        }
+        ExpressionKind::Unary(UnaryOperator::Negate, operand) => -of(operand)?,
+        ExpressionKind::Binary(operator, left, right) => {
+            let (left, right) = (of(left)?, of(right)?);
+            match operator {
+                BinaryOperator::Add => left + right,
+                BinaryOperator::Subtract => left - right,
+                BinaryOperator::Multiply => left.checked_mul(right).ok_or(Fault::TooLarge(expression))?,
+                BinaryOperator::Divide if right != 0 && left % right == 0 => left / right,
+                _ => return Err(Fault::NotWhole(expression)),
+            }
+        }
+        ExpressionKind::Call { function, arguments } => {
+            let arguments = arguments.iter().map(of).collect::<Result<Vec<i64>, _>>()?;
+            match (function.text.as_str(), arguments.as_slice()) {
+                ("mod", &[value, divisor]) if divisor > 0 => value.rem_euclid(divisor),
+                ("min", [_, ..]) => arguments.into_iter().min().unwrap_or_default(),
+                ("max", [_, ..]) => arguments.into_iter().max().unwrap_or_default(),
+                _ => return Err(Fault::NotWhole(expression)),
+            }
+        }
+        _ => return Err(Fault::NotWhole(expression)),
+    };
+    if value.abs() > GREATEST { Err(Fault::TooLarge(expression)) } else { Ok(value) }
+}

@@ -1,0 +1,119 @@
+//! Families: what is written once for all values of its indices is written out for each. `m*x[i]'' = -k*x[i] for i in 1..N`
+//! becomes N equations of the unknowns `x[1]` to `x[N]`, whose names have their numbers in them. All that follows (names,
+//! dimensions, lowering) then has to do with single quantities only.
+
+mod index;
+mod sizes;
+mod write_out;
+
+pub(crate) use index::{Bindings, whole_number};
+pub(crate) use sizes::sizes;
+
+use crate::{Diagnostic, Expression, ExpressionKind, Statement, StatementKind, limits};
+use program::Size;
+use std::borrow::Cow;
+use units::words;
+use write_out::WriteOut;
+
+/// The statements without families. Those that declare sizes are gone.
+pub(crate) fn without_families<'a>(
+    statements: &'a [Statement],
+    sizes: &[Size],
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Cow<'a, [Statement]> {
+    if sizes.is_empty() && !statements.iter().any(has_families) {
+        return Cow::Borrowed(statements);
+    }
+    let mut write_out = WriteOut::new(sizes, taken(statements));
+    let mut written = Vec::with_capacity(statements.len());
+    for statement in statements {
+        write_out.statement(statement, &mut written);
+        if written.len() > limits::STATEMENTS || write_out.is_full() {
+            let message = words(
+                "the families have too many members: the model becomes too large here",
+                "las familias tienen demasiados miembros: el modelo se hace aquí demasiado grande",
+            );
+            diagnostics.push(Diagnostic::error("model-too-large", message, statement.span));
+            break;
+        }
+    }
+    diagnostics.extend(write_out.finish());
+    Cow::Owned(written)
+}
+
+/// An expression without families, with the values of indices put in.
+pub(crate) fn expression_without_families(
+    expression: &Expression,
+    sizes: &[Size],
+    bindings: &Bindings,
+) -> (Expression, Vec<Diagnostic>) {
+    let mut write_out = WriteOut::new(sizes, Vec::new());
+    write_out.bindings = bindings.clone();
+    let written = write_out.expression(expression);
+    let mut diagnostics = Vec::new();
+    if write_out.is_full() {
+        let message = words(
+            "this expression becomes too large: its sums have too many terms",
+            "esta expresión se hace demasiado grande: sus sumas tienen demasiados términos",
+        );
+        diagnostics.push(Diagnostic::error("too-large", message, expression.span));
+    }
+    diagnostics.extend(write_out.finish());
+    (written, diagnostics)
+}
+
+/// The family of a member with the name `x[3]`.
+pub(crate) fn family(name: &str) -> Option<&str> {
+    name.split_once('[').map(|(family, _)| family)
+}
+
+/// The names that statements give a meaning; an index cannot have one of them.
+fn taken(statements: &[Statement]) -> Vec<&str> {
+    statements.iter().filter_map(declared).collect()
+}
+
+fn declared(statement: &Statement) -> Option<&str> {
+    match &statement.kind {
+        StatementKind::Parameter(parameter) => Some(&parameter.name.text),
+        StatementKind::Size(size) => Some(&size.name.text),
+        StatementKind::Choice(choice) => Some(&choice.name.text),
+        StatementKind::Function(function) => Some(&function.name.text),
+        StatementKind::Definition { name, .. }
+        | StatementKind::Discrete { name, .. }
+        | StatementKind::InitialValue { name, .. }
+        | StatementKind::Independent { name, .. } => Some(&name.text),
+        StatementKind::Members { left: Expression { kind: ExpressionKind::Member { name, .. }, .. }, .. } => Some(name),
+        StatementKind::Members { .. } | StatementKind::Equation { .. } | StatementKind::Event { .. } => None,
+    }
+}
+
+/// Whether anything in a statement belongs to families.
+fn has_families(statement: &Statement) -> bool {
+    let belongs = |expression: &Expression| {
+        let mut found = false;
+        crate::names::for_each(expression, |part| {
+            found |= matches!(part.kind, ExpressionKind::Member { .. } | ExpressionKind::Reduction { .. });
+        });
+        found
+    };
+    !statement.over.is_empty()
+        || match &statement.kind {
+            StatementKind::Size(_) | StatementKind::Members { .. } => true,
+            StatementKind::Parameter(_) | StatementKind::Independent { .. } | StatementKind::Function(_) => false,
+            StatementKind::Definition { value, .. }
+            | StatementKind::InitialValue { value, .. }
+            | StatementKind::Discrete { value, .. } => belongs(value),
+            StatementKind::Choice(choice) => {
+                choice.alternatives.iter().flat_map(|alternative| &alternative.values).any(|one| belongs(&one.value))
+            }
+            StatementKind::Equation { left, right } => belongs(left) || belongs(right),
+            StatementKind::Event { condition, actions, extras } => {
+                let acts = |action: &crate::Action| {
+                    !action.indices.is_empty() || !action.over.is_empty() || belongs(&action.value)
+                };
+                let moments =
+                    extras.every.iter().any(|every| belongs(&every.0) || every.1.as_ref().is_some_and(belongs));
+                belongs(condition) || moments || actions.iter().chain(&extras.names).any(acts)
+            }
+        }
+}

@@ -1,0 +1,61 @@
+//! The sizes that statements declare.
+
+use crate::{Diagnostic, SizeStatement, Statement, StatementKind};
+use program::Size;
+use units::words;
+
+/// The sizes of a model, in the order of the text.
+pub(crate) fn sizes(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> Vec<Size> {
+    let mut sizes: Vec<Size> = Vec::new();
+    for statement in statements {
+        let StatementKind::Size(size) = &statement.kind else { continue };
+        let name = &size.name.text;
+        let other = statements.iter().find(|other| {
+            !std::ptr::eq(*other, statement) && super::declared(other).is_some_and(|declared| declared == name)
+        });
+        if let Some(other) = other {
+            // Said once, of the later one.
+            if other.span.start < statement.span.start || !matches!(other.kind, StatementKind::Size(_)) {
+                let message = words!("`{name}` is declared twice", "`{name}` se declara dos veces");
+                diagnostics.push(
+                    Diagnostic::error("duplicate-name", message, size.name.span)
+                        .with_label(other.span, words("also declared here", "también se declara aquí"))
+                        .with_hint(words("give one of them another name", "da otro nombre a una de ellas")),
+                );
+            }
+        }
+        sizes.push(Size {
+            name: name.clone(),
+            label: statement.label.as_ref().map(|label| label.text.clone()),
+            value: size.value,
+            range: range(size, diagnostics),
+        });
+    }
+    sizes
+}
+
+/// The range of a size, in whole numbers.
+fn range(size: &SizeStatement, diagnostics: &mut Vec<Diagnostic>) -> Option<(u32, u32)> {
+    let bounds = size.range.as_ref()?;
+    let name = &size.name.text;
+    let whole = |value: f64| value.fract() == 0.0 && value >= 0.0 && value <= f64::from(crate::limits::MEMBERS);
+    if !whole(bounds.low) || !whole(bounds.high) || bounds.low > bounds.high {
+        let message = words!(
+            "the range of the size `{name}` needs two whole numbers, the lesser first, of at most {}",
+            "el intervalo del tamaño `{name}` necesita dos números enteros, primero el menor, de como máximo {}",
+            crate::limits::MEMBERS
+        );
+        diagnostics.push(Diagnostic::error("size-range", message, bounds.span));
+        return None;
+    }
+    let (low, high) = (bounds.low as u32, bounds.high as u32);
+    if !(low..=high).contains(&size.value) {
+        let message = words!(
+            "the size `{name}` is {}, outside its range {low}..{high}",
+            "el tamaño `{name}` es {}, fuera de su intervalo {low}..{high}",
+            size.value
+        );
+        diagnostics.push(Diagnostic::error("default-out-of-range", message, size.value_span));
+    }
+    Some((low, high))
+}

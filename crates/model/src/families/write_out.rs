@@ -1,0 +1,263 @@
+//! Statements and expressions with all members of families written out.
+
+use super::index::{Bindings, whole_number};
+use crate::{
+    Action, Diagnostic, EventExtras, Expansion, Expression, ExpressionKind, Members, Name, Over, Span, Statement,
+    StatementKind, limits,
+};
+use program::Size;
+use units::words;
+
+/// Writes families out.
+#[derive(Debug)]
+pub(crate) struct WriteOut<'a> {
+    sizes: &'a [Size],
+    /// Names of the model, which no index can have.
+    taken: Vec<&'a str>,
+    pub(super) bindings: Bindings,
+    /// Operations that have been written.
+    operations: usize,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl<'a> WriteOut<'a> {
+    /// With no index bound.
+    pub fn new(sizes: &'a [Size], taken: Vec<&'a str>) -> Self {
+        Self { sizes, taken, bindings: Bindings::default(), operations: 0, diagnostics: Vec::new() }
+    }
+
+    /// Whether more has been written than a model may have; from here on nothing is written any more.
+    pub fn is_full(&self) -> bool {
+        self.operations > limits::MEMBER_OPERATIONS
+    }
+
+    /// What was found, each fault once: it may be that of every member.
+    pub fn finish(mut self) -> Vec<Diagnostic> {
+        let mut told: Vec<(&'static str, Span)> = Vec::new();
+        self.diagnostics.retain(|diagnostic| {
+            let fault = (diagnostic.code, diagnostic.span());
+            let new = !told.contains(&fault);
+            told.push(fault);
+            new
+        });
+        self.diagnostics
+    }
+
+    /// Adds what a statement states for each of its indices.
+    pub fn statement(&mut self, statement: &Statement, written: &mut Vec<Statement>) {
+        if let StatementKind::Size(_) = statement.kind {
+            return;
+        }
+        self.for_each_index(&statement.over, &mut |own| {
+            if written.len() <= limits::STATEMENTS
+                && let Some(kind) = own.kind(&statement.kind)
+            {
+                let label = statement.label.clone();
+                written.push(Statement { kind, over: Vec::new(), label, span: statement.span });
+            }
+        });
+    }
+
+    /// Calls `visit` with all combinations of values of the indices.
+    fn for_each_index(&mut self, over: &[Over], visit: &mut dyn FnMut(&mut Self)) {
+        let Some((first, rest)) = over.split_first() else {
+            if !self.is_full() {
+                visit(self);
+            }
+            return;
+        };
+        let index = &first.index;
+        if self.bindings.value(&index.text).is_some() || self.taken.contains(&index.text.as_str()) {
+            let message = words!(
+                "`{}` cannot be an index: it has a meaning already",
+                "`{}` no puede ser un índice: ya tiene un significado",
+                index.text
+            );
+            self.diagnostics.push(Diagnostic::error("duplicate-name", message, index.span).with_hint(words(
+                "choose another letter, as in `for j in 1..N`",
+                "elige otra letra, como en `for j in 1..N`",
+            )));
+            return;
+        }
+        let (Some(low), Some(high)) = (self.whole(&first.low), self.whole(&first.high)) else { return };
+        let most = i64::from(limits::MEMBERS);
+        if high - low >= most {
+            let message = words!("an index takes at most {most} values", "un índice toma como máximo {most} valores");
+            let span = first.low.span.to(first.high.span);
+            self.diagnostics.push(Diagnostic::error("model-too-large", message, span));
+            return;
+        }
+        for value in low..=high {
+            if self.is_full() {
+                return;
+            }
+            // What binds an index costs too: ranges in ranges are bounded by it.
+            self.operations += 1;
+            self.bindings.push(&index.text, value);
+            self.for_each_index(rest, visit);
+            self.bindings.pop();
+        }
+    }
+
+    fn whole(&mut self, expression: &Expression) -> Option<i64> {
+        whole_number(expression, self.sizes, &self.bindings)
+            .map_err(|diagnostic| self.diagnostics.push(*diagnostic))
+            .ok()
+    }
+
+    /// What a statement states for the present values of the indices; none where that cannot be said.
+    fn kind(&mut self, kind: &StatementKind) -> Option<StatementKind> {
+        Some(match kind {
+            StatementKind::Parameter(_)
+            | StatementKind::Independent { .. }
+            | StatementKind::Size(_)
+            | StatementKind::Function(_) => kind.clone(),
+            StatementKind::Choice(choice) => {
+                let mut choice = choice.clone();
+                for assignment in choice.alternatives.iter_mut().flat_map(|alternative| &mut alternative.values) {
+                    assignment.value = self.expression(&assignment.value);
+                }
+                StatementKind::Choice(choice)
+            }
+            StatementKind::Definition { name, value, unit } => {
+                StatementKind::Definition { name: name.clone(), value: self.expression(value), unit: unit.clone() }
+            }
+            StatementKind::InitialValue { name, order, value, unit } => StatementKind::InitialValue {
+                name: name.clone(),
+                order: *order,
+                value: self.expression(value),
+                unit: unit.clone(),
+            },
+            StatementKind::Discrete { name, value, unit, rate } => StatementKind::Discrete {
+                name: name.clone(),
+                value: self.expression(value),
+                unit: unit.clone(),
+                rate: rate.clone(),
+            },
+            StatementKind::Members { what, left, value, unit } => {
+                let ExpressionKind::Member { name, indices, order, .. } = &left.kind else { return None };
+                let name = Name { text: self.member(name, indices)?, span: left.span };
+                let (value, unit) = (self.expression(value), unit.clone());
+                match what {
+                    Members::Definitions => StatementKind::Definition { name, value, unit },
+                    Members::InitialValues => StatementKind::InitialValue { name, order: *order, value, unit },
+                    Members::Discrete => StatementKind::discrete(name, value, unit),
+                }
+            }
+            StatementKind::Equation { left, right } => {
+                StatementKind::Equation { left: self.expression(left), right: self.expression(right) }
+            }
+            StatementKind::Event { condition, actions, extras } => {
+                let condition = self.expression(condition);
+                let actions = self.actions(actions);
+                let names = self.actions(&extras.names);
+                let every = extras.every.as_ref().map(|every| {
+                    Box::new((self.expression(&every.0), every.1.as_ref().map(|from| self.expression(from))))
+                });
+                let extras = EventExtras { name: extras.name.clone(), names, every, stop: extras.stop };
+                StatementKind::Event { condition, actions, extras }
+            }
+        })
+    }
+
+    fn actions(&mut self, actions: &[Action]) -> Vec<Action> {
+        let mut written = Vec::new();
+        for action in actions {
+            self.for_each_index(&action.over, &mut |own| written.extend(own.action(action)));
+        }
+        written
+    }
+
+    fn action(&mut self, action: &Action) -> Option<Action> {
+        let name = if action.indices.is_empty() {
+            action.name.clone()
+        } else {
+            Name { text: self.member(&action.name.text, &action.indices)?, span: action.name.span }
+        };
+        let value = self.expression(&action.value);
+        Some(Action::of(name, action.order, value))
+    }
+
+    /// `x[3]` for `x[i+1]`
+    fn member(&mut self, family: &str, indices: &[Expression]) -> Option<String> {
+        let mut numbers = Vec::with_capacity(indices.len());
+        for index in indices {
+            numbers.push(self.whole(index)?.to_string());
+        }
+        Some(format!("{family}[{}]", numbers.join(",")))
+    }
+
+    /// An expression for the present values of the indices.
+    pub fn expression(&mut self, expression: &Expression) -> Expression {
+        self.operations += 1;
+        let span = expression.span;
+        if self.is_full() {
+            return Expression { kind: ExpressionKind::Error, span };
+        }
+        let kind = match &expression.kind {
+            ExpressionKind::Name { name, order: 0 } => match self.number(name) {
+                Some(value) => ExpressionKind::Number { value, unit: None },
+                None => expression.kind.clone(),
+            },
+            ExpressionKind::Number { .. }
+            | ExpressionKind::Text(_)
+            | ExpressionKind::Name { .. }
+            | ExpressionKind::InitialValue { .. }
+            | ExpressionKind::Error => expression.kind.clone(),
+            ExpressionKind::Member { name, indices, order, at_start } => match self.member(name, indices) {
+                Some(name) if *at_start => ExpressionKind::InitialValue { name, order: *order },
+                Some(name) => ExpressionKind::Name { name, order: *order },
+                None => ExpressionKind::Error,
+            },
+            ExpressionKind::Reduction { function, body, over } => self.reduction(function, body, over, span),
+            ExpressionKind::Unary(operator, operand) => {
+                ExpressionKind::Unary(*operator, Box::new(self.expression(operand)))
+            }
+            ExpressionKind::Binary(operator, left, right) => {
+                let (left, right) = (self.expression(left), self.expression(right));
+                ExpressionKind::Binary(*operator, Box::new(left), Box::new(right))
+            }
+            ExpressionKind::Call { function, arguments } => {
+                let arguments = arguments.iter().map(|argument| self.expression(argument)).collect();
+                ExpressionKind::Call { function: function.clone(), arguments }
+            }
+            ExpressionKind::Expansion(expansion) => {
+                let body = self.expression(&expansion.body);
+                ExpressionKind::Expansion(Box::new(Expansion { body, ..(**expansion).clone() }))
+            }
+            ExpressionKind::If(condition, chosen, other) => {
+                let [condition, chosen, other] = [condition, chosen, other].map(|part| Box::new(self.expression(part)));
+                ExpressionKind::If(condition, chosen, other)
+            }
+        };
+        Expression { kind, span }
+    }
+
+    /// The value of an index or a size.
+    fn number(&self, name: &str) -> Option<f64> {
+        let size = || self.sizes.iter().find(|size| size.name == name).map(|size| f64::from(size.value));
+        self.bindings.value(name).map(|value| value as f64).or_else(size)
+    }
+
+    fn reduction(&mut self, function: &Name, body: &Expression, over: &[Over], span: Span) -> ExpressionKind {
+        let mut arguments = Vec::new();
+        let before = self.diagnostics.len();
+        self.for_each_index(over, &mut |own| arguments.push(own.expression(body)));
+        if !arguments.is_empty() {
+            return ExpressionKind::Call { function: function.clone(), arguments };
+        }
+        if self.diagnostics.len() > before || self.is_full() {
+            return ExpressionKind::Error;
+        }
+        if function.text == "sum" {
+            return ExpressionKind::Number { value: 0.0, unit: None };
+        }
+        let message = words!(
+            "`{}` of no values: the range of the index is empty",
+            "`{}` de ningún valor: el intervalo del índice está vacío",
+            function.text
+        );
+        self.diagnostics.push(Diagnostic::error("index-range", message, span));
+        ExpressionKind::Error
+    }
+}

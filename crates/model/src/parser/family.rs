@@ -1,0 +1,207 @@
+//! Families: `size N = 20`, members such as `x[i+1]''`, and `for i in 1..N`.
+
+use super::cursor::{Cursor, Read};
+use super::expression::{Tree, leaf};
+use super::statement::{Salvaged, nothing};
+use super::{after, layout};
+use crate::lexer::{self, Keyword, Symbol, TokenKind};
+use crate::{Diagnostic, Expression, ExpressionKind, Name, Over, SizeStatement, Span, StatementKind, limits};
+use std::ops::Range;
+use units::alphabet::primes;
+use units::words;
+
+/// What joins the values for each index.
+const REDUCTIONS: [&str; 3] = ["sum", "min", "max"];
+
+impl Cursor<'_> {
+    /// Whether a statement begins with `size NAME`: a word that is free for other use everywhere else.
+    pub(super) fn is_size(&self) -> bool {
+        let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "size");
+        here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
+    }
+
+    /// `size N = 20 in 2..200`
+    pub(super) fn size(&mut self) -> Salvaged {
+        let start = self.advance();
+        let name = match self.plain_name(&words("a size", "un tamaño")) {
+            Ok(name) => name,
+            Err(reported) => return (nothing(start), Err(reported)),
+        };
+        let span = name.span;
+        let mut size = SizeStatement { name, value: 1, value_span: span, range: None };
+        let read = self.size_parts(&mut size);
+        (StatementKind::Size(size), read)
+    }
+
+    fn size_parts(&mut self, size: &mut SizeStatement) -> Read<()> {
+        let equals = self.take(Symbol::Equals).is_some();
+        let place = self.span();
+        let value = if equals { self.signed_number() } else { None };
+        let whole = value.filter(|value| value.fract() == 0.0 && *value >= 0.0);
+        let Some(value) = whole else {
+            let place = if self.at_line_end() && self.span() == place { self.last_span() } else { place };
+            let wrong = words!(
+                "the size `{}` must be a whole number",
+                "el tamaño `{}` debe ser un número entero",
+                size.name.text
+            );
+            let hint = words!("such as: size {} = 20", "por ejemplo: size {} = 20", size.name.text);
+            return self.fail(Diagnostic::error("size-value", wrong, place).with_hint(hint));
+        };
+        size.value_span = place.to(self.last_span());
+        if value > f64::from(limits::MEMBERS) {
+            let wrong = words!("a size is at most {}", "un tamaño es como máximo {}", limits::MEMBERS);
+            self.say(Diagnostic::error("model-too-large", wrong, size.value_span));
+            return Ok(());
+        }
+        size.value = value as u32;
+        if let Some(keyword) = self.take_keyword(Keyword::In) {
+            size.range = Some(self.bounds(keyword)?);
+        }
+        Ok(())
+    }
+
+    /// Whether `for NAME in` comes next: a word that is free for other use everywhere else.
+    pub(super) fn at_for(&self) -> bool {
+        matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "for") && self.at_index(1)
+    }
+
+    fn at_index(&self, ahead: usize) -> bool {
+        matches!(self.peek_ahead(ahead), TokenKind::Name { order: 0, .. })
+            && *self.peek_ahead(ahead + 1) == TokenKind::Keyword(Keyword::In)
+    }
+
+    /// Reads `for i in 1..N, j in 1..M` if it comes next.
+    pub(super) fn over(&mut self) -> Read<Vec<Over>> {
+        let mut over = Vec::new();
+        if !self.at_for() {
+            return Ok(over);
+        }
+        self.advance();
+        loop {
+            let index = self.plain_name(&words("an index", "un índice"))?;
+            self.take_keyword(Keyword::In);
+            let low = self.expression()?.expression;
+            if self.take(Symbol::Dots).is_none() {
+                let wrong = words!(
+                    "`..` is expected in this range, not {found}",
+                    "en este intervalo se espera `..`, no {found}",
+                    found = self.found()
+                );
+                let place = if self.at_line_end() { after(self.last_span()) } else { self.span() };
+                return self.fail(Diagnostic::error("index-range", wrong, place).with_hint(words!(
+                    "the range of an index is written `for {} in 1..10`",
+                    "el intervalo de un índice se escribe `for {} in 1..10`",
+                    index.text
+                )));
+            }
+            let high = self.expression()?.expression;
+            over.push(Over { index, low, high });
+            if *self.peek() != TokenKind::Symbol(Symbol::Comma) || !self.at_index(1) {
+                return Ok(over);
+            }
+            self.advance();
+        }
+    }
+
+    /// `x[i+1]''`, `x[i](0)`: `name` has been read, and its index comes next.
+    pub(super) fn member(&mut self, name: Name) -> Read<Tree> {
+        let (indices, mut height) = self.indices()?;
+        height += 1;
+        let order = self.primes_here()?;
+        let at_start = *self.peek() == TokenKind::Symbol(Symbol::LeftParenthesis)
+            && *self.peek_ahead(1) == TokenKind::Number(0.0)
+            && *self.peek_ahead(2) == TokenKind::Symbol(Symbol::RightParenthesis);
+        if at_start {
+            (0..3).for_each(|_| {
+                self.advance();
+            });
+        }
+        let span = name.span.to(self.last_span());
+        let kind = ExpressionKind::Member { name: name.text, indices, order, at_start };
+        Ok(Tree { height, ..leaf(kind, span) })
+    }
+
+    /// Whether an index comes next: brackets without a blank before them.
+    pub(super) fn at_indices(&self) -> bool {
+        matches!(self.peek(), TokenKind::Brackets(_)) && self.span().start == self.last_span().end
+    }
+
+    /// Reads `[i, j+1]`, and says how many levels its tree has.
+    pub(super) fn indices(&mut self) -> Read<(Vec<Expression>, usize)> {
+        let TokenKind::Brackets(inside) = self.peek().clone() else {
+            return Ok((Vec::new(), 0));
+        };
+        self.advance();
+        let mut cursor = self.inside(inside);
+        let mut indices = Vec::new();
+        let mut height = 0;
+        let read = loop {
+            match cursor.expression() {
+                Ok(tree) => {
+                    height = height.max(tree.height);
+                    indices.push(tree.expression);
+                }
+                Err(reported) => break Err(reported),
+            }
+            if cursor.take(Symbol::Comma).is_none() {
+                break if *cursor.peek() == TokenKind::End { Ok(()) } else { cursor.unexpected_after_expression() };
+            }
+        };
+        for diagnostic in cursor.finish() {
+            self.say(diagnostic);
+        }
+        read.map(|()| (indices, height))
+    }
+
+    /// A cursor over what stands in brackets.
+    fn inside(&self, inside: Range<usize>) -> Cursor<'_> {
+        let (tokens, found) = lexer::tokens(self.source, inside);
+        let mut cursor = Cursor::new(self.source, layout::one_line(tokens), found);
+        cursor.depth = self.depth;
+        cursor
+    }
+
+    /// The primes that follow an index without a blank.
+    pub(super) fn primes_here(&mut self) -> Read<u32> {
+        if *self.peek() != TokenKind::Primes || self.span().start != self.last_span().end {
+            return Ok(0);
+        }
+        let span = self.span();
+        let order = self.source[span.range()].chars().filter_map(primes).sum();
+        if order > limits::ORDER {
+            let wrong = words!("{order} primes are too many", "{order} primas son demasiadas");
+            return self.fail(Diagnostic::error("order-too-high", wrong, span).with_note(words!(
+                "derivatives up to the order {} are possible",
+                "se admiten derivadas hasta el orden {}",
+                limits::ORDER
+            )));
+        }
+        self.advance();
+        Ok(order)
+    }
+
+    /// `sum(x[i] for i in 1..N)`, of which everything up to `for` has been read.
+    pub(super) fn reduction(&mut self, function: Name, body: Vec<Tree>, open: Span) -> Read<Tree> {
+        let place = self.span();
+        let over = self.over()?;
+        let end = self.close(open)?;
+        let span = function.span.to(end);
+        let is_known = REDUCTIONS.contains(&function.text.as_str());
+        let Ok([body]) = <[Tree; 1]>::try_from(body) else {
+            let wrong = words("one expression stands before `for`", "antes de `for` va una sola expresión");
+            return self.fail(Diagnostic::error("index-range", wrong, place));
+        };
+        if !is_known {
+            let wrong = words!(
+                "`for` cannot stand in `{}`; it belongs to sum, min and max",
+                "`for` no puede estar en `{}`; va con sum, min y max",
+                function.text
+            );
+            return self.fail(Diagnostic::error("index-range", wrong, place));
+        }
+        let height = body.height + 1;
+        let kind = ExpressionKind::Reduction { function, body: Box::new(body.expression), over };
+        Ok(Tree { height, ..leaf(kind, span) })
+    }
+}

@@ -1,7 +1,7 @@
 //! Expressions outside the model: read, completed with the scene's own names, and compiled against the model.
 
 use model::{Compiler, Diagnostic, Expression, ExpressionKind, Functions, Places, Span, StatedUnit, StatementKind};
-use program::{Assignment, Choices, Compiled, Kind, Model, Node};
+use program::{Assignment, Choices, Compiled, Graph, Kind, Model, Node};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use units::{QuantityName, Words, words};
@@ -31,18 +31,26 @@ pub struct Expressions<'a> {
     pub diagnostics: Vec<Diagnostic>,
     /// Names that mean an expression.
     local: BTreeMap<String, Expression>,
+    /// The document, in which [`Self::component`] covers what it does not read.
+    covered: Option<String>,
 }
 
 impl<'a> Expressions<'a> {
     /// For the expressions of `source`.
     pub fn new(source: &'a str, model: &'a mut Model, places: &'a Places, functions: &Functions) -> Self {
         let compiler = Compiler::new(model).with(functions);
-        Self { source, places, compiler, diagnostics: Vec::new(), local: BTreeMap::new() }
+        let local = BTreeMap::new();
+        Self { source, places, compiler, diagnostics: Vec::new(), local, covered: None }
     }
 
     /// The model.
     pub fn model(&self) -> &Model {
         self.compiler.model()
+    }
+
+    /// The model's graph, for what is computed from compiled values.
+    pub fn graph(&mut self) -> &mut Graph {
+        self.compiler.graph()
     }
 
     /// The expression that fills `range`. None if it has an error.
@@ -72,6 +80,41 @@ impl<'a> Expressions<'a> {
     pub fn number(&mut self, range: Range<usize>) -> Option<Placed> {
         let compiled = self.compile(range)?;
         self.expect_number(compiled)
+    }
+
+    /// The number that is left of `range` without the places in `without`: one component of a point.
+    pub fn component(&mut self, range: Range<usize>, without: &[Range<usize>]) -> Option<Placed> {
+        let source = self.source;
+        let covered = self.covered.get_or_insert_with(|| source.to_owned());
+        for part in without {
+            covered.replace_range(part.clone(), &" ".repeat(part.len()));
+        }
+        let (expression, unit, diagnostics) = model::parse_expression(covered, range.clone());
+        covered.replace_range(range.clone(), &source[range]);
+        let failed = model::has_errors(&diagnostics);
+        self.diagnostics.extend(diagnostics);
+        let placed = if failed { None } else { self.finish(expression, unit.as_ref()) }?;
+        self.expect_number(placed)
+    }
+
+    /// The two ends of `LOW..HIGH`; a unit after `HIGH` is also that of a bare number before it.
+    pub fn interval(&mut self, low: Range<usize>, high: Range<usize>) -> Option<(Placed, Placed)> {
+        let (mut low, low_unit, mut diagnostics) = model::parse_expression(self.source, low);
+        let (high, high_unit, further) = model::parse_expression(self.source, high);
+        diagnostics.extend(further);
+        let failed = model::has_errors(&diagnostics);
+        self.diagnostics.extend(diagnostics);
+        if failed {
+            return None;
+        }
+        if let (Some(bare), Some(stated)) = (unit_mut(&mut low), unit_of(&high))
+            && bare.is_none()
+        {
+            *bare = Some(stated.clone());
+        }
+        let low = self.finish(low, low_unit.as_ref()).and_then(|low| self.expect_number(low));
+        let high = self.finish(high, high_unit.as_ref()).and_then(|high| self.expect_number(high));
+        low.zip(high)
     }
 
     /// The number that fills `range` and stays the same during a run.
@@ -355,6 +398,24 @@ pub fn dimension_error(
     Diagnostic::error("dimension-mismatch", message, found.0)
         .saying(describe(found.1))
         .with_label(expected.0, describe(expected.1))
+}
+
+/// The unit of a number, with or without a sign.
+fn unit_of(expression: &Expression) -> Option<&units::Unit> {
+    match &expression.kind {
+        ExpressionKind::Number { unit, .. } => unit.as_ref(),
+        ExpressionKind::Unary(_, operand) => unit_of(operand),
+        _ => None,
+    }
+}
+
+/// The place of that unit, where there is a number.
+fn unit_mut(expression: &mut Expression) -> Option<&mut Option<units::Unit>> {
+    match &mut expression.kind {
+        ExpressionKind::Number { unit, .. } => Some(unit),
+        ExpressionKind::Unary(_, operand) => unit_mut(operand),
+        _ => None,
+    }
 }
 
 /// Whether something in an expression could not be read.

@@ -6,7 +6,7 @@ use crate::functions::{Budget, Functions};
 use crate::lowering::{Chain, Lowered, Lowering, TooManyNodes, frictions, too_many_nodes};
 use crate::names::{Meaning, NameCheck, Scope, for_each};
 use crate::{Diagnostic, Expression, ExpressionKind, Over, StatedUnit, has_errors};
-use program::{Choices, Compiled, Kind, Model};
+use program::{Choices, Compiled, Graph, Kind, Model};
 use std::ops::RangeInclusive;
 use units::{Unit, words};
 
@@ -65,6 +65,11 @@ impl<'a> Compiler<'a> {
     pub fn range(&self, over: &Over) -> Result<RangeInclusive<i64>, Box<Diagnostic>> {
         let end = |end| whole_number(end, &self.model.sizes, &self.indices);
         Ok(end(&over.low)?..=end(&over.high)?)
+    }
+
+    /// The model's graph, for what is computed from compiled values.
+    pub fn graph(&mut self) -> &mut Graph {
+        &mut self.model.graph
     }
 
     /// Adds an expression of the document to the model's graph. `unit`, where stated, is checked and becomes the

@@ -1,7 +1,7 @@
 //! The state itself: a program, a run of it, and what the visitor has chosen.
 
 use crate::announcement::{Announcement, Announcements};
-use crate::controls::hold::Hold;
+use crate::controls::hold::Holding;
 use crate::number::Style;
 use crate::plots::kept::{Ghost, Kept};
 use crate::plots::plot::PlotState;
@@ -80,7 +80,7 @@ pub struct Play {
     pub(crate) pace: Speed,
     pub(crate) speed: f64,
     pub(crate) slippage: f64,
-    pub(crate) hold: Option<Hold>,
+    pub(crate) hold: Option<Holding>,
     pub(crate) columns: Columns,
     pub(crate) traces: Traces,
     pub(crate) present: Vec<f64>,

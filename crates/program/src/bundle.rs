@@ -3,7 +3,9 @@
 //! A bundle is a signature, a version, and the program in the format of [postcard](https://postcard.jamesmunns.com).
 //! Reading checks everything that running relies on: a bundle that is read cannot make the engine reach beyond its model.
 
-use crate::{Choices, Compiled, Drawing, Model, Node, NodeId, Parameter, Piece, Program, Scene, Sweep, Taken};
+use crate::{
+    Choices, Compiled, Drag, Dragged, Drawing, Model, Node, NodeId, Parameter, Piece, Program, Scene, Sweep, Taken,
+};
 
 /// What a bundle begins with.
 const SIGNATURE: &[u8] = b"meniscus";
@@ -95,7 +97,7 @@ fn check(program: &Program) -> Result<(), BundleError> {
         && program.editions.first().is_some_and(|first| first.questions.len() == program.questions.len())
         && program.editions.iter().filter_map(|edition| edition.scene.as_ref()).all(|scene| {
             let drawn = scene.values.iter().all(compiled);
-            drawn && element_exists(&scene.root, scene, model.states.len())
+            drawn && element_exists(&scene.root, scene, model)
         });
     if good { Ok(()) } else { Err(BundleError::Damaged) }
 }
@@ -146,18 +148,19 @@ fn orders_ascend(model: &Model) -> bool {
         })
 }
 
-/// Whether an element of a scene shows values and drags states that there are.
-fn element_exists(element: &crate::Element, scene: &Scene, states: usize) -> bool {
+/// Whether an element of a scene shows values and drags states and parameters that there are.
+fn element_exists(element: &crate::Element, scene: &Scene, model: &Model) -> bool {
     let value = |index: &usize| *index < scene.values.len();
-    let piece = |piece: &Piece| match piece {
-        Piece::Literal(_) => true,
-        Piece::Value { index, .. } => value(index),
+    let piece = |piece: &Piece| piece.value().is_none_or(|index| value(&index));
+    let target = |target: Dragged| match target {
+        Dragged::State(index) => index < model.states.len(),
+        Dragged::Parameter(index) => index < model.parameters.len(),
     };
-    let drag =
-        element.drag.as_ref().is_none_or(|drag| drag.state < states && drag.up.iter().chain(&drag.right).all(value));
+    let dragged = |drag: &Drag| target(drag.target) && drag.up.iter().chain(&drag.right).all(value);
+    let drag = element.drag.as_ref().is_none_or(dragged);
     drag && element.attributes.iter().all(|attribute| attribute.value.iter().all(piece))
         && element.children.iter().all(|child| match child {
-            crate::Child::Element(inner) => element_exists(inner, scene, states),
+            crate::Child::Element(inner) => element_exists(inner, scene, model),
             crate::Child::Text(text) => text.iter().all(piece),
         })
 }

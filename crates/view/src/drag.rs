@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use play::Play;
-use program::Drag;
+use program::{Drag, Dragged};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{Event, KeyboardEvent, SvgElement, SvgGraphicsElement};
@@ -16,7 +16,7 @@ pub struct Handle {
     drag: Drag,
     /// What the document calls it.
     name: Option<String>,
-    /// Its number among several unnamed ones of one state; 0 where it is the only one.
+    /// Its number among several unnamed ones that move the same; 0 where it is the only one.
     pub number: usize,
     listeners: Vec<Closure<dyn FnMut(Event)>>,
     shown: String,
@@ -31,10 +31,10 @@ impl Handle {
     /// Numbers those that would otherwise have the same name.
     pub fn number_unnamed(handles: &mut [Self]) {
         for index in 0..handles.len() {
-            let Some(state) = handles.get(index).filter(|one| one.name.is_none()).map(|one| one.drag.state) else {
+            let Some(target) = handles.get(index).filter(|one| one.name.is_none()).map(|one| one.drag.target) else {
                 continue;
             };
-            let same = |one: &&Self| one.name.is_none() && one.drag.state == state;
+            let same = |one: &&Self| one.name.is_none() && one.drag.target == target;
             let several = handles.iter().filter(same).count() > 1;
             let before = handles.iter().take(index).filter(same).count();
             if let Some(handle) = handles.get_mut(index).filter(|_| several) {
@@ -54,20 +54,26 @@ impl Handle {
         if play.is_playing() && !self.shown.is_empty() {
             return;
         }
-        let Some(state) = play.states().into_iter().nth(self.drag.state) else { return };
-        let text = format!("{} {}", state.text, state.unit);
+        let moved = match self.drag.target {
+            Dragged::State(index) => {
+                let state = play.states().into_iter().nth(index);
+                state.map(|state| (state.label, format!("{} {}", state.text, state.unit), state.value))
+            }
+            Dragged::Parameter(index) => play.parameter(index).map(|one| (one.label, one.spoken, one.value)),
+        };
+        let Some((quantity, text, value)) = moved else { return };
         if text != self.shown {
             let label = match (&self.name, self.number) {
-                (Some(name), _) => format!("{name}: {}", state.label),
-                (None, 0) => state.label,
-                (None, number) => format!("{} {number}", state.label),
+                (Some(name), _) => format!("{name}: {quantity}"),
+                (None, 0) => quantity,
+                (None, number) => format!("{quantity} {number}"),
             };
             let _ = self.node.set_attribute("aria-label", &label);
             if let Some((least, greatest)) = play.drag_range(&self.drag) {
                 let _ = self.node.set_attribute("aria-valuemin", &short(least));
                 let _ = self.node.set_attribute("aria-valuemax", &short(greatest));
             }
-            let _ = self.node.set_attribute("aria-valuenow", &short(state.value));
+            let _ = self.node.set_attribute("aria-valuenow", &short(value));
             let _ = self.node.set_attribute("aria-valuetext", &text);
             self.shown = text;
         }

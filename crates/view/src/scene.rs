@@ -7,7 +7,7 @@ use crate::grip::Grips;
 use crate::stage::ruler::Ruler;
 use crate::views::document as page;
 use play::{Follows, Play};
-use program::{Child, Element, Piece, Scene, Template};
+use program::{Child, Element, Piece, Scene, Template, write_attribute};
 use wasm_bindgen::JsCast;
 use web_sys::{ShadowRootInit, ShadowRootMode, SvgElement, SvgGraphicsElement, Text};
 
@@ -133,23 +133,25 @@ impl SceneNodes {
             values.get(index).map(|value| value.to_bits()) != drawn.get(index).map(|value| value.to_bits())
         };
         for binding in &mut self.bindings {
-            let moved =
-                binding.template.iter().any(|piece| matches!(piece, Piece::Value { index, .. } if changed(*index)));
-            if !moved {
+            if !binding.template.iter().filter_map(Piece::value).any(changed) {
                 continue;
             }
-            self.text.clear();
-            for piece in &binding.template {
-                match (piece, &binding.target) {
-                    (Piece::Literal(literal), _) => self.text.push_str(literal),
-                    (Piece::Value { index, .. }, Target::Attribute(..)) => {
-                        // Seven digits are more than a screen has, and the shorter text is parsed sooner.
-                        let value = values.get(*index).copied().unwrap_or(0.0) as f32;
-                        let value = if value.is_finite() { value } else { 0.0 };
-                        self.text.push_str(&value.to_string());
+            match &binding.target {
+                Target::Attribute(..) => {
+                    if !write_attribute(&binding.template, values, &mut self.text) {
+                        continue;
                     }
-                    (Piece::Value { index, decimals }, Target::Text(_)) => {
-                        self.text.push_str(&play.scene_text(*index, *decimals));
+                }
+                Target::Text(_) => {
+                    self.text.clear();
+                    for piece in &binding.template {
+                        match piece {
+                            Piece::Literal(literal) => self.text.push_str(literal),
+                            Piece::Value { index, decimals } => {
+                                self.text.push_str(&play.scene_text(*index, *decimals));
+                            }
+                            Piece::Choice { .. } => {}
+                        }
                     }
                 }
             }
@@ -196,16 +198,7 @@ impl Outline {
         for binding in &mut self.bindings {
             let (Some(values), Target::Attribute(node, name)) = (values, &binding.target) else { continue };
             let mut text = String::new();
-            for piece in &binding.template {
-                match piece {
-                    Piece::Literal(literal) => text.push_str(literal),
-                    Piece::Value { index, .. } => {
-                        let value = values.get(*index).copied().unwrap_or(0.0) as f32;
-                        text.push_str(&(if value.is_finite() { value } else { 0.0 }).to_string());
-                    }
-                }
-            }
-            if text != binding.shown {
+            if write_attribute(&binding.template, values, &mut text) && text != binding.shown {
                 let _ = node.set_attribute(name, &text);
                 binding.shown = text;
             }
@@ -235,8 +228,7 @@ impl Outline {
             return None;
         }
         let any = |what: Follows| {
-            let uses =
-                |piece: &Piece| matches!(piece, Piece::Value { index, .. } if follows.get(*index) == Some(&what));
+            let uses = |piece: &Piece| piece.value().is_some_and(|index| follows.get(index) == Some(&what));
             element.attributes.iter().any(|attribute| attribute.value.iter().any(uses))
         };
         let moves = any(Follows::Measured) && !any(Follows::Computed);
@@ -280,7 +272,7 @@ fn fixed(template: &Template) -> Option<String> {
         .iter()
         .map(|piece| match piece {
             Piece::Literal(text) => Some(text.as_str()),
-            Piece::Value { .. } => None,
+            Piece::Value { .. } | Piece::Choice { .. } => None,
         })
         .collect()
 }

@@ -2,8 +2,9 @@
 
 use super::allowed::{ATTRIBUTES, REFERRING, danger, is_id, is_idle, reference};
 use super::build::Builder;
+use super::choice::{is_colour, palette};
 use super::template::{self, RawPiece};
-use program::{Attribute, Piece, Template};
+use program::{Attribute, Kind, Piece, Template};
 use std::ops::Range;
 use units::words;
 
@@ -38,6 +39,23 @@ impl Builder<'_, '_> {
             return None;
         }
         let raw = template::split(self.expressions.source, value.clone(), &mut self.expressions.diagnostics);
+        if let [RawPiece::Literal(literal)] = &raw[..]
+            && is_colour(&text)
+            && let Some(colour) = palette(literal)
+        {
+            return Some(Attribute { name: text, value: vec![Piece::Literal(colour.to_owned())] });
+        }
+        if let [RawPiece::Placeholder { expression, .. }] = &raw[..]
+            && is_colour(&text)
+        {
+            let placed = self.expressions.bare(expression.clone())?;
+            let piece = if placed.value.kind == Kind::Text {
+                self.colour(placed)?
+            } else {
+                Piece::Value { index: self.value(placed)?, decimals: None }
+            };
+            return Some(Attribute { name: text, value: vec![piece] });
+        }
         if let [RawPiece::Literal(literal)] = &raw[..]
             && let Some(id) = reference(literal)
             && REFERRING.contains(&text.as_str())

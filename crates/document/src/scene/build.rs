@@ -1,13 +1,16 @@
 //! From elements as written to a scene: what is not allowed is left out, what is written in braces is compiled.
 
 use super::allowed::{ELEMENTS, is_id};
+use super::frame::four_numbers;
+use super::shapes::{Geometry, is_geometry};
+use super::space::Space;
 use super::style;
 use super::translate::SceneText;
 use super::xml::{RawChild, RawElement, parse};
 use crate::expressions::Expressions;
 use model::{Diagnostic, Span};
-use program::{Child, Compiled, Element, Piece, Scene};
-use std::collections::BTreeSet;
+use program::{Child, Compiled, Element, NodeId, Piece, Scene};
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use units::{Words, words};
 
@@ -32,8 +35,18 @@ pub fn build(expressions: &mut Expressions, range: Range<usize>) -> Option<(Scen
     let start = range.start + length;
     expressions.define(range.start..start);
     let children = parse(source, start..range.end, &mut expressions.diagnostics);
-    let mut builder =
-        Builder { expressions, values: Vec::new(), words: Vec::new(), ids: BTreeSet::new(), references: Vec::new() };
+    let space = Space::drawing(expressions.graph());
+    let mut builder = Builder {
+        expressions,
+        values: Vec::new(),
+        numbers: BTreeMap::new(),
+        words: Vec::new(),
+        ids: BTreeSet::new(),
+        references: Vec::new(),
+        view_box: None,
+        space,
+        place: opening,
+    };
     builder.collect_ids(&children);
     let mut root = None;
     for child in children {
@@ -68,18 +81,26 @@ pub struct Builder<'b, 'a> {
     pub expressions: &'b mut Expressions<'a>,
     /// The values so far.
     pub values: Vec<Compiled>,
+    /// Which of them have a node.
+    pub numbers: BTreeMap<NodeId, Vec<usize>>,
     /// What the texts so far say.
     pub words: Vec<SceneText>,
     /// The ids that elements have.
     ids: BTreeSet<String>,
     /// The ids that attributes refer to.
     pub references: Vec<(String, Range<usize>)>,
+    /// Left, top, width and height of the drawing.
+    pub view_box: Option<[f64; 4]>,
+    /// What lengths mean here.
+    pub space: Space,
+    /// Where the element stands that is being built.
+    pub place: Span,
 }
 
 /// Where the values of the attributes for dragging stand.
 #[derive(Default)]
 pub struct Dragging {
-    /// `drag`: the name of a state.
+    /// `drag`: the name of a state or a parameter.
     pub state: Option<Range<usize>>,
     /// `drag-up`: what one unit upwards adds to it.
     pub up: Option<Range<usize>>,
@@ -145,6 +166,8 @@ impl Builder<'_, '_> {
             return None;
         }
         let name = raw.name.clone();
+        let view_box = raw.attributes.iter().find(|(name, _)| self.source(name) == "viewBox");
+        self.view_box = view_box.and_then(|(_, value)| four_numbers(self.source(value)));
         let root = self.element(raw)?;
         if !root.attributes.iter().any(|attribute| attribute.name == "viewBox") {
             self.refuse(
@@ -161,7 +184,8 @@ impl Builder<'_, '_> {
 
     fn element(&mut self, raw: RawElement) -> Option<Element> {
         let name = self.source(&raw.name).to_owned();
-        if !ELEMENTS.contains(&name.as_str()) {
+        self.place = Span::new(raw.name.start, raw.name.end);
+        if name != "frame" && !ELEMENTS.contains(&name.as_str()) {
             let hint = units::nearest(&name, ELEMENTS)
                 .map(|near| words!("did you mean `{near}`?", "¿querías decir `{near}`?"));
             self.refuse(
@@ -174,18 +198,73 @@ impl Builder<'_, '_> {
             );
             return None;
         }
-        let mut element = Element { name, attributes: Vec::new(), children: Vec::new(), drag: None };
+        let outside = self.space.clone();
+        let element = self.placed(name, raw);
+        self.space = outside;
+        element
+    }
+
+    /// An element with its attributes and what it holds. A frame and a group of a frame leave their own space behind.
+    fn placed(&mut self, name: String, raw: RawElement) -> Option<Element> {
+        let is_frame = name == "frame";
+        let mut element = Element {
+            name: if is_frame { "g".to_owned() } else { name.clone() },
+            attributes: Vec::new(),
+            children: Vec::new(),
+            drag: None,
+        };
         let mut dragging = Dragging::default();
-        for (name, value) in raw.attributes {
-            match self.source(&name) {
+        let mut geometry = Geometry::new();
+        let mut visible = None;
+        for (attribute, value) in raw.attributes {
+            match self.source(&attribute) {
                 "drag" => dragging.state = Some(value),
                 "drag-up" => dragging.up = Some(value),
                 "drag-right" => dragging.right = Some(value),
-                _ => element.attributes.extend(self.attribute(name, value)),
+                "visible" => visible = self.visible(value),
+                own @ ("x" | "y" | "box") if is_frame => drop(geometry.insert(own.to_owned(), value)),
+                own if self.space.framed && is_geometry(&name, own) => drop(geometry.insert(own.to_owned(), value)),
+                "transform" if self.space.framed => self.refuse(
+                    words("`transform` counts in units of the drawing", "`transform` cuenta en unidades del dibujo"),
+                    attribute,
+                    Some(words(
+                        "in a frame write `<g at=\"(x, y)\" turn=\"phi\">`",
+                        "en un marco escribe `<g at=\"(x, y)\" turn=\"phi\">`",
+                    )),
+                ),
+                _ => element.attributes.extend(self.attribute(attribute, value)),
             }
         }
-        element.drag = self.drag(dragging);
-        for child in raw.children {
+        let mut take = |name: &str| geometry.remove(name);
+        let mut anchor = None;
+        if is_frame {
+            let axes = [take("x"), take("y"), take("box")];
+            self.space = self.frame_space(raw.name, axes)?;
+        } else if name == "g" {
+            let (at, turn) = (take("at"), take("turn"));
+            if at.is_some() || turn.is_some() {
+                let outside = self.space.clone();
+                let (transform, place) = self.group_space(at, turn)?;
+                element.attributes.push(transform);
+                let inside = std::mem::replace(&mut self.space, outside);
+                element.drag = self.drag(std::mem::take(&mut dragging), Some(place));
+                self.space = inside;
+            }
+        } else if self.space.framed {
+            let (attributes, place) = self.shape(&name, &geometry);
+            element.attributes.extend(attributes);
+            anchor = place;
+        }
+        element.attributes.extend(visible);
+        if element.drag.is_none() {
+            element.drag = self.drag(dragging, anchor);
+        }
+        self.children(&mut element, raw.children);
+        Some(element)
+    }
+
+    fn children(&mut self, element: &mut Element, children: Vec<RawChild>) {
+        for child in children {
             match child {
                 RawChild::Text(text) if element.name == "style" => {
                     let rules = style::rules(self.expressions.source, text, &mut self.expressions.diagnostics);
@@ -219,6 +298,5 @@ impl Builder<'_, '_> {
                 }
             }
         }
-        Some(element)
     }
 }

@@ -1,14 +1,16 @@
 //! Parts of a scene that follow the hand.
 
 use super::build::{Builder, Dragging};
-use crate::expressions::dimension_error;
-use program::Drag;
+use super::space::Spot;
+use crate::expressions::{Placed, dimension_error};
+use model::Span;
+use program::{Compiled, Drag, Dragged, Kind, NodeId, Variable};
 use std::ops::Range;
-use units::words;
+use units::{Unit, words};
 
 impl Builder<'_, '_> {
-    /// What dragging an element does.
-    pub fn drag(&mut self, dragging: Dragging) -> Option<Drag> {
+    /// What dragging an element does. `anchor` is the place of it that follows the hand, in the present space.
+    pub fn drag(&mut self, dragging: Dragging, anchor: Option<Spot>) -> Option<Drag> {
         let Some(place) = dragging.state else {
             if let Some(place) = dragging.up.or(dragging.right) {
                 self.refuse(
@@ -23,23 +25,10 @@ impl Builder<'_, '_> {
             return None;
         };
         let place = crate::source::trim(self.expressions.source, place);
-        let name = self.source(&place).to_owned();
-        let states: Vec<String> = self.expressions.model().states.iter().map(program::State::name).collect();
-        let Some(state) = states.iter().position(|known| *known == name) else {
-            let mut hint = words!("the states are {}", "los estados son {}", states.join(", "));
-            if let Some(near) = units::nearest(&name, states.iter().map(String::as_str)) {
-                hint = words!("did you mean `{near}`?", "¿querías decir `{near}`?");
-            }
-            self.refuse(
-                words!(
-                    "`{name}` is not a state, so it cannot be dragged",
-                    "`{name}` no es un estado, así que no se puede arrastrar"
-                ),
-                place,
-                Some(hint),
-            );
-            return None;
-        };
+        let target = self.dragged(&place)?;
+        if dragging.up.is_none() && dragging.right.is_none() && self.space.framed {
+            return self.along(target, anchor, place);
+        }
         if dragging.up.is_none() && dragging.right.is_none() {
             self.refuse(
                 words(
@@ -54,25 +43,125 @@ impl Builder<'_, '_> {
             );
             return None;
         }
-        let up = dragging.up.and_then(|range| self.drag_rate(range, state));
-        let right = dragging.right.and_then(|range| self.drag_rate(range, state));
-        (up.is_some() || right.is_some()).then_some(Drag { state, up, right })
+        let up = dragging.up.and_then(|range| self.drag_rate(range, target));
+        let right = dragging.right.and_then(|range| self.drag_rate(range, target));
+        (up.is_some() || right.is_some()).then_some(Drag { target, up, right })
     }
 
-    /// What one unit of the drawing adds to a state.
-    fn drag_rate(&mut self, range: Range<usize>, state: usize) -> Option<usize> {
-        let rate = self.expressions.number(range)?;
-        let declared = self.expressions.places.states.get(state).copied().unwrap_or_default();
-        let state = &self.expressions.model().states[state];
-        if rate.value.dimension() != state.unit.dimension {
-            let message = words!(
-                "one unit of the drawing must add to `{}` something of its dimension",
-                "una unidad del dibujo debe añadir a `{}` algo de su dimensión",
-                state.name()
+    /// The state or parameter of a name.
+    fn dragged(&mut self, place: &Range<usize>) -> Option<Dragged> {
+        let name = self.source(place).to_owned();
+        let model = self.expressions.model();
+        let states: Vec<String> = model.states.iter().map(program::State::name).collect();
+        if let Some(state) = states.iter().position(|known| *known == name) {
+            return Some(Dragged::State(state));
+        }
+        if let Some(parameter) = model.parameters.iter().position(|parameter| parameter.name == name) {
+            return Some(Dragged::Parameter(parameter));
+        }
+        let parameters = model.parameters.iter().map(|parameter| parameter.name.as_str());
+        let mut hint = words!("the states are {}", "los estados son {}", states.join(", "));
+        if let Some(near) = units::nearest(&name, states.iter().map(String::as_str).chain(parameters)) {
+            hint = words!("did you mean `{near}`?", "¿querías decir `{near}`?");
+        }
+        self.refuse(
+            words!(
+                "`{name}` is neither a state nor a parameter, so it cannot be dragged",
+                "`{name}` no es ni un estado ni un parámetro, así que no se puede arrastrar"
+            ),
+            place.clone(),
+            Some(hint),
+        );
+        None
+    }
+
+    /// The unit of what is dragged, its name, and where it is declared.
+    fn target(&self, target: Dragged) -> Option<(Unit, String, Span)> {
+        let (model, places) = (self.expressions.model(), self.expressions.places);
+        match target {
+            Dragged::State(index) => {
+                let state = model.states.get(index)?;
+                Some((state.unit.clone(), state.name(), places.states.get(index).copied().unwrap_or_default()))
+            }
+            Dragged::Parameter(index) => {
+                let parameter = model.parameters.get(index)?;
+                let declared = places.parameters.get(index).copied().unwrap_or_default();
+                Some((parameter.unit.clone(), parameter.name.clone(), declared))
+            }
+        }
+    }
+
+    /// Along the way that the place `anchor` of a part takes when what is dragged changes: the component of the pointer's
+    /// way in that direction, over the rate. With r(s) for the place, ds = r'·dr/|r'|².
+    fn along(&mut self, target: Dragged, anchor: Option<Spot>, place: Range<usize>) -> Option<Drag> {
+        let (unit, name, _) = self.target(target)?;
+        let variable = match target {
+            Dragged::State(index) => Variable::State(index as u32),
+            Dragged::Parameter(index) => Variable::Parameter(index as u32),
+        };
+        let space = self.space.clone();
+        let graph = self.expressions.graph();
+        let zero = graph.constant(0.0);
+        let spot = anchor.map_or(Spot { x: zero, y: zero }, |anchor| space.outside(graph, anchor));
+        let rates = program::differentiate_all(graph, &[spot.x, spot.y], variable);
+        let [right, down] = rates[..] else { return None };
+        let up = graph.negate(down);
+        let (right_squared, up_squared) = (graph.multiply(right, right), graph.multiply(up, up));
+        let square = graph.add(right_squared, up_squared);
+        if graph.as_constant(square) == Some(0.0) {
+            self.refuse(
+                words!(
+                    "where this part lies does not depend on `{name}`",
+                    "el lugar de esta parte no depende de `{name}`"
+                ),
+                place,
+                Some(words(
+                    "say with `drag-right` and `drag-up` what a way to the right or upwards adds",
+                    "di con `drag-right` y `drag-up` qué añade un desplazamiento hacia la derecha o hacia arriba",
+                )),
             );
-            let expected = (declared, state.unit.dimension);
-            self.expressions.diagnostics.push(dimension_error(message, (rate.span, rate.value.dimension()), expected));
             return None;
+        }
+        let span = Span::new(place.start, place.end);
+        let mut index = |rate: NodeId| {
+            if self.graph().as_constant(rate) == Some(0.0) {
+                return None;
+            }
+            let node = self.graph().divide(rate, square);
+            let value = Compiled { node, unit: unit.clone(), kind: Kind::Number };
+            self.value(Placed { value, span })
+        };
+        let (up, right) = (index(up), index(right));
+        Some(Drag { target, up, right })
+    }
+
+    /// What one unit of the drawing adds. In a frame the document counts in the frame's units.
+    fn drag_rate(&mut self, range: Range<usize>, target: Dragged) -> Option<usize> {
+        let inner = self.inside_braces(range);
+        let mut rate = self.expressions.number(inner)?;
+        let (unit, name, declared) = self.target(target)?;
+        let expected = if self.space.framed { unit.dimension.per(self.space.dimension)? } else { unit.dimension };
+        let is_zero = self.graph().as_constant(rate.value.node) == Some(0.0);
+        if rate.value.dimension() != expected && !is_zero {
+            let message = if self.space.framed {
+                words!(
+                    "this times a length of the frame must have the dimension of `{name}`",
+                    "esto por una longitud del marco debe tener la dimensión de `{name}`"
+                )
+            } else {
+                words!(
+                    "one unit of the drawing must add to `{name}` something of its dimension",
+                    "una unidad del dibujo debe añadir a `{name}` algo de su dimensión"
+                )
+            };
+            let found = (rate.span, rate.value.dimension());
+            self.expressions.diagnostics.push(dimension_error(message, found, (declared, expected)));
+            return None;
+        }
+        if self.space.framed {
+            let scale = self.space.scale;
+            rate.value.node = self.graph().divide(rate.value.node, scale);
+            rate.value.unit = unit;
         }
         self.value(rate)
     }

@@ -3,7 +3,12 @@
 mod allowed;
 mod attributes;
 mod build;
+mod choice;
 mod drag;
+mod frame;
+mod points;
+mod shapes;
+mod space;
 mod style;
 mod template;
 mod translate;

@@ -4,12 +4,12 @@ use super::build::Builder;
 use super::template::{self, RawPiece, normalised};
 use super::translate::{SceneText, has_word};
 use crate::expressions::Placed;
-use program::{Kind, Piece, Template};
+use program::{Compiled, Kind, NodeId, Piece, Template};
 use std::ops::Range;
-use units::words;
+use units::{Unit, words};
 
 /// How many values a scene may have; all of them are computed for every frame.
-const VALUES: usize = 1_000;
+const VALUES: usize = 10_000;
 
 impl Builder<'_, '_> {
     /// A text. What it says is kept for translations.
@@ -58,9 +58,8 @@ impl Builder<'_, '_> {
 
     /// The place of a value among those of the scene; equal ones are computed once.
     pub fn value(&mut self, Placed { value: compiled, span }: Placed) -> Option<usize> {
-        let known = self.values.iter().position(|value| {
-            value.node == compiled.node && value.unit == compiled.unit && value.kind == compiled.kind
-        });
+        let same = self.numbers.entry(compiled.node).or_default();
+        let known = same.iter().copied().find(|index| self.values.get(*index) == Some(&compiled));
         if known.is_some() {
             return known;
         }
@@ -75,7 +74,21 @@ impl Builder<'_, '_> {
             );
             return None;
         }
+        same.push(self.values.len());
         self.values.push(compiled);
         Some(self.values.len() - 1)
+    }
+
+    /// A number in units of the drawing, for an attribute: written out where it never changes.
+    pub fn drawn(&mut self, node: NodeId) -> Option<Piece> {
+        if let Some(constant) = self.graph().as_constant(node) {
+            let shown = constant as f32;
+            // Without the sign of a zero.
+            let text = if shown.is_finite() && shown != 0.0 { shown.to_string() } else { "0".to_owned() };
+            return Some(Piece::Literal(text));
+        }
+        let value = Compiled { node, unit: Unit::dimensionless(), kind: Kind::Number };
+        let index = self.value(Placed { value, span: self.place })?;
+        Some(Piece::Value { index, decimals: None })
     }
 }

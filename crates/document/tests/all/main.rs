@@ -8,6 +8,7 @@ mod bundles;
 mod catalogue;
 mod checks;
 mod edit;
+mod frames;
 mod open;
 mod outline;
 mod reference;

@@ -1,6 +1,6 @@
 //! What a scene lets through and what it refuses, on the outside of the crate.
 use document::Opened;
-use program::{Child, Element, Piece, Template};
+use program::{Child, Dragged, Element, Piece, Template};
 
 fn open(scene: &str) -> Opened {
     let source = format!(
@@ -16,6 +16,10 @@ fn print_template(template: &Template) -> String {
             Piece::Literal(text) => text.clone(),
             Piece::Value { index, decimals: None } => format!("{{{index}}}"),
             Piece::Value { index, decimals: Some(decimals) } => format!("{{{index}:.{decimals}}}"),
+            Piece::Choice { index, texts } => {
+                let texts: Vec<String> = texts.iter().map(|(number, text)| format!("{number} {text}")).collect();
+                format!("{{{index}: {}}}", texts.join(", "))
+            }
         })
         .collect()
 }
@@ -26,7 +30,11 @@ fn print(element: &Element) -> String {
         text += &format!(" {}={}", attribute.name, print_template(&attribute.value));
     }
     if let Some(drag) = &element.drag {
-        text += &format!(" drag {} {:?} {:?}", drag.state, drag.up, drag.right);
+        let target = match drag.target {
+            Dragged::State(index) => format!("{index}"),
+            Dragged::Parameter(index) => format!("parameter {index}"),
+        };
+        text += &format!(" drag {target} {:?} {:?}", drag.up, drag.right);
     }
     text += ">";
     for child in &element.children {
@@ -102,14 +110,29 @@ fn dragging_names_a_state_and_says_how_much() {
         &[],
     );
     inside(
-        "<g drag='h' drag-up='1 [m]'/><g drag='y' drag-up='1'/><g drag='y'/><g drag-up='1 [m]'/>",
-        "<g>;<g>;<g>;<g>;",
+        "<g drag='h' drag-up='1 [m]'/><g drag='k' drag-up='1 [m]'/><g drag='y' drag-up='1'/><g drag='y'/><g drag-up='1 [m]'/>",
+        "<g drag parameter 0 Some(0) None>;<g>;<g>;<g>;<g>;",
         &[
-            "`h` is not a state, so it cannot be dragged",
+            "`k` is neither a state nor a parameter, so it cannot be dragged",
             "one unit of the drawing must add to `y` something of its dimension",
             "dragging needs `drag-up`, `drag-right` or both",
             "what does the pointer change?",
         ],
+    );
+}
+
+#[test]
+fn colours_and_visibility_follow_the_model() {
+    inside(
+        "<rect fill='mark' stroke='{if y < h then \"liquid\" else \"#c4551d\"}' visible='y > 0 [m]'/>",
+        "<rect fill=var(--mark, #c4551d) stroke={0: 1 var(--liquid, #3f9fc0), 2 #c4551d} display={1: 0 none, 1 inline}>;",
+        &[],
+    );
+    inside("<g visible='1 < 2'/><g visible='{2 < 1}'/>", "<g display=inline>;<g display=none>;", &[]);
+    inside(
+        "<g visible='y'/><g fill='{if y < h then \"red\" else \"url(x)\"}'/>",
+        "<g>;<g>;",
+        &["`visible` needs a condition", "\"url(x)\" is not a colour"],
     );
 }
 
@@ -229,7 +252,8 @@ fn names_and_styles_hold_no_values() {
 
 #[test]
 fn text_in_attributes_and_text_outside_text_are_refused() {
-    inside("<rect fill='{name}'/>", "<rect>;", &["an attribute can hold numbers only, and this is a text"]);
+    inside("<rect x='{name}'/>", "<rect>;", &["an attribute can hold numbers only, and this is a text"]);
+    inside("<rect fill='{name}'/>", "<rect>;", &["\"ball\" is not a colour"]);
     inside("<g>loose</g>", "<g>;", &["text is shown inside `<text>` only"]);
     check("nothing", "", &["a scene needs a drawing"]);
     check("<svg/>", "<svg>;", &["the `svg` element needs a `viewBox`"]);

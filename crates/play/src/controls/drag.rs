@@ -4,12 +4,14 @@
 //! initial value held, as little as possible ([`Start::solve`]); the other initial values stay those of the document. Where
 //! no parameter decides it, where a range ends, or at any later time, the state itself becomes the start of the run, and
 //! the dragged quantity is at rest. It stays the start until another one is set or [`Play::restore_defaults`].
+//!
+//! A part may also set a parameter, as its slider does: the run goes on meanwhile.
 
-use crate::controls::hold::Hold;
+use crate::controls::hold::{Hold, Holding};
 use crate::controls::start::Start;
 use crate::{Announcement, Play, number};
 use engine::Setup;
-use program::{Child, Drag, Element, Piece, Program};
+use program::{Child, Drag, Dragged, Element, Piece, Program};
 
 /// What a run begins with when a handle has been pulled.
 struct Pulled {
@@ -31,18 +33,31 @@ impl Play {
         if self.hold.is_some() {
             self.drag_end();
         }
-        let Some(hold) = self.grip(drag) else { return };
-        self.pause();
-        self.hold = Some(hold);
+        match drag.target {
+            Dragged::State(held) => {
+                let Some(hold) = self.grip(drag, held) else { return };
+                self.pause();
+                self.hold = Some(Holding::State(hold));
+            }
+            Dragged::Parameter(parameter) => {
+                let Some(&from) = self.course.parameters().get(parameter) else { return };
+                let (right, up) = self.drag_factors(drag);
+                self.hold = Some(Holding::Parameter { parameter, from, right, up, moved: false });
+            }
+        }
     }
 
     /// The least and the greatest value (SI) that dragging this part can give its state from where it is now: as far as
     /// the drawing follows.
     pub fn drag_range(&mut self, drag: &Drag) -> Option<(f64, f64)> {
-        let mut hold = self.grip(drag)?;
+        let held = match drag.target {
+            Dragged::State(held) => held,
+            Dragged::Parameter(index) => return self.model().parameters.get(index)?.range,
+        };
+        let mut hold = self.grip(drag, held)?;
         let now = *hold.from.get(hold.state)?;
         let way = hold.reach.0 * hold.right.abs() + hold.reach.1 * hold.up.abs();
-        let mut end = |way: f64| self.followed(&mut hold, way)?.state.get(drag.state).copied();
+        let mut end = |way: f64| self.followed(&mut hold, way)?.state.get(held).copied();
         let (one, other) = (end(-way).unwrap_or(now), end(way).unwrap_or(now));
         Some((one.min(other).min(now), one.max(other).max(now)))
     }
@@ -53,8 +68,11 @@ impl Play {
         let mut drags = Vec::new();
         collect_drags(&scene.root, &mut drags);
         let lengths = drags.into_iter().filter_map(|drag| {
-            let state = self.program.model.states.get(drag.state)?;
-            (state.unit.dimension == units::Dimension::LENGTH).then_some((drag.up.or(drag.right)?, state.unit.clone()))
+            let unit = match drag.target {
+                Dragged::State(index) => &self.program.model.states.get(index)?.unit,
+                Dragged::Parameter(index) => &self.program.model.parameters.get(index)?.unit,
+            };
+            (unit.dimension == units::Dimension::LENGTH).then_some((drag.up.or(drag.right)?, unit.clone()))
         });
         let (factor, unit) = lengths.collect::<Vec<_>>().into_iter().next()?;
         let factor = self.scene_values().get(factor).copied().filter(|factor| factor.is_finite() && *factor != 0.0)?;
@@ -64,21 +82,17 @@ impl Play {
     }
 
     /// What is to be known of a part that is taken hold of; `None` where the state cannot be dragged.
-    fn grip(&mut self, drag: &Drag) -> Option<Hold> {
-        let factor = |values: &[f64], index: Option<usize>| {
-            index.and_then(|index| values.get(index).copied()).filter(|value| value.is_finite()).unwrap_or(0.0)
-        };
-        let values = self.scene_values();
-        let (right, up) = (factor(values, drag.right), factor(values, drag.up));
+    fn grip(&mut self, drag: &Drag, held: usize) -> Option<Hold> {
+        let (right, up) = self.drag_factors(drag);
         let mut from = self.course.state().to_vec();
-        if drag.state >= from.len() || from.iter().any(|value| !value.is_finite()) {
+        if held >= from.len() || from.iter().any(|value| !value.is_finite()) {
             return None;
         }
         let at_start = self.course.time() == 0.0 && !self.is_started_by_hand();
         if !at_start {
-            self.rest(drag.state, &mut from);
+            self.rest(held, &mut from);
         }
-        let start = if at_start { Start::of(&self.program.model, drag.state) } else { None };
+        let start = if at_start { Start::of(&self.program.model, held) } else { None };
         let parameters = self.course.parameters().to_vec();
         let reach = extent(&self.program, &self.tag);
         let mut shaping = Vec::new();
@@ -86,15 +100,30 @@ impl Play {
             collect_shaping(&scene.root, &mut shaping);
         }
         let playing = self.playing;
-        Some(Hold { state: drag.state, from, parameters, start, right, up, reach, shaping, moved: false, playing })
+        Some(Hold { state: held, from, parameters, start, right, up, reach, shaping, moved: false, playing })
+    }
+
+    /// What a scene unit to the right and upwards adds now.
+    fn drag_factors(&mut self, drag: &Drag) -> (f64, f64) {
+        let values = self.scene_values();
+        let factor = |index: Option<usize>| {
+            index.and_then(|index| values.get(index).copied()).filter(|value| value.is_finite()).unwrap_or(0.0)
+        };
+        (factor(drag.right), factor(drag.up))
     }
 
     /// The pointer is now `right` and `up` scene units from where it took hold (up is positive). It pulls the state no
     /// further than the drawing follows: not past the extent of the scene, not to where a value of the drawing is not
     /// finite, and not on where nothing moves any more because the author limits it (`min(sum, sum/2 + y)`).
     pub fn drag_move(&mut self, right: f64, up: f64) {
-        let Some(mut hold) = self.hold.take() else {
-            return;
+        let mut hold = match self.hold.take() {
+            Some(Holding::State(hold)) => hold,
+            Some(Holding::Parameter { parameter, from, right: by_right, up: by_up, moved }) => {
+                let moved = self.drag_parameter(parameter, from + right * by_right + up * by_up) || moved;
+                self.hold = Some(Holding::Parameter { parameter, from, right: by_right, up: by_up, moved });
+                return;
+            }
+            None => return,
         };
         if right.is_finite() && up.is_finite() {
             let right = right.clamp(-hold.reach.0, hold.reach.0);
@@ -106,12 +135,39 @@ impl Play {
                 hold.moved = true;
             }
         }
-        self.hold = Some(hold);
+        self.hold = Some(Holding::State(hold));
+    }
+
+    /// Sets a parameter that is held, within its range; whether it has its new value.
+    fn drag_parameter(&mut self, parameter: usize, value: f64) -> bool {
+        if !value.is_finite() {
+            return false;
+        }
+        let range = self.model().parameters.get(parameter).and_then(|parameter| parameter.range);
+        let value = range.map_or(value, |(least, greatest)| value.max(least).min(greatest));
+        let Ok(value) = self.admit(parameter, value) else { return false };
+        let mut parameters = self.course.parameters().to_vec();
+        if let Some(old) = parameters.get_mut(parameter)
+            && old.to_bits() != value.to_bits()
+        {
+            *old = value;
+            self.change_parameters(parameters);
+        }
+        true
     }
 
     /// Lets go: the run goes on from there if it was going on before.
     pub fn drag_end(&mut self) {
-        let Some(hold) = self.hold.take() else { return };
+        let hold = match self.hold.take() {
+            Some(Holding::State(hold)) => hold,
+            Some(Holding::Parameter { parameter, moved, .. }) => {
+                if let (true, Some(&value)) = (moved, self.course.parameters().get(parameter)) {
+                    self.announce(Announcement::ParameterSet(parameter, value));
+                }
+                return;
+            }
+            None => return,
+        };
         if let (true, Some(&value)) = (hold.moved, self.course.state().get(hold.state)) {
             self.announce(if self.is_started_by_hand() {
                 Announcement::StateSet(hold.state, value)
@@ -205,10 +261,7 @@ fn collect_drags<'a>(element: &'a Element, drags: &mut Vec<&'a Drag>) {
 /// Collects the values in the attributes of an element and those below it.
 fn collect_shaping(element: &Element, indices: &mut Vec<usize>) {
     let pieces = element.attributes.iter().flat_map(|attribute| &attribute.value);
-    indices.extend(pieces.filter_map(|piece| match piece {
-        Piece::Value { index, .. } => Some(*index),
-        Piece::Literal(_) => None,
-    }));
+    indices.extend(pieces.filter_map(Piece::value));
     for child in &element.children {
         if let Child::Element(child) = child {
             collect_shaping(child, indices);

@@ -2,7 +2,25 @@
 
 use crate::controls::start::Start;
 
-/// A part of the scene that is held.
+/// What is held.
+#[derive(Clone, Debug)]
+pub(crate) enum Holding {
+    /// A part that moves a state.
+    State(Hold),
+    /// A part that sets a parameter.
+    Parameter {
+        parameter: usize,
+        /// Its value when it was taken hold of.
+        from: f64,
+        /// What a scene unit to the right and upwards adds.
+        right: f64,
+        up: f64,
+        /// Whether it has been changed.
+        moved: bool,
+    },
+}
+
+/// A part of the scene that is held and moves a state.
 #[derive(Clone, Debug)]
 pub(crate) struct Hold {
     pub state: usize,

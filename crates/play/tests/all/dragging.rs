@@ -177,8 +177,32 @@ fn a_click_on_the_liquid_changes_nothing() {
     play.drag_end();
     assert_eq!(bits(&play), before);
     assert!(!play.is_playing());
-    play.drag_begin(&play::program::Drag { state: 9, up: None, right: Some(77) });
+    play.drag_begin(&play::program::Drag { target: play::program::Dragged::State(9), up: None, right: Some(77) });
     play.drag_move(1.0, 1.0);
     play.drag_end();
     assert_eq!(bits(&play), before);
+}
+
+#[test]
+fn a_parameter_is_dragged_within_its_range_while_the_run_goes_on() {
+    let source = "```model\nparameter s = 1 [m] in 0..2\nx' = (s - x)/(1 [s])\nx(0) = 0 [m]\n```\n\n```scene\n<svg \
+                  viewBox='0 0 100 100'><circle cx='{10*s/(1 [m])}' cy='9' r='3' drag='s' drag-right='0.1 [m]'/></svg>\n```\n";
+    let mut play = crate::support::open(source, &[]);
+    let drag = handle(&play);
+    assert_eq!(play.drag_range(&drag), Some((0.0, 2.0)));
+    play.play();
+    play.drag_begin(&drag);
+    play.drag_move(5.0, 7.0);
+    assert!(play.is_playing() && play.is_dragging());
+    assert_eq!(play.parameters()[0].value, 1.5);
+    play.tick(0.5);
+    assert!(state(&play)[0] > 0.5, "it follows the new value: {:?}", state(&play));
+    play.drag_move(1e9, 0.0);
+    assert_eq!(play.parameters()[0].value, 2.0);
+    play.drag_move(f64::INFINITY, 0.0);
+    play.drag_end();
+    assert_eq!(play.parameters()[0].value, 2.0);
+    assert!(play.is_playing());
+    let told = std::iter::from_fn(|| play.take_announcement()).last();
+    assert_eq!(told, Some(Announcement::ParameterSet(0, 2.0)));
 }

@@ -4,6 +4,7 @@ mod written;
 
 use crate::Compiled;
 use serde::{Deserialize, Serialize};
+use std::fmt::Write;
 
 /// A drawing whose attributes and texts follow the model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -84,15 +85,84 @@ pub enum Piece {
         /// How many decimals; `{t:.2}` asks for 2. Without, a sensible number of significant digits.
         decimals: Option<u8>,
     },
+    /// The text that belongs to the value of `Scene::values[index]`: a colour, or whether something is shown. In
+    /// attributes only.
+    Choice {
+        /// Which.
+        index: usize,
+        /// Whole numbers and the text for each.
+        texts: Vec<(u32, String)>,
+    },
 }
 
-/// How dragging an element changes a state. Distances are in user units of the `svg` element's viewBox.
+impl Piece {
+    /// The value that it shows, as an index into [`Scene::values`].
+    pub fn value(&self) -> Option<usize> {
+        match self {
+            Self::Literal(_) => None,
+            Self::Value { index, .. } | Self::Choice { index, .. } => Some(*index),
+        }
+    }
+}
+
+/// Writes the text of an attribute for the values of [`Scene::values`]. False where it has none: a number that is not
+/// finite, or a value without a text.
+pub fn write_attribute(template: &[Piece], values: &[f64], text: &mut String) -> bool {
+    text.clear();
+    template.iter().all(|piece| match piece {
+        Piece::Literal(literal) => {
+            text.push_str(literal);
+            true
+        }
+        Piece::Value { index, .. } => {
+            // Seven digits are more than a screen has, and the shorter text is parsed sooner.
+            let value = values.get(*index).map_or(f32::NAN, |value| *value as f32);
+            let _ = write!(text, "{value}");
+            value.is_finite()
+        }
+        Piece::Choice { index, texts } => {
+            let value = values.get(*index).copied().unwrap_or(f64::NAN);
+            let chosen = texts.iter().find(|(number, _)| f64::from(*number) == value);
+            text.push_str(chosen.map_or("", |(_, chosen)| chosen));
+            chosen.is_some()
+        }
+    })
+}
+
+/// How dragging an element changes a state or a parameter. Distances are in user units of the `svg` element's viewBox.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Drag {
-    /// Which of [`crate::Model::states`].
-    pub state: usize,
-    /// What one unit upwards adds to the state, SI: an index into [`Scene::values`].
+    /// What it changes.
+    pub target: Dragged,
+    /// What one unit upwards adds to it, SI: an index into [`Scene::values`].
     pub up: Option<usize>,
-    /// What one unit to the right adds to the state, SI: an index into [`Scene::values`].
+    /// What one unit to the right adds to it, SI: an index into [`Scene::values`].
     pub right: Option<usize>,
+}
+
+/// What dragging changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Dragged {
+    /// Which of [`crate::Model::states`].
+    State(usize),
+    /// Which of [`crate::Model::parameters`].
+    Parameter(usize),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_attribute_has_a_text_where_all_its_values_have_one() {
+        let shown = Piece::Choice { index: 1, texts: vec![(0, "none".into()), (1, "inline".into())] };
+        let number = Piece::Value { index: 0, decimals: None };
+        let mut text = String::new();
+        let template = [Piece::Literal("M".into()), number, shown];
+        assert!(write_attribute(&template, &[0.1, 1.0], &mut text));
+        assert_eq!(text, "M0.1inline");
+        assert!(!write_attribute(&template, &[f64::NAN, 1.0], &mut text));
+        assert!(!write_attribute(&template, &[0.1, 2.0], &mut text));
+        assert!(!write_attribute(&template, &[0.1], &mut text));
+    }
 }

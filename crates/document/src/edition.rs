@@ -7,7 +7,7 @@ use crate::{questions, scene, settings};
 use model::{Diagnostic, Span};
 use program::Edition;
 use std::collections::BTreeMap;
-use units::words;
+use units::{Language, words};
 
 impl File<'_> {
     /// Adds this file to a document as its edition in another language.
@@ -74,7 +74,8 @@ impl File<'_> {
             found.push(Diagnostic::warning("untranslated", message, language.span));
         }
         let original = program.editions.first().and_then(|original| original.scene.as_ref());
-        let scene = original.map(|scene| scene::translated(scene, scene_words, &mut texts));
+        let scene =
+            original.map(|scene| scene::translated(scene, scene_words, &mut texts, Language::of(&language.text)));
         let mut table = BTreeMap::new();
         for original in program.translatable() {
             if let Some((text, _)) = texts.translate(original, scene::has_word(original)) {

@@ -31,8 +31,8 @@ pub struct Expressions<'a> {
     pub diagnostics: Vec<Diagnostic>,
     /// Names that mean an expression.
     local: BTreeMap<String, Expression>,
-    /// The document, in which [`Self::component`] covers what it does not read.
-    covered: Option<String>,
+    /// The document, in which what is not read of a point is covered meanwhile.
+    pub covered: Option<String>,
 }
 
 impl<'a> Expressions<'a> {
@@ -80,41 +80,6 @@ impl<'a> Expressions<'a> {
     pub fn number(&mut self, range: Range<usize>) -> Option<Placed> {
         let compiled = self.compile(range)?;
         self.expect_number(compiled)
-    }
-
-    /// The number that is left of `range` without the places in `without`: one component of a point.
-    pub fn component(&mut self, range: Range<usize>, without: &[Range<usize>]) -> Option<Placed> {
-        let source = self.source;
-        let covered = self.covered.get_or_insert_with(|| source.to_owned());
-        for part in without {
-            covered.replace_range(part.clone(), &" ".repeat(part.len()));
-        }
-        let (expression, unit, diagnostics) = model::parse_expression(covered, range.clone());
-        covered.replace_range(range.clone(), &source[range]);
-        let failed = model::has_errors(&diagnostics);
-        self.diagnostics.extend(diagnostics);
-        let placed = if failed { None } else { self.finish(expression, unit.as_ref()) }?;
-        self.expect_number(placed)
-    }
-
-    /// The two ends of `LOW..HIGH`; a unit after `HIGH` is also that of a bare number before it.
-    pub fn interval(&mut self, low: Range<usize>, high: Range<usize>) -> Option<(Placed, Placed)> {
-        let (mut low, low_unit, mut diagnostics) = model::parse_expression(self.source, low);
-        let (high, high_unit, further) = model::parse_expression(self.source, high);
-        diagnostics.extend(further);
-        let failed = model::has_errors(&diagnostics);
-        self.diagnostics.extend(diagnostics);
-        if failed {
-            return None;
-        }
-        if let (Some(bare), Some(stated)) = (unit_mut(&mut low), unit_of(&high))
-            && bare.is_none()
-        {
-            *bare = Some(stated.clone());
-        }
-        let low = self.finish(low, low_unit.as_ref()).and_then(|low| self.expect_number(low));
-        let high = self.finish(high, high_unit.as_ref()).and_then(|high| self.expect_number(high));
-        low.zip(high)
     }
 
     /// The number that fills `range` and stays the same during a run.
@@ -334,7 +299,8 @@ impl<'a> Expressions<'a> {
         }
     }
 
-    fn expect_number(&mut self, compiled: Placed) -> Option<Placed> {
+    /// What was compiled, if it is a number.
+    pub fn expect_number(&mut self, compiled: Placed) -> Option<Placed> {
         let what = match compiled.value.kind {
             Kind::Number => return Some(compiled),
             Kind::Truth => words(
@@ -398,24 +364,6 @@ pub fn dimension_error(
     Diagnostic::error("dimension-mismatch", message, found.0)
         .saying(describe(found.1))
         .with_label(expected.0, describe(expected.1))
-}
-
-/// The unit of a number, with or without a sign.
-fn unit_of(expression: &Expression) -> Option<&units::Unit> {
-    match &expression.kind {
-        ExpressionKind::Number { unit, .. } => unit.as_ref(),
-        ExpressionKind::Unary(_, operand) => unit_of(operand),
-        _ => None,
-    }
-}
-
-/// The place of that unit, where there is a number.
-fn unit_mut(expression: &mut Expression) -> Option<&mut Option<units::Unit>> {
-    match &mut expression.kind {
-        ExpressionKind::Number { unit, .. } => Some(unit),
-        ExpressionKind::Unary(_, operand) => unit_mut(operand),
-        _ => None,
-    }
 }
 
 /// Whether something in an expression could not be read.

@@ -14,7 +14,7 @@ use crate::{plots, presets, scene, vary};
 use model::{Checked, Diagnostic, Span, Statement};
 use program::{Edition, Program, Question, QuestionText, Section};
 use std::collections::BTreeMap;
-use units::words;
+use units::{Language, words};
 
 /// Reads a document and its translations and checks everything in them. There is no document if its model has errors;
 /// any other faulty part is left out of it.
@@ -120,8 +120,10 @@ impl<'a> File<'a> {
             checks.read(&mut expressions, block.content.range());
         }
         let mut scenes = self.outline.blocks_of(BlockKind::Scene);
-        let (scene, scene_words) =
-            scenes.next().and_then(|block| scene::build(&mut expressions, block.content.range())).unzip();
+        let (scene, scene_words) = scenes
+            .next()
+            .and_then(|block| scene::build(&mut expressions, block.content.range(), Language::of(&settings.language)))
+            .unzip();
         let mut further: Vec<Diagnostic> = scenes
             .map(|block| {
                 Diagnostic::error(

@@ -1,7 +1,7 @@
 //! Attributes: those that are allowed, with the values of the model in them.
 
 use super::allowed::{ATTRIBUTES, REFERRING, danger, is_id, is_idle, reference};
-use super::build::Builder;
+use super::builder::Builder;
 use super::choice::{is_colour, palette};
 use super::template::{self, RawPiece};
 use program::{Attribute, Kind, Piece, Template};

@@ -1,7 +1,9 @@
 //! From elements as written to a scene: what is not allowed is left out, what is written in braces is compiled.
 
 use super::allowed::{ELEMENTS, is_id};
+use super::builder::{Builder, Dragging};
 use super::frame::four_numbers;
+use super::parts::{Given, PARTS, Part, name_of, part_of, title};
 use super::shapes::{Geometry, is_geometry};
 use super::space::Space;
 use super::style;
@@ -9,13 +11,20 @@ use super::translate::SceneText;
 use super::xml::{RawChild, RawElement, parse};
 use crate::expressions::Expressions;
 use model::{Diagnostic, Span};
-use program::{Child, Compiled, Element, NodeId, Piece, Scene};
+use program::{Child, Element, Piece, Scene};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
-use units::{Words, words};
+use units::{Language, words};
+
+/// How many elements and pieces of values the parts of a scene may consist of.
+const DRAWN: usize = 60_000;
 
 /// Reads the scene in `range`: definitions, then one `svg` element. Also what its texts say, for translations.
-pub fn build(expressions: &mut Expressions, range: Range<usize>) -> Option<(Scene, Vec<SceneText>)> {
+pub fn build(
+    expressions: &mut Expressions,
+    range: Range<usize>,
+    language: Language,
+) -> Option<(Scene, Vec<SceneText>)> {
     let source = expressions.source;
     let opening = Span::new(range.start, range.start);
     let Some(length) = source[range.clone()].find("<svg") else {
@@ -43,6 +52,8 @@ pub fn build(expressions: &mut Expressions, range: Range<usize>) -> Option<(Scen
         words: Vec::new(),
         ids: BTreeSet::new(),
         references: Vec::new(),
+        language,
+        drawn: 0,
         view_box: None,
         space,
         place: opening,
@@ -75,52 +86,7 @@ pub fn build(expressions: &mut Expressions, range: Range<usize>) -> Option<(Scen
     Some((Scene { root: root?, values }, words))
 }
 
-/// Builds one scene.
-pub struct Builder<'b, 'a> {
-    /// Where the values are compiled.
-    pub expressions: &'b mut Expressions<'a>,
-    /// The values so far.
-    pub values: Vec<Compiled>,
-    /// Which of them have a node.
-    pub numbers: BTreeMap<NodeId, Vec<usize>>,
-    /// What the texts so far say.
-    pub words: Vec<SceneText>,
-    /// The ids that elements have.
-    ids: BTreeSet<String>,
-    /// The ids that attributes refer to.
-    pub references: Vec<(String, Range<usize>)>,
-    /// Left, top, width and height of the drawing.
-    pub view_box: Option<[f64; 4]>,
-    /// What lengths mean here.
-    pub space: Space,
-    /// Where the element stands that is being built.
-    pub place: Span,
-}
-
-/// Where the values of the attributes for dragging stand.
-#[derive(Default)]
-pub struct Dragging {
-    /// `drag`: the name of a state or a parameter.
-    pub state: Option<Range<usize>>,
-    /// `drag-up`: what one unit upwards adds to it.
-    pub up: Option<Range<usize>>,
-    /// `drag-right`: what one unit to the right adds to it.
-    pub right: Option<Range<usize>>,
-}
-
 impl Builder<'_, '_> {
-    /// The source at a place.
-    pub fn source(&self, range: &Range<usize>) -> &str {
-        &self.expressions.source[range.clone()]
-    }
-
-    /// Reports what is left out.
-    pub fn refuse(&mut self, message: Words, range: Range<usize>, hint: Option<Words>) {
-        let mut diagnostic = Diagnostic::error("scene-refused", message, Span::new(range.start, range.end));
-        diagnostic.hints.extend(hint);
-        self.expressions.diagnostics.push(diagnostic);
-    }
-
     fn collect_ids(&mut self, children: &[RawChild]) {
         for child in children {
             let RawChild::Element(element) = child else {
@@ -185,8 +151,11 @@ impl Builder<'_, '_> {
     fn element(&mut self, raw: RawElement) -> Option<Element> {
         let name = self.source(&raw.name).to_owned();
         self.place = Span::new(raw.name.start, raw.name.end);
+        if let Some(part) = part_of(&name) {
+            return self.part(part, raw);
+        }
         if name != "frame" && !ELEMENTS.contains(&name.as_str()) {
-            let hint = units::nearest(&name, ELEMENTS)
+            let hint = units::nearest(&name, ELEMENTS.into_iter().chain(["frame"]).chain(PARTS.map(|part| part.name)))
                 .map(|near| words!("did you mean `{near}`?", "¿querías decir `{near}`?"));
             self.refuse(
                 words!(
@@ -263,6 +232,63 @@ impl Builder<'_, '_> {
         Some(element)
     }
 
+    /// A part: a group with its name, what it is drawn with, and what the document sets on the whole.
+    fn part(&mut self, part: Part, raw: RawElement) -> Option<Element> {
+        let mut element = Element { name: "g".to_owned(), attributes: Vec::new(), children: Vec::new(), drag: None };
+        let mut dragging = Dragging::default();
+        let mut given = Given::new();
+        let mut visible = None;
+        for (attribute, value) in raw.attributes {
+            match self.source(&attribute) {
+                "drag" => dragging.state = Some(value),
+                "drag-up" => dragging.up = Some(value),
+                "drag-right" => dragging.right = Some(value),
+                "visible" => visible = self.visible(value),
+                own if part.attributes.contains(&own) => drop(given.insert(own.to_owned(), value)),
+                _ => element.attributes.extend(self.attribute(attribute, value)),
+            }
+        }
+        if !self.has_needed(part, &given, raw.name.clone()) {
+            return None;
+        }
+        let is_label = part.name == "label";
+        let (names, inside): (Vec<RawChild>, Vec<RawChild>) = raw
+            .children
+            .into_iter()
+            .partition(|child| matches!(child, RawChild::Element(inner) if self.source(&inner.name) == "title"));
+        if !names.is_empty() {
+            self.children(&mut element, names);
+        } else if !is_label {
+            let words = name_of(part);
+            element.children.push(Child::Element(title(vec![Piece::Literal(words.text(self.language).to_owned())])));
+            self.words.push(SceneText { generated: Some(words), ..SceneText::default() });
+        }
+        let mut drawn = self.draw_part(part, &given)?;
+        // Behind what is drawn: translations take the texts in this order.
+        let mut further = Element { name: "g".to_owned(), attributes: Vec::new(), children: Vec::new(), drag: None };
+        let holder = drawn.children.first_mut().filter(|_| is_label).unwrap_or(&mut further);
+        self.children(holder, inside);
+        Self::with_defaults(&drawn.defaults, &mut element.attributes);
+        if !is_label {
+            Self::with_defaults(&[("role", "img")], &mut element.attributes);
+        }
+        element.attributes.extend(visible);
+        element.children.extend(drawn.children.into_iter().map(Child::Element));
+        element.children.extend(further.children);
+        element.drag = self.drag(dragging, Some(drawn.anchor));
+        let before = self.drawn;
+        self.drawn += size(&element);
+        if self.drawn > DRAWN {
+            // Said once.
+            if before <= DRAWN {
+                let message = words("there are too many parts in this scene", "hay demasiadas partes en esta escena");
+                self.refuse(message, raw.name, None);
+            }
+            return None;
+        }
+        Some(element)
+    }
+
     fn children(&mut self, element: &mut Element, children: Vec<RawChild>) {
         for child in children {
             match child {
@@ -299,4 +325,14 @@ impl Builder<'_, '_> {
             }
         }
     }
+}
+
+/// How many elements and pieces of values an element consists of.
+fn size(element: &Element) -> usize {
+    let pieces: usize = element.attributes.iter().map(|attribute| attribute.value.len()).sum();
+    let inner = element.children.iter().map(|child| match child {
+        Child::Element(inner) => size(inner),
+        Child::Text(text) => text.len(),
+    });
+    1 + pieces + inner.sum::<usize>()
 }

@@ -1,6 +1,6 @@
 //! Attributes that take one of several texts by the value of an expression: whether an element is shown, and colours.
 
-use super::build::Builder;
+use super::builder::Builder;
 use crate::expressions::Placed;
 use model::{Diagnostic, Span};
 use program::{Attribute, Kind, Node, NodeId, Piece};

@@ -1,6 +1,6 @@
 //! Parts of a scene that follow the hand.
 
-use super::build::{Builder, Dragging};
+use super::builder::{Builder, Dragging};
 use super::space::Spot;
 use crate::expressions::{Placed, dimension_error};
 use model::Span;
@@ -26,7 +26,7 @@ impl Builder<'_, '_> {
         };
         let place = crate::source::trim(self.expressions.source, place);
         let target = self.dragged(&place)?;
-        if dragging.up.is_none() && dragging.right.is_none() && self.space.framed {
+        if dragging.up.is_none() && dragging.right.is_none() && (self.space.framed || anchor.is_some()) {
             return self.along(target, anchor, place);
         }
         if dragging.up.is_none() && dragging.right.is_none() {

@@ -1,6 +1,6 @@
 //! `<frame x="-2..2 [m]" y="-1..2 [m]">`: inside it lengths are those of the problem, and y goes up.
 
-use super::build::Builder;
+use super::builder::Builder;
 use super::points;
 use super::space::{Space, Spot};
 use crate::expressions::dimension_error;

@@ -3,10 +3,14 @@
 mod allowed;
 mod attributes;
 mod build;
+mod builder;
 mod choice;
 mod drag;
 mod frame;
+mod measures;
+mod parts;
 mod points;
+mod reading;
 mod shapes;
 mod space;
 mod style;

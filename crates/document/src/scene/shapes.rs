@@ -1,6 +1,6 @@
 //! The elements of SVG in a frame: their coordinates and lengths are those of the problem.
 
-use super::build::Builder;
+use super::builder::Builder;
 use super::points::{Step, steps};
 use super::space::Spot;
 use program::{Attribute, NodeId, Piece};

@@ -4,7 +4,7 @@ use super::template::{self, RawPiece};
 use crate::translation::Texts;
 use model::Diagnostic;
 use program::{Child, Element, Piece, Scene, Template};
-use units::words;
+use units::{Language, Words, words};
 
 /// What a text of a scene says, for its translation.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -13,13 +13,18 @@ pub struct SceneText {
     pub(super) key: String,
     /// Whether there is something to translate.
     pub(super) needed: bool,
+    /// What it says where it is not the document's own: the name of a part.
+    pub(super) generated: Option<Words>,
     /// Its values as written, and which of the scene's they are.
     pub(super) values: Vec<(String, usize)>,
 }
 
 impl SceneText {
     /// The text in another language, if there is one.
-    fn translate(&self, texts: &mut Texts) -> Option<Template> {
+    fn translate(&self, texts: &mut Texts, language: Language) -> Option<Template> {
+        if let Some(words) = &self.generated {
+            return Some(vec![Piece::Literal(words.text(language).to_owned())]);
+        }
         if self.key.is_empty() {
             return None;
         }
@@ -51,22 +56,27 @@ impl SceneText {
 }
 
 /// The scene in another language: the same drawing with the same values. `words` is what [`super::build`] has given with it.
-pub fn translated(scene: &Scene, words: &[SceneText], texts: &mut Texts) -> Scene {
+pub fn translated(scene: &Scene, words: &[SceneText], texts: &mut Texts, language: Language) -> Scene {
     let mut scene = scene.clone();
-    translate(&mut scene.root, &mut words.iter(), texts);
+    translate(&mut scene.root, &mut words.iter(), texts, language);
     scene
 }
 
 /// Takes from `originals` as many as there are texts in the element.
-fn translate(element: &mut Element, originals: &mut std::slice::Iter<SceneText>, texts: &mut Texts) {
+fn translate(
+    element: &mut Element,
+    originals: &mut std::slice::Iter<SceneText>,
+    texts: &mut Texts,
+    language: Language,
+) {
     if element.name == "style" {
         return;
     }
     for child in &mut element.children {
         match child {
-            Child::Element(inner) => translate(inner, originals, texts),
+            Child::Element(inner) => translate(inner, originals, texts, language),
             Child::Text(template) => {
-                if let Some(translated) = originals.next().and_then(|original| original.translate(texts)) {
+                if let Some(translated) = originals.next().and_then(|original| original.translate(texts, language)) {
                     *template = translated;
                 }
             }

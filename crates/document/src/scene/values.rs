@@ -1,6 +1,6 @@
 //! Texts and values of a scene.
 
-use super::build::Builder;
+use super::builder::Builder;
 use super::template::{self, RawPiece, normalised};
 use super::translate::{SceneText, has_word};
 use crate::expressions::Placed;
@@ -29,6 +29,11 @@ impl Builder<'_, '_> {
         }
         self.words.push(text);
         Some(template)
+    }
+
+    /// A text that the document does not say and no translation changes.
+    pub fn unsaid(&mut self) {
+        self.words.push(SceneText::default());
     }
 
     /// A part of a template, compiled.

@@ -11,6 +11,7 @@ mod edit;
 mod frames;
 mod open;
 mod outline;
+mod parts;
 mod reference;
 mod scene;
 mod simulations;

@@ -1,0 +1,66 @@
+//! What a scene is built with: the values, texts and references so far, and where the building is.
+
+use super::space::Space;
+use super::translate::SceneText;
+use crate::expressions::Expressions;
+use model::{Diagnostic, Span};
+use program::{Compiled, Graph, NodeId};
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+use units::{Language, Words};
+
+/// Builds one scene.
+pub struct Builder<'b, 'a> {
+    /// Where the values are compiled.
+    pub expressions: &'b mut Expressions<'a>,
+    /// The values so far.
+    pub values: Vec<Compiled>,
+    /// Which of them have a node.
+    pub numbers: BTreeMap<NodeId, Vec<usize>>,
+    /// What the texts so far say.
+    pub words: Vec<SceneText>,
+    /// The ids that elements have.
+    pub ids: BTreeSet<String>,
+    /// The ids that attributes refer to.
+    pub references: Vec<(String, Range<usize>)>,
+    /// The language of the document.
+    pub language: Language,
+    /// How much parts have been drawn with, in elements and pieces of values.
+    pub drawn: usize,
+    /// Left, top, width and height of the drawing.
+    pub view_box: Option<[f64; 4]>,
+    /// What lengths mean here.
+    pub space: Space,
+    /// Where the element stands that is being built.
+    pub place: Span,
+}
+
+/// Where the values of the attributes for dragging stand.
+#[derive(Default)]
+pub struct Dragging {
+    /// `drag`: the name of a state or a parameter.
+    pub state: Option<Range<usize>>,
+    /// `drag-up`: what one unit upwards adds to it.
+    pub up: Option<Range<usize>>,
+    /// `drag-right`: what one unit to the right adds to it.
+    pub right: Option<Range<usize>>,
+}
+
+impl Builder<'_, '_> {
+    /// The source at a place.
+    pub fn source(&self, range: &Range<usize>) -> &str {
+        &self.expressions.source[range.clone()]
+    }
+
+    /// Reports what is left out.
+    pub fn refuse(&mut self, message: Words, range: Range<usize>, hint: Option<Words>) {
+        let mut diagnostic = Diagnostic::error("scene-refused", message, Span::new(range.start, range.end));
+        diagnostic.hints.extend(hint);
+        self.expressions.diagnostics.push(diagnostic);
+    }
+
+    /// The graph.
+    pub fn graph(&mut self) -> &mut Graph {
+        self.expressions.graph()
+    }
+}

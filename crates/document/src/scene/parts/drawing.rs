@@ -1,0 +1,161 @@
+//! What parts are drawn with: lines and paths along the way from one point to another, in units of the drawing.
+
+use super::super::builder::Builder;
+use super::super::shapes::merged;
+use super::super::space::Spot;
+use super::Given;
+use program::{Attribute, Binary, Child, Element, NodeId, Piece, Unary};
+
+/// The colour of what a part is drawn in.
+pub const TEXT: &str = "currentColor";
+/// The colour of what moves.
+pub const MARK: &str = "var(--mark, #c4551d)";
+/// The colour of glass.
+pub const GLASS: &str = "var(--glass, #6d7d86)";
+/// The colour of liquids.
+pub const LIQUID: &str = "var(--liquid, #3f9fc0)";
+/// The page's own colour.
+pub const ACCENT: &str = "var(--accent, #0a6076)";
+/// The colour of the ground that a drawing stands on.
+pub const PAPER: &str = "var(--paper, #ffffff)";
+
+/// A way from one point to another: its own x goes along it.
+#[derive(Clone, Copy)]
+pub struct Way {
+    /// Where it begins.
+    pub from: Spot,
+    /// Where it ends.
+    pub to: Spot,
+    /// Its length.
+    pub length: NodeId,
+    /// Its direction in the drawing, clockwise, in degrees.
+    pub degrees: NodeId,
+}
+
+/// A part of a value or of a path.
+#[derive(Clone, Copy)]
+pub enum Ink<'t> {
+    /// A text.
+    Text(&'t str),
+    /// A number.
+    Node(NodeId),
+}
+
+/// An element without values.
+pub fn fixed(name: &str, attributes: &[(&str, &str)]) -> Element {
+    let attribute = |(name, value): &(&str, &str)| Attribute {
+        name: (*name).to_owned(),
+        value: vec![Piece::Literal((*value).to_owned())],
+    };
+    Element {
+        name: name.to_owned(),
+        attributes: attributes.iter().map(attribute).collect(),
+        children: Vec::new(),
+        drag: None,
+    }
+}
+
+/// An element with what it holds.
+pub fn holding(mut element: Element, children: Vec<Element>) -> Element {
+    element.children = children.into_iter().map(Child::Element).collect();
+    element
+}
+
+impl Builder<'_, '_> {
+    /// A number.
+    pub fn constant(&mut self, value: f64) -> NodeId {
+        self.graph().constant(value)
+    }
+
+    /// `factor*node`
+    pub fn times(&mut self, factor: f64, node: NodeId) -> NodeId {
+        let factor = self.constant(factor);
+        self.graph().multiply(factor, node)
+    }
+
+    /// `node + summand`
+    pub fn plus(&mut self, node: NodeId, summand: f64) -> NodeId {
+        let summand = self.constant(summand);
+        self.graph().add(node, summand)
+    }
+
+    /// A number between two.
+    pub fn between(&mut self, least: NodeId, node: NodeId, greatest: NodeId) -> NodeId {
+        let graph = self.graph();
+        let node = graph.binary(Binary::Maximum, least, node);
+        graph.binary(Binary::Minimum, node, greatest)
+    }
+
+    /// A length of a part in units of the drawing; so many where it is not given.
+    pub fn extent_or(&mut self, given: &Given, name: &str, otherwise: f64) -> Option<NodeId> {
+        match given.get(name) {
+            Some(range) => self.extent(range.clone()),
+            None => Some(self.constant(otherwise)),
+        }
+    }
+
+    /// A point of a part.
+    pub fn point_of(&mut self, given: &Given, name: &str) -> Option<Spot> {
+        self.point(given.get(name)?.clone())
+    }
+
+    /// The way `from` one point `to` another.
+    pub fn way_of(&mut self, given: &Given) -> Option<Way> {
+        let (from, to) = (self.point_of(given, "from"), self.point_of(given, "to"));
+        let (from, to) = from.zip(to)?;
+        Some(self.way(from, to))
+    }
+
+    /// The way between two places.
+    pub fn way(&mut self, from: Spot, to: Spot) -> Way {
+        let graph = self.graph();
+        let (x, y) = (graph.subtract(to.x, from.x), graph.subtract(to.y, from.y));
+        let (xx, yy) = (graph.multiply(x, x), graph.multiply(y, y));
+        let square = graph.add(xx, yy);
+        let length = graph.unary(Unary::SquareRoot, square);
+        let angle = graph.binary(Binary::Atan2, y, x);
+        let degrees = self.degrees(angle);
+        Way { from, to, length, degrees }
+    }
+
+    /// Adds an attribute.
+    pub fn set(&mut self, element: &mut Element, name: &str, value: &[Ink]) {
+        let pieces = value.iter().filter_map(|ink| match ink {
+            Ink::Text(text) => Some(Piece::Literal((*text).to_owned())),
+            Ink::Node(node) => self.drawn(*node),
+        });
+        let value = merged(pieces.collect());
+        element.attributes.push(Attribute { name: name.to_owned(), value });
+    }
+
+    /// An element with one number in each of some attributes.
+    pub fn numbered(&mut self, mut element: Element, numbers: &[(&str, NodeId)]) -> Element {
+        for (name, node) in numbers {
+            self.set(&mut element, name, &[Ink::Node(*node)]);
+        }
+        element
+    }
+
+    /// A group with its origin at a place, turned by an angle in degrees, clockwise.
+    pub fn standing(&mut self, at: Spot, degrees: Option<NodeId>, children: Vec<Element>) -> Element {
+        let mut group = fixed("g", &[]);
+        let move_to = [Ink::Text("translate("), Ink::Node(at.x), Ink::Text(" "), Ink::Node(at.y), Ink::Text(")")];
+        match degrees {
+            Some(degrees) => {
+                let turn = [Ink::Text(" rotate("), Ink::Node(degrees), Ink::Text(")")];
+                self.set(&mut group, "transform", &[&move_to[..], &turn].concat());
+            }
+            None => self.set(&mut group, "transform", &move_to),
+        }
+        holding(group, children)
+    }
+
+    /// The angle that a part is turned by, in degrees of the drawing.
+    pub fn turn_of(&mut self, given: &Given) -> Option<Option<NodeId>> {
+        let Some(turn) = given.get("turn") else { return Some(None) };
+        let angle = self.angle(turn.clone())?;
+        // In a frame counterclockwise, as in the problem; in the drawing as in SVG.
+        let angle = if self.space.framed { self.graph().negate(angle) } else { angle };
+        Some(Some(self.degrees(angle)))
+    }
+}

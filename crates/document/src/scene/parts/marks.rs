@@ -1,0 +1,172 @@
+//! Marks: label, ruler, angle, protractor.
+
+use super::super::builder::Builder;
+use super::super::space::Spot;
+use super::drawing::{GLASS, Ink, TEXT, fixed};
+use super::{Drawn, Given};
+use program::{Binary, Child, Element, NodeId, Piece, Unary};
+use std::f64::consts::PI;
+use units::words;
+
+/// How many marks a ruler may have.
+const MARKS: f64 = 200.0;
+/// Every so many marks of a ruler have a number.
+const NUMBERED: u32 = 5;
+
+impl Builder<'_, '_> {
+    /// A text at a place; what it says is added to it afterwards.
+    pub fn label(&mut self, given: &Given) -> Option<Drawn> {
+        let at = self.point_of(given, "at")?;
+        let text = self.numbered(fixed("text", &[]), &[("x", at.x), ("y", at.y)]);
+        let defaults = vec![("fill", TEXT), ("font-size", "16"), ("text-anchor", "middle")];
+        Some(Drawn { defaults, children: vec![text], anchor: at })
+    }
+
+    /// A line with a mark for each `step` and a number for every fifth.
+    pub fn ruler(&mut self, given: &Given) -> Option<Drawn> {
+        let way = self.way_of(given)?;
+        let range = given.get("step")?.clone();
+        let inner = self.inside_braces(range);
+        let written = self.expressions.written(inner.clone());
+        let step = self.expressions.number(inner)?;
+        let span = step.span;
+        let step = self.of_space(step)?;
+        let space = self.space.clone();
+        let graph = self.graph();
+        let (drawn, whole) = (space.length(graph, step), graph.divide(way.length, space.scale));
+        let count = graph.as_constant(step).zip(graph.as_constant(whole));
+        let count = count.map(|(step, whole)| (whole / step + 1e-9).floor());
+        let Some(((size, unit), count)) = written.zip(count.filter(|count| (1.0..=MARKS).contains(count))) else {
+            self.refuse_at(
+                words!(
+                    "a ruler has from 1 to {MARKS} marks, and their number never changes",
+                    "una regla tiene de 1 a {MARKS} marcas, y su número no cambia nunca"
+                ),
+                span,
+                Some(words(
+                    "give its ends and its step as numbers with units: `step=\"10 [cm]\"`",
+                    "da sus extremos y su paso como números con unidades: `step=\"10 [cm]\"`",
+                )),
+            );
+            return None;
+        };
+        let line = self.numbered(fixed("line", &[]), &[("x2", way.length)]);
+        let mut children = vec![line];
+        for number in 0..=count as u32 {
+            let at = self.times(f64::from(number), drawn);
+            let long = number % NUMBERED == 0;
+            let mark = fixed("line", &[("y2", if long { "10" } else { "6" })]);
+            children.push(self.numbered(mark, &[("x1", at), ("x2", at)]));
+            if long {
+                let value = size * f64::from(number);
+                let shown = units::number::shortest((value * 1e9).round() / 1e9);
+                let text = if number + NUMBERED > count as u32 { format!("{shown} {unit}") } else { shown };
+                let words =
+                    [("y", "23"), ("fill", TEXT), ("stroke", "none"), ("font-size", "12"), ("text-anchor", "middle")];
+                let mut label = self.numbered(fixed("text", &words), &[("x", at)]);
+                label.children.push(Child::Text(vec![Piece::Literal(text)]));
+                self.unsaid();
+                children.push(label);
+            }
+        }
+        Some(self.along_way(way, &[("stroke", TEXT), ("stroke-width", "1.5")], children))
+    }
+
+    /// An arc between two angles, measured as in the problem from the direction of x.
+    pub fn angle_arc(&mut self, given: &Given) -> Option<Drawn> {
+        let at = self.point_of(given, "at")?;
+        let (from, to) = (self.angle(given.get("from")?.clone()), self.angle(given.get("to")?.clone()));
+        let (from, to) = from.zip(to)?;
+        let radius = self.extent_or(given, "r", 30.0)?;
+        let (start, end) = (self.around(at, radius, from), self.around(at, radius, to));
+        let graph = self.expressions.graph();
+        let difference = graph.subtract(to, from);
+        let amount = graph.unary(Unary::Absolute, difference);
+        let (half_turn, zero) = (graph.constant(PI), graph.constant(0.0));
+        let large = graph.binary(Binary::Less, half_turn, amount);
+        let clockwise = if self.space.framed { (difference, zero) } else { (zero, difference) };
+        let sweep = self.graph().binary(Binary::Less, clockwise.0, clockwise.1);
+        let text = Ink::Text;
+        let mut arc = fixed("path", &[]);
+        self.set(
+            &mut arc,
+            "d",
+            &[
+                text("M"),
+                Ink::Node(start.x),
+                text(" "),
+                Ink::Node(start.y),
+                text("A"),
+                Ink::Node(radius),
+                text(" "),
+                Ink::Node(radius),
+                text(" 0 "),
+                Ink::Node(large),
+                text(" "),
+                Ink::Node(sweep),
+                text(" "),
+                Ink::Node(end.x),
+                text(" "),
+                Ink::Node(end.y),
+            ],
+        );
+        let defaults = vec![("fill", "none"), ("stroke", TEXT), ("stroke-width", "1.5")];
+        Some(Drawn { defaults, children: vec![arc], anchor: end })
+    }
+
+    /// A place on a circle.
+    fn around(&mut self, at: Spot, radius: NodeId, angle: NodeId) -> Spot {
+        let (cosine, sine) = self.direction(angle);
+        let framed = self.space.framed;
+        let graph = self.graph();
+        let (x, y) = (graph.multiply(radius, cosine), graph.multiply(radius, sine));
+        let y = if framed { graph.negate(y) } else { y };
+        Spot { x: graph.add(at.x, x), y: graph.add(at.y, y) }
+    }
+
+    /// A half circle with a mark for every 10 degrees.
+    pub fn protractor(&mut self, given: &Given) -> Option<Drawn> {
+        /// The radius in which it is drawn before it is made as large as asked for.
+        const RADIUS: f64 = 100.0;
+        let at = self.point_of(given, "at")?;
+        let radius = self.extent(given.get("r")?.clone())?;
+        let turn = self.turn_of(given)?;
+        let size = self.times(1.0 / RADIUS, radius);
+        let mut marks = String::from("M-100 0A100 100 0 0 1 100 0Z");
+        let mut children: Vec<Element> = Vec::new();
+        for tens in 0..=18_u32 {
+            let angle = f64::from(tens) * PI / 18.0;
+            let (x, y) = (Unary::Cos.evaluate(angle), -Unary::Sin.evaluate(angle));
+            let inner = if tens % 3 == 0 { 86.0 } else { 93.0 };
+            marks += &format!("M{:.2} {:.2}L{:.2} {:.2}", inner * x, inner * y, RADIUS * x, RADIUS * y);
+            if tens % 3 == 0 && tens > 0 && tens < 18 {
+                let (across, down) = (format!("{:.2}", 74.0 * x), format!("{:.2}", 74.0 * y + 5.0));
+                let words = [
+                    ("x", across.as_str()),
+                    ("y", &down),
+                    ("fill", TEXT),
+                    ("stroke", "none"),
+                    ("font-size", "13"),
+                    ("text-anchor", "middle"),
+                ];
+                let mut label = fixed("text", &words);
+                label.children.push(Child::Text(vec![Piece::Literal(format!("{}°", 10 * tens))]));
+                self.unsaid();
+                children.push(label);
+            }
+        }
+        children.insert(
+            0,
+            fixed("path", &[("d", &marks), ("fill-opacity", "0.12"), ("vector-effect", "non-scaling-stroke")]),
+        );
+        let mut scaled = fixed("g", &[]);
+        self.set(&mut scaled, "transform", &[Ink::Text("scale("), Ink::Node(size), Ink::Text(")")]);
+        let scaled = super::drawing::holding(scaled, children);
+        let child = self.standing(at, turn, vec![scaled]);
+        Some(Drawn {
+            defaults: vec![("fill", GLASS), ("stroke", TEXT), ("stroke-width", "1.2")],
+            children: vec![child],
+            anchor: at,
+        })
+    }
+}

@@ -1,0 +1,141 @@
+//! Parts: springs, blocks, arrows and the like, drawn as plain SVG from a few values.
+
+mod bodies;
+mod circuits;
+mod drawing;
+mod lines;
+mod marks;
+mod vessels;
+
+use super::builder::Builder;
+use super::space::Spot;
+use program::{Attribute, Child, Element, Piece};
+use std::collections::BTreeMap;
+use std::ops::Range;
+use units::{Words, words};
+
+/// Attributes of a part, by name.
+pub type Given = BTreeMap<String, Range<usize>>;
+
+/// A part of a drawing.
+#[derive(Clone, Copy, Debug)]
+pub struct Part {
+    /// The name of its element.
+    pub name: &'static str,
+    /// What readers of the screen hear, and pointers see, unless the document names it.
+    pub words: (&'static str, &'static str),
+    /// The attributes of its own, those that it needs first.
+    pub attributes: &'static [&'static str],
+    /// How many of them it needs.
+    pub needed: usize,
+}
+
+const fn part(
+    name: &'static str,
+    words: (&'static str, &'static str),
+    needed: usize,
+    attributes: &'static [&'static str],
+) -> Part {
+    Part { name, words, attributes, needed }
+}
+
+/// All parts.
+pub const PARTS: [Part; 22] = [
+    part("spring", ("Spring", "Muelle"), 2, &["from", "to", "turns", "width"]),
+    part("damper", ("Damper", "Amortiguador"), 2, &["from", "to", "width", "length"]),
+    part("rod", ("Rod", "Varilla"), 2, &["from", "to"]),
+    part("ground", ("Ground", "Suelo"), 2, &["from", "to", "depth"]),
+    part("arrow", ("Arrow", "Flecha"), 2, &["at", "vector"]),
+    part("block", ("Block", "Bloque"), 2, &["at", "size", "turn"]),
+    part("bob", ("Bob", "Lenteja"), 1, &["at", "r"]),
+    part("wheel", ("Wheel", "Rueda"), 2, &["at", "r", "turn"]),
+    part("pulley", ("Pulley", "Polea"), 2, &["at", "r", "turn"]),
+    part("ramp", ("Ramp", "Plano inclinado"), 2, &["from", "to"]),
+    part("label", ("Label", "Rótulo"), 1, &["at"]),
+    part("ruler", ("Ruler", "Regla"), 3, &["from", "to", "step"]),
+    part("angle", ("Angle", "Ángulo"), 3, &["at", "from", "to", "r"]),
+    part("protractor", ("Protractor", "Transportador"), 2, &["at", "r", "turn"]),
+    part("image", ("Picture", "Imagen"), 3, &["at", "size", "href"]),
+    part("tube", ("Tube", "Tubo"), 3, &["from", "to", "width", "level"]),
+    part("utube", ("U-tube", "Tubo en U"), 5, &["at", "spacing", "height", "left", "right", "width"]),
+    part("resistor", ("Resistor", "Resistencia"), 2, &["from", "to"]),
+    part("coil", ("Coil", "Bobina"), 2, &["from", "to"]),
+    part("capacitor", ("Capacitor", "Condensador"), 2, &["from", "to"]),
+    part("switch", ("Switch", "Interruptor"), 2, &["from", "to", "closed"]),
+    part("source", ("Source", "Fuente"), 2, &["from", "to"]),
+];
+
+/// The part of an element's name.
+pub fn part_of(name: &str) -> Option<Part> {
+    PARTS.into_iter().find(|part| part.name == name)
+}
+
+/// What a part looks like.
+pub struct Drawn {
+    /// What is set on the whole, where the document does not set it.
+    pub defaults: Vec<(&'static str, &'static str)>,
+    /// What it consists of.
+    pub children: Vec<Element>,
+    /// The place of it that follows the hand.
+    pub anchor: Spot,
+}
+
+impl Builder<'_, '_> {
+    /// What a part looks like; its attributes have been looked at for what is missing.
+    pub fn draw_part(&mut self, part: Part, given: &Given) -> Option<Drawn> {
+        match part.name {
+            "spring" => self.spring(given),
+            "damper" => self.damper(given),
+            "rod" => self.rod(given),
+            "ground" => self.ground(given),
+            "arrow" => self.arrow(given),
+            "block" => self.block(given),
+            "bob" => self.bob(given),
+            "wheel" | "pulley" => self.wheel(given, part.name == "pulley"),
+            "ramp" => self.ramp(given),
+            "label" => self.label(given),
+            "ruler" => self.ruler(given),
+            "angle" => self.angle_arc(given),
+            "protractor" => self.protractor(given),
+            "image" => self.image(given),
+            "tube" => self.tube(given),
+            "utube" => self.u_tube(given),
+            name => self.circuit(name, given),
+        }
+    }
+
+    /// Whether a part has what it needs.
+    pub fn has_needed(&mut self, part: Part, given: &Given, place: Range<usize>) -> bool {
+        let missing = part.attributes.iter().take(part.needed).find(|name| !given.contains_key(**name));
+        if let Some(missing) = missing {
+            let all = part.attributes.iter().take(part.needed).map(|name| format!("{name}=\"...\""));
+            let all = all.collect::<Vec<_>>().join(" ");
+            self.refuse(
+                words!("`<{}>` needs `{missing}`", "`<{}>` necesita `{missing}`", part.name),
+                place,
+                Some(words!("write `<{} {all}/>`", "escribe `<{} {all}/>`", part.name)),
+            );
+        }
+        missing.is_none()
+    }
+
+    /// The attributes of a part with what the document has set itself.
+    pub fn with_defaults(defaults: &[(&'static str, &'static str)], attributes: &mut Vec<Attribute>) {
+        for (name, value) in defaults {
+            if !attributes.iter().any(|attribute| attribute.name == *name) {
+                let value = vec![Piece::Literal((*value).to_owned())];
+                attributes.push(Attribute { name: (*name).to_owned(), value });
+            }
+        }
+    }
+}
+
+/// The name of a part that the document does not name, in both languages.
+pub fn name_of(part: Part) -> Words {
+    words(part.words.0, part.words.1)
+}
+
+/// The `title` of an element.
+pub fn title(text: Vec<Piece>) -> Element {
+    Element { name: "title".to_owned(), attributes: Vec::new(), children: vec![Child::Text(text)], drag: None }
+}

@@ -1,0 +1,69 @@
+//! Numbers that only scenes have: a component of a point, the ends of a range.
+
+use crate::expressions::{Expressions, Placed};
+use model::{Expression, ExpressionKind};
+use std::ops::Range;
+
+impl Expressions<'_> {
+    /// The number with a unit that stands at a place, as it is written.
+    pub fn written(&self, range: Range<usize>) -> Option<(f64, String)> {
+        let (expression, _, _) = model::parse_expression(self.source, range);
+        match expression.kind {
+            ExpressionKind::Number { value, unit } => Some((value, unit.map(|unit| unit.text).unwrap_or_default())),
+            _ => None,
+        }
+    }
+
+    /// The number that is left of `range` without the places in `without`: one component of a point.
+    pub fn component(&mut self, range: Range<usize>, without: &[Range<usize>]) -> Option<Placed> {
+        let source = self.source;
+        let covered = self.covered.get_or_insert_with(|| source.to_owned());
+        for part in without {
+            covered.replace_range(part.clone(), &" ".repeat(part.len()));
+        }
+        let (expression, unit, diagnostics) = model::parse_expression(covered, range.clone());
+        covered.replace_range(range.clone(), &source[range]);
+        let failed = model::has_errors(&diagnostics);
+        self.diagnostics.extend(diagnostics);
+        let placed = if failed { None } else { self.place(expression, unit.as_ref()) }?;
+        self.expect_number(placed)
+    }
+
+    /// The two ends of `LOW..HIGH`; a unit after `HIGH` is also that of a bare number before it.
+    pub fn interval(&mut self, low: Range<usize>, high: Range<usize>) -> Option<(Placed, Placed)> {
+        let (mut low, low_unit, mut diagnostics) = model::parse_expression(self.source, low);
+        let (high, high_unit, further) = model::parse_expression(self.source, high);
+        diagnostics.extend(further);
+        let failed = model::has_errors(&diagnostics);
+        self.diagnostics.extend(diagnostics);
+        if failed {
+            return None;
+        }
+        if let (Some(bare), Some(stated)) = (unit_mut(&mut low), unit_of(&high))
+            && bare.is_none()
+        {
+            *bare = Some(stated.clone());
+        }
+        let low = self.place(low, low_unit.as_ref()).and_then(|low| self.expect_number(low));
+        let high = self.place(high, high_unit.as_ref()).and_then(|high| self.expect_number(high));
+        low.zip(high)
+    }
+}
+
+/// The unit of a number, with or without a sign.
+fn unit_of(expression: &Expression) -> Option<&units::Unit> {
+    match &expression.kind {
+        ExpressionKind::Number { unit, .. } => unit.as_ref(),
+        ExpressionKind::Unary(_, operand) => unit_of(operand),
+        _ => None,
+    }
+}
+
+/// The place of that unit, where there is a number.
+fn unit_mut(expression: &mut Expression) -> Option<&mut Option<units::Unit>> {
+    match &mut expression.kind {
+        ExpressionKind::Number { unit, .. } => Some(unit),
+        ExpressionKind::Unary(_, operand) => unit_mut(operand),
+        _ => None,
+    }
+}

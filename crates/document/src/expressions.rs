@@ -248,6 +248,19 @@ impl<'a> Expressions<'a> {
         }
     }
 
+    /// Lets a name stand for an expression, or for nothing.
+    pub fn bind(&mut self, name: String, meaning: Option<Expression>) {
+        match meaning {
+            Some(meaning) => drop(self.local.insert(name, meaning)),
+            None => drop(self.local.remove(&name)),
+        }
+    }
+
+    /// Whether a name means something already.
+    pub fn is_taken(&self, name: &str) -> bool {
+        self.model().lookup(name, 0).is_some() || self.local.contains_key(name)
+    }
+
     /// Forgets the names that [`Self::define`] has read.
     pub fn forget(&mut self) {
         self.local.clear();

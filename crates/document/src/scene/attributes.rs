@@ -105,6 +105,14 @@ impl Builder<'_, '_> {
         has_values: bool,
         place: Range<usize>,
     ) -> Option<Attribute> {
+        if name == "id" && self.repeating > 0 {
+            self.refuse(
+                words("what is repeated cannot have an `id`", "lo que se repite no puede tener un `id`"),
+                place,
+                None,
+            );
+            return None;
+        }
         if has_values {
             self.refuse(
                 words!("`{name}` cannot hold values of the model", "`{name}` no puede contener valores del modelo"),

@@ -16,9 +16,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use units::{Language, words};
 
-/// How many elements and pieces of values the parts of a scene may consist of.
-const DRAWN: usize = 60_000;
-
 /// Reads the scene in `range`: definitions, then one `svg` element. Also what its texts say, for translations.
 pub fn build(
     expressions: &mut Expressions,
@@ -54,6 +51,8 @@ pub fn build(
         references: Vec::new(),
         language,
         drawn: 0,
+        copied: 0,
+        repeating: 0,
         view_box: None,
         space,
         place: opening,
@@ -173,6 +172,30 @@ impl Builder<'_, '_> {
         element
     }
 
+    /// An element, or its copies for each value of its index.
+    fn repeated(&mut self, mut raw: RawElement, children: &mut Vec<Child>) {
+        let Some(place) = raw.attributes.iter().position(|(name, _)| self.source(name) == "repeat") else {
+            children.extend(self.element(raw).map(Child::Element));
+            return;
+        };
+        let (_, range) = raw.attributes.remove(place);
+        let Some((index, values)) = self.copies(range) else { return };
+        self.repeating += 1;
+        for value in values {
+            let before = self.expressions.diagnostics.len();
+            self.hold(&index, value);
+            let copy = self.element(raw.clone());
+            self.release(&index);
+            let fits = self.fits(copy.as_ref().map_or(0, size), raw.name.clone());
+            children.extend(copy.map(Child::Element));
+            // What is wrong with one copy is wrong with all.
+            if !fits || self.expressions.diagnostics.len() > before {
+                break;
+            }
+        }
+        self.repeating -= 1;
+    }
+
     /// An element with its attributes and what it holds. A frame and a group of a frame leave their own space behind.
     fn placed(&mut self, name: String, raw: RawElement) -> Option<Element> {
         let is_frame = name == "frame";
@@ -276,17 +299,7 @@ impl Builder<'_, '_> {
         element.children.extend(drawn.children.into_iter().map(Child::Element));
         element.children.extend(further.children);
         element.drag = self.drag(dragging, Some(drawn.anchor));
-        let before = self.drawn;
-        self.drawn += size(&element);
-        if self.drawn > DRAWN {
-            // Said once.
-            if before <= DRAWN {
-                let message = words("there are too many parts in this scene", "hay demasiadas partes en esta escena");
-                self.refuse(message, raw.name, None);
-            }
-            return None;
-        }
-        Some(element)
+        self.fits(size(&element), raw.name).then_some(element)
     }
 
     fn children(&mut self, element: &mut Element, children: Vec<RawChild>) {
@@ -308,7 +321,7 @@ impl Builder<'_, '_> {
                         None,
                     );
                 }
-                RawChild::Element(inner) => element.children.extend(self.element(inner).map(Child::Element)),
+                RawChild::Element(inner) => self.repeated(inner, &mut element.children),
                 RawChild::Text(text) if matches!(element.name.as_str(), "text" | "tspan" | "title" | "desc") => {
                     element.children.extend(self.text(text).map(Child::Text));
                 }

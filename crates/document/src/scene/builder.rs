@@ -7,7 +7,10 @@ use model::{Diagnostic, Span};
 use program::{Compiled, Graph, NodeId};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
-use units::{Language, Words};
+use units::{Language, Words, words};
+
+/// How many elements and pieces of values the parts, copies and computed lines of a scene may consist of.
+const DRAWN: usize = 60_000;
 
 /// Builds one scene.
 pub struct Builder<'b, 'a> {
@@ -25,8 +28,12 @@ pub struct Builder<'b, 'a> {
     pub references: Vec<(String, Range<usize>)>,
     /// The language of the document.
     pub language: Language,
-    /// How much parts have been drawn with, in elements and pieces of values.
+    /// How much parts, copies and computed lines have been drawn with, in elements and pieces of values.
     pub drawn: usize,
+    /// How many copies there are of repeated elements.
+    pub copied: usize,
+    /// How many repeated elements are around the one that is being built.
+    pub repeating: usize,
     /// Left, top, width and height of the drawing.
     pub view_box: Option<[f64; 4]>,
     /// What lengths mean here.
@@ -57,6 +64,17 @@ impl Builder<'_, '_> {
         let mut diagnostic = Diagnostic::error("scene-refused", message, Span::new(range.start, range.end));
         diagnostic.hints.extend(hint);
         self.expressions.diagnostics.push(diagnostic);
+    }
+
+    /// Whether so many more elements and pieces of values may be drawn. That they may not is said once.
+    pub fn fits(&mut self, more: usize, place: Range<usize>) -> bool {
+        let before = self.drawn;
+        self.drawn += more;
+        if self.drawn > DRAWN && before <= DRAWN {
+            let message = words("there are too many parts in this scene", "hay demasiadas partes en esta escena");
+            self.refuse(message, place, None);
+        }
+        self.drawn <= DRAWN
     }
 
     /// The graph.

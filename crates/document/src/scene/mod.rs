@@ -11,6 +11,7 @@ mod measures;
 mod parts;
 mod points;
 mod reading;
+mod repeat;
 mod shapes;
 mod space;
 mod style;

@@ -1,7 +1,7 @@
 //! Numbers that only scenes have: a component of a point, the ends of a range.
 
 use crate::expressions::{Expressions, Placed};
-use model::{Expression, ExpressionKind};
+use model::{BinaryOperator, Expression, ExpressionKind};
 use std::ops::Range;
 
 impl Expressions<'_> {
@@ -12,6 +12,22 @@ impl Expressions<'_> {
             ExpressionKind::Number { value, unit } => Some((value, unit.map(|unit| unit.text).unwrap_or_default())),
             _ => None,
         }
+    }
+
+    /// The place between two ends that is so far from the first one, as a part of their distance.
+    pub fn part_of(&mut self, low: Range<usize>, high: Range<usize>, part: f64) -> Option<Expression> {
+        let (low, _, found) = model::parse_expression(self.source, low);
+        let (high, _, further) = model::parse_expression(self.source, high);
+        if model::has_errors(&found) || model::has_errors(&further) {
+            return None;
+        }
+        let span = high.span;
+        let boxed = |kind| Box::new(Expression { kind, span });
+        let weight = |value: f64| boxed(ExpressionKind::Number { value, unit: None });
+        let weighted =
+            |value: f64, end| boxed(ExpressionKind::Binary(BinaryOperator::Multiply, weight(value), Box::new(end)));
+        let kind = ExpressionKind::Binary(BinaryOperator::Add, weighted(1.0 - part, low), weighted(part, high));
+        Some(Expression { kind, span })
     }
 
     /// The number that is left of `range` without the places in `without`: one component of a point.

@@ -138,6 +138,9 @@ impl Builder<'_, '_> {
 
     /// A list of points, or a path of points.
     fn outline(&mut self, range: Range<usize>, commands: &str) -> Option<Vec<Piece>> {
+        if let Some(computed) = self.computed_points(range.clone()).filter(|_| commands.is_empty()) {
+            return computed;
+        }
         let steps = match steps(self.expressions.source, range, commands) {
             Ok(steps) => steps,
             Err(place) => {

@@ -144,8 +144,8 @@ fn a_part_of_a_frame_follows_the_hand_along_its_way() {
     let bob = "<circle at='(l*sin(theta), -l*cos(theta))' r='9px' drag='theta'/>";
     let (target, up, right) = dragged(&format!("{FRAME}{bob}</frame>"));
     assert_eq!(target, Dragged::State(1));
-    assert!((up.expect("up") - 0.3_f64.sin() / 200.0).abs() < 1e-12);
-    assert!((right.expect("right") - 0.3_f64.cos() / 200.0).abs() < 1e-12);
+    assert!((up.expect("up") - libm::sin(0.3) / 200.0).abs() < 1e-12);
+    assert!((right.expect("right") - libm::cos(0.3) / 200.0).abs() < 1e-12);
     // In a group turned by 90 degrees to the left, its x is upwards.
     let (_, up, right) = dragged(&format!("{FRAME}<g turn='pi/2'><circle at='(x, 0)' r='9px' drag='x'/></g></frame>"));
     assert!((up.expect("up") - 0.01).abs() < 1e-12 && right.is_none_or(|right| right.abs() < 1e-12));

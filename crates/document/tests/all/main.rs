@@ -13,6 +13,7 @@ mod open;
 mod outline;
 mod parts;
 mod reference;
+mod repeats;
 mod scene;
 mod simulations;
 mod spanish;

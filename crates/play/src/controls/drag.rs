@@ -37,7 +37,7 @@ impl Play {
             Dragged::State(held) => {
                 let Some(hold) = self.grip(drag, held) else { return };
                 self.pause();
-                self.hold = Some(Holding::State(hold));
+                self.hold = Some(Holding::State(Box::new(hold)));
             }
             Dragged::Parameter(parameter) => {
                 let Some(&from) = self.course.parameters().get(parameter) else { return };

@@ -6,7 +6,7 @@ use crate::controls::start::Start;
 #[derive(Clone, Debug)]
 pub(crate) enum Holding {
     /// A part that moves a state.
-    State(Hold),
+    State(Box<Hold>),
     /// A part that sets a parameter.
     Parameter {
         parameter: usize,

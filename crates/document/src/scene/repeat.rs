@@ -1,0 +1,169 @@
+//! Copies of an element for each value of an index, and lists of points that are computed: `i in 1..N`.
+
+use super::builder::Builder;
+use super::points;
+use model::{Expression, ExpressionKind, Span};
+use program::Piece;
+use std::ops::Range;
+use units::words;
+
+/// How many copies all elements of a scene may have together.
+const COPIES: usize = 2_000;
+/// How many points a computed line may have.
+const POINTS: i64 = 500;
+/// How many pieces a curve has.
+const PIECES: u32 = 100;
+
+/// `i in 1..N`, by places in the source.
+#[derive(Clone, Debug)]
+pub struct Index {
+    name: Range<usize>,
+    low: Range<usize>,
+    high: Range<usize>,
+}
+
+impl Builder<'_, '_> {
+    /// The values of an index for which an element is repeated.
+    pub fn copies(&mut self, range: Range<usize>) -> Option<(Index, Range<i64>)> {
+        let index = self.index(range.clone())?;
+        let Some(values) = self.whole_values(&index) else {
+            self.refuse(
+                words(
+                    "the ends of an index must be whole numbers that never change",
+                    "los extremos de un índice deben ser números enteros que no cambian nunca",
+                ),
+                range,
+                Some(words("write `i in 1..10`", "escribe `i in 1..10`")),
+            );
+            return None;
+        };
+        let count = usize::try_from(values.end.saturating_sub(values.start)).unwrap_or(0);
+        self.copied = self.copied.saturating_add(count);
+        if self.copied > COPIES {
+            self.refuse(
+                words!(
+                    "the elements of a scene cannot have more than {COPIES} copies",
+                    "los elementos de una escena no pueden tener más de {COPIES} copias"
+                ),
+                range,
+                None,
+            );
+            return None;
+        }
+        Some((index, values))
+    }
+
+    /// Lets the index stand for a number until [`Self::release`].
+    pub fn hold(&mut self, index: &Index, value: i64) {
+        let span = Span::new(index.name.start, index.name.end);
+        let kind = ExpressionKind::Number { value: value as f64, unit: None };
+        self.bind(index, Expression { kind, span });
+    }
+
+    fn bind(&mut self, index: &Index, value: Expression) {
+        let name = self.source(&index.name).to_owned();
+        self.expressions.bind(name, Some(value));
+    }
+
+    /// Forgets what the index stands for.
+    pub fn release(&mut self, index: &Index) {
+        let name = self.source(&index.name).to_owned();
+        self.expressions.bind(name, None);
+    }
+
+    /// `(i*a, x) for i in 0..10`: a point for each whole number; where the ends are no whole numbers, a curve of
+    /// [`PIECES`] pieces. None where it is no such list.
+    pub fn computed_points(&mut self, range: Range<usize>) -> Option<Option<Vec<Piece>>> {
+        let (point, rest) = self.source(&range).split_once(" for ")?;
+        let point = range.start..range.start + point.len();
+        let rest = range.end - rest.len()..range.end;
+        Some(self.points_for(point, rest))
+    }
+
+    fn points_for(&mut self, point: Range<usize>, rest: Range<usize>) -> Option<Vec<Piece>> {
+        let index = self.index(rest.clone())?;
+        let mut pieces = Vec::new();
+        if let Some(values) = self.whole_values(&index) {
+            if values.end.saturating_sub(values.start) > POINTS {
+                let message = words!(
+                    "a line cannot have more than {POINTS} points",
+                    "una línea no puede tener más de {POINTS} puntos"
+                );
+                self.refuse(message, rest, None);
+                return None;
+            }
+            for value in values {
+                self.hold(&index, value);
+                let spot = self.point(point.clone());
+                self.release(&index);
+                self.write_spot(spot?, &mut pieces);
+            }
+        } else {
+            for number in 0..=PIECES {
+                let value = self.expressions.part_of(
+                    index.low.clone(),
+                    index.high.clone(),
+                    f64::from(number) / f64::from(PIECES),
+                );
+                self.bind(&index, value?);
+                let spot = self.point(point.clone());
+                self.release(&index);
+                self.write_spot(spot?, &mut pieces);
+            }
+        }
+        self.fits(pieces.len(), rest).then(|| super::shapes::merged(pieces))
+    }
+
+    /// Takes `i in 1..N` apart.
+    fn index(&mut self, range: Range<usize>) -> Option<Index> {
+        let range = crate::source::trim(self.expressions.source, range);
+        let text = self.source(&range);
+        let parts = text.split_once(" in ").map(|(name, rest)| (name.len(), rest.len()));
+        let parts = parts.and_then(|(name, rest)| {
+            let name = crate::source::trim(self.expressions.source, range.start..range.start + name);
+            let (low, high) = points::interval(self.expressions.source, &(range.end - rest..range.end))?;
+            let text = self.source(&name);
+            let is_name = text.starts_with(|c: char| c.is_ascii_alphabetic())
+                && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+            is_name.then_some(Index { name, low, high })
+        });
+        let Some(index) = parts else {
+            self.refuse(
+                words(
+                    "an index is a name and its first and last value",
+                    "un índice es un nombre con su primer y su último valor",
+                ),
+                range,
+                Some(words("write `i in 1..10`", "escribe `i in 1..10`")),
+            );
+            return None;
+        };
+        let name = self.source(&index.name).to_owned();
+        if self.expressions.is_taken(&name) {
+            self.refuse(
+                words!("`{name}` has a meaning already", "`{name}` ya tiene un significado"),
+                index.name,
+                Some(words("choose another name for the index", "elige otro nombre para el índice")),
+            );
+            return None;
+        }
+        Some(index)
+    }
+
+    /// The values of an index whose ends are constant whole numbers.
+    fn whole_values(&mut self, index: &Index) -> Option<Range<i64>> {
+        let before = self.expressions.diagnostics.len();
+        let (low, high) = (self.expressions.number(index.low.clone()), self.expressions.number(index.high.clone()));
+        if self.expressions.diagnostics.len() > before {
+            return None;
+        }
+        let (low, high) = low.zip(high)?;
+        let mut whole = |placed: &crate::expressions::Placed| {
+            let value = self.graph().as_constant(placed.value.node)?;
+            let is_whole = placed.value.dimension().is_none() && value == value.floor() && value.abs() < 1e6;
+            is_whole.then_some(value as i64)
+        };
+        let (low, high) = (whole(&low)?, whole(&high)?);
+        Some(low..high + 1)
+    }
+}

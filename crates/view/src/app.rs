@@ -117,6 +117,8 @@ pub struct Changes {
     pub runs: Signal<u64>,
     /// Which plots are shown, and whether they show everything; what others draw into plots and scene.
     pub plots: Signal<u64>,
+    /// What is known of the author's claims.
+    pub checks: Signal<u64>,
     /// The time shown: raised in every frame in which it has changed, for what must not lag behind the curves.
     pub frame: Signal<u64>,
     /// The time shown and the rows recorded; raised at most ten times a second while the run is playing.
@@ -185,6 +187,7 @@ impl App {
                 transport: counter(),
                 runs: counter(),
                 plots: counter(),
+                checks: counter(),
                 frame: counter(),
                 values: counter(),
             },
@@ -287,6 +290,7 @@ impl App {
             (before.transport != now.transport, changes.transport),
             (before.runs != now.runs, changes.runs),
             (before.plots != now.plots, changes.plots),
+            (before.checks != now.checks, changes.checks),
             (moved, changes.frame),
             ((before.frame, before.rows) != (now.frame, now.rows), changes.values),
         ];

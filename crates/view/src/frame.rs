@@ -93,7 +93,7 @@ fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64) -> 
         nodes.shown = now;
     }
     // Canvases first: where a part of the page has changed, a canvas that sets its font makes the browser work out all styles.
-    let mut unfinished = false;
+    let mut unfinished = play.advance_checks();
     for (place, plot) in nodes.plots.iter_mut().enumerate() {
         if let Some(plot) = plot {
             unfinished |= plot.draw(PlotId::at(place), play, part, &nodes.colours, nodes.font_size);

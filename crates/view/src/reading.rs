@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use crate::{browser, question};
+use crate::{browser, checks, question};
 use program::{Block, Section};
 
 /// The sections of the document in the language of the page, and the level of their headings.
@@ -51,6 +51,7 @@ pub fn theory(app: App, besides: View) -> HtmlDiv {
         .child(contents(app, &sections, top))
         .child(prose(app, &sections, top))
         .child(equations(app))
+        .child(checks::view(app))
         .child(besides)
 }
 

@@ -176,6 +176,16 @@ table_of_words! {
     contents: "Contents", "Contenido";
     equations: "Model", "Modelo";
     equations_intro: "The equations as the document states them; the program solves exactly these.", "Las ecuaciones tal como las enuncia el documento; el programa resuelve exactamente estas.";
+    checks: "Checks of this simulation", "Comprobaciones de esta simulación";
+    checks_intro: "What the author claims about runs with the values of the document. Your own run is not changed.", "Lo que el autor afirma de simulaciones con los valores del documento. Tu propia simulación no cambia.";
+    run_checks: "Run the checks", "Hacer las comprobaciones";
+    checks_running: "Running", "En curso";
+    checks_hold: "All claims hold", "Todas las afirmaciones se cumplen";
+    checks_fail: "Claims that do not hold:", "Afirmaciones que no se cumplen:";
+    checks_with: "With", "Con";
+    check_open: "not checked", "sin comprobar";
+    check_holds: "holds", "se cumple";
+    check_fails: "does not hold", "no se cumple";
     source: "Source", "Fuente";
     source_intro: "The whole simulation is this text. Save it, change it, and open it again.", "Toda la simulación es este texto. Guárdalo, cámbialo y ábrelo de nuevo.";
     save_source: "Download", "Descargar";

@@ -25,7 +25,7 @@ pub use compile::{Checked, check, compile, refuse_length};
 pub use diagnostic::{Diagnostic, Label, Severity, Span, has_errors};
 pub use expression::Compiler;
 pub use functions::Functions;
-pub use parser::{Assignment, parse, parse_assignments, parse_expression};
+pub use parser::{parse, parse_assignments, parse_expression};
 pub use places::Places;
 pub use syntax::*;
 pub use typeset::{typeset, typeset_expression};

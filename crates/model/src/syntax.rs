@@ -229,7 +229,18 @@ pub struct Alternative {
     /// What the reader sees.
     pub text: Quoted,
     /// What it defines.
-    pub values: Vec<crate::Assignment>,
+    pub values: Vec<Assignment>,
+}
+
+/// `b = 2*m*omega_0 in [kg/s]`, as in a preset.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assignment {
+    /// What gets the value.
+    pub name: Name,
+    /// The value.
+    pub value: Expression,
+    /// The stated unit.
+    pub unit: Option<StatedUnit>,
 }
 
 /// The parts of a function of the author's own.

@@ -77,7 +77,11 @@ fn perform(desk: &mut Desk, action: Action) {
         Action::Type(index, text) => drop(desk.play_mut().set_parameter_text(index, &text)),
         Action::State(index, value) => drop(desk.play_mut().set_state(index, value)),
         Action::Drag(right, up) => {
-            desk.play_mut().drag_begin(&program::Drag { target: program::Dragged::State(0), up: Some(0), right: Some(1) });
+            desk.play_mut().drag_begin(&program::Drag {
+                target: program::Dragged::State(0),
+                up: Some(0),
+                right: Some(1),
+            });
             desk.play_mut().drag_move(right, up);
             desk.play_mut().drag_end();
         }

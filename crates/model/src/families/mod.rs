@@ -2,6 +2,7 @@
 //! becomes N equations of the unknowns `x[1]` to `x[N]`, whose names have their numbers in them. All that follows (names,
 //! dimensions, lowering) then has to do with single quantities only.
 
+mod declared;
 mod index;
 mod sizes;
 mod write_out;
@@ -10,6 +11,7 @@ pub(crate) use index::{Bindings, whole_number};
 pub(crate) use sizes::sizes;
 
 use crate::{Diagnostic, Expression, ExpressionKind, Statement, StatementKind, limits};
+use declared::taken;
 use program::Size;
 use std::borrow::Cow;
 use units::words;
@@ -65,26 +67,6 @@ pub(crate) fn expression_without_families(
 /// The family of a member with the name `x[3]`.
 pub(crate) fn family(name: &str) -> Option<&str> {
     name.split_once('[').map(|(family, _)| family)
-}
-
-/// The names that statements give a meaning; an index cannot have one of them.
-fn taken(statements: &[Statement]) -> Vec<&str> {
-    statements.iter().filter_map(declared).collect()
-}
-
-fn declared(statement: &Statement) -> Option<&str> {
-    match &statement.kind {
-        StatementKind::Parameter(parameter) => Some(&parameter.name.text),
-        StatementKind::Size(size) => Some(&size.name.text),
-        StatementKind::Choice(choice) => Some(&choice.name.text),
-        StatementKind::Function(function) => Some(&function.name.text),
-        StatementKind::Definition { name, .. }
-        | StatementKind::Discrete { name, .. }
-        | StatementKind::InitialValue { name, .. }
-        | StatementKind::Independent { name, .. } => Some(&name.text),
-        StatementKind::Members { left: Expression { kind: ExpressionKind::Member { name, .. }, .. }, .. } => Some(name),
-        StatementKind::Members { .. } | StatementKind::Equation { .. } | StatementKind::Event { .. } => None,
-    }
 }
 
 /// Whether anything in a statement belongs to families.

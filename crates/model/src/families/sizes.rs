@@ -1,5 +1,6 @@
 //! The sizes that statements declare.
 
+use super::declared::declared;
 use crate::{Diagnostic, SizeStatement, Statement, StatementKind};
 use program::Size;
 use units::words;
@@ -10,9 +11,9 @@ pub(crate) fn sizes(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>)
     for statement in statements {
         let StatementKind::Size(size) = &statement.kind else { continue };
         let name = &size.name.text;
-        let other = statements.iter().find(|other| {
-            !std::ptr::eq(*other, statement) && super::declared(other).is_some_and(|declared| declared == name)
-        });
+        let other = statements
+            .iter()
+            .find(|other| !std::ptr::eq(*other, statement) && declared(other).is_some_and(|declared| declared == name));
         if let Some(other) = other {
             // Said once, of the later one.
             if other.span.start < statement.span.start || !matches!(other.kind, StatementKind::Size(_)) {

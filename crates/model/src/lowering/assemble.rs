@@ -133,7 +133,7 @@ fn lower(lowering: &mut Lowering, expression: &Expression) -> Result<NodeId, Vec
 
 /// The parameters. The texts of choices come first among all.
 fn parameters(declarations: &Declarations, texts: &mut Vec<String>) -> Vec<Parameter> {
-    let mut parameter = |entry: &crate::names::ParameterEntry| {
+    let parameter = |entry: &crate::names::ParameterEntry| {
         let statement = entry.statement;
         let unit = statement.unit.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
         let choices = match &statement.form {
@@ -156,7 +156,7 @@ fn parameters(declarations: &Declarations, texts: &mut Vec<String>) -> Vec<Param
             unit,
         }
     };
-    declarations.parameters.iter().map(|entry| parameter(entry)).collect()
+    declarations.parameters.iter().map(parameter).collect()
 }
 
 /// The index of a text, which is added if it is new.

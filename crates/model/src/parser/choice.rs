@@ -1,10 +1,9 @@
 //! `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3] }`: quantities that depend on what the reader chooses.
 
-use super::Assignment;
 use super::cursor::{Cursor, Read, Told};
 use super::statement::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
-use crate::{Alternative, ChoiceStatement, Diagnostic, Quoted, StatementKind};
+use crate::{Alternative, Assignment, ChoiceStatement, Diagnostic, Quoted, StatementKind};
 use units::{Words, words};
 
 const FORM: Words = words(

@@ -1,17 +1,11 @@
 //! Statements that begin with a word of the language, and the assignments of presets.
 
-use super::Assignment;
-use super::cursor::{Cursor, Read, Told};
+use super::cursor::{Cursor, Read};
 use super::statement::{Salvaged, nothing};
 use super::unread;
 use crate::lexer::{Keyword, Symbol, TokenKind};
-use crate::{
-    Action, Bounds, Diagnostic, EventExtras, ParameterForm, ParameterStatement, Span, StatedUnit, StatementKind,
-};
+use crate::{Assignment, Bounds, Diagnostic, ParameterForm, ParameterStatement, Span, StatedUnit, StatementKind};
 use units::{Words, words};
-
-const EVENT_FORM: Words =
-    words("the form is: when CONDITION { y' = EXPRESSION }", "la forma es: when CONDICIÓN { y' = EXPRESIÓN }");
 
 impl Cursor<'_> {
     /// `parameter b = 50 [kg/s] in 0..20000 step 1`
@@ -208,131 +202,6 @@ impl Cursor<'_> {
         let read = unit.as_ref().map(|_| ()).map_err(|reported| *reported);
         (StatementKind::Independent { name, unit: unit.unwrap_or(None) }, read)
     }
-
-    /// `when y < 0 [m] { y' = -e*y' }`
-    pub(super) fn event(&mut self) -> Salvaged {
-        let start = self.advance();
-        let condition = match self.expression() {
-            Ok(tree) => tree.expression,
-            Err(reported) => return (nothing(start), Err(reported)),
-        };
-        self.refuse_equals(words("condition", "una condición"));
-        let (mut actions, mut extras) = (Vec::new(), EventExtras::default());
-        let mut read = self.event_name(&mut extras);
-        if matches!(self.peek(), TokenKind::Newline) && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftBrace) {
-            self.skip_lines();
-        }
-        if read.is_ok() {
-            read = self.actions(start, &mut actions, &mut extras);
-        }
-        (StatementKind::Event { condition, actions, extras }, read)
-    }
-
-    pub(super) fn actions(&mut self, start: Span, actions: &mut Vec<Action>, extras: &mut EventExtras) -> Read<()> {
-        let Some(open) = self.take(Symbol::LeftBrace) else {
-            let wrong =
-                words!("`{{` is expected here, not {found}", "aquí se espera `{{`, no {found}", found = self.found());
-            let place = if self.at_line_end() { self.last_span() } else { self.span() };
-            let diagnostic = Diagnostic::error("missing-braces", wrong, place)
-                .with_label(start, words("of this event", "de este evento"));
-            return self.fail(diagnostic.with_hint(EVENT_FORM));
-        };
-        let mut wrong_actions = false;
-        loop {
-            while self.take(Symbol::Semicolon).is_some()
-                || self.take(Symbol::Comma).is_some()
-                || *self.peek() == TokenKind::Newline
-            {
-                self.skip_lines();
-            }
-            let unclosed = matches!(
-                self.peek(),
-                TokenKind::End | TokenKind::Keyword(Keyword::Parameter | Keyword::Independent | Keyword::When)
-            );
-            if unclosed {
-                self.say(
-                    Diagnostic::error("unclosed-brace", words("this `{` is not closed", "esta `{` no se cierra"), open)
-                        .with_hint(EVENT_FORM),
-                );
-                self.back_to_line_end();
-                return Ok(());
-            }
-            if let Some(end) = self.take(Symbol::RightBrace) {
-                let nothing = actions.is_empty() && extras.stop.is_none() && extras.name.is_none();
-                if nothing && !wrong_actions {
-                    let wrong = words("this event changes nothing", "este evento no cambia nada");
-                    let diagnostic = Diagnostic::error("empty-event", wrong, open.to(end));
-                    self.say(diagnostic.with_hint(EVENT_FORM));
-                }
-                return Ok(());
-            }
-            if self.at_stop() {
-                extras.stop = Some(self.advance());
-                continue;
-            }
-            let read = if self.at_let() {
-                self.advance();
-                self.action().map(|action| extras.names.push(action))
-            } else {
-                self.action().map(|action| actions.push(action))
-            };
-            match read {
-                Ok(()) => {}
-                Err(Told) => {
-                    wrong_actions = true;
-                    self.skip_rest(true);
-                }
-            }
-        }
-    }
-
-    fn action(&mut self) -> Read<Action> {
-        let span = self.span();
-        let TokenKind::Name { text, order, end } = self.peek().clone() else {
-            let wrong = words!(
-                "an action such as y' = 0 [m/s] is expected here, not {found}",
-                "aquí se espera una acción como y' = 0 [m/s], no {found}",
-                found = self.found()
-            );
-            return self.fail(Diagnostic::error("event-action", wrong, span));
-        };
-        self.advance();
-        let mut order = order;
-        let mut indices = Vec::new();
-        if order == 0 && self.at_indices() {
-            indices = self.indices()?.0;
-            order = self.primes_here()?;
-        }
-        if self.take(Symbol::Equals).is_none() {
-            let diagnostic = if *self.peek() == TokenKind::Symbol(Symbol::LeftParenthesis) {
-                let wrong = words(
-                    "an action sets the value at the event, not the one at the start",
-                    "una acción fija el valor en el evento, no el inicial",
-                );
-                Diagnostic::error("event-action", wrong, span)
-            } else {
-                let wrong =
-                    words!("`=` is expected here, not {found}", "aquí se espera `=`, no {found}", found = self.found());
-                let place = if self.at_line_end() { span } else { self.span() };
-                Diagnostic::error("event-action", wrong, place)
-            };
-            return self.fail(diagnostic.with_hint(EVENT_FORM));
-        }
-        let value = self.expression()?.expression;
-        let over = self.over()?;
-        let separated = matches!(
-            self.peek(),
-            TokenKind::Newline
-                | TokenKind::End
-                | TokenKind::Symbol(Symbol::Semicolon | Symbol::Comma | Symbol::RightBrace)
-        );
-        if !separated {
-            return self.unexpected_after_expression();
-        }
-        let name = crate::Name { text, span: Span::new(span.start, end) };
-        Ok(Action { name, indices, order, value, over })
-    }
-
     /// Assignments up to the end.
     pub(super) fn assignments(&mut self) -> Vec<Assignment> {
         let mut assignments = Vec::new();

@@ -60,20 +60,9 @@ mod switch;
 #[cfg(test)]
 mod tests;
 
-use crate::{Diagnostic, Expression, ExpressionKind, Name, Span, StatedUnit, Statement, lexer};
+use crate::{Assignment, Diagnostic, Expression, ExpressionKind, Span, StatedUnit, Statement, lexer};
 use cursor::Cursor;
 use std::ops::Range;
-
-/// `b = 2*m*omega_0 in [kg/s]`, as in a preset.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Assignment {
-    /// What gets the value.
-    pub name: Name,
-    /// The value.
-    pub value: Expression,
-    /// The stated unit.
-    pub unit: Option<StatedUnit>,
-}
 
 /// Reads the statements of a model that stands in `parts` of a document. Spans count from the beginning of `source`.
 /// The statements are all there even if there are errors: one that cannot be read at all is an equation of two

@@ -88,7 +88,7 @@ fn shown_statement(statement: &Statement) -> String {
             format!("discrete {} := {}{}", name.text, shown(value), in_unit(unit))
         }
         StatementKind::Choice(choice) => {
-            let value = |value: &super::Assignment| format!("{} := {}", value.name.text, shown(&value.value));
+            let value = |value: &crate::Assignment| format!("{} := {}", value.name.text, shown(&value.value));
             let alternative = |one: &crate::Alternative| {
                 format!("{:?}: {}", one.text.text, one.values.iter().map(value).collect::<Vec<_>>().join(", "))
             };

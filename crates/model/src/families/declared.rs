@@ -1,0 +1,24 @@
+//! Which names statements declare.
+
+use crate::{Expression, ExpressionKind, Statement, StatementKind};
+
+/// The names that statements give a meaning; an index cannot have one of them.
+pub(super) fn taken(statements: &[Statement]) -> Vec<&str> {
+    statements.iter().filter_map(declared).collect()
+}
+
+/// The name that a statement gives a meaning.
+pub(super) fn declared(statement: &Statement) -> Option<&str> {
+    match &statement.kind {
+        StatementKind::Parameter(parameter) => Some(&parameter.name.text),
+        StatementKind::Size(size) => Some(&size.name.text),
+        StatementKind::Choice(choice) => Some(&choice.name.text),
+        StatementKind::Function(function) => Some(&function.name.text),
+        StatementKind::Definition { name, .. }
+        | StatementKind::Discrete { name, .. }
+        | StatementKind::InitialValue { name, .. }
+        | StatementKind::Independent { name, .. } => Some(&name.text),
+        StatementKind::Members { left: Expression { kind: ExpressionKind::Member { name, .. }, .. }, .. } => Some(name),
+        StatementKind::Members { .. } | StatementKind::Equation { .. } | StatementKind::Event { .. } => None,
+    }
+}

@@ -32,8 +32,10 @@ pub fn control(app: App, first: ParameterView) -> HtmlDiv {
     let alternative = |choice: ChoiceView| {
         option().value(choice.value.to_string()).selected(move || value() == choice.value).child(choice.text)
     };
+    // The reader's own choice outweighs the attribute of an option, but not the property.
     let choose = select()
         .id(id)
+        .prop("value", move || value().to_string())
         .when(events::change, move |event| {
             if let Ok(value) = value_of(&event).parse() {
                 set(value);

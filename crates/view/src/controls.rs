@@ -142,8 +142,14 @@ fn numerics(app: App) -> HtmlDetails {
         commit: Box::new(move |text| app.attempt(|play| play.set_step_text(text))),
         nudge: Box::new(|_| ()),
     };
+    let now = move || {
+        app.changes.parameters.track();
+        app.read(|play| play.methods().iter().find(|method| method.selected).map_or("", |method| method.name))
+    };
+    // The reader's own choice outweighs the attribute of an option, but not the property.
     let choose = select()
         .id("method")
+        .prop("value", now)
         .when(events::change, move |event| {
             let name = value_of(&event);
             refusal.set(app.attempt(|play| play.set_method(&name)));

@@ -76,6 +76,13 @@ impl<'a> Expressions<'a> {
         Some((placed, unit.is_some()))
     }
 
+    /// The name that fills `range`, with its primes; of a member of a family, the name with its numbers.
+    pub fn name(&self, range: Range<usize>) -> Option<String> {
+        let (mut expression, _, _) = model::parse_expression(self.source, range);
+        self.replace(&mut expression, &mut 0);
+        self.compiler.name_of(&expression)
+    }
+
     /// The number that fills `range`.
     pub fn number(&mut self, range: Range<usize>) -> Option<Placed> {
         let compiled = self.compile(range)?;

@@ -5,6 +5,7 @@ use crate::families::{Bindings, expression_without_families, whole_number};
 use crate::functions::{Budget, Functions};
 use crate::lowering::{Chain, Lowered, Lowering, TooManyNodes, frictions, too_many_nodes};
 use crate::names::{Meaning, NameCheck, Scope, for_each};
+use crate::notation::primed;
 use crate::{Diagnostic, Expression, ExpressionKind, Over, StatedUnit, has_errors};
 use program::{Choices, Compiled, Graph, Kind, Model};
 use std::ops::RangeInclusive;
@@ -70,6 +71,15 @@ impl<'a> Compiler<'a> {
     /// The model's graph, for what is computed from compiled values.
     pub fn graph(&mut self) -> &mut Graph {
         &mut self.model.graph
+    }
+
+    /// The name that an expression is, with its primes, where it is one: `x[3]` for `x[i+1]` while i is 2.
+    pub fn name_of(&self, expression: &Expression) -> Option<String> {
+        let (written, _) = expression_without_families(expression, &self.model.sizes, &self.indices);
+        match written.kind {
+            ExpressionKind::Name { name, order } => Some(primed(&name, order)),
+            _ => None,
+        }
     }
 
     /// Adds an expression of the document to the model's graph. `unit`, where stated, is checked and becomes the

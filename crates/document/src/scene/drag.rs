@@ -50,7 +50,7 @@ impl Builder<'_, '_> {
 
     /// The state or parameter of a name.
     fn dragged(&mut self, place: &Range<usize>) -> Option<Dragged> {
-        let name = self.source(place).to_owned();
+        let name = self.expressions.name(place.clone()).unwrap_or_else(|| self.source(place).to_owned());
         let model = self.expressions.model();
         let states: Vec<String> = model.states.iter().map(program::State::name).collect();
         if let Some(state) = states.iter().position(|known| *known == name) {

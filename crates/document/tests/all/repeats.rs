@@ -83,3 +83,25 @@ fn indices_are_checked_and_bounded() {
     let lines = format!("{FRAME}<polyline repeat='i in 1..2000' points='(0, 0) for j in 1..500'/></frame>");
     refused(&lines, &["there are too many parts in this scene"]);
 }
+
+#[test]
+fn members_of_families_are_drawn_and_dragged_by_their_index() {
+    let source = "```model\nsize N = 3\nx[i]' = 0 [m/s] for i in 1..N\nx[i](0) = i*0.5 [m] for i in 1..N\n```\n\n\
+                  ```scene\n<svg viewBox='0 0 400 300'><frame x='-2..2 [m]' y='-1..2 [m]'>\
+                  <circle repeat='i in 1..N' at='(x[i], 0 [m])' r='5px' drag='x[i]'/></frame></svg>\n```\n";
+    let opened = document::open(source, &[]);
+    let found: Vec<String> = opened.diagnostics.iter().map(|(_, one)| one.message.english.to_string()).collect();
+    assert_eq!(found, [""; 0]);
+    let program = opened.document.expect("it is good").program;
+    fn dragged(element: &Element, found: &mut Vec<program::Dragged>) {
+        found.extend(element.drag.as_ref().map(|drag| drag.target));
+        for child in &element.children {
+            if let Child::Element(child) = child {
+                dragged(child, found);
+            }
+        }
+    }
+    let mut found = Vec::new();
+    dragged(&program.scene("en").expect("a scene").root, &mut found);
+    assert_eq!(found, [0, 1, 2].map(program::Dragged::State));
+}

@@ -18,7 +18,7 @@ pub(crate) fn check_event(
     if crossing(declarations, event).is_none() {
         for_each(event.condition, |part| {
             if let ExpressionKind::Binary(BinaryOperator::Equal, left, right) = &part.kind
-                && is_number(declarations, left, 0)
+                && [left, right].into_iter().all(|side| is_number(declarations, side, 0))
             {
                 diagnostics.push(at_equality(part, left, right));
             }
@@ -53,7 +53,9 @@ pub(crate) fn crossing<'a>(
     event: &EventEntry<'a>,
 ) -> Option<(&'a Expression, &'a Expression)> {
     match &event.condition.kind {
-        ExpressionKind::Binary(BinaryOperator::Equal, left, right) if is_number(declarations, left, 0) => {
+        ExpressionKind::Binary(BinaryOperator::Equal, left, right)
+            if [left, right].into_iter().all(|side| is_number(declarations, side, 0)) =>
+        {
             Some((left, right))
         }
         _ => None,

@@ -29,7 +29,8 @@ fn documents() -> Vec<String> {
 
 fn program(text: &str) -> Program {
     let opened = open(text, &[]);
-    assert!(opened.diagnostics.is_empty(), "{:?}", opened.diagnostics);
+    // At the end of a range an event may be true at the start, of which a warning speaks.
+    assert!(!opened.has_errors(), "{:?}", opened.diagnostics);
     opened.document.unwrap().program
 }
 
@@ -65,14 +66,18 @@ fn with_parameter(text: &str, name: &str, value: &str) -> String {
     changed(text, set_parameter(&read(text), name, value))
 }
 
-/// Every parameter of every document gets another value of its range.
+/// Every parameter of every document that is a number gets another value of its range.
 #[test]
 fn a_parameter_gets_another_default_and_nothing_else_changes() {
     for text in documents() {
         let before = program(&text);
         for (index, parameter) in before.model.parameters.iter().enumerate() {
-            let statement = parameters(&read(&text))[index].clone();
-            assert_eq!(statement.name.text, parameter.name);
+            if parameter.choices != program::Choices::Numbers {
+                continue;
+            }
+            let outline = read(&text);
+            let statement = parameters(&outline).into_iter().find(|statement| statement.name.text == parameter.name);
+            let statement = statement.expect("it is declared").clone();
             let asked = match &statement.range {
                 Some(range) if statement.value == range.high => range.low,
                 Some(range) => range.high,
@@ -154,7 +159,8 @@ fn front_matter_is_changed_added_to_and_removed_from() {
         assert_eq!(program(&edited).title, "Another");
         assert_eq!(set(&edited, "title", Some(&program(&text).title)).unwrap(), text);
         let edited = set(&set(&text, "until", None).unwrap(), "until", Some("77")).unwrap();
-        assert_eq!(program(&edited).until, Some(77.0));
+        let edited_program = program(&edited);
+        assert_eq!(edited_program.until, Some(edited_program.model.independent.unit.to_si(77.0)));
         assert_eq!(blocks(&edited), blocks(&text));
     }
 }

@@ -303,6 +303,10 @@ impl Play {
         self.plots.iter_mut().filter_map(|plot| plot.section.as_mut()).for_each(|section| section.truncate(0));
         self.note_rewritten(f64::NEG_INFINITY);
         self.scales.iter_mut().for_each(|scale| *scale = 0.0);
+        // Digits do not depend on whether the start was shown, or a link led to a later moment at once.
+        for (scale, value) in self.scales.iter_mut().zip(self.course.initial()) {
+            *scale = if value.is_finite() { value.abs() } else { 0.0 };
+        }
         self.evaluators.scene_scales.clear();
         self.full = false;
         self.slippage = 0.0;

@@ -3,6 +3,7 @@
 use crate::{Method, Setup};
 use program::Model;
 use std::fmt;
+use units::number::{Style, plain};
 use units::{Words, words};
 
 /// Why a run cannot start or go on, and when.
@@ -277,11 +278,10 @@ impl fmt::Display for RunError {
 
 impl std::error::Error for RunError {}
 
-/// `t = 3.2 s`; in Spanish `t = 3,2 s`.
+/// `t = 3.2 s`; in Spanish `t = 3,2 s`. Seven digits are enough for people; what programs read has all.
 pub(crate) fn moment(model: &Model, time: f64) -> Words {
     let (name, unit) = (&model.independent.name, &model.independent.unit);
-    let value = units::number::shortest(unit.from_si(time));
-    let spanish = value.replace('.', ",");
+    let [value, spanish] = [Style::POINT, Style::COMMA].map(|style| plain(unit.from_si(time), 7, style));
     let unit = if unit.text.is_empty() { String::new() } else { format!(" {unit}") };
     words!("{name} = {value}{unit}", "{name} = {spanish}{unit}")
 }

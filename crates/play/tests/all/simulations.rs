@@ -38,7 +38,8 @@ fn every_document_runs_and_is_drawn() {
             Play::open(opened.document.unwrap_or_else(|| panic!("{name}: {:?}", opened.diagnostics)).program);
         go_on(&mut play, [1.0; 5]);
         let expected = 5.0 * play.program().pace().per_second;
-        assert!((play.time() - expected).abs() < 1e-9, "{name}: {:?}", play.problem());
+        let ended = play.problem().is_some_and(|problem| problem.code == "ended") && play.time() < expected;
+        assert!(ended || (play.time() - expected).abs() < 1e-9, "{name}: {:?}", play.problem());
         assert!(play.scene_values().iter().all(|value| value.is_finite()), "{name}");
         for plot in 0..play.plots().len() {
             let figure = play.layout_plot(PlotId::at(plot), &Settings::default()).unwrap();

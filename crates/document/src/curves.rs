@@ -1,10 +1,11 @@
 //! One curve of a figure: `y'`, or `(h_l + h_r)/2 + y "Left level"`.
 
-use crate::expressions::Expressions;
+use crate::expressions::{Expressions, dimension_error};
 use crate::source::trim;
-use model::{ExpressionKind, Span};
-use program::{Curve, Model};
+use model::{Diagnostic, Span};
+use program::{Curve, Drawing, Plot};
 use std::ops::Range;
+use units::{Words, words};
 
 /// A curve or an abscissa, and where it stands.
 pub struct Placed {
@@ -12,6 +13,51 @@ pub struct Placed {
     pub curve: Curve,
     /// Where it stands, without its label.
     pub span: Span,
+}
+
+/// What is no plot.
+pub fn malformed(message: Words, range: &Range<usize>) -> Diagnostic {
+    Diagnostic::error("plot-syntax", message, Span::new(range.start, range.end))
+}
+
+/// Adds curves against `x` to a plot. All abscissas have one dimension.
+pub fn add(
+    expressions: &mut Expressions,
+    plot: &mut Option<Plot>,
+    title: &str,
+    curves: Vec<Curve>,
+    x: Placed,
+) -> Option<()> {
+    let Some(plot) = plot else {
+        let (title, others, equal, drawing) = (title.to_owned(), Vec::new(), false, Drawing::Run);
+        *plot = Some(Plot { title, x: x.curve, curves, others, equal, drawing });
+        return Some(());
+    };
+    let (found, expected) = (x.curve.value.dimension(), plot.x.value.dimension());
+    if found != expected {
+        let message = words!(
+            "`{}` cannot share the horizontal axis with `{}`",
+            "`{}` no puede compartir el eje horizontal con `{}`",
+            x.curve.expression,
+            plot.x.expression
+        );
+        let mut diagnostic = dimension_error(message, (x.span, found), (x.span, expected));
+        // Both labels would lie on one another.
+        let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
+        expressions.diagnostics.push(
+            diagnostic
+                .with_note(words!("the axis is {expected}", "el eje es {expected}", expected = expected))
+                .with_hint(words("make it a plot of its own", "haz con ella otra gráfica")),
+        );
+        return None;
+    }
+    for curve in curves {
+        if x.curve != plot.x {
+            plot.others.push((plot.curves.len(), x.curve.clone()));
+        }
+        plot.curves.push(curve);
+    }
+    Some(())
 }
 
 /// Takes the label at the end off: `y "Height"`.
@@ -43,23 +89,25 @@ pub fn expression(
     let source = expressions.source;
     let value = expressions.number(range.clone())?.value;
     let span = Span::new(range.start, range.end);
-    let label = label.or_else(|| label_of_name(expressions.model(), source, range));
-    let expression = source[written].split_whitespace().collect::<Vec<_>>().join(" ");
-    Some(Placed { curve: Curve { expression, label, value }, span })
+    let named = label.is_some();
+    let label = label.or_else(|| label_of_name(expressions, range));
+    let expression = without_unit(&source[written]).split_whitespace().collect::<Vec<_>>().join(" ");
+    Some(Placed { curve: Curve { expression, label, named, value }, span })
+}
+
+/// An expression without the unit that is stated after it, which stands beside its name anyway.
+fn without_unit(text: &str) -> &str {
+    let stated = text.trim_end().strip_suffix(']').and_then(|text| text.rsplit_once('['));
+    let before = stated.and_then(|(before, _)| before.trim_end().strip_suffix("in"));
+    before.filter(|before| before.ends_with(char::is_whitespace)).unwrap_or(text)
 }
 
 /// The author's label of the name that fills `range`, if a name does.
-fn label_of_name(model: &Model, source: &str, range: Range<usize>) -> Option<String> {
-    let (expression, _, _) = model::parse_expression(source, range);
-    let ExpressionKind::Name { name, order } = expression.kind else {
-        return None;
-    };
-    let state = model.states.iter().find(|state| state.variable == name && state.order == order);
-    if let Some(state) = state {
+fn label_of_name(expressions: &Expressions, range: Range<usize>) -> Option<String> {
+    let name = expressions.name(range)?;
+    let model = expressions.model();
+    if let Some(state) = model.states.iter().find(|state| state.name() == name) {
         return state.label.clone();
-    }
-    if order > 0 {
-        return None;
     }
     let quantity = model.quantities.iter().find(|quantity| quantity.name == name).map(|quantity| &quantity.label);
     let parameter =

@@ -1,13 +1,15 @@
 //! Figures: `"Phase portrait": y' against y`, `"Orbits": y_1 against x_1, y_2 against x_2, equal axes`,
-//! `"Section": points theta' against theta every 2*pi/Omega`, `"Resonance": A against omega in 1..12 [rad/s]`.
+//! `"Section": points theta' against theta every 2*pi/Omega`, `... at drive`, `"Resonance": A against omega in 1..12 [rad/s]`.
 
 use crate::curves::{self, Placed};
 use crate::expressions::{Expressions, dimension_error};
+use crate::members;
+use crate::profiles::{self, HISTOGRAM};
 use crate::scan::{find_word, leading_text, split, statements};
 use crate::source::trim;
 use crate::sweeps;
 use model::{Diagnostic, Span};
-use program::{Curve, Drawing, Every, Node, Plot};
+use program::{Curve, Drawing, Every, Node, NodeId, Plot, Profile};
 use std::ops::Range;
 use units::{Words, words};
 
@@ -42,7 +44,7 @@ fn span(range: &Range<usize>) -> Span {
 fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f64>) -> Option<Plot> {
     let source = expressions.source;
     let malformed = |message: Words, range: &Range<usize>| {
-        Diagnostic::error("plot-syntax", message, span(range))
+        curves::malformed(message, range)
             .with_hint(words("a plot is `\"Title\": y, y' against t`", "una gráfica es `\"Título\": y, y' against t`"))
     };
     let title = leading_text(source, statement.clone());
@@ -65,7 +67,10 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
         return None;
     }
     let rest = trim(source, rest.start + 1..rest.end);
-    let points = begins_with_points(&source[rest.clone()]);
+    if begins_with(HISTOGRAM, &source[rest.clone()]) {
+        return profiles::histogram(expressions, title, trim(source, rest.start + HISTOGRAM.len()..rest.end));
+    }
+    let points = begins_with(POINTS, &source[rest.clone()]);
     let mut parts = split(source, rest.start + if points { POINTS.len() } else { 0 }..rest.end, ',');
     let equal = parts.pop_if(|part| is_equal_axes(&source[part.clone()])).is_some();
     if parts.len() > CURVES {
@@ -76,12 +81,13 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
         );
         return None;
     }
-    let every = match points {
-        true => Some(every(expressions, parts.last_mut()?)?),
+    let at_moments = match points && members::find(source, parts.last()?.clone()).is_none() {
+        true => Some(moments(expressions, parts.last_mut()?)?),
         false => None,
     };
     let last = parts.last().map_or(rest.end, |part| part.end);
     let mut plot: Option<Plot> = None;
+    let mut members = Vec::new();
     // The curves of which it is not yet said what they are drawn against.
     let mut waiting = Vec::new();
     for part in parts {
@@ -89,7 +95,13 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
         waiting.push(part.start..against.as_ref().map_or(part.end, |against| against.start));
         if let Some(against) = against {
             let across = against.end..part.end;
-            if let Some(swept) = sweeps::find(source, across.clone()).filter(|_| every.is_none() && plot.is_none()) {
+            if let Some(found) = members::find(source, across.clone()).filter(|_| at_moments.is_none()) {
+                let curves = std::mem::take(&mut waiting);
+                profiles::read(expressions, curves, found, title, (&mut plot, &mut members))?;
+                continue;
+            }
+            if let Some(swept) = sweeps::find(source, across.clone()).filter(|_| at_moments.is_none() && plot.is_none())
+            {
                 if part.end != last {
                     expressions.diagnostics.push(malformed(
                         words(
@@ -108,7 +120,7 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
             let x = curves::read(expressions, across).and_then(|x| changing(expressions, x));
             let read = waiting.drain(..).filter_map(|part| Some(curves::read(expressions, part)?.curve));
             let curves: Vec<Curve> = read.collect();
-            add(expressions, &mut plot, title, curves, x?)?;
+            curves::add(expressions, &mut plot, title, curves, x?)?;
         }
     }
     if !waiting.is_empty() || plot.is_none() {
@@ -118,17 +130,26 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
         ));
         return None;
     }
-    let drawing = every.map_or(Drawing::Run, Drawing::Every);
-    plot.filter(|plot| !plot.curves.is_empty()).map(|plot| Plot { equal, drawing, ..plot })
+    let plot = plot.filter(|plot| !plot.curves.is_empty())?;
+    let drawing = match at_moments {
+        Some(drawing) => drawing,
+        None if members.is_empty() => Drawing::Run,
+        None if members.len() == plot.curves.len() => Drawing::Profile(Profile { members, points }),
+        None => {
+            profiles::refuse_mixture(expressions, &statement);
+            return None;
+        }
+    };
+    Some(Plot { equal, drawing, ..plot })
 }
 
 /// The word before what is drawn as single points.
 const POINTS: &str = "points";
 
-/// Whether curves are to be drawn as points: the word stands before another one, not before an operator or a comma, which
-/// would make it a name.
-fn begins_with_points(text: &str) -> bool {
-    let Some(rest) = text.strip_prefix(POINTS) else { return false };
+/// Whether a word says how curves are drawn: it stands before another one, not before an operator or a comma, which would
+/// make it a name.
+fn begins_with(word: &str, text: &str) -> bool {
+    let Some(rest) = text.strip_prefix(word) else { return false };
     let next = rest.trim_start();
     rest.starts_with(char::is_whitespace)
         && next.starts_with(|letter: char| letter.is_alphanumeric() || letter == '(')
@@ -136,6 +157,33 @@ fn begins_with_points(text: &str) -> bool {
             .split(|letter: char| !letter.is_alphanumeric())
             .next()
             .is_some_and(|word| ["against", "in"].contains(&word))
+}
+
+/// When points are drawn: `every 2*pi/Omega`, or `at drive`, the firings of an event. It is taken off the end of `part`.
+fn moments(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Drawing> {
+    let source = expressions.source;
+    let at = find_word(source, part.clone(), "at");
+    if let Some(at) = at.filter(|_| find_word(source, part.clone(), "every").is_none()) {
+        let event = trim(source, at.end..part.end);
+        part.end = at.start;
+        return firings(expressions, event).map(Drawing::At);
+    }
+    every(expressions, part).map(Drawing::Every)
+}
+
+/// What counts the firings of the event whose name stands in `range`.
+fn firings(expressions: &mut Expressions, range: Range<usize>) -> Option<NodeId> {
+    let name = &expressions.source[range.clone()];
+    let count = expressions.model().lookup(&format!("{name}.count"), 0).filter(|_| !name.contains('.'));
+    if count.is_none() {
+        let message = words!("there is no event `{name}`", "no hay ningún evento `{name}`");
+        let hint = match name.split_once('.') {
+            Some((event, _)) => words!("write its name alone: `at {event}`", "escribe solo su nombre: `at {event}`"),
+            None => words!("name it: when ... as {name} {{ ... }}", "ponle nombre: when ... as {name} {{ ... }}"),
+        };
+        expressions.diagnostics.push(Diagnostic::error("unknown-name", message, span(&range)).with_hint(hint));
+    }
+    count.map(|count| count.node)
 }
 
 /// `every 2*pi/Omega from 10 [s]` at the end of `part`, which is taken off it.
@@ -201,46 +249,6 @@ fn moment(expressions: &mut Expressions, range: Range<usize>, what: &Words) -> O
 /// Whether a part after a comma asks for units of the same length on both axes.
 fn is_equal_axes(part: &str) -> bool {
     part.split_whitespace().eq(["equal", "axes"])
-}
-
-/// Adds curves against `x` to a plot. All abscissas have one dimension.
-fn add(
-    expressions: &mut Expressions,
-    plot: &mut Option<Plot>,
-    title: &str,
-    curves: Vec<Curve>,
-    x: Placed,
-) -> Option<()> {
-    let Some(plot) = plot else {
-        let (title, others, equal, drawing) = (title.to_owned(), Vec::new(), false, Drawing::Run);
-        *plot = Some(Plot { title, x: x.curve, curves, others, equal, drawing });
-        return Some(());
-    };
-    let (found, expected) = (x.curve.value.dimension(), plot.x.value.dimension());
-    if found != expected {
-        let message = words!(
-            "`{}` cannot share the horizontal axis with `{}`",
-            "`{}` no puede compartir el eje horizontal con `{}`",
-            x.curve.expression,
-            plot.x.expression
-        );
-        let mut diagnostic = dimension_error(message, (x.span, found), (x.span, expected));
-        // Both labels would lie on one another.
-        let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
-        expressions.diagnostics.push(
-            diagnostic
-                .with_note(words!("the axis is {expected}", "el eje es {expected}", expected = expected))
-                .with_hint(words("make it a plot of its own", "haz con ella otra gráfica")),
-        );
-        return None;
-    }
-    for curve in curves {
-        if x.curve != plot.x {
-            plot.others.push((plot.curves.len(), x.curve.clone()));
-        }
-        plot.curves.push(curve);
-    }
-    Some(())
 }
 
 /// An abscissa that changes during a run; against anything else a curve would be a point.

@@ -262,7 +262,7 @@ impl Figure {
             extent = extent.union(if plot.ordered { Extent::of_ordered(series.x) } else { self.extent_across(series) });
         }
         let wide = right - left;
-        let home = if plot.ordered {
+        let home = if plot.ordered && !plot.steady {
             growing(extent)
         } else {
             let intervals = libm::floor(wide / (4.0 * font)).clamp(2.0, 8.0) as usize;

@@ -16,6 +16,9 @@ pub struct Plot<'a> {
     /// Whether the abscissas of every series ascend, as time does. The horizontal axis then grows in steps from where the
     /// data begin, and the read-out finds values by abscissa; else the curve may turn back, as a phase portrait does.
     pub ordered: bool,
+    /// Whether the horizontal axis is limited as the vertical ones are, although the abscissas ascend: they do not go forward
+    /// with the run.
+    pub steady: bool,
     /// The present: a vertical line at this abscissa.
     pub marker: Option<f64>,
     /// What part of the plane is shown.
@@ -53,6 +56,8 @@ pub struct Series<'a> {
     pub x: &'a [f64],
     /// The ordinates, in the unit of the vertical axis. The shorter of the two columns counts.
     pub y: &'a [f64],
+    /// How wide each of [`Style::Bars`] is, in the unit of the horizontal axis.
+    pub width: f64,
     /// The uncertainty of each ordinate, if there is one: an error bar on a point, a band about a line.
     pub spread: &'a [f64],
     /// Rows before which the line is interrupted (the first row after a jump), ascending.
@@ -79,6 +84,8 @@ pub enum Style {
     Run(u8),
     /// Separate points: measured data.
     Points,
+    /// Upright bars from zero, about their abscissas: how often values occur.
+    Bars,
 }
 
 /// A closed interval of values, `low` below `high`.

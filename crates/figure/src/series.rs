@@ -33,6 +33,10 @@ impl Figure {
                 (across as f32, down as f32)
             })
         };
+        if series.style == Style::Bars {
+            self.columns(series, rows, &x, &y);
+            return;
+        }
         if series.style == Style::Points {
             let ink = Ink::Series(series.colour);
             let area = grown(panel, 0.5);
@@ -57,6 +61,28 @@ impl Figure {
             }
         }
         tracer.interrupt();
+    }
+
+    /// Bars from zero, as far as they lie in the panel, with a gap of a pixel between them.
+    fn columns(&mut self, series: &Series<'_>, rows: Range<usize>, x: &Scale, y: &Scale) {
+        let panel = self.panel;
+        let (right, bottom) = (f64::from(panel.x + panel.width), f64::from(panel.y + panel.height));
+        let across = |value: f64| x.pixel(value).clamp(f64::from(panel.x), right);
+        let down = |value: f64| y.pixel(value).clamp(f64::from(panel.y), bottom);
+        for row in rows {
+            let (middle, height) = (series.x[row], series.y[row]);
+            if !(drawable(middle) && drawable(height) && drawable(series.width)) || height == 0.0 {
+                continue;
+            }
+            let (from, to) = (across(middle - series.width / 2.0), across(middle + series.width / 2.0));
+            let (zero, end) = (down(0.0), down(height));
+            let gap = if to - from > 3.0 { 1.0 } else { 0.0 };
+            let (wide, high) = ((to - from - gap) as f32, (zero - end).abs() as f32);
+            if wide > 0.0 && high > 0.0 {
+                let bar = Rect { x: from as f32, y: zero.min(end) as f32, width: wide, height: high };
+                self.entries.push(Entry::Fill(bar, Ink::Series(series.colour)));
+            }
+        }
     }
 
     /// The line of the present and the dots on the series.
@@ -86,7 +112,9 @@ impl Figure {
 /// How the line of a series is drawn.
 pub(crate) fn stroke(series: &Series<'_>) -> Stroke {
     match series.style {
-        Style::Line | Style::Points => Stroke { ink: Ink::Series(series.colour), width: 2.0, dash: Dash::Solid },
+        Style::Line | Style::Points | Style::Bars => {
+            Stroke { ink: Ink::Series(series.colour), width: 2.0, dash: Dash::Solid }
+        }
         Style::Ghost => Stroke { ink: Ink::Ghost(series.colour), width: 1.25, dash: Dash::Solid },
         Style::Run(number) => {
             let width = if series.colour == 0 { 1.75 } else { 1.25 };

@@ -4,7 +4,7 @@ use crate::announcement::{Announcement, Announcements};
 use crate::controls::hold::Holding;
 use crate::number::Style;
 use crate::plots::kept::{Ghost, Kept};
-use crate::plots::plot::PlotState;
+use crate::plots::plot::{Content, PlotState};
 use crate::plots::traces::{Columns, Traces};
 use crate::questions::given::Answer;
 use crate::removed::Undo;
@@ -278,12 +278,16 @@ impl Play {
     /// Brings the columns up to the front of the run.
     pub(crate) fn follow(&mut self) {
         self.traces.follow(&self.course, &mut self.columns, &self.present);
-        for plot in &mut self.plots {
-            if let Some(section) = &mut plot.section {
-                section.follow(&mut self.course);
-            }
-            if let Some(swept) = &mut plot.swept {
-                swept.follow(&self.course);
+        for (index, plot) in self.plots.iter_mut().enumerate() {
+            match &mut plot.content {
+                Content::Run => {}
+                Content::Section(section) => section.follow(&mut self.course),
+                Content::Swept(swept) => drop(swept.follow(&self.course)),
+                Content::Profile(profile, _) => profile.follow(&self.course),
+                Content::Histogram(histogram) => {
+                    let column = self.columns.plot(index).map_or(&[][..], |plot| self.traces.column(plot.x));
+                    histogram.follow(&self.course, column);
+                }
             }
         }
     }
@@ -300,7 +304,9 @@ impl Play {
     pub(crate) fn replace_course(&mut self, course: Course) {
         self.course = course;
         self.traces = Traces::default();
-        self.plots.iter_mut().filter_map(|plot| plot.section.as_mut()).for_each(|section| section.truncate(0));
+        for plot in &mut self.plots {
+            plot.forget_rows();
+        }
         self.note_rewritten(f64::NEG_INFINITY);
         self.scales.iter_mut().for_each(|scale| *scale = 0.0);
         // Digits do not depend on whether the start was shown, or a link led to a later moment at once.

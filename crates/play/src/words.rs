@@ -31,6 +31,23 @@ pub fn against(language: Language, curves: &str, x: &str) -> String {
     language.pick(format!("{curves} against {x}."), format!("{curves} frente a {x}."))
 }
 
+/// What is drawn upwards in a histogram.
+pub fn count(language: Language) -> &'static str {
+    language.pick("Count", "Frecuencia")
+}
+
+/// What a histogram shows.
+pub fn counted(language: Language, values: &str, over_run: bool) -> String {
+    match over_run {
+        true => language
+            .pick(format!("Histogram of {values} over the run."), format!("Histograma de {values} durante la serie.")),
+        false => language.pick(
+            format!("Histogram of {values} at the moment shown."),
+            format!("Histograma de {values} en el instante mostrado."),
+        ),
+    }
+}
+
 /// How far the runs of a plot over the values of a parameter have come.
 pub fn runs_complete(language: Language, done: usize, all: usize) -> String {
     language.pick(format!("{done} of {all} runs"), format!("{done} de {all} series"))

@@ -4,7 +4,8 @@
 //! Reading checks everything that running relies on: a bundle that is read cannot make the engine reach beyond its model.
 
 use crate::{
-    Choices, Compiled, Drag, Dragged, Drawing, Model, Node, NodeId, Parameter, Piece, Program, Scene, Sweep, Taken,
+    Choices, Compiled, Drag, Dragged, Drawing, Members, Model, Node, NodeId, Parameter, Piece, Program, Scene, Sweep,
+    Taken,
 };
 
 /// What a bundle begins with.
@@ -104,12 +105,20 @@ fn check(program: &Program) -> Result<(), BundleError> {
 
 /// Whether a plot of so many curves can come about as it says.
 fn drawing_exists(drawing: &Drawing, curves: usize, model: &Model) -> bool {
+    let known = |node: &NodeId| (node.0 as usize) < model.graph.len();
     match drawing {
         Drawing::Run => true,
-        Drawing::Every(every) => {
-            (every.period.0 as usize) < model.graph.len()
-                && every.from.is_none_or(|from| from.is_finite() && from >= 0.0)
+        Drawing::At(count) => known(count),
+        Drawing::Profile(profile) => {
+            let good = |members: &Members| {
+                (1..=Members::MOST).contains(&members.x.len())
+                    && members.x.len() == members.y.len()
+                    && members.x.iter().chain(&members.y).all(known)
+            };
+            profile.members.len() == curves && profile.members.iter().all(good)
         }
+        Drawing::Histogram(members) => curves == 1 && members.len() <= Members::MOST && members.iter().all(known),
+        Drawing::Every(every) => known(&every.period) && every.from.is_none_or(|from| from.is_finite() && from >= 0.0),
         Drawing::Sweep(sweep) => {
             sweep.parameter < model.parameters.len()
                 && [sweep.low, sweep.high, sweep.step, sweep.until].iter().all(|number| number.is_finite())

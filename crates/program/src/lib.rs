@@ -22,7 +22,7 @@ pub use model::{
     Choices, Compared, Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity,
     Sensitive, Size, Slope, Slopes, State, Switch, Timed,
 };
-pub use plots::{Curve, Drawing, Every, Plot, Sweep, Taken};
+pub use plots::{Curve, Drawing, Every, Members, Plot, Profile, Sweep, Taken};
 pub use presets::{Assignment, Preset};
 pub use program::{Edition, Program};
 pub use prose::{Block, Section};

@@ -30,6 +30,47 @@ pub enum Drawing {
     Every(Every),
     /// Lines over the values of a parameter.
     Sweep(Sweep),
+    /// A point of the run, as it was before, at each firing of the event that this counts.
+    At(NodeId),
+    /// Lines or points over the members of families at the moment shown.
+    Profile(Profile),
+    /// How many values lie where, of the members of a family at the moment shown; where there are none, of the curve over
+    /// the run so far.
+    Histogram(Vec<NodeId>),
+}
+
+/// What is drawn over the members of families.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Profile {
+    /// For each curve, in their order.
+    pub members: Vec<Members>,
+    /// Whether the members are single points, not joined by a line.
+    pub points: bool,
+}
+
+/// The members of one curve, in the order in which a line joins them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Members {
+    /// What each is drawn against.
+    pub x: Vec<NodeId>,
+    /// What is drawn of each.
+    pub y: Vec<NodeId>,
+}
+
+impl Members {
+    /// No curve has more members, and no histogram.
+    pub const MOST: usize = 2_000;
+}
+
+impl Drawing {
+    /// Whether it shows one moment of a run and not what led to it.
+    pub fn is_of_a_moment(&self) -> bool {
+        match self {
+            Self::Profile(_) => true,
+            Self::Histogram(members) => !members.is_empty(),
+            _ => false,
+        }
+    }
 }
 
 /// The moments of a section.
@@ -123,8 +164,10 @@ impl Plot {
 pub struct Curve {
     /// As written: `y'`.
     pub expression: String,
-    /// The author's label of the name, where the expression is one.
+    /// The label that the plot gives it; without one the author's label of the name, where the expression is one.
     pub label: Option<String>,
+    /// Whether the plot gives the label: then it stands in the legend.
+    pub named: bool,
     /// Its value; always a number.
     pub value: Compiled,
 }

@@ -219,3 +219,33 @@ fn a_figure_used_again_is_as_one_made_anew() {
     let fresh = layout(&two, &settings(400.0, 300.0));
     assert_eq!(figure.svg(&Palette::DARK), fresh.svg(&Palette::DARK));
 }
+
+#[test]
+fn bars_stand_on_zero_and_are_as_wide_as_their_bins() {
+    let (middles, counts) = ([0.5, 1.5, 2.5], [2.0, 0.0, 4.0]);
+    let bars = Series { style: figure::Style::Bars, width: 1.0, x: &middles, y: &counts, ..Series::default() };
+    let plot = Plot {
+        x: Axis { include: Some(Interval { low: 0.0, high: 3.0 }), ..axis("v", "m/s") },
+        y: vec![Axis { include: Some(Interval { low: 0.0, high: 5.0 }), ..axis("Count", "") }],
+        series: vec![bars],
+        ordered: true,
+        steady: true,
+        ..Plot::default()
+    };
+    let figure = layout(&plot, &settings(640.0, 320.0));
+    let fills = figure.items().filter_map(|item| match item {
+        Item::Fill(area, Ink::Series(0)) => Some(area),
+        _ => None,
+    });
+    let fills: Vec<figure::Rect> = fills.collect();
+    assert_eq!(fills.len(), 2, "an empty bin has no bar: {fills:?}");
+    for (bar, (from, to, count)) in fills.iter().zip([(0.0, 1.0, 2.0), (2.0, 3.0, 4.0)]) {
+        let (low, high) = (figure.place(0, from, 0.0).unwrap(), figure.place(0, to, count).unwrap());
+        let ends = [bar.x - low.x, bar.x + bar.width + 1.0 - high.x, bar.y - high.y, bar.y + bar.height - low.y];
+        assert!(ends.iter().all(|off| off.abs() < 0.01), "{bar:?}: {low:?} to {high:?}");
+    }
+    // The axis ends where the last bin does, not at the next round number of a growing run.
+    assert!((fills[1].x + fills[1].width - figure.panel.x - figure.panel.width).abs() < 2.0);
+    let read = figure.readout(&plot, 0, 2).unwrap();
+    assert_eq!((read.heading.as_str(), read.samples[0].text.as_str()), ("v = 2.5000\u{a0}m/s", "Count = 4.000"));
+}

@@ -1,7 +1,9 @@
 //! What is drawn in a plot: the series, behind one another, with their axes.
 
 use super::added::{AddedPlot, POINTS};
-use super::plot::PlotId;
+use super::histogram::Histogram;
+use super::members::Snapshot;
+use super::plot::{Content, PlotId};
 use super::section::Section;
 use super::sweep::Swept;
 use super::traces::CurveColumns;
@@ -14,11 +16,15 @@ impl Play {
     /// What is drawn in a plot.
     pub(crate) fn figure_of(&self, index: usize) -> Option<Plot<'_>> {
         let state = self.plots.get(index)?;
-        match (&state.added, &state.section, &state.swept) {
-            (Some(added), ..) => Some(self.added_figure(added, &state.view)),
-            (_, Some(section), _) => self.section_figure(index, section),
-            (.., Some(swept)) => self.swept_figure(index, swept),
-            _ => self.figure_plot(index),
+        if let Some(added) = &state.added {
+            return Some(self.added_figure(added, &state.view));
+        }
+        match &state.content {
+            Content::Run => self.figure_plot(index),
+            Content::Section(section) => self.section_figure(index, section),
+            Content::Swept(swept) => self.swept_figure(index, swept),
+            Content::Profile(profile, style) => self.profile_figure(index, profile, *style),
+            Content::Histogram(histogram) => self.histogram_figure(index, histogram),
         }
     }
 
@@ -68,6 +74,7 @@ impl Play {
             marker: if independent { self.present.get(columns.x).copied() } else { None },
             view: state.view.clone(),
             ordered: independent,
+            steady: false,
             equal: self.is_path(index),
         })
     }
@@ -123,6 +130,37 @@ impl Play {
         Some(plot)
     }
 
+    /// The members at the moment shown. Displacements against places stand on axes of their own: equal ones would flatten them.
+    fn profile_figure<'a>(&'a self, index: usize, profile: &'a Snapshot, style: Style) -> Option<Plot<'a>> {
+        let mut plot = self.empty_figure(index)?;
+        let curves = self.columns.plot(index)?.curves.len();
+        let series = (0..curves).filter_map(|number| {
+            let (x, y) = (profile.column(2 * number), profile.column(2 * number + 1));
+            Some(Series { style, ..self.curve_alone(index, number, x, y)? })
+        });
+        plot.series = series.collect();
+        plot.x.include = profile.reached(0);
+        for (number, axis) in plot.y.iter_mut().enumerate() {
+            axis.include = profile.reached(1 + number);
+        }
+        plot.ordered = style == Style::Line && plot.series.iter().all(|series| series.x.is_sorted());
+        plot.steady = true;
+        plot.equal = self.program.plots.get(index)?.equal;
+        Some(plot)
+    }
+
+    /// How many values lie where.
+    fn histogram_figure<'a>(&'a self, index: usize, histogram: &'a Histogram) -> Option<Plot<'a>> {
+        let mut plot = self.empty_figure(index)?;
+        let bins = histogram.bins();
+        let series = self.curve_alone(index, 0, &bins.middles, &bins.counts)?;
+        plot.series = vec![Series { style: Style::Bars, width: bins.width, ..series }];
+        plot.x.include = Some(histogram.across());
+        plot.y.iter_mut().for_each(|axis| axis.include = Some(histogram.along()));
+        (plot.ordered, plot.steady, plot.equal) = (true, true, false);
+        Some(plot)
+    }
+
     /// Whether lengths are drawn against a length, or the document asks for equal axes.
     fn is_path(&self, index: usize) -> bool {
         let is_length = |curve: &Curve| curve.value.unit.dimension == units::Dimension::LENGTH;
@@ -173,6 +211,7 @@ impl Play {
             marker: added.marks_time.then(|| unit.from_si(self.course.time())),
             view: View { x: view.x, y: limits.map_or_else(|| view.y.clone(), |limits| vec![limits]) },
             ordered: added.ordered,
+            steady: false,
             equal: false,
         }
     }
@@ -184,13 +223,13 @@ impl Play {
 
     /// How many series of points are drawn behind all lines.
     pub(super) fn points_behind(&self, index: usize) -> usize {
-        let along = self.plots.get(index).filter(|plot| plot.section.is_none() && plot.swept.is_none());
+        let along = self.plots.get(index).filter(|plot| matches!(plot.content, Content::Run));
         along.map_or(0, |plot| plot.points.len())
     }
 
     fn runs_behind(&self, index: usize) -> usize {
         let state = self.plots.get(index);
-        if state.is_none_or(|state| state.section.is_some() || state.swept.is_some()) {
+        if state.is_none_or(|state| !matches!(state.content, Content::Run)) {
             return 0;
         }
         let curves = self.columns.plot(index).map_or(0, |plot| plot.curves.len());

@@ -3,7 +3,7 @@
 use super::labels::Labels;
 use crate::values::symbol::symbol;
 use crate::{Play, number, words};
-use program::{Curve, Plot};
+use program::{Curve, Drawing, Plot};
 
 impl Play {
     /// Writes the texts of all plots in the chosen language.
@@ -23,6 +23,9 @@ impl Play {
         let plot = self.program.plots.get(index)?;
         let columns = self.columns.plot(index)?;
         let title = self.text(&plot.title).to_owned();
+        if let Drawing::Histogram(members) = &plot.drawing {
+            return Some(self.labels_of_histogram(plot, title, members.is_empty()));
+        }
         let named = |curve: &program::Curve| match &curve.label {
             Some(label) => format!("{} ({})", self.text(label), symbol(&curve.expression)),
             None => symbol(&curve.expression),
@@ -30,6 +33,11 @@ impl Play {
         let names: Vec<String> = plot.curves.iter().map(named).collect();
         let description = self.described(plot, &names, named);
         let curves: Vec<String> = plot.curves.iter().map(|curve| symbol(&curve.expression)).collect();
+        let legend = plot.curves.iter().zip(&curves).map(|(curve, name)| match &curve.label {
+            Some(label) if curve.named => self.text(label).to_owned(),
+            _ => name.clone(),
+        });
+        let legend = legend.collect();
         let axes = columns.axes.iter().enumerate().map(|(axis, unit)| {
             let here = columns.curves.iter().zip(&curves).filter(|(columns, _)| columns.axis == axis);
             let names: Vec<&str> = here.map(|(_, name)| name.as_str()).collect();
@@ -48,8 +56,20 @@ impl Play {
             title,
             x: (all_across.join(", "), number::unit_text(&plot.x.value.unit.text)),
             curves,
+            legend,
             across,
         })
+    }
+
+    fn labels_of_histogram(&self, plot: &Plot, title: String, over_run: bool) -> Labels {
+        let name = symbol(&plot.x.expression);
+        let described =
+            plot.x.label.as_ref().map_or_else(|| name.clone(), |label| format!("{} ({name})", self.text(label)));
+        let description = format!("{title}: {}", words::counted(self.language, &described, over_run));
+        let count = words::count(self.language).to_owned();
+        let x = (name, number::unit_text(&plot.x.value.unit.text));
+        let axes = vec![(count.clone(), String::new())];
+        Labels { title, description, x, axes, curves: vec![count], ..Labels::default() }
     }
 
     /// What a plot shows: `Height (y), Speed (v) against Time (t).` Curves with the same abscissa stand together.

@@ -13,6 +13,8 @@ pub struct Labels {
     pub axes: Vec<(String, String)>,
     /// The name of each curve.
     pub curves: Vec<String>,
+    /// What each curve is called in a legend, where that is not its name.
+    pub legend: Vec<String>,
     /// Of each curve the name of what it is drawn against, where that is not the whole horizontal axis; else empty.
     pub across: Vec<String>,
 }

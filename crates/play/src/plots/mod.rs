@@ -2,10 +2,12 @@
 
 mod added;
 mod drawn;
+pub(crate) mod histogram;
 mod keeping;
 pub(crate) mod kept;
 mod labelling;
 mod labels;
+pub(crate) mod members;
 pub(crate) mod plot;
 mod reading;
 pub(crate) mod section;

@@ -1,11 +1,13 @@
 //! A plot: its name, what is chosen for it, and what is kept of it from frame to frame.
 
 use super::added::{AddedPlot, Points};
+use super::histogram::Histogram;
 use super::labels::Labels;
-use super::section::Section;
+use super::members::Snapshot;
+use super::section::{Moments, Section};
 use super::sweep::Swept;
 use super::traces::Columns;
-use figure::{Figure, View};
+use figure::{Figure, Style, View};
 use program::{Drawing, Plot, Program};
 use std::fmt;
 
@@ -62,9 +64,24 @@ pub struct PlotState {
     pub points: Vec<Points>,
     /// What is drawn, where it is not a plot of the document.
     pub added: Option<AddedPlot>,
-    /// What is drawn, where it is not a line along the run.
-    pub section: Option<Section>,
-    pub swept: Option<Swept>,
+    /// What is computed for it.
+    pub content: Content,
+}
+
+/// What is computed for a plot of the document.
+#[derive(Debug, Default)]
+pub enum Content {
+    /// Lines along the run: nothing beyond the columns of all plots.
+    #[default]
+    Run,
+    /// Single points of the run.
+    Section(Section),
+    /// Lines over the values of a parameter.
+    Swept(Box<Swept>),
+    /// Lines, or points, over members at the moment shown.
+    Profile(Snapshot, Style),
+    /// Bars.
+    Histogram(Histogram),
 }
 
 impl Default for PlotState {
@@ -77,8 +94,7 @@ impl Default for PlotState {
             labels: Labels::default(),
             points: Vec::new(),
             added: None,
-            section: None,
-            swept: None,
+            content: Content::Run,
         }
     }
 }
@@ -87,19 +103,49 @@ impl PlotState {
     /// Those of the document.
     pub fn of(program: &Program, columns: &Columns) -> Vec<Self> {
         let state = |(index, plot): (usize, &Plot)| {
-            let (mut state, model) = (Self::default(), &program.model);
-            match (&plot.drawing, columns.plot(index)) {
-                (Drawing::Every(every), Some(columns)) => {
-                    state.section = Some(Section::new(model, plot, every, columns));
+            let model = &program.model;
+            let content = columns.plot(index).map(|columns| match &plot.drawing {
+                Drawing::Run => Content::Run,
+                Drawing::Every(every) => {
+                    Content::Section(Section::new(model, plot, Moments::Every(every.clone()), columns))
                 }
-                (Drawing::Sweep(sweep), Some(columns)) => {
-                    state.swept = Some(Swept::new(model, plot, sweep, columns.units()));
+                Drawing::At(count) => Content::Section(Section::new(model, plot, Moments::Firings(*count), columns)),
+                Drawing::Sweep(sweep) => Content::Swept(Box::new(Swept::new(model, plot, sweep, columns.units()))),
+                Drawing::Profile(profile) => {
+                    let style = if profile.points { Style::Points } else { Style::Line };
+                    Content::Profile(Snapshot::of_curves(model, plot, &profile.members, columns), style)
                 }
-                _ => {}
-            }
-            state
+                Drawing::Histogram(members) => Content::Histogram(Histogram::new(model, plot, members)),
+            });
+            Self { content: content.unwrap_or_default(), ..Self::default() }
         };
         program.plots.iter().enumerate().map(state).collect()
+    }
+
+    /// Another run takes the place of the one that was followed.
+    pub fn forget_rows(&mut self) {
+        match &mut self.content {
+            Content::Section(section) => section.truncate(0),
+            Content::Profile(profile, _) => profile.forget(),
+            Content::Histogram(histogram) => histogram.forget(),
+            Content::Run | Content::Swept(_) => {}
+        }
+    }
+
+    /// Its curves over a parameter.
+    pub fn swept(&self) -> Option<&Swept> {
+        match &self.content {
+            Content::Swept(swept) => Some(swept),
+            _ => None,
+        }
+    }
+
+    /// The same to be changed.
+    pub fn swept_mut(&mut self) -> Option<&mut Swept> {
+        match &mut self.content {
+            Content::Swept(swept) => Some(swept),
+            _ => None,
+        }
     }
 
     /// An empty plot that is not the document's.

@@ -1,4 +1,5 @@
-//! Sections: a point of the run at each multiple of a period, as Poincaré's section of a driven motion has it.
+//! Sections: a point of the run at each multiple of a period, as Poincaré's section of a driven motion has it, or at each
+//! firing of an event.
 
 use super::traces::PlotColumns;
 use crate::time::course::Course;
@@ -9,11 +10,20 @@ use units::Unit;
 /// No section has more points: a person sees no more, and a period of nothing has no end.
 const MOST: usize = 50_000;
 
+/// When there are points.
+#[derive(Debug)]
+pub(crate) enum Moments {
+    /// At multiples of a period.
+    Every(Every),
+    /// Where this count rises: the state is that before.
+    Firings(NodeId),
+}
+
 /// The points of one plot.
 #[derive(Debug)]
 pub(crate) struct Section {
-    every: Every,
-    /// The period, then abscissa and ordinate of each curve.
+    moments: Moments,
+    /// The period, or how often the event has fired, then abscissa and ordinate of each curve.
     readings: Readings,
     /// The units of what is read after the period.
     units: Vec<Unit>,
@@ -28,8 +38,11 @@ pub(crate) struct Section {
 
 impl Section {
     /// Of a plot with these columns.
-    pub fn new(model: &Model, plot: &Plot, every: &Every, columns: &PlotColumns) -> Self {
-        let mut nodes: Vec<NodeId> = vec![every.period];
+    pub fn new(model: &Model, plot: &Plot, moments: Moments, columns: &PlotColumns) -> Self {
+        let mut nodes = match &moments {
+            Moments::Every(every) => vec![every.period],
+            Moments::Firings(count) => vec![*count],
+        };
         let mut units = Vec::new();
         for (number, (curve, place)) in plot.curves.iter().zip(&columns.curves).enumerate() {
             nodes.extend([plot.x_of(number).value.node, curve.value.node]);
@@ -37,7 +50,7 @@ impl Section {
             units.extend([plot.x.value.unit.clone(), axis.clone()]);
         }
         Self {
-            every: every.clone(),
+            moments,
             readings: Readings::new(model, &nodes),
             columns: vec![Vec::new(); units.len()],
             units,
@@ -66,34 +79,59 @@ impl Section {
         let rows = course.rows();
         self.truncate(rows);
         for row in self.rows.max(1)..rows {
-            let Some(history) = course.history() else { return };
-            let (start, end) = (history.time(row - 1), history.time(row));
-            let parameters = history.parameters(row).to_vec();
-            let initial = history.initial().to_vec();
-            let period = self.readings.at(&parameters, &initial, 0.0, &initial).first().copied().unwrap_or(f64::NAN);
-            if !(period > 0.0 && period.is_finite()) || self.places.len() >= MOST {
-                continue;
+            if self.places.len() >= MOST {
+                break;
             }
-            // Multiples, not sums: the moments do not drift away from the drive.
-            let first = self.every.from.unwrap_or(period);
-            let mut number = ((start - first) / period).floor().max(0.0);
-            while self.places.len() < MOST {
-                let time = first + number * period;
-                if time > end {
-                    break;
-                }
-                let at_start = row == 1 && time == start;
-                if time > start || at_start {
-                    course.interpolate(time, &mut self.state);
-                    let values = self.readings.at(&parameters, &initial, time, &self.state);
-                    for ((column, value), unit) in self.columns.iter_mut().zip(values.iter().skip(1)).zip(&self.units) {
-                        column.push(unit.from_si(*value));
-                    }
-                    self.places.push(row);
-                }
-                number += 1.0;
+            match self.moments {
+                Moments::Every(_) => self.multiples(course, row),
+                Moments::Firings(_) => self.firing(course, row),
             }
         }
         self.rows = rows;
+    }
+
+    /// The point before an event that has fired between the row before and this one.
+    fn firing(&mut self, course: &Course, row: usize) {
+        let Some(history) = course.history() else { return };
+        let mut count = |row: usize| self.readings.at_row(history, row).first().copied().unwrap_or(0.0);
+        let (after, before) = (count(row), count(row - 1));
+        if after > before {
+            let values = self.readings.at_row(history, row - 1);
+            for ((column, value), unit) in self.columns.iter_mut().zip(values.iter().skip(1)).zip(&self.units) {
+                column.push(unit.from_si(*value));
+            }
+            self.places.push(row);
+        }
+    }
+
+    /// The points at the multiples of the period between the row before and this one.
+    fn multiples(&mut self, course: &mut Course, row: usize) {
+        let (Moments::Every(every), Some(history)) = (&self.moments, course.history()) else { return };
+        let (start, end) = (history.time(row - 1), history.time(row));
+        let parameters = history.parameters(row).to_vec();
+        let initial = history.initial().to_vec();
+        let period = self.readings.at(&parameters, &initial, 0.0, &initial).first().copied().unwrap_or(f64::NAN);
+        if !(period > 0.0 && period.is_finite()) {
+            return;
+        }
+        // Multiples, not sums: the moments do not drift away from the drive.
+        let first = every.from.unwrap_or(period);
+        let mut number = ((start - first) / period).floor().max(0.0);
+        while self.places.len() < MOST {
+            let time = first + number * period;
+            if time > end {
+                break;
+            }
+            let at_start = row == 1 && time == start;
+            if time > start || at_start {
+                course.interpolate(time, &mut self.state);
+                let values = self.readings.at(&parameters, &initial, time, &self.state);
+                for ((column, value), unit) in self.columns.iter_mut().zip(values.iter().skip(1)).zip(&self.units) {
+                    column.push(unit.from_si(*value));
+                }
+                self.places.push(row);
+            }
+            number += 1.0;
+        }
     }
 }

@@ -21,7 +21,7 @@ pub struct LegendEntry {
 pub(crate) struct SeriesName {
     /// The curve, `y`, or the name of a measurement.
     pub curve: String,
-    /// The run, if it is not the present one.
+    /// The run, if it is not the present one, or the moment of it that is shown.
     pub run: Option<String>,
 }
 
@@ -34,12 +34,20 @@ impl Play {
             // One entry stands for all curves of a kept run.
             let (label, colour) = match series.style {
                 Style::Run(pattern) if series.colour == 0 => (name.run.unwrap_or_default(), pattern),
-                _ => (series.label.to_owned(), series.colour),
+                _ => (self.legend_name(index, series).to_owned(), series.colour),
             };
             (!label.is_empty()).then_some(LegendEntry { label, colour, style: series.style })
         };
         let entries: Vec<LegendEntry> = plot.series.iter().zip(names).filter_map(entry).collect();
         if entries.len() < 2 { Vec::new() } else { entries }
+    }
+
+    /// What a series is called in a legend: by the label that the plot gives its curve, else by its name.
+    pub(super) fn legend_name<'a>(&'a self, index: usize, series: &Series<'a>) -> &'a str {
+        let labels = self.plots.get(index).map(|plot| &plot.labels);
+        let number = usize::from(series.colour);
+        let own = labels.filter(|labels| labels.curves.get(number).is_some_and(|name| name == series.label));
+        own.and_then(|labels| labels.legend.get(number)).map_or(series.label, String::as_str)
     }
 
     /// What is drawn in a plot as CSV: an abscissa and an ordinate for each series, since each has rows of its own.
@@ -117,11 +125,12 @@ impl Play {
         let Some(plot) = self.figure_of(index) else { return Vec::new() };
         let kept = self.kept();
         let curves = self.plots.get(index).map_or(&[][..], |plot| &plot.labels.curves);
+        let moment = self.moment_of(index);
         let name = |series: &Series<'_>| {
             let run = match series.style {
                 Style::Run(pattern) => kept.iter().find(|kept| kept.pattern == pattern).map(|kept| kept.name.clone()),
                 Style::Ghost => Some(words::previous_run(self.language).to_owned()),
-                _ => None,
+                _ => moment.clone(),
             };
             let curve = match run {
                 Some(_) => curves.get(usize::from(series.colour)).map_or("", String::as_str),

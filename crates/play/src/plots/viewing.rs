@@ -1,8 +1,10 @@
 //! The plots: figures of what has been recorded, zoomed, panned and read by pointer or keyboard.
 
 use super::added::{AddedPlot, Points};
-use super::plot::{PlotId, PlotState, PlotView};
-use crate::{Play, WORK_PER_TICK};
+use super::plot::{Content, PlotId, PlotState, PlotView};
+use super::sweep::Swept;
+use crate::values::symbol::symbol;
+use crate::{Play, WORK_PER_TICK, words};
 use figure::{Direction, Figure, Palette, Plot, Point, Readout, Settings, Style, View};
 
 impl Play {
@@ -25,7 +27,7 @@ impl Play {
         let mut left = WORK_PER_TICK;
         let mut worked = false;
         for plot in self.plots.iter_mut().filter(|plot| plot.shown) {
-            let Some(swept) = &mut plot.swept else { continue };
+            let Some(swept) = plot.swept_mut() else { continue };
             swept.follow(&self.course);
             let before = swept.progress();
             swept.proceed(&self.program.model, &mut left);
@@ -34,12 +36,12 @@ impl Play {
         if worked {
             self.revision.frame += 1;
         }
-        self.plots.iter().any(|plot| plot.shown && plot.swept.as_ref().is_some_and(|swept| swept.is_unfinished()))
+        self.plots.iter().any(|plot| plot.shown && plot.swept().is_some_and(Swept::is_unfinished))
     }
 
     /// How many of the runs of a plot are complete, and of how many; `None` where it needs none or has all.
     pub fn plot_progress(&self, PlotId(index): PlotId) -> Option<(usize, usize)> {
-        self.plots.get(index)?.swept.as_ref()?.progress().filter(|(done, all)| done < all)
+        self.plots.get(index)?.swept()?.progress().filter(|(done, all)| done < all)
     }
 
     /// Shows a plot or not.
@@ -107,11 +109,17 @@ impl Play {
     pub fn titled_figure(&mut self, PlotId(index): PlotId, settings: &Settings) -> Option<Figure> {
         self.follow();
         let names = self.series_names(index);
+        let titled = self.moment_of(index).map(|moment| format!("{} ({moment})", self.title_of(index)));
         let mut plot = self.figure_of(index)?;
+        if let Some(title) = &titled {
+            plot.title = title;
+        }
         // One entry stands for all curves of a kept run.
         for (series, name) in plot.series.iter_mut().zip(&names) {
             if let (Style::Run(_), 0, Some(run)) = (series.style, series.colour, &name.run) {
                 series.label = run;
+            } else {
+                series.label = self.legend_name(index, series);
             }
         }
         Some(figure::layout(&plot, settings))
@@ -138,9 +146,10 @@ impl Play {
 
     /// Moves the keyboard's cursor by so many rows along the run (from the present row at first) and reads there.
     pub fn move_cursor(&mut self, PlotId(index): PlotId, rows: isize) -> Option<Readout> {
-        let present = match self.plots.get(index)?.swept.as_ref() {
-            Some(swept) => swept.present_row(&self.course),
-            None => self.course.rows_until_shown().saturating_sub(1),
+        let present = match &self.plots.get(index)?.content {
+            Content::Swept(swept) => swept.present_row(&self.course),
+            Content::Profile(..) | Content::Histogram(_) => 0,
+            Content::Run | Content::Section(_) => self.course.rows_until_shown().saturating_sub(1),
         };
         let row = self.plots.get(index)?.cursor.unwrap_or(present);
         let (mut series, mut plot) = (self.series_behind(index), self.readable_plot(index)?);
@@ -220,6 +229,12 @@ impl Play {
         if let Some(added) = self.added(index) {
             return self.with_errors(added, readout);
         }
+        if self.plots.get(index).is_some_and(|plot| matches!(plot.content, Content::Histogram(_))) {
+            for sample in &mut readout.samples {
+                sample.text = format!("{} = {}", words::count(self.language), sample.y);
+            }
+            return readout;
+        }
         let (points, first) = (self.points_behind(index), self.series_behind(index));
         let curves = self.plots.get(index).map_or(&[][..], |plot| &plot.labels.curves);
         let ghosts = if self.ghost.is_some() { curves.len() } else { 0 };
@@ -235,6 +250,16 @@ impl Play {
             sample.text = format!("{curve} ({run}) = {value}");
         }
         readout
+    }
+
+    fn title_of(&self, index: usize) -> &str {
+        self.plots.get(index).map_or("", |plot| &plot.labels.title)
+    }
+
+    /// `t = 1.25 s`: the moment that a plot shows, where it shows no more of the run.
+    pub(super) fn moment_of(&self, index: usize) -> Option<String> {
+        let of_a_moment = self.program.plots.get(index).is_some_and(|plot| plot.drawing.is_of_a_moment());
+        of_a_moment.then(|| format!("{} = {}", symbol(&self.model().independent.name), self.time_text()))
     }
 
     fn added(&self, index: usize) -> Option<&AddedPlot> {

@@ -30,8 +30,8 @@ impl Play {
             let own_axes = self.columns.plot(index).map(|columns| columns.axes.clone());
             if same_curves(plot, other) {
                 // What is computed for it belongs to the program.
-                let (section, swept) = (state.section.take(), state.swept.take());
-                *state = PlotState { section, swept, ..old };
+                let content = std::mem::take(&mut state.content);
+                *state = PlotState { content, ..old };
             } else {
                 state.shown = old.shown;
                 if plot.x.value.unit == other.x.value.unit && own_axes == axes(before, place) {

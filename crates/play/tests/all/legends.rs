@@ -1,8 +1,8 @@
 //! Kept runs beside the present one: in legends, in CSV, in figures; and lengths in the drawing.
 
-use crate::support::{go_on, utube};
+use crate::support::{go_on, open, utube};
 use figure::{Point, Settings};
-use play::PlotId;
+use play::{Play, PlotId};
 
 #[test]
 fn kept_runs_are_named_in_legend_csv_and_figure_and_left_out_of_pins() {
@@ -26,6 +26,23 @@ fn kept_runs_are_named_in_legend_csv_and_figure_and_left_out_of_pins() {
     let hovered = play.hover_plot(PlotId::at(0), at).unwrap();
     assert_eq!(hovered.samples.len(), 4);
     assert_eq!(play.own_samples(PlotId::at(0), hovered).samples.len(), 2);
+}
+
+#[test]
+fn a_label_that_the_plot_gives_stands_in_the_legend() {
+    let source = "---\nlanguage: en\n---\n```model\nx = 1 [m]*cos(1 [1/s]*t) \"Distance of the body\"\n```\n\
+        ```plots\n\"Motion\": x, x' \"Speed\", 2*x against t\n```\n";
+    let spanish = "---\nlanguage: es\n---\n```translations\n\"Distance of the body\" = \"Distancia del cuerpo\"\n\"Motion\" = \"Movimiento\"\n\"Speed\" = \"Velocidad\"\n```\n";
+    let mut play = open(source, &[spanish]);
+    go_on(&mut play, [1.0]);
+    let labels = |play: &Play| play.plot_legend(PlotId::at(0)).into_iter().map(|entry| entry.label).collect::<Vec<_>>();
+    assert_eq!(labels(&play), ["x", "Speed", "2·x"]);
+    let svg = play.plot_svg(PlotId::at(0), &Settings::default(), &figure::Palette::LIGHT);
+    assert!(svg.contains(">Speed<") && svg.contains(">x<"), "{svg}");
+    // Readings and columns have the name.
+    assert!(play.plot_csv(PlotId::at(0)).starts_with("t [s],x [m],t [s],x′ [m/s],"));
+    play.set_language("es");
+    assert_eq!(labels(&play), ["x", "Velocidad", "2·x"]);
 }
 
 #[test]

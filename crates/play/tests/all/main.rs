@@ -12,6 +12,7 @@ mod ending;
 mod history;
 mod legends;
 mod plots;
+mod profiles;
 mod replacement;
 mod sharing;
 mod simulations;

@@ -1,0 +1,89 @@
+//! Plots of one moment: `"Shape": x[i] against i*a for i in 0..N+1`, and how often values occur:
+//! `"Speeds": histogram v[i] for i in 1..N`.
+
+use crate::curves::{self, add, malformed};
+use crate::expressions::Expressions;
+use crate::members::{self, Index};
+use crate::scan::{find_word, split};
+use model::{Diagnostic, Span};
+use program::{Drawing, Members, Plot};
+use std::ops::Range;
+use units::words;
+
+/// The word before what is counted.
+pub const HISTOGRAM: &str = "histogram";
+
+/// Adds the curves in `parts`, which are drawn against what stands in `across` for each value of an index.
+pub fn read(
+    expressions: &mut Expressions,
+    parts: Vec<Range<usize>>,
+    (across, index): (Range<usize>, Index),
+    title: &str,
+    (plot, all): (&mut Option<Plot>, &mut Vec<Members>),
+) -> Option<()> {
+    let values = members::values(expressions, &index)?;
+    let several = values.start() < values.end();
+    let x = members::read(expressions, across, &index, values.clone())?;
+    if several && x.nodes.windows(2).all(|pair| pair[0] == pair[1]) {
+        let name = &x.curve.curve.expression;
+        let message = words!("`{name}` is the same for all members", "`{name}` es lo mismo para todos los miembros");
+        expressions.diagnostics.push(Diagnostic::error("constant-abscissa", message, x.curve.span).with_hint(words(
+            "a curve for each member along the run is written `x[1], x[2] against t`",
+            "una curva por cada miembro a lo largo de la simulación se escribe `x[1], x[2] against t`",
+        )));
+        return None;
+    }
+    let mut curves = Vec::new();
+    for part in parts {
+        let read = members::read(expressions, part, &index, values.clone())?;
+        all.push(Members { x: x.nodes.clone(), y: read.nodes });
+        curves.push(read.curve.curve);
+    }
+    add(expressions, plot, title, curves, x.curve)
+}
+
+/// Reads `v[i] for i in 1..N`, the members at the moment shown, or `x`, the values of the run.
+pub fn histogram(expressions: &mut Expressions, title: &str, range: Range<usize>) -> Option<Plot> {
+    let source = expressions.source;
+    let is_one = split(source, range.clone(), ',').len() == 1 && find_word(source, range.clone(), "against").is_none();
+    if !is_one {
+        let message =
+            words("a histogram counts the values of one quantity", "un histograma cuenta los valores de una magnitud");
+        expressions.diagnostics.push(malformed(message, &range).with_hint(words(
+            "write `histogram v[i] for i in 1..N` or `histogram x`",
+            "escribe `histogram v[i] for i in 1..N` o `histogram x`",
+        )));
+        return None;
+    }
+    let (curve, nodes) = match members::find(source, range.clone()) {
+        Some((before, index)) => {
+            let values = members::values(expressions, &index)?;
+            let read = members::read(expressions, before, &index, values)?;
+            (read.curve, read.nodes)
+        }
+        None => (curves::read(expressions, range)?, Vec::new()),
+    };
+    if nodes.is_empty() && !expressions.model().depends(curve.curve.value.node).varies() {
+        let message = words!(
+            "`{}` stays the same during a run, so there is nothing to count",
+            "`{}` no cambia durante la simulación: no hay nada que contar",
+            curve.curve.expression
+        );
+        expressions.error("constant-abscissa", message, curve.span);
+        return None;
+    }
+    let (title, x, curves) = (title.to_owned(), curve.curve.clone(), vec![curve.curve]);
+    Some(Plot { title, x, curves, others: Vec::new(), equal: false, drawing: Drawing::Histogram(nodes) })
+}
+
+/// What a plot says that mixes curves at one moment with others.
+pub fn refuse_mixture(expressions: &mut Expressions, statement: &Range<usize>) {
+    let span = Span::new(statement.start, statement.end);
+    let message = words(
+        "curves over members and curves along the run cannot share a plot",
+        "las curvas sobre miembros y las curvas a lo largo de la simulación no pueden compartir una gráfica",
+    );
+    expressions.diagnostics.push(
+        Diagnostic::error("plot-syntax", message, span).with_hint(words("make them two plots", "haz dos gráficas")),
+    );
+}

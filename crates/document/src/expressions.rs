@@ -1,11 +1,9 @@
 //! Expressions outside the model: read, completed with the scene's own names, and compiled against the model.
 
-use model::{
-    Compiler, Diagnostic, Expression, ExpressionKind, Functions, Name, Over, Places, Span, StatedUnit, StatementKind,
-};
+use model::{Compiler, Diagnostic, Expression, ExpressionKind, Functions, Places, Span, StatedUnit, StatementKind};
 use program::{Assignment, Choices, Compiled, Graph, Kind, Model, Node};
 use std::collections::BTreeMap;
-use std::ops::{Range, RangeInclusive};
+use std::ops::Range;
 use units::{QuantityName, Words, words};
 
 /// How many nodes an expression may have, and how deep they may be nested, when the scene's own names have been replaced
@@ -26,7 +24,7 @@ pub struct Expressions<'a> {
     /// The document.
     pub source: &'a str,
     /// Adds them to the model's graph.
-    compiler: Compiler<'a>,
+    pub compiler: Compiler<'a>,
     /// Where the parts of the model stand.
     pub places: &'a Places,
     /// What was found.
@@ -253,44 +251,6 @@ impl<'a> Expressions<'a> {
                     self.replace(&mut value, &mut 0);
                 }
                 self.local.insert(name.text, value);
-            }
-        }
-    }
-
-    /// Lets an index stand for a number in what is compiled until [`Self::release`].
-    pub fn hold(&mut self, index: &str, value: i64) {
-        self.compiler.bind(index, value);
-    }
-
-    /// Takes back the index that was held last.
-    pub fn release(&mut self) {
-        self.compiler.unbind();
-    }
-
-    /// The values of an index between two ends, both included, which are made of whole numbers and sizes.
-    pub fn whole_range(&mut self, index: Name, low: Range<usize>, high: Range<usize>) -> Option<RangeInclusive<i64>> {
-        let before = self.diagnostics.len();
-        let mut end = |range: Range<usize>| {
-            let (expression, unit, found) = model::parse_expression(self.source, range);
-            self.diagnostics.extend(found);
-            unit.is_none().then_some(expression)
-        };
-        let (low, high) = (end(low), end(high));
-        let span = index.span;
-        let Some((low, high)) = low.zip(high) else {
-            let message =
-                words("the values of an index are pure numbers", "los valores de un índice son números puros");
-            self.error("index-range", message, span);
-            return None;
-        };
-        if self.diagnostics.len() > before {
-            return None;
-        }
-        match self.compiler.range(&Over { index, low, high }) {
-            Ok(values) => Some(values),
-            Err(diagnostic) => {
-                self.diagnostics.push(*diagnostic);
-                None
             }
         }
     }

@@ -4,7 +4,7 @@ use crate::curves::{self, Placed};
 use crate::expressions::{Expressions, dimension_error};
 use crate::scan::find_word;
 use crate::source::trim;
-use model::{Diagnostic, Name, Span};
+use model::{Diagnostic, Name, Over, Span};
 use program::{Members, NodeId};
 use std::ops::{Range, RangeInclusive};
 use units::{Words, words};
@@ -80,6 +80,46 @@ fn refuse<T>(expressions: &mut Expressions, message: Words, place: &Range<usize>
             .with_hint(words("write `for i in 1..10`", "escribe `for i in 1..10`")),
     );
     None
+}
+
+impl Expressions<'_> {
+    /// Lets an index stand for a number in what is compiled until [`Self::release`].
+    fn hold(&mut self, index: &str, value: i64) {
+        self.compiler.bind(index, value);
+    }
+
+    /// Takes back the index that was held last.
+    fn release(&mut self) {
+        self.compiler.unbind();
+    }
+
+    /// The values of an index between two ends, both included, which are made of whole numbers and sizes.
+    fn whole_range(&mut self, index: Name, low: Range<usize>, high: Range<usize>) -> Option<RangeInclusive<i64>> {
+        let before = self.diagnostics.len();
+        let mut end = |range: Range<usize>| {
+            let (expression, unit, found) = model::parse_expression(self.source, range);
+            self.diagnostics.extend(found);
+            unit.is_none().then_some(expression)
+        };
+        let (low, high) = (end(low), end(high));
+        let span = index.span;
+        let Some((low, high)) = low.zip(high) else {
+            let message =
+                words("the values of an index are pure numbers", "los valores de un índice son números puros");
+            self.error("index-range", message, span);
+            return None;
+        };
+        if self.diagnostics.len() > before {
+            return None;
+        }
+        match self.compiler.range(&Over { index, low, high }) {
+            Ok(values) => Some(values),
+            Err(diagnostic) => {
+                self.diagnostics.push(*diagnostic);
+                None
+            }
+        }
+    }
 }
 
 /// Reads what stands in `range`, with its label, for each value of an index. All members have one dimension.

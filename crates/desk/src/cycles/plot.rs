@@ -102,7 +102,7 @@ impl Desk {
         let title = cycles_title(self.play.language(), &capital(quantity.name(self.play.language())), against);
         let description = format!("{title}. {}", cycles_description(self.play.language()));
         let curves = cycles_legend(self.play.language()).map(str::to_owned).to_vec();
-        let labels = Labels { title, description, x, axes: vec![axis(quantity)], curves, across: Vec::new() };
+        let labels = Labels { title, description, x, axes: vec![axis(quantity)], curves, ..Labels::default() };
         if let Some(plot) = self.play.added_plot(self.cycle_plot) {
             plot.labels = labels;
         }

@@ -127,12 +127,12 @@ impl Desk {
         });
         let curves = curves.collect();
         let labels = Labels {
-            across: Vec::new(),
             title: title.to_owned(),
             description: format!("{title}: {left_over}"),
             x: (symbol(&independent.name), number::unit_text(&independent.unit.text)),
             axes: axes.into_iter().map(|(label, unit)| (label, number::unit_text(&unit.text))).collect(),
             curves,
+            ..Labels::default()
         };
         if let Some(plot) = self.play.added_plot(self.residual_plot) {
             plot.labels = labels;

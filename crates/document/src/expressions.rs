@@ -274,7 +274,41 @@ impl<'a> Expressions<'a> {
     }
 
     /// An expression that was read, completed and compiled.
-    pub fn place(&mut self, mut expression: Expression, unit: Option<&StatedUnit>) -> Option<Placed> {
+    pub fn place(&mut self, expression: Expression, unit: Option<&StatedUnit>) -> Option<Placed> {
+        let expression = self.completed(expression)?;
+        match self.compiler.compile(&expression, unit) {
+            Ok(value) => Some(Placed { value, span: expression.span }),
+            Err(diagnostics) => {
+                self.diagnostics.extend(diagnostics);
+                None
+            }
+        }
+    }
+
+    /// The first two components of the vector that fills `range`. None if nothing like a vector stands there; nothing in it
+    /// where that has an error.
+    pub fn vector(&mut self, range: Range<usize>) -> Option<Option<(Placed, Placed)>> {
+        let (expression, _, diagnostics) = model::parse_expression(self.source, range);
+        if model::has_errors(&diagnostics) {
+            return None;
+        }
+        let span = expression.span;
+        let Some(expression) = self.completed(expression) else { return Some(None) };
+        match self.compiler.compile_components(&expression) {
+            Ok(components) => {
+                let mut placed = components.into_iter().map(|value| Placed { value, span });
+                let (x, y) = (placed.next()?, placed.next()?);
+                Some(Some((x, y)))
+            }
+            Err(diagnostics) => {
+                self.diagnostics.extend(diagnostics);
+                Some(None)
+            }
+        }
+    }
+
+    /// An expression with the scene's own names put in. None if something in it could not be read, or it is too large.
+    fn completed(&mut self, mut expression: Expression) -> Option<Expression> {
         let mut nodes = 0;
         self.replace(&mut expression, &mut nodes);
         if nodes > NODES || depth(&expression) > DEPTH {
@@ -288,16 +322,7 @@ impl<'a> Expressions<'a> {
             );
             return None;
         }
-        if has_gap(&expression) {
-            return None;
-        }
-        match self.compiler.compile(&expression, unit) {
-            Ok(value) => Some(Placed { value, span: expression.span }),
-            Err(diagnostics) => {
-                self.diagnostics.extend(diagnostics);
-                None
-            }
-        }
+        if has_gap(&expression) { None } else { Some(expression) }
     }
 
     /// Puts expressions in the place of the scene's own names, counting nodes; stops when there are too many.

@@ -6,9 +6,11 @@ use crate::families::{sizes, without_families};
 use crate::functions::{Functions, written_out};
 use crate::lowering::{assemble, warn};
 use crate::names::{Declarations, NameCheck, Unknown, check_event, definition_order, find_unknowns};
+use crate::vectors::Vectors;
 use crate::{Diagnostic, Places, Span, Statement, has_errors, limits, moments, parse, so_far, ticks};
 use program::{Model, Size};
 use std::borrow::Cow;
+use std::collections::HashSet;
 use std::ops::Range;
 use units::words;
 
@@ -54,12 +56,23 @@ pub fn refuse_length(parts: &[Range<usize>]) -> Option<Diagnostic> {
 /// order of their places. There is no model if there are errors.
 pub fn check(statements: Vec<Statement>, mut diagnostics: Vec<Diagnostic>) -> (Option<Checked>, Vec<Diagnostic>) {
     // What could not be read leaves gaps; telling their consequences would hide the cause.
-    let model = if has_errors(&diagnostics) { None } else { checked(statements, &mut diagnostics) };
+    let model = if has_errors(&diagnostics) {
+        None
+    } else {
+        let vectors = Vectors::of(&statements);
+        let model = checked(statements, &vectors, &mut diagnostics);
+        if !vectors.is_empty() {
+            // What is wrong with a vector is so with each of its components.
+            let mut places = HashSet::new();
+            diagnostics.retain(|diagnostic| places.insert((diagnostic.code, diagnostic.span())));
+        }
+        model
+    };
     diagnostics.sort_by_key(|diagnostic| diagnostic.span().start);
     (model, diagnostics)
 }
 
-fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Option<Checked> {
+fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<Diagnostic>) -> Option<Checked> {
     if let Some(beyond) = statements.get(limits::STATEMENTS) {
         let message =
             words!("the model has more than {} statements", "el modelo tiene más de {} sentencias", limits::STATEMENTS);
@@ -68,9 +81,18 @@ fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Opt
     }
     let sizes = sizes(&statements, diagnostics);
     let single = without_families(&statements, &sizes, diagnostics);
+    let (single, functions) = if vectors.is_empty() {
+        (single, None)
+    } else {
+        let (single, functions) = without_vectors(&single, vectors, &sizes, diagnostics)?;
+        (Cow::Owned(single), Some(functions))
+    };
     let scheduled = ticks::write_out(&single);
-    let remembered = so_far::write_out(moments::write_out(&scheduled, diagnostics));
-    let (functions, called) = written_out(&remembered, diagnostics);
+    let remembered = so_far::write_out(moments::write_out(&scheduled, vectors, diagnostics));
+    let (functions, called) = match functions {
+        Some(functions) => (functions, None),
+        None => written_out(&remembered, diagnostics),
+    };
     if has_errors(diagnostics) {
         return None;
     }
@@ -112,6 +134,22 @@ fn checked(statements: Vec<Statement>, diagnostics: &mut Vec<Diagnostic>) -> Opt
             None
         }
     }
+}
+
+/// The statements without vectors, and the author's functions, which are written out before: their arguments can be vectors.
+fn without_vectors(
+    single: &[Statement],
+    vectors: &Vectors,
+    sizes: &[Size],
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<(Vec<Statement>, Functions)> {
+    let (functions, called) = written_out(single, diagnostics);
+    let called = called.as_deref().unwrap_or(single);
+    let single = without_families(called, sizes, diagnostics);
+    if has_errors(diagnostics) {
+        return None;
+    }
+    Some((vectors.write_out(&single, diagnostics), functions))
 }
 
 fn check_names(declarations: &Declarations, unknowns: &[Unknown], sizes: &[Size], diagnostics: &mut Vec<Diagnostic>) {

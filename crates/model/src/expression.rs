@@ -6,6 +6,7 @@ use crate::functions::{Budget, Functions};
 use crate::lowering::{Chain, Lowered, Lowering, TooManyNodes, frictions, too_many_nodes};
 use crate::names::{Meaning, NameCheck, Scope, for_each};
 use crate::notation::primed;
+use crate::vectors::Vectors;
 use crate::{Diagnostic, Expression, ExpressionKind, Over, StatedUnit, has_errors};
 use program::{Choices, Compiled, Graph, Kind, Model};
 use std::ops::RangeInclusive;
@@ -22,6 +23,7 @@ pub struct Compiler<'a> {
     lowered: Lowered,
     functions: Functions,
     indices: Bindings,
+    vectors: Vectors,
 }
 
 impl<'a> Compiler<'a> {
@@ -33,7 +35,8 @@ impl<'a> Compiler<'a> {
         let definitions = model.quantities.iter().map(|quantity| Some(quantity.value.node)).collect();
         let lowered = Lowered::of(definitions);
         let (functions, indices) = (Functions::default(), Bindings::default());
-        Self { scope, types, chains, lowered, functions, indices, model }
+        let vectors = Vectors::of_names(scope.names());
+        Self { scope, types, chains, lowered, functions, indices, vectors, model }
     }
 
     /// With the author's functions, which the expressions may then call.
@@ -88,6 +91,23 @@ impl<'a> Compiler<'a> {
     /// # Errors
     /// Unknown names, mismatching dimensions, and whatever else would be wrong with it inside the model.
     pub fn compile(&mut self, expression: &Expression, unit: Option<&StatedUnit>) -> Result<Compiled, Vec<Diagnostic>> {
+        let written = self.single(expression)?;
+        let number = self.vectors.number(&written)?;
+        self.compile_number(&number, unit)
+    }
+
+    /// The same for the components of a vector; a number is its only one.
+    ///
+    /// # Errors
+    /// As those of numbers.
+    pub fn compile_components(&mut self, expression: &Expression) -> Result<Vec<Compiled>, Vec<Diagnostic>> {
+        let written = self.single(expression)?;
+        let components = self.vectors.components(&written)?;
+        components.iter().map(|component| self.compile_number(component, None)).collect()
+    }
+
+    /// An expression without functions of the author's own and without families.
+    fn single(&self, expression: &Expression) -> Result<Expression, Vec<Diagnostic>> {
         let mut found = Vec::new();
         let called = self.functions.expanded(expression, &mut Budget::default(), &mut found);
         if has_errors(&found) {
@@ -99,7 +119,14 @@ impl<'a> Compiler<'a> {
         if unreadable || has_errors(&found) {
             return Err(found);
         }
-        let expression = &written;
+        Ok(written)
+    }
+
+    fn compile_number(
+        &mut self,
+        expression: &Expression,
+        unit: Option<&StatedUnit>,
+    ) -> Result<Compiled, Vec<Diagnostic>> {
         if !frictions(expression).is_empty() {
             let message = words(
                 "dry friction has a value in the model only",

@@ -2,6 +2,7 @@
 
 mod choices;
 mod compile;
+mod components;
 mod diagnostic;
 mod dimensions;
 mod expression;
@@ -20,6 +21,7 @@ mod so_far;
 mod syntax;
 mod ticks;
 mod typeset;
+mod vectors;
 
 pub use compile::{Checked, check, compile, refuse_length};
 pub use diagnostic::{Diagnostic, Label, Severity, Span, has_errors};

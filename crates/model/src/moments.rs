@@ -5,7 +5,9 @@
 //! event sets, `landing.x.` with a point at its end, and `landing.x` the definition that has no value before the first
 //! landing. `let u = e*y'` inside an event becomes a definition too, `let.u`.
 
+use crate::components::AXES;
 use crate::names::for_each;
+use crate::vectors::Vectors;
 use crate::{
     Action, BinaryOperator, Diagnostic, EventExtras, Expression, ExpressionKind, Name, Span, Statement, StatementKind,
 };
@@ -22,16 +24,20 @@ const INTERVAL: &str = "interval";
 
 /// Whether a state is none of the author's own: what is written out has names that no text can give.
 pub(crate) fn is_hidden(name: &str) -> bool {
-    name.contains(['.', ' '])
+    name.ends_with('.') || name.contains(' ')
 }
 
 /// The statements with all that events remember as statements of their own.
-pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> Cow<'a, [Statement]> {
+pub(crate) fn write_out<'a>(
+    statements: &'a [Statement],
+    vectors: &Vectors,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Cow<'a, [Statement]> {
     let uses_any = statements.iter().any(|statement| match &statement.kind {
         StatementKind::Event { extras, .. } => extras.name.is_some() || !extras.names.is_empty(),
         _ => false,
     });
-    let mut mentions = Mentions::default();
+    let mut mentions = Mentions { vectors, found: Vec::new() };
     statements.iter().for_each(|statement| expressions(statement).into_iter().for_each(|one| mentions.note(one)));
     if !uses_any && mentions.found.is_empty() {
         return Cow::Borrowed(statements);
@@ -107,17 +113,20 @@ pub(crate) fn independent(statements: &[Statement]) -> String {
 }
 
 /// The places where something that an event remembers is used.
-#[derive(Debug, Default)]
-struct Mentions {
+#[derive(Debug)]
+struct Mentions<'a> {
+    /// `r.x` is a component of a vector.
+    vectors: &'a Vectors,
     /// The event, what of it, how many primes, and where first.
     found: Vec<(String, String, u32, Span)>,
 }
 
-impl Mentions {
+impl Mentions<'_> {
     fn note(&mut self, expression: &Expression) {
         for_each(expression, |part| {
             if let ExpressionKind::Name { name, order } = &part.kind
                 && !name.contains(['(', ' '])
+                && !self.vectors.is_component(name)
                 && let Some((event, member)) = name.split_once('.')
                 && !self.found.iter().any(|(e, m, o, _)| e == event && m == member && o == order)
             {
@@ -127,12 +136,20 @@ impl Mentions {
     }
 
     fn refuse_unknown(&self, events: &HashMap<&str, Span>, diagnostics: &mut Vec<Diagnostic>) {
-        for (event, _, _, span) in self.found.iter().filter(|(event, ..)| !events.contains_key(event.as_str())) {
+        for (event, member, _, span) in self.found.iter().filter(|(event, ..)| !events.contains_key(event.as_str())) {
             let message = words!("there is no event `{event}`", "no hay ningún evento `{event}`");
-            diagnostics.push(Diagnostic::error("unknown-name", message, *span).with_hint(words!(
+            let diagnostic = Diagnostic::error("unknown-name", message, *span).with_hint(words!(
                 "name it: when ... as {event} {{ ... }}",
                 "ponle nombre: when ... as {event} {{ ... }}"
-            )));
+            ));
+            diagnostics.push(if AXES.contains(&member.as_str()) {
+                diagnostic.with_hint(words!(
+                    "or, if it is a vector, give it a value as a whole: {event} = (..., ...) or {event}(0) = (..., ...)",
+                    "o, si es un vector, dale un valor completo: {event} = (..., ...) o {event}(0) = (..., ...)"
+                ))
+            } else {
+                diagnostic
+            });
         }
     }
 
@@ -150,6 +167,7 @@ impl Mentions {
                 && name.contains('.')
                 && !name.ends_with('.')
                 && !name.contains(['(', ' '])
+                && !self.vectors.is_component(name)
             {
                 name.extend(std::iter::repeat_n('\'', std::mem::take(order) as usize));
             }

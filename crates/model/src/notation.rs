@@ -1,5 +1,6 @@
 //! Expressions in the notation of the language, for messages that quote them.
 
+use crate::components::component_name;
 use crate::{BinaryOperator, Expression, ExpressionKind, UnaryOperator};
 use std::fmt::{self, Write};
 
@@ -110,6 +111,16 @@ fn write(out: &mut impl Write, expression: &Expression, least: u8) -> fmt::Resul
                 write(out, &over.high, 0)?;
             }
             out.write_char(')')
+        }
+        ExpressionKind::Tuple { parts, unit } => {
+            out.write_char('(')?;
+            list(out, parts)?;
+            out.write_char(')')?;
+            unit.as_ref().map_or(Ok(()), |unit| write!(out, " [{unit}]"))
+        }
+        ExpressionKind::Component { of, axis } => {
+            write(out, of, 9)?;
+            out.write_str(&component_name("", *axis))
         }
         ExpressionKind::Unary(UnaryOperator::Negate, operand) => {
             out.write_char('-')?;

@@ -274,6 +274,8 @@ pub struct Action {
     pub name: Name,
     /// The indices of a member of a family; none of what stands for itself.
     pub indices: Vec<Expression>,
+    /// Which component of a vector that is a member of a family, from 0; those of other vectors are part of the name.
+    pub component: Option<usize>,
     /// How many primes.
     pub order: u32,
     /// Its value after the event.
@@ -336,6 +338,20 @@ pub enum ExpressionKind {
         body: Box<Expression>,
         /// The indices.
         over: Vec<Over>,
+    },
+    /// `(1, 0) [au]`: a vector by its components.
+    Tuple {
+        /// The components, 2 or 3.
+        parts: Vec<Expression>,
+        /// The unit that follows; it is that of every component.
+        unit: Option<Unit>,
+    },
+    /// `r[i].x`, `(a - b).y`: a component of a vector. That of a vector with a name is a name, `r.x`.
+    Component {
+        /// The vector.
+        of: Box<Expression>,
+        /// Which component, from 0.
+        axis: usize,
     },
     /// `-x`, `not x`
     Unary(UnaryOperator, Box<Expression>),
@@ -408,7 +424,7 @@ impl Statement {
 impl Action {
     /// What happens to a quantity that is no member of a family.
     pub(crate) fn of(name: Name, order: u32, value: Expression) -> Self {
-        Self { name, indices: Vec::new(), order, value, over: Vec::new() }
+        Self { name, indices: Vec::new(), component: None, order, value, over: Vec::new() }
     }
 }
 
@@ -438,6 +454,8 @@ impl Expression {
                 let bounds = over.iter().flat_map(|over| [&over.low, &over.high]);
                 std::iter::once(&**body).chain(bounds).collect()
             }
+            ExpressionKind::Tuple { parts, .. } => parts.iter().collect(),
+            ExpressionKind::Component { of, .. } => vec![of],
             ExpressionKind::Unary(_, operand) => vec![operand],
             ExpressionKind::Binary(_, left, right) => vec![left, right],
             ExpressionKind::Call { arguments, .. } => arguments.iter().collect(),
@@ -459,6 +477,8 @@ impl Expression {
                 let bounds = over.iter_mut().flat_map(|over| [&mut over.low, &mut over.high]);
                 std::iter::once(&mut **body).chain(bounds).collect()
             }
+            ExpressionKind::Tuple { parts, .. } => parts.iter_mut().collect(),
+            ExpressionKind::Component { of, .. } => vec![of],
             ExpressionKind::Unary(_, operand) => vec![operand],
             ExpressionKind::Binary(_, left, right) => vec![left, right],
             ExpressionKind::Call { arguments, .. } => arguments.iter_mut().collect(),

@@ -4,13 +4,14 @@ use crate::Unit;
 use crate::alphabet::greek_letter;
 use crate::markup::escaped;
 
-/// What a name is made of: ω with the subscript d for `omega_d`, h with 1 for `h1`.
+/// What a name is made of: ω with the subscript d for `omega_d`, h with 1 for `h1`, r with x for the component `r.x`.
 struct NameParts {
     base: String,
     subscript: Vec<String>,
 }
 
 fn name_parts(name: &str) -> NameParts {
+    let (name, component) = component(name);
     let (name, member) = match name.strip_suffix(']').and_then(|name| name.split_once('[')) {
         Some((family, numbers)) => (family, numbers),
         None => (name, ""),
@@ -30,8 +31,18 @@ fn name_parts(name: &str) -> NameParts {
     };
     let lower = lower.iter().flat_map(|part| part.split('_'));
     let numbers = member.split(',').filter(|number| !number.is_empty());
-    let subscript = lower.chain(numbers).map(identifier).collect();
+    let subscript = lower.chain(numbers).chain(component).map(identifier).collect();
     NameParts { base: identifier(base), subscript }
+}
+
+/// The vector and the component of `r.x`; what an event remembers is a word before the point, and stays as it is.
+fn component(name: &str) -> (&str, Option<&str>) {
+    match name.rsplit_once('.') {
+        Some((vector, axis @ ("x" | "y" | "z"))) if !is_word(vector.split('[').next().unwrap_or(vector)) => {
+            (vector, Some(axis))
+        }
+        _ => (name, None),
+    }
 }
 
 /// One word: a Greek letter by its name, a number, a letter, or the word itself, which `mi` sets upright.
@@ -80,7 +91,18 @@ pub fn name(name: &str, order: u32, exponent: Option<String>) -> String {
 
 /// A name with further subscripts, which are MathML: the indices of a member of a family.
 pub fn indexed(name: &str, indices: &[String], order: u32, exponent: Option<String>) -> String {
-    let NameParts { base, mut subscript } = name_parts(name);
+    arranged(name_parts(name), indices, order, exponent)
+}
+
+/// The same for a vector, with an arrow above.
+pub fn vector(name: &str, indices: &[String], order: u32, exponent: Option<String>) -> String {
+    let NameParts { base, subscript } = name_parts(name);
+    let base = format!("<mover>{base}<mo stretchy=\"false\">→</mo></mover>");
+    arranged(NameParts { base, subscript }, indices, order, exponent)
+}
+
+fn arranged(parts: NameParts, indices: &[String], order: u32, exponent: Option<String>) -> String {
+    let NameParts { base, mut subscript } = parts;
     subscript.extend_from_slice(indices);
     let subscript = match subscript.as_slice() {
         [] => None,
@@ -102,6 +124,7 @@ pub fn indexed(name: &str, indices: &[String], order: u32, exponent: Option<Stri
 
 /// Whether a name is set as a word and not as a letter, so that its neighbours need a space.
 pub fn is_word(name: &str) -> bool {
+    let (name, _) = component(name);
     let base = name.split('_').next().unwrap_or(name).trim_end_matches(|c: char| c.is_ascii_digit());
     base.chars().count() > 1 && greek_letter(base).is_none() && !base.starts_with("Delta")
 }

@@ -81,10 +81,16 @@ impl Builder<'_, '_> {
     fn components(&mut self, range: Range<usize>) -> Option<(Placed, Placed)> {
         let range = self.inside_braces(range);
         let Some(pairs) = points::pairs(self.expressions.source, range.clone()) else {
+            if let Some(components) = self.expressions.vector(range.clone()) {
+                return components;
+            }
             self.expressions.diagnostics.push(
                 Diagnostic::error(
                     "scene-point",
-                    words("a point is two numbers in parentheses", "un punto son dos números entre paréntesis"),
+                    words(
+                        "a point is two numbers in parentheses, or a vector",
+                        "un punto son dos números entre paréntesis, o un vector",
+                    ),
                     Span::new(range.start, range.end),
                 )
                 .with_hint(words(

@@ -11,7 +11,7 @@ use super::infer::Inference;
 use super::mismatch::is_bare;
 use super::terms::{Place, Term};
 use super::types::{Type, Types};
-use crate::families::family;
+use crate::components::vector_or_family;
 use crate::names::{Declarations, Equation, EventEntry, InitialEntry, Meaning, Unknown};
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, Span, StatedUnit, has_errors};
@@ -60,11 +60,11 @@ pub(crate) fn check_dimensions(
 }
 
 impl Inference<'_> {
-    /// The members of a family have one dimension.
+    /// The members of a family have one dimension, and so have the components of a vector.
     fn families(&mut self, unknowns: &[Unknown]) {
         let mut first: HashMap<&str, usize> = HashMap::new();
         for (index, unknown) in unknowns.iter().enumerate() {
-            let Some(family) = family(unknown.name) else { continue };
+            let Some(family) = vector_or_family(unknown.name) else { continue };
             let first = *first.entry(family).or_insert(index);
             if first != index {
                 // Nothing is known of either yet, so this cannot fail.

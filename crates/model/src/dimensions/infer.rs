@@ -51,8 +51,12 @@ impl Inference<'_> {
                 self.same_kind((chosen, chosen_type), (other, other_type), Place::Branches)
             }
             ExpressionKind::Expansion(expansion) => self.expansion(expansion, expression.span),
+            ExpressionKind::Component { of, axis } => self.component(of, *axis),
             // What belongs to families has been written out.
-            ExpressionKind::Member { .. } | ExpressionKind::Reduction { .. } | ExpressionKind::Error => Type::Unknown,
+            ExpressionKind::Tuple { .. }
+            | ExpressionKind::Member { .. }
+            | ExpressionKind::Reduction { .. }
+            | ExpressionKind::Error => Type::Unknown,
         }
     }
 
@@ -108,7 +112,7 @@ impl Inference<'_> {
     }
 
     /// The dimension of what must be a number; `None` if it is not, which is reported.
-    fn number(&mut self, expression: &Expression, user: &Words) -> Option<Form> {
+    pub(super) fn number(&mut self, expression: &Expression, user: &Words) -> Option<Form> {
         let found = match self.expression(expression) {
             Type::Number(form) => return Some(form),
             Type::Unknown => return None,
@@ -290,6 +294,10 @@ impl Inference<'_> {
             },
             ExpressionKind::Unary(UnaryOperator::Negate, operand) => Some(-self.constant(operand)?),
             ExpressionKind::Expansion(expansion) => self.constant(&expansion.body),
+            ExpressionKind::Component { of, axis } => match &of.kind {
+                ExpressionKind::Tuple { parts, .. } => self.constant(parts.get(*axis)?),
+                _ => None,
+            },
             ExpressionKind::Binary(operator, left, right) => {
                 let (left, right) = (self.constant(left)?, self.constant(right)?);
                 match operator {

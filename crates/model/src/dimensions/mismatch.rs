@@ -15,6 +15,7 @@ pub(crate) fn is_bare(expression: &Expression) -> bool {
     match &expression.kind {
         ExpressionKind::Number { unit, .. } => unit.is_none(),
         ExpressionKind::Unary(UnaryOperator::Negate, operand) => is_bare(operand),
+        ExpressionKind::Component { of, .. } => of.operands().into_iter().all(is_bare),
         _ => false,
     }
 }

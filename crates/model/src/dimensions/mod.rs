@@ -8,6 +8,7 @@ mod infer;
 mod mismatch;
 mod remedy;
 mod terms;
+mod tuple;
 mod types;
 
 pub(crate) use check::check_dimensions;

@@ -26,6 +26,8 @@ pub(crate) enum Place {
     Arguments,
     /// The branches of `if`.
     Branches,
+    /// The components of a vector.
+    Components,
 }
 
 impl Place {
@@ -36,6 +38,7 @@ impl Place {
             (Self::Sides, 0) => words!("the {side}", "el {side}", side = LEFT_SIDE),
             (Self::Sides, _) => words!("the {side}", "el {side}", side = RIGHT_SIDE),
             (Self::Arguments, _) => words!("the argument `{}`", "el argumento `{}`", quote(term)),
+            (Self::Components, _) => words!("the component `{}`", "la componente `{}`", quote(term)),
             (Self::Branches, _) => words!("the branch `{}`", "la rama `{}`", quote(term)),
         }
     }

@@ -1,6 +1,7 @@
 //! Statements and expressions with all members of families written out.
 
 use super::index::{Bindings, whole_number};
+use crate::components::component_name;
 use crate::{
     Action, Diagnostic, EventExtras, Expansion, Expression, ExpressionKind, Members, Name, Over, Span, Statement,
     StatementKind, limits,
@@ -172,7 +173,9 @@ impl<'a> WriteOut<'a> {
         let name = if action.indices.is_empty() {
             action.name.clone()
         } else {
-            Name { text: self.member(&action.name.text, &action.indices)?, span: action.name.span }
+            let member = self.member(&action.name.text, &action.indices)?;
+            let text = action.component.map_or_else(|| member.clone(), |axis| component_name(&member, axis));
+            Name { text, span: action.name.span }
         };
         let value = self.expression(&action.value);
         Some(Action::of(name, action.order, value))
@@ -210,6 +213,13 @@ impl<'a> WriteOut<'a> {
                 None => ExpressionKind::Error,
             },
             ExpressionKind::Reduction { function, body, over } => self.reduction(function, body, over, span),
+            ExpressionKind::Tuple { parts, unit } => {
+                let parts = parts.iter().map(|part| self.expression(part)).collect();
+                ExpressionKind::Tuple { parts, unit: unit.clone() }
+            }
+            ExpressionKind::Component { of, axis } => {
+                ExpressionKind::Component { of: Box::new(self.expression(of)), axis: *axis }
+            }
             ExpressionKind::Unary(operator, operand) => {
                 ExpressionKind::Unary(*operator, Box::new(self.expression(operand)))
             }

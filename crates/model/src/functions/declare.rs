@@ -1,6 +1,7 @@
 //! Which functions there are, and that none of them calls itself.
 
 use super::{Function, Functions};
+use crate::components::split_component;
 use crate::matching::blocks;
 use crate::names::{for_each, for_each_name, list};
 use crate::{Diagnostic, ExpressionKind, FunctionStatement, Statement, StatementKind};
@@ -68,6 +69,8 @@ fn called(function: &FunctionStatement, numbers: &HashMap<&str, usize>) -> Vec<u
 fn check_parameters(function: &FunctionStatement, diagnostics: &mut Vec<Diagnostic>) {
     let mut used: Vec<&str> = Vec::new();
     for_each_name(&function.body, |name, _, _| {
+        // `r.x` of an argument `r` that is a vector.
+        let name = split_component(name).map_or(name, |(vector, _)| vector);
         if function.parameters.iter().any(|parameter| parameter.text == name) && !used.contains(&name) {
             used.push(name);
         }

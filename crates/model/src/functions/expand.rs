@@ -68,7 +68,10 @@ impl<'a> Writing<'a> {
             }
             ExpressionKind::Unary(_, operand) => return self.expand(operand, depth + 1),
             ExpressionKind::Binary(..) => return self.chain(expression, depth),
-            ExpressionKind::Member { .. } | ExpressionKind::Reduction { .. } => {
+            ExpressionKind::Member { .. }
+            | ExpressionKind::Reduction { .. }
+            | ExpressionKind::Tuple { .. }
+            | ExpressionKind::Component { .. } => {
                 return expression.operands_mut().into_iter().for_each(|part| self.expand(part, depth + 1));
             }
             ExpressionKind::If(condition, chosen, other) => {
@@ -128,7 +131,7 @@ impl<'a> Writing<'a> {
 }
 
 /// Whether an expression is nested more deeply than one that can be read.
-fn is_too_deep(expression: &Expression) -> bool {
+pub(crate) fn is_too_deep(expression: &Expression) -> bool {
     let mut waiting = vec![(expression, 1, 1)];
     while let Some((next, depth, height)) = waiting.pop() {
         if depth > limits::NESTING || height > limits::HEIGHT {

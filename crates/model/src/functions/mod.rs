@@ -8,6 +8,7 @@ mod statements;
 mod substitute;
 
 pub(crate) use budget::Budget;
+pub(crate) use expand::is_too_deep;
 pub(crate) use statements::written_out;
 
 use crate::{Expression, Span, StatedUnit};

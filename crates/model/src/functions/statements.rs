@@ -46,8 +46,10 @@ fn expressions(statement: &mut StatementKind) -> Vec<&mut Expression> {
             values.map(|value| &mut value.value).collect()
         }
         StatementKind::Equation { left, right } => vec![left, right],
-        StatementKind::Event { condition, actions, .. } => {
-            std::iter::once(condition).chain(actions.iter_mut().map(|action| &mut action.value)).collect()
+        StatementKind::Event { condition, actions, extras } => {
+            let values = extras.names.iter_mut().chain(actions).map(|action| &mut action.value);
+            let moments = extras.every.iter_mut().flat_map(|every| std::iter::once(&mut every.0).chain(&mut every.1));
+            std::iter::once(condition).chain(values).chain(moments).collect()
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Function;
 use super::budget::Budget;
+use crate::components::split_component;
 use crate::names::for_each;
 use crate::notation::quote;
 use crate::{Diagnostic, Expression, ExpressionKind, Over, Span};
@@ -27,7 +28,10 @@ impl<'a> Substitution<'a> {
             ExpressionKind::Name { name, order } => match self.argument(name) {
                 Some(argument) if *order == 0 => return self.of_argument(argument),
                 Some(argument) => self.primed(argument, *order, part.span),
-                None => part.kind.clone(),
+                None => match split_component(name).and_then(|(vector, axis)| Some((self.argument(vector)?, axis))) {
+                    Some((argument, axis)) => self.component(argument, axis, *order, part.span)?,
+                    None => part.kind.clone(),
+                },
             },
             ExpressionKind::InitialValue { name, order } => match self.argument(name) {
                 Some(argument) => match self.primed(argument, *order, part.span) {
@@ -59,6 +63,11 @@ impl<'a> Substitution<'a> {
             | ExpressionKind::Text(_)
             | ExpressionKind::Expansion(_)
             | ExpressionKind::Error => part.kind.clone(),
+            ExpressionKind::Tuple { parts, unit } => {
+                let parts = parts.iter().map(|component| self.of(component)).collect::<Option<_>>()?;
+                ExpressionKind::Tuple { parts, unit: unit.clone() }
+            }
+            ExpressionKind::Component { of, axis } => ExpressionKind::Component { of: self.boxed(of)?, axis: *axis },
             ExpressionKind::Unary(operator, operand) => ExpressionKind::Unary(*operator, self.boxed(operand)?),
             ExpressionKind::Binary(operator, left, right) => {
                 ExpressionKind::Binary(*operator, self.boxed(left)?, self.boxed(right)?)
@@ -82,6 +91,16 @@ impl<'a> Substitution<'a> {
     fn argument(&self, name: &str) -> Option<&'a Expression> {
         let place = self.function.parameters.iter().position(|parameter| parameter == name)?;
         self.arguments.get(place)
+    }
+
+    /// A component of an argument that is a vector, or of its derivative.
+    fn component(&mut self, argument: &Expression, axis: usize, order: u32, place: Span) -> Option<ExpressionKind> {
+        let of = if order == 0 {
+            self.of_argument(argument)?
+        } else {
+            Expression { kind: self.primed(argument, order, place), span: place }
+        };
+        Some(ExpressionKind::Component { of: Box::new(of), axis })
     }
 
     /// The argument itself.

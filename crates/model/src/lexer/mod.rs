@@ -1,6 +1,7 @@
 //! From characters to tokens. The lexer never fails: what it cannot read becomes [`TokenKind::Unknown`], and a
 //! diagnostic has said so.
 
+mod component;
 mod foreign;
 mod token;
 
@@ -74,6 +75,7 @@ impl<'a> Lexer<'a> {
             '0'..='9' => self.number(),
             '.' if self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) => self.number(),
             '"' | '“' | '„' | '«' => self.text(first),
+            '.' if self.at_component() => self.component(),
             '[' => self.brackets(),
             c if is_blank(c) => {
                 self.skip(is_blank);
@@ -166,6 +168,8 @@ impl<'a> Lexer<'a> {
             let (member, more) = self.letters();
             text = format!("{text}.{member}");
             foreign = foreign.or(more);
+            // `landing.r.x`, a component of what an event remembers.
+            text += self.axis_here().map_or("", |(_, name)| name);
         }
         if let Some(span) = foreign {
             let letter = &self.source[span.range()];
@@ -179,8 +183,16 @@ impl<'a> Lexer<'a> {
         if let Some((_, keyword)) = KEYWORDS.iter().find(|(word, _)| *word == text) {
             return self.push(TokenKind::Keyword(*keyword), start);
         }
-        let end = self.at;
-        let order: u32 = self.skip(|c| primes(c).is_some()).chars().filter_map(primes).sum();
+        let mut end = self.at;
+        let mut order = self.primes();
+        // `r'.x` is `r.x'`.
+        if order > 0
+            && let Some((_, axis)) = self.axis_here()
+        {
+            text += axis;
+            end = self.at;
+            order += self.primes();
+        }
         if order > limits::ORDER {
             let wrong = words!("{order} primes are too many", "{order} primas son demasiadas");
             let note = words!(

@@ -21,6 +21,11 @@ pub(crate) enum TokenKind {
     },
     Keyword(Keyword),
     Symbol(Symbol),
+    /// `.x` after brackets, a parenthesis or primes: which component of a vector, from 0, and the primes after it.
+    Component {
+        axis: usize,
+        order: u32,
+    },
     /// ² after what it raises.
     Raised(i16),
     /// Primes that do not follow a name.

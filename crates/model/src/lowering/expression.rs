@@ -114,10 +114,16 @@ impl Lowering<'_> {
                 self.graph.select(condition, chosen, other)
             }
             ExpressionKind::Expansion(expansion) => self.expression(&expansion.body)?,
+            // Vectors have been written out into components.
+            ExpressionKind::Component { of, axis } => match &of.kind {
+                ExpressionKind::Tuple { parts, .. } if *axis < parts.len() => self.expression(&parts[*axis])?,
+                _ => self.undefined(),
+            },
             // What belongs to families has been written out.
-            ExpressionKind::Member { .. } | ExpressionKind::Reduction { .. } | ExpressionKind::Error => {
-                self.undefined()
-            }
+            ExpressionKind::Tuple { .. }
+            | ExpressionKind::Member { .. }
+            | ExpressionKind::Reduction { .. }
+            | ExpressionKind::Error => self.undefined(),
         };
         Ok(node)
     }

@@ -11,6 +11,9 @@ const DERIVATIVES: [&str; 5] = ["der", "diff", "deriv", "derivative", "D"];
 /// What only the model has, because a run remembers it.
 const REMEMBERED: [&str; 4] = ["maximum", "minimum", "mean", "integral"];
 
+/// What vectors are made with elsewhere.
+const VECTORS: [&str; 7] = ["vector", "vec", "Vector", "vec2", "vec3", "Vec2", "Vec3"];
+
 /// What to write instead of a function that does not exist.
 pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression]) -> Option<Words> {
     let text = &function.text;
@@ -26,6 +29,18 @@ pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression
         return Some(words!(
             "the derivative of `{name}` is written `{name}'`",
             "la derivada de `{name}` se escribe `{name}'`"
+        ));
+    }
+    if VECTORS.contains(&text.as_str()) {
+        return Some(words(
+            "a vector is its components in parentheses: `(1, 0, 0)`",
+            "un vector son sus componentes entre paréntesis: `(1, 0, 0)`",
+        ));
+    }
+    if ["norm", "dot", "cross"].contains(&text.as_str()) {
+        return Some(words!(
+            "`{text}` is for vectors, and here is none: one is defined as in `r = (x, y)`",
+            "`{text}` es para vectores, y aquí no hay ninguno: se definen así: `r = (x, y)`"
         ));
     }
     if REMEMBERED.contains(&text.as_str()) && arguments.len() == 1 {

@@ -85,7 +85,7 @@ impl Scope {
     }
 
     /// All names, in the order of declaration.
-    pub fn names(&self) -> impl Iterator<Item = &str> {
+    pub fn names(&self) -> impl Iterator<Item = &str> + Clone {
         self.names.iter().map(String::as_str)
     }
 

@@ -59,11 +59,20 @@ impl Cursor<'_> {
                 "el valor predeterminado del parámetro `{}` debe ser un número",
                 parameter.name.text
             );
-            let hint = words!(
-                "a value that is computed is a definition: {} = ...",
-                "un valor que se calcula es una definición: {} = ...",
-                parameter.name.text
-            );
+            let is_vector = *self.peek() == TokenKind::Symbol(Symbol::LeftParenthesis) && value.is_none();
+            let hint = if is_vector {
+                words!(
+                    "a vector is defined from parameters that are numbers: {0} = ({0}_x, {0}_y)",
+                    "un vector se define a partir de parámetros que son números: {0} = ({0}_x, {0}_y)",
+                    parameter.name.text
+                )
+            } else {
+                words!(
+                    "a value that is computed is a definition: {} = ...",
+                    "un valor que se calcula es una definición: {} = ...",
+                    parameter.name.text
+                )
+            };
             return self.fail(Diagnostic::error("parameter-value", wrong, place).with_hint(hint));
         };
         if let TokenKind::Name { .. } = self.peek()

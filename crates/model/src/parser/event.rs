@@ -102,9 +102,11 @@ impl Cursor<'_> {
         self.advance();
         let mut order = order;
         let mut indices = Vec::new();
+        let mut component = None;
         if order == 0 && self.at_indices() {
             indices = self.indices()?.0;
             order = self.primes_here()?;
+            (component, order) = self.axis_after(order)?;
         }
         if self.take(Symbol::Equals).is_none() {
             let diagnostic = if *self.peek() == TokenKind::Symbol(Symbol::LeftParenthesis) {
@@ -133,7 +135,7 @@ impl Cursor<'_> {
             return self.unexpected_after_expression();
         }
         let name = crate::Name { text, span: Span::new(span.start, end) };
-        Ok(Action { name, indices, order, value, over })
+        Ok(Action { name, indices, component, order, value, over })
     }
 
     /// Whether a statement begins with `every` and an interval.

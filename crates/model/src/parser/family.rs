@@ -109,6 +109,8 @@ impl Cursor<'_> {
         let (indices, mut height) = self.indices()?;
         height += 1;
         let order = self.primes_here()?;
+        let vector = name.span.to(self.last_span());
+        let (axis, order) = self.axis_after(order)?;
         let at_start = *self.peek() == TokenKind::Symbol(Symbol::LeftParenthesis)
             && *self.peek_ahead(1) == TokenKind::Number(0.0)
             && *self.peek_ahead(2) == TokenKind::Symbol(Symbol::RightParenthesis);
@@ -119,7 +121,9 @@ impl Cursor<'_> {
         }
         let span = name.span.to(self.last_span());
         let kind = ExpressionKind::Member { name: name.text, indices, order, at_start };
-        Ok(Tree { height, ..leaf(kind, span) })
+        let Some(axis) = axis else { return Ok(Tree { height, ..leaf(kind, span) }) };
+        let of = Box::new(Expression { kind, span: vector });
+        Ok(Tree { height: height + 1, ..leaf(ExpressionKind::Component { of, axis }, span) })
     }
 
     /// Whether an index comes next: brackets without a blank before them.

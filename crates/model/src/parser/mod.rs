@@ -15,7 +15,7 @@
 //! event       = ( "when" expression | "every" expression [ "from" expression ] ) [ "as" NAME ]
 //!               "{" [ action { separator action } ] "}" [ over ] [ TEXT ]
 //! action      = target "=" expression [ over ] | "let" NAME "=" expression | "stop"
-//! target      = NAME [ INDICES ] [ PRIMES ]
+//! target      = NAME [ INDICES ] [ PRIMES ] [ AXIS [ PRIMES ] ]
 //! separator   = ";" | "," | line-end
 //! function    = "function" NAME "(" NAME { "," NAME } ")" "=" expression [ "in" UNIT ] [ TEXT ]
 //! definition  = NAME [ INDICES ] "=" expression [ "in" UNIT ] [ over ] [ TEXT ]
@@ -31,14 +31,16 @@
 //! sum         = product { ( "+" | "-" ) product }
 //! product     = signed { ( "*" | "/" ) signed }
 //! signed      = ( "-" | "+" ) signed | power
-//! power       = operand [ RAISED ] [ "^" signed ]                (to the right: a^b^c is a^(b^c))
+//! power       = component [ RAISED ] [ "^" signed ]              (to the right: a^b^c is a^(b^c))
+//! component   = operand [ AXIS ]
 //! operand     = NUMBER [ UNIT ] | TEXT | target | NAME "." NAME [ PRIMES ] | target "(" "0" ")"
 //!             | NAME "(" expression { "," expression } [ over ] ")" | "(" expression ")" | "√" operand
+//!             | "(" expression "," expression [ "," expression ] ")" [ UNIT ]
 //! ```
 //!
 //! A statement ends with its line, unless a parenthesis is open or the line ends in an operator; see `layout.rs`. `#`
 //! begins a comment. UNIT is `[` ... `]` and is read by the `units` crate; TEXT stands in quotation marks; RAISED are
-//! characters such as ²; PRIMES follow their name without a blank, and so do INDICES: `[` expression { "," expression } `]`.
+//! characters such as ²; AXIS is `.x`, `.y` or `.z` without a blank before it; PRIMES follow their name without a blank, and so do INDICES: `[` expression { "," expression } `]`.
 //!
 //! The parser cannot fail: it returns what it could read, with [`ExpressionKind::Error`] in the place of what it could
 //! not, and says why in diagnostics. After an error it goes on with the next statement, so that each mistake is reported
@@ -59,6 +61,7 @@ mod statement;
 mod switch;
 #[cfg(test)]
 mod tests;
+mod vector;
 
 use crate::{Assignment, Diagnostic, Expression, ExpressionKind, Span, StatedUnit, Statement, lexer};
 use cursor::Cursor;

@@ -9,7 +9,13 @@ use program::functions::Function;
 use units::words;
 
 impl Cursor<'_> {
+    /// An operand, and the component of it that may follow.
     pub(super) fn operand(&mut self) -> Read<Tree> {
+        let whole = self.whole_operand()?;
+        self.component_of(whole)
+    }
+
+    fn whole_operand(&mut self) -> Read<Tree> {
         let span = self.span();
         match self.peek().clone() {
             TokenKind::Number(value) => {
@@ -29,6 +35,9 @@ impl Cursor<'_> {
                 self.advance();
                 let mut inside = self.expression()?;
                 self.refuse_equals(words("parenthesis", "un paréntesis"));
+                if *self.peek() == TokenKind::Symbol(Symbol::Comma) {
+                    return self.tuple(inside, span);
+                }
                 let end = self.close(span)?;
                 inside.expression.span = span.to(end);
                 inside.parenthesised = true;

@@ -113,6 +113,9 @@ impl Cursor<'_> {
         let right = right.unwrap_or_else(|_| unread(after(self.last_span())));
         let bare = !left.parenthesised;
         let left = left.expression;
+        if bare && self.component_at_start(&left) {
+            return (nothing(left.span), Err(Told));
+        }
         match left.kind {
             ExpressionKind::Name { name, order: 0 } if bare => {
                 let name = Name { text: name, span: left.span };

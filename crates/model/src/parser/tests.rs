@@ -47,6 +47,11 @@ fn shown(expression: &Expression) -> String {
         ExpressionKind::If(condition, yes, no) => {
             format!("(if {} then {} else {})", shown(condition), shown(yes), shown(no))
         }
+        ExpressionKind::Tuple { parts, unit } => {
+            let parts: Vec<String> = parts.iter().map(shown).collect();
+            format!("({}){}", parts.join(", "), unit.as_ref().map(|unit| format!("[{unit}]")).unwrap_or_default())
+        }
+        ExpressionKind::Component { of, axis } => format!("{}.{}", shown(of), ["x", "y", "z"][*axis]),
         ExpressionKind::Error | ExpressionKind::Expansion(_) => "?".to_owned(),
     }
 }

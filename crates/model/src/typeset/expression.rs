@@ -1,13 +1,14 @@
 //! Expressions as MathML: fractions, powers, roots and products without a sign, with no more parentheses than needed.
 
+use crate::vectors::Vectors;
 use crate::{BinaryOperator, Expression, ExpressionKind, Name, UnaryOperator};
 use program::functions::Function;
 use units::markup::escaped;
-use units::mathml::{has_power_of_ten, indexed, is_word, name, number, unit_after_number};
+use units::mathml::{has_power_of_ten, is_word, name, number, unit_after_number};
 
 /// How tightly the outermost operation of an expression binds.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
-enum Level {
+pub(super) enum Level {
     Branches,
     Or,
     And,
@@ -21,16 +22,18 @@ enum Level {
 /// Sets expressions; texts in them are translated on the way.
 pub(super) struct Typesetter<'a> {
     pub(super) translate: &'a dyn Fn(&str) -> String,
+    /// Which names are vectors.
+    pub(super) vectors: &'a Vectors,
 }
 
 /// Where an expression stands: in exponents fractions are written with a slash.
 #[derive(Clone, Copy, PartialEq)]
-enum Place {
+pub(super) enum Place {
     Line,
     Exponent,
 }
 
-fn level(expression: &Expression, place: Place) -> Level {
+pub(super) fn level(expression: &Expression, place: Place) -> Level {
     use BinaryOperator::{Add, And, Divide, Multiply, Or, Power, Subtract};
     match &expression.kind {
         ExpressionKind::If(..) => Level::Branches,
@@ -115,13 +118,15 @@ impl Typesetter<'_> {
                 format!("<mrow>{}{}</mrow>", number(*value), unit_after_number(unit))
             }
             ExpressionKind::Text(text) => format!("<mtext>{}</mtext>", escaped(&(self.translate)(text))),
-            ExpressionKind::Name { name: text, order } => name(text, *order, None),
-            ExpressionKind::InitialValue { name, order } => initial_value(name, *order),
+            ExpressionKind::Name { name, order } => self.name(name, *order, None),
+            ExpressionKind::InitialValue { name, order } => at_start_of_run(&self.name(name, *order, None)),
             ExpressionKind::Member { name, indices, order, at_start } => {
-                let member = indexed(name, &self.indices(indices), *order, None);
+                let member = self.indexed(name, &self.indices(indices), *order, None);
                 if *at_start { at_start_of_run(&member) } else { member }
             }
             ExpressionKind::Reduction { function, body, over } => self.reduction(function, body, over),
+            ExpressionKind::Tuple { parts, unit } => self.tuple(parts, unit.as_ref()),
+            ExpressionKind::Component { of, axis } => self.component_of(of, *axis, None),
             ExpressionKind::Unary(UnaryOperator::Not, operand) => {
                 format!("<mrow><mo>¬</mo>{}</mrow>", self.at_least(operand, Level::Operand, place))
             }
@@ -133,6 +138,9 @@ impl Typesetter<'_> {
                 if negative { format!("<mrow><mo>−</mo>{product}</mrow>") } else { product }
             }
             ExpressionKind::Binary(operator, left, right) => self.infix(*operator, left, right, place),
+            ExpressionKind::Call { function, arguments } if self.vectors.is_operation(&function.text) => {
+                self.operation(function, arguments)
+            }
             ExpressionKind::Call { function, arguments } => self.function(function, arguments, None, true),
             ExpressionKind::If(condition, yes, no) => self.branches(condition, yes, no),
             ExpressionKind::Expansion(expansion) => self.set(&expansion.body, place),
@@ -141,9 +149,9 @@ impl Typesetter<'_> {
     }
 
     /// The expression, in parentheses if it binds less tightly than `least`.
-    fn at_least(&self, expression: &Expression, least: Level, place: Place) -> String {
+    pub(super) fn at_least(&self, expression: &Expression, least: Level, place: Place) -> String {
         let inside = self.set(expression, place);
-        if level(expression, place) < least { parenthesised(&inside) } else { inside }
+        if self.level(expression, place) < least { parenthesised(&inside) } else { inside }
     }
 
     fn infix(&self, operator: BinaryOperator, left: &Expression, right: &Expression, place: Place) -> String {
@@ -188,7 +196,9 @@ impl Typesetter<'_> {
                 }
                 Factor::Plain(factor) => match &factor.kind {
                     // What follows would seem to belong to the argument: sin(x) y, and not sin x y.
-                    ExpressionKind::Call { function, arguments } if !last => {
+                    ExpressionKind::Call { function, arguments }
+                        if !last && !self.vectors.is_operation(&function.text) =>
+                    {
                         self.function(function, arguments, None, false)
                     }
                     // A number with its unit is a product itself, but nothing is lost without parentheses.
@@ -222,9 +232,13 @@ impl Typesetter<'_> {
     fn power(&self, base: &Expression, exponent: &Expression, place: Place) -> String {
         let above = self.set(exponent, Place::Exponent);
         match &base.kind {
-            ExpressionKind::Name { name: text, order } => name(text, *order, Some(above)),
+            ExpressionKind::Name { name, order } => self.name(name, *order, Some(above)),
             ExpressionKind::Member { name, indices, order, at_start: false } => {
-                indexed(name, &self.indices(indices), *order, Some(above))
+                self.indexed(name, &self.indices(indices), *order, Some(above))
+            }
+            ExpressionKind::Component { of, axis } => self.component_of(of, *axis, Some(above)),
+            ExpressionKind::Call { function, arguments } if self.vectors.is_operation(&function.text) => {
+                format!("<msup>{}{above}</msup>", self.operation_as_base(function, arguments))
             }
             // sin²(x), as usual; but sin⁻¹ would be the inverse function.
             ExpressionKind::Call { function, arguments } if is_classical(function) && is_positive_number(exponent) => {
@@ -286,11 +300,6 @@ impl Typesetter<'_> {
     }
 }
 
-/// `y′(0)`
-pub(super) fn initial_value(text: &str, order: u32) -> String {
-    at_start_of_run(&name(text, order, None))
-}
-
 /// The value at the start of the run of what is set already.
 pub(super) fn at_start_of_run(name: &str) -> String {
     format!("<mrow>{name}<mo>&#x2061;</mo>{}</mrow>", parenthesised("<mn>0</mn>"))
@@ -301,7 +310,7 @@ pub(super) fn parenthesised(inside: &str) -> String {
 }
 
 /// `inside` between two fences, which grow only around what is higher than a line: fonts make room around grown ones.
-fn fenced(open: &str, inside: &str, close: &str) -> String {
+pub(super) fn fenced(open: &str, inside: &str, close: &str) -> String {
     let grows = ["<mfrac", "<mtable", "<mroot"].iter().any(|high| inside.contains(high));
     let stretchy = if grows { "" } else { " stretchy=\"false\"" };
     format!("<mrow><mo form=\"prefix\"{stretchy}>{open}</mo>{inside}<mo form=\"postfix\"{stretchy}>{close}</mo></mrow>")

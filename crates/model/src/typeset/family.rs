@@ -2,7 +2,7 @@
 
 use super::expression::{Typesetter, function_sign, parenthesised};
 use crate::{Expression, Name, Over};
-use units::mathml::{indexed, name};
+use units::mathml::name;
 
 impl Typesetter<'_> {
     /// The indices of a member.
@@ -12,7 +12,7 @@ impl Typesetter<'_> {
 
     /// A name with its indices.
     pub(super) fn member(&self, name: &str, indices: &[Expression], order: u32) -> String {
-        indexed(name, &self.indices(indices), order, None)
+        self.indexed(name, &self.indices(indices), order, None)
     }
 
     /// `∑` with the range of its index, and what is summed; the least and the greatest with the range below them.

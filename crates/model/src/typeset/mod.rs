@@ -5,17 +5,19 @@ mod expression;
 mod family;
 #[cfg(test)]
 mod tests;
+mod vectors;
 
 use crate::choices::definitions;
+use crate::vectors::Vectors;
 use crate::{Action, Expression, ExpressionKind, Members, Over, Statement, StatementKind};
-use expression::{Typesetter, at_start_of_run, initial_value};
-use units::mathml;
+use expression::{Typesetter, at_start_of_run};
 
 /// Each displayed statement as a `<math display="block">` element, in the order of the text: definitions, equations,
 /// initial values and events. Parameters are controls and not shown here. `translate` is given the texts that are values
 /// (`"underdamped"`).
 pub fn typeset(statements: &[Statement], translate: &dyn Fn(&str) -> String) -> Vec<String> {
-    let typesetter = Typesetter { translate };
+    let vectors = Vectors::of(statements);
+    let typesetter = Typesetter { translate, vectors: &vectors };
     let rows = |statement: &Statement| match &statement.kind {
         StatementKind::Choice(choice) => {
             definitions(choice).iter().filter_map(|kind| typesetter.kind(kind, &[])).collect()
@@ -27,7 +29,8 @@ pub fn typeset(statements: &[Statement], translate: &dyn Fn(&str) -> String) -> 
 
 /// An expression as a `<math>` element for a line of text.
 pub fn typeset_expression(expression: &Expression) -> String {
-    format!("<math>{}</math>", Typesetter { translate: &str::to_owned }.expression(expression))
+    let typesetter = Typesetter { translate: &str::to_owned, vectors: &Vectors::default() };
+    format!("<math>{}</math>", typesetter.expression(expression))
 }
 
 impl Typesetter<'_> {
@@ -38,12 +41,16 @@ impl Typesetter<'_> {
             | StatementKind::Choice(_)
             | StatementKind::Size(_)
             | StatementKind::Independent { .. } => return None,
-            StatementKind::Definition { name, value, .. } => equals(mathml::name(&name.text, 0, None), value),
-            StatementKind::InitialValue { name, order, value, .. } => equals(initial_value(&name.text, *order), value),
+            StatementKind::Definition { name, value, .. } => equals(self.name(&name.text, 0, None), value),
+            StatementKind::InitialValue { name, order, value, .. } => {
+                equals(at_start_of_run(&self.name(&name.text, *order, None)), value)
+            }
             StatementKind::Function(function) => {
                 equals(self.declared(&function.name, &function.parameters), &function.body)
             }
-            StatementKind::Discrete { name, value, .. } => equals(initial_value(&name.text, 0), value),
+            StatementKind::Discrete { name, value, .. } => {
+                equals(at_start_of_run(&self.name(&name.text, 0, None)), value)
+            }
             StatementKind::Equation { left, right } => equals(self.expression(left), right),
             StatementKind::Members { what, left, value, .. } => match (&left.kind, what) {
                 (ExpressionKind::Member { name, indices, .. }, Members::Discrete) => {
@@ -52,7 +59,7 @@ impl Typesetter<'_> {
                 _ => equals(self.expression(left), value),
             },
             StatementKind::Event { condition, actions, extras } => {
-                let named = |action: &Action| equals(mathml::name(&action.name.text, 0, None), &action.value);
+                let named = |action: &Action| equals(self.name(&action.name.text, 0, None), &action.value);
                 let mut actions: Vec<String> =
                     extras.names.iter().map(named).chain(actions.iter().map(|action| self.action(action))).collect();
                 actions.extend(extras.stop.map(|_| "<mtext>stop</mtext>".to_owned()));
@@ -75,7 +82,10 @@ impl Typesetter<'_> {
 
     /// The value after an event, from those before it.
     fn action(&self, action: &Action) -> String {
-        let target = self.member(&action.name.text, &action.indices, action.order);
+        let target = match action.component {
+            None => self.member(&action.name.text, &action.indices, action.order),
+            Some(axis) => self.component(&action.name.text, &action.indices, axis, action.order, None),
+        };
         let (value, over) = (self.expression(&action.value), self.for_all(&action.over));
         format!("<mrow>{target}<mo>←</mo>{value}{over}</mrow>")
     }

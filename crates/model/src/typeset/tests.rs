@@ -2,6 +2,7 @@
 
 use super::expression::Typesetter;
 use super::typeset_expression;
+use crate::vectors::Vectors;
 use crate::{parse, parse_expression};
 use units::mathml::typeset_name;
 
@@ -37,6 +38,7 @@ fn children(text: &mut &str, end: &str) -> Vec<String> {
             ("msup", [base, above]) => format!("{base}^{{{above}}}"),
             ("msub", [base, below]) => format!("{base}_{{{below}}}"),
             ("msubsup", [base, below, above]) => format!("{base}_{{{below}}}^{{{above}}}"),
+            ("mover", [base, _]) => format!("{base}→"),
             ("msqrt", _) => format!("√{{{}}}", inside.concat()),
             ("mroot", [base, degree]) => format!("√[{degree}]{{{base}}}"),
             ("mtable", _) => inside.join("; "),
@@ -174,7 +176,7 @@ fn statements_are_set_one_by_one() {
     let (statements, diagnostics) = parse(source, std::slice::from_ref(&(0..source.len())));
     assert!(diagnostics.is_empty(), "{diagnostics:?}");
     let translate = |text: &str| text.to_uppercase();
-    let typesetter = Typesetter { translate: &translate };
+    let typesetter = Typesetter { translate: &translate, vectors: &Vectors::of(&statements) };
     let all: Vec<String> =
         statements.iter().filter_map(|statement| typesetter.kind(&statement.kind, &statement.over)).collect();
     assert!(all.iter().all(|one| one.starts_with("<math display=\"block\">") && one.ends_with("</math>")));
@@ -189,6 +191,34 @@ fn statements_are_set_one_by_one() {
             "y&lt;0~\\m⟹y^{′}←−ey^{′},y←0",
             "F_{d}(v,ρ)=cρv^{2}",
             "F=F_{d}(y^{′},2)~a"
+        ]
+    );
+}
+
+#[test]
+fn vectors_have_arrows() {
+    let source = "r'' = -G*M*r/norm(r)^3\nr(0) = (1, 0) [km]\nr'(0) = (0, v_0)\nB = (0, 0, B_0)\n\
+                  s(0) = (0, 0, 1)\nm*s'' = q*(E + cross(s', B))\nP = dot(F_1 - s, s')*m in [W]\nL = m*cross(r, r')\n\
+                  p[i](0) = (i, 0) for i in 1..3\nh = r.x*r'.y^2 + p[2].x'^2\n\
+                  when r.x > a { r.x' = -e*r.x', p[1] = (0, 0) }\nb = cross(s, cross(s, B)) + (r.x, 2, s.z^2)";
+    let (statements, diagnostics) = parse(source, std::slice::from_ref(&(0..source.len())));
+    assert!(diagnostics.is_empty(), "{diagnostics:?}");
+    let read: Vec<String> = super::typeset(&statements, &str::to_owned).iter().map(|one| short(one)).collect();
+    assert_eq!(
+        read,
+        [
+            "r→^{″}=−{GMr→}/{|r→|^{3}}",
+            "r→(0)=(1,0)~\\km",
+            "r→^{′}(0)=(0,v_{0})",
+            "B→=(0,0,B_{0})",
+            "s→(0)=(0,0,1)",
+            "ms→^{″}=q(E+s→^{′}×B→)",
+            "P=((F_{1}−s→)·s→^{′})~m",
+            "L=m~(r→×r→^{′})",
+            "p→_{i}(0)=(i,0)~i=1,…,3",
+            "h=r_{x}r_{y}^{′2}+p_{2,x}^{′2}",
+            "r_{x}&gt;a⟹r_{x}^{′}←−er_{x}^{′},p→_{1}←(0,0)",
+            "b→=s→×(s→×B→)+(r_{x},2,s_{z}^{2})",
         ]
     );
 }

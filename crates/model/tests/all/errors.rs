@@ -85,6 +85,11 @@ fn friction() {
 }
 
 #[test]
+fn vectors() {
+    check("vectors.txt");
+}
+
+#[test]
 fn families() {
     check("families.txt");
 }

@@ -14,3 +14,4 @@ mod properties;
 mod spanish;
 mod syntax_errors;
 mod syntax_properties;
+mod vectors;

@@ -145,6 +145,12 @@ fn written(expression: &Expression) -> Option<String> {
             let ranges: Option<Vec<String>> = over.iter().map(range).collect();
             format!("{}({} for {})", function.text, written(body)?, ranges?.join(", "))
         }
+        ExpressionKind::Tuple { parts, unit } => {
+            let parts: Option<Vec<String>> = parts.iter().map(written).collect();
+            let unit = unit.as_ref().map(|unit| format!(" [{unit}]")).unwrap_or_default();
+            format!("({}){unit}", parts?.join(", "))
+        }
+        ExpressionKind::Component { of, axis } => format!("{}.{}", written(of)?, ["x", "y", "z"][*axis]),
         ExpressionKind::Unary(UnaryOperator::Negate, operand) => format!("(-{})", written(operand)?),
         ExpressionKind::Unary(UnaryOperator::Not, operand) => format!("(not {})", written(operand)?),
         ExpressionKind::Binary(operator, left, right) => {

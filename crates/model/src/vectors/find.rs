@@ -1,0 +1,232 @@
+//! Which names are vectors: those whose value, or value at the start, is one. `a = b + c` is a vector if `b` or `c` is one, so
+//! this goes on from the vectors that are written by their components to all that follows from them.
+
+use super::{CROSS, Vectors, has_tuple};
+use crate::components::split_component;
+use crate::{
+    BinaryOperator, Expression, ExpressionKind, FunctionStatement, Statement, StatementKind, UnaryOperator, limits,
+};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What makes an expression a vector, if it is one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Origin<'a> {
+    Name(&'a str),
+    /// So many components.
+    Tuple(usize),
+}
+
+/// Origins, each with whether it stands in a vector product, which of two components is a number.
+type Origins<'a> = BTreeSet<(Origin<'a>, bool)>;
+
+impl Vectors {
+    /// The vectors of a model, as it is written.
+    pub fn of(statements: &[Statement]) -> Self {
+        let mut finder = Finder::default();
+        let mut occur = false;
+        for statement in statements {
+            match &statement.kind {
+                StatementKind::Function(function) => {
+                    finder.functions.insert(&function.name.text, function);
+                }
+                StatementKind::Event { extras, .. } => {
+                    finder.events.extend(extras.name.as_ref().map(|name| name.text.as_str()));
+                }
+                _ => {}
+            }
+            occur |= expressions(statement).into_iter().any(has_tuple);
+        }
+        let mut vectors = Self {
+            dimensions: BTreeMap::new(),
+            events: finder.events.iter().map(|&name| name.to_owned()).collect(),
+            functions: finder.functions.keys().map(|&name| name.to_owned()).collect(),
+            occur,
+        };
+        let mut found: Vec<(&str, usize)> = finder.by_components(statements);
+        vectors.occur |= !found.is_empty();
+        if !vectors.occur {
+            return vectors;
+        }
+        let mut uses: BTreeMap<&str, Vec<(&str, bool)>> = BTreeMap::new();
+        for (name, value) in statements.iter().flat_map(values) {
+            let mut origins = Origins::new();
+            finder.origins(value, false, 0, &mut origins);
+            for (origin, crossed) in origins {
+                match origin {
+                    Origin::Tuple(dimension) if !crossed || dimension > 2 => found.push((name, dimension)),
+                    Origin::Tuple(_) => {}
+                    Origin::Name(other) => uses.entry(other).or_default().push((name, crossed)),
+                }
+            }
+        }
+        while let Some((name, dimension)) = found.pop() {
+            if vectors.dimensions.contains_key(name) {
+                continue;
+            }
+            vectors.dimensions.insert(name.to_owned(), dimension);
+            let users = uses.get(name).into_iter().flatten();
+            found.extend(users.filter(|(_, crossed)| !crossed || dimension > 2).map(|&(user, _)| (user, dimension)));
+        }
+        vectors
+    }
+}
+
+#[derive(Default)]
+struct Finder<'a> {
+    functions: BTreeMap<&'a str, &'a FunctionStatement>,
+    events: BTreeSet<&'a str>,
+    /// What the values of functions come from, names of their arguments among them.
+    known: BTreeMap<&'a str, Origins<'a>>,
+}
+
+impl<'a> Finder<'a> {
+    /// The vectors whose components have values at the start, one by one.
+    fn by_components(&self, statements: &'a [Statement]) -> Vec<(&'a str, usize)> {
+        let mut greatest: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
+        for statement in statements {
+            if let StatementKind::InitialValue { name, .. } = &statement.kind
+                && let Some((vector, axis)) = split_component(&name.text)
+                && !self.events.contains(vector)
+            {
+                let (highest, seen) = greatest.entry(vector).or_insert((axis, 0));
+                *highest = (*highest).max(axis);
+                *seen |= 1 << axis;
+            }
+        }
+        let whole = greatest.into_iter().filter(|(_, (highest, seen))| *highest > 0 && *seen + 1 == 2 << highest);
+        whole.map(|(vector, (highest, _))| (vector, highest + 1)).collect()
+    }
+
+    /// Adds what makes an expression a vector. `calls` is how many functions enclose it.
+    fn origins(&mut self, expression: &'a Expression, crossed: bool, calls: usize, origins: &mut Origins<'a>) {
+        let mut waiting = vec![(expression, crossed)];
+        while let Some((next, crossed)) = waiting.pop() {
+            match &next.kind {
+                ExpressionKind::Name { name, .. }
+                | ExpressionKind::InitialValue { name, .. }
+                | ExpressionKind::Member { name, .. } => {
+                    if let Some(name) = self.of_name(name) {
+                        origins.insert((Origin::Name(name), crossed));
+                    }
+                    // `f(0)` is read as a value at the start.
+                    if matches!(next.kind, ExpressionKind::InitialValue { .. })
+                        && self.functions.contains_key(name.as_str())
+                    {
+                        origins.extend(
+                            self.of_function(name, calls).into_iter().map(|(origin, own)| (origin, own || crossed)),
+                        );
+                    }
+                }
+                ExpressionKind::Tuple { parts, .. } => {
+                    origins.insert((Origin::Tuple(parts.len()), crossed));
+                }
+                ExpressionKind::Unary(UnaryOperator::Negate, operand) => waiting.push((operand, crossed)),
+                ExpressionKind::Binary(operator, left, right) => match operator {
+                    BinaryOperator::Add | BinaryOperator::Subtract | BinaryOperator::Multiply => {
+                        waiting.extend([(&**left, crossed), (&**right, crossed)]);
+                    }
+                    BinaryOperator::Divide => waiting.push((left, crossed)),
+                    _ => {}
+                },
+                ExpressionKind::If(_, chosen, other) => waiting.extend([(&**chosen, crossed), (&**other, crossed)]),
+                ExpressionKind::Expansion(expansion) => waiting.push((&expansion.body, crossed)),
+                ExpressionKind::Reduction { function, body, .. } if function.text == "sum" => {
+                    waiting.push((body, crossed));
+                }
+                ExpressionKind::Call { function, arguments } => {
+                    if let Some(own) = self.functions.get(function.text.as_str()).copied() {
+                        // Each argument once, or what is nested in calls would be visited again and again.
+                        let mut places: BTreeSet<(usize, bool)> = BTreeSet::new();
+                        for (origin, inside) in self.of_function(&function.text, calls) {
+                            let crossed = crossed || inside;
+                            let place = |name: &str| own.parameters.iter().position(|parameter| parameter.text == name);
+                            let place = match origin {
+                                Origin::Name(name) => place(name),
+                                Origin::Tuple(_) => None,
+                            };
+                            match place {
+                                Some(place) => drop(places.insert((place, crossed))),
+                                None => drop(origins.insert((origin, crossed))),
+                            }
+                        }
+                        let argument = |(place, crossed): (usize, bool)| Some((arguments.get(place)?, crossed));
+                        waiting.extend(places.into_iter().filter_map(argument));
+                    } else {
+                        let crossed = crossed || function.text == CROSS;
+                        if [CROSS, "sum", "mean", "integral"].contains(&function.text.as_str()) {
+                            waiting.extend(arguments.iter().map(|argument| (argument, crossed)));
+                        }
+                    }
+                }
+                ExpressionKind::Number { .. }
+                | ExpressionKind::Text(_)
+                | ExpressionKind::Component { .. }
+                | ExpressionKind::Unary(UnaryOperator::Not, _)
+                | ExpressionKind::Reduction { .. }
+                | ExpressionKind::Error => {}
+            }
+        }
+    }
+
+    /// The name that is a vector if this is one: `r` of `landing.r`, nothing of the component `r.x`.
+    fn of_name(&self, name: &'a str) -> Option<&'a str> {
+        match name.split_once('.') {
+            None => Some(name),
+            Some((event, member)) if self.events.contains(event) => (!member.contains('.')).then_some(member),
+            Some(_) => None,
+        }
+    }
+
+    /// What the value of a function comes from.
+    fn of_function(&mut self, name: &str, calls: usize) -> Origins<'a> {
+        let Some((&name, &function)) = self.functions.get_key_value(name) else { return Origins::new() };
+        if let Some(known) = self.known.get(name) {
+            return known.clone();
+        }
+        // Deeper calls are refused elsewhere, and so are those in a circle.
+        if calls >= limits::NESTING {
+            return Origins::new();
+        }
+        self.known.insert(name, Origins::new());
+        let mut origins = Origins::new();
+        self.origins(&function.body, false, calls + 1, &mut origins);
+        self.known.insert(name, origins.clone());
+        origins
+    }
+}
+
+/// The names that a statement gives values, with the values.
+fn values(statement: &Statement) -> Vec<(&str, &Expression)> {
+    match &statement.kind {
+        StatementKind::Definition { name, value, .. }
+        | StatementKind::InitialValue { name, value, .. }
+        | StatementKind::Discrete { name, value, .. } => vec![(&name.text, value)],
+        StatementKind::Members { left, value, .. } => match &left.kind {
+            ExpressionKind::Member { name, .. } => vec![(name, value)],
+            _ => Vec::new(),
+        },
+        StatementKind::Choice(choice) => {
+            let all = choice.alternatives.iter().flat_map(|alternative| &alternative.values);
+            all.map(|one| (one.name.text.as_str(), &one.value)).collect()
+        }
+        StatementKind::Event { extras, .. } => {
+            extras.names.iter().map(|one| (one.name.text.as_str(), &one.value)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The expressions of a statement.
+fn expressions(statement: &Statement) -> Vec<&Expression> {
+    let own = match &statement.kind {
+        StatementKind::Equation { left, right } => vec![left, right],
+        StatementKind::Function(function) => vec![&function.body],
+        StatementKind::Event { condition, actions, extras } => {
+            let values = extras.names.iter().chain(actions).map(|action| &action.value);
+            let moments = extras.every.iter().flat_map(|every| std::iter::once(&every.0).chain(&every.1));
+            std::iter::once(condition).chain(values).chain(moments).collect()
+        }
+        _ => Vec::new(),
+    };
+    own.into_iter().chain(values(statement).into_iter().map(|(_, value)| value)).collect()
+}

@@ -98,7 +98,10 @@ fn what_does_not_fit_is_refused_at_its_place() {
     let length = "a length in a frame must have the dimension of its axes";
     refused(&format!("{FRAME}<circle cx='1' cy='theta' r='l'/></frame>"), &[length, length]);
     refused(&format!("{FRAME}<g turn='x'/></frame>"), &["an angle is a pure number, such as `30 [deg]`"]);
-    refused(&format!("{FRAME}<circle at='x' r='1px'/></frame>"), &["a point is two numbers in parentheses"]);
+    refused(
+        &format!("{FRAME}<circle at='x' r='1px'/></frame>"),
+        &["a point is two numbers in parentheses, or a vector"],
+    );
     refused(&format!("{FRAME}<polyline points='0,0 1,1'/></frame>"), &["in a frame this consists of points"]);
     refused(&format!("{FRAME}<rect at='(0, 0)' size='2'/></frame>"), &["a size is two lengths in parentheses"]);
     refused(&format!("{FRAME}<g transform='rotate(3)'/></frame>"), &["`transform` counts in units of the drawing"]);

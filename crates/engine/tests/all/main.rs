@@ -17,4 +17,5 @@ mod so_far;
 mod support;
 mod switches;
 mod tables;
+mod vectors;
 mod work;

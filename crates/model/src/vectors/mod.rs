@@ -66,7 +66,11 @@ impl Vectors {
 
     /// How many components a name has, with the numbers of a member of a family or without; none if it is no vector.
     pub fn dimension(&self, name: &str) -> Option<usize> {
-        let family = name.split('[').next()?;
+        let family = match name.split_once('[') {
+            Some((family, numbers)) if numbers.ends_with(']') => family,
+            Some(_) => return None,
+            None => name,
+        };
         self.dimensions.get(family).copied().or_else(|| {
             let (event, member) = family.split_once('.')?;
             if self.events.contains(event) { self.dimensions.get(member).copied() } else { None }

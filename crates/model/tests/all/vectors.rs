@@ -93,7 +93,7 @@ fn what_follows_from_a_vector_is_one() {
          x[i]'' = sum(if i == j then 0 else pull(x[i], x[j]) for j in 1..N) + G for i in 1..N\n\
          x[i](0) = (i, i^2) for i in 1..N\nx[i]'(0) = 0 for i in 1..N\n\
          choice field { \"Down\": G = (0, -1)\n \"None\": G = 0 }\n\
-         c = sum(x[i] for i in 1..N)/N\nturn = turned(c)\nw = product(c, turn)\ns = x[2].y + c.x + x[3].x'",
+         c = sum(x[i] for i in 1..N)/N\nturn = turned(c)\nw = product(c, turn)\nwhen x[i].y < -5 { x[i].y' = -x[i].y', x[i] = 0 } for i in 1..N\ns = x[2].y + c.x + x[3].x'",
     );
     assert_eq!(names(&model)[..4], ["x[1].x", "x[1].x'", "x[1].y", "x[1].y'"]);
     let states = [1.0, 0.0, 1.0, 0.0, 2.0, 0.0, 4.0, 0.0, 3.0, 0.5, 9.0, 0.0];

@@ -285,26 +285,12 @@ impl<'a> Expressions<'a> {
         }
     }
 
-    /// The first two components of the vector that fills `range`. None if nothing like a vector stands there; nothing in it
-    /// where that has an error.
-    pub fn vector(&mut self, range: Range<usize>) -> Option<Option<(Placed, Placed)>> {
-        let (expression, _, diagnostics) = model::parse_expression(self.source, range);
-        if model::has_errors(&diagnostics) {
-            return None;
-        }
-        let span = expression.span;
-        let Some(expression) = self.completed(expression) else { return Some(None) };
-        match self.compiler.compile_components(&expression) {
-            Ok(components) => {
-                let mut placed = components.into_iter().map(|value| Placed { value, span });
-                let (x, y) = (placed.next()?, placed.next()?);
-                Some(Some((x, y)))
-            }
-            Err(diagnostics) => {
-                self.diagnostics.extend(diagnostics);
-                Some(None)
-            }
-        }
+    /// The components of a vector; a number is its only one.
+    pub fn components(&mut self, expression: Expression) -> Option<Vec<Placed>> {
+        let expression = self.completed(expression)?;
+        let components = self.compiler.compile_components(&expression);
+        let components = components.map_err(|diagnostics| self.diagnostics.extend(diagnostics)).ok()?;
+        Some(components.into_iter().map(|value| Placed { value, span: expression.span }).collect())
     }
 
     /// An expression with the scene's own names put in. None if something in it could not be read, or it is too large.

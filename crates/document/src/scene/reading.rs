@@ -45,6 +45,18 @@ impl Expressions<'_> {
         self.expect_number(placed)
     }
 
+    /// The first two components of the vector that fills `range`. None if nothing like a vector stands there; nothing in it
+    /// where that has an error.
+    pub fn vector(&mut self, range: Range<usize>) -> Option<Option<(Placed, Placed)>> {
+        let (expression, _, diagnostics) = model::parse_expression(self.source, range);
+        if model::has_errors(&diagnostics) {
+            return None;
+        }
+        let Some(components) = self.components(expression) else { return Some(None) };
+        let mut components = components.into_iter();
+        Some(Some((components.next()?, components.next()?)))
+    }
+
     /// The two ends of `LOW..HIGH`; a unit after `HIGH` is also that of a bare number before it.
     pub fn interval(&mut self, low: Range<usize>, high: Range<usize>) -> Option<(Placed, Placed)> {
         let (mut low, low_unit, mut diagnostics) = model::parse_expression(self.source, low);

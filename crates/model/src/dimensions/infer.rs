@@ -294,10 +294,7 @@ impl Inference<'_> {
             },
             ExpressionKind::Unary(UnaryOperator::Negate, operand) => Some(-self.constant(operand)?),
             ExpressionKind::Expansion(expansion) => self.constant(&expansion.body),
-            ExpressionKind::Component { of, axis } => match &of.kind {
-                ExpressionKind::Tuple { parts, .. } => self.constant(parts.get(*axis)?),
-                _ => None,
-            },
+            ExpressionKind::Component { of, axis } => self.constant(of.operands().get(*axis)?),
             ExpressionKind::Binary(operator, left, right) => {
                 let (left, right) = (self.constant(left)?, self.constant(right)?);
                 match operator {

@@ -1,6 +1,7 @@
 //! Expressions with vectors in them, component by component.
 
-use super::{Vectors, faults};
+use super::faults;
+use super::known::Vectors;
 use crate::components::{component_name, split_component};
 use crate::functions::is_too_deep;
 use crate::{BinaryOperator, Diagnostic, Expansion, Expression, ExpressionKind, Span, UnaryOperator, limits};

@@ -1,6 +1,6 @@
 //! What cannot be done with vectors, and what to do instead.
 
-use super::{CROSS, DOT, NORM, axes};
+use super::known::{CROSS, DOT, NORM, axes};
 use crate::notation::quote;
 use crate::{Diagnostic, Expression, ExpressionKind, Span};
 use units::words;

@@ -1,7 +1,7 @@
 //! Which names are vectors: those whose value, or value at the start, is one. `a = b + c` is a vector if `b` or `c` is one, so
 //! this goes on from the vectors that are written by their components to all that follows from them.
 
-use super::{CROSS, Vectors, has_tuple};
+use super::known::{CROSS, Vectors, has_tuple};
 use crate::components::split_component;
 use crate::{
     BinaryOperator, Expression, ExpressionKind, FunctionStatement, Statement, StatementKind, UnaryOperator, limits,

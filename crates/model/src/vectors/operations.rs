@@ -1,7 +1,8 @@
 //! Functions of vectors: `norm`, `dot` and `cross`, and those that are applied to each component.
 
 use super::expressions::{Value, Writer};
-use super::{DOT, NORM, faults};
+use super::faults;
+use super::known::{DOT, NORM};
 use crate::{BinaryOperator, Expression, ExpressionKind, Name, Span};
 
 /// Functions that are linear, and so those of the components.

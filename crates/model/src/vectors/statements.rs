@@ -1,7 +1,8 @@
 //! Statements with all vectors written out.
 
 use super::expressions::{Value, Writer, zero};
-use super::{CROSS, DOT, NORM, Vectors, faults};
+use super::faults;
+use super::known::{CROSS, DOT, NORM, Vectors};
 use crate::components::{AXES, component_name, split_component};
 use crate::names::for_each;
 use crate::{

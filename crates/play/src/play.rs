@@ -10,6 +10,7 @@ use crate::questions::given::Answer;
 use crate::removed::Undo;
 use crate::time::course::Course;
 use crate::values::Outline;
+use crate::values::trails::Trails;
 use engine::checks::Checking;
 use engine::{Readings, Setup};
 use program::{Model, NodeId, Program, Speed};
@@ -113,6 +114,8 @@ pub(crate) struct Evaluators {
     pub quantities: Readings,
     /// The values of the scene in the chosen language, and when they were last computed.
     pub scene: Readings,
+    /// Where points of it have been.
+    pub trails: Trails,
     pub scene_values: Vec<f64>,
     /// The greatest size that each of them has had in this run.
     pub scene_scales: Vec<f64>,
@@ -200,6 +203,7 @@ impl Play {
         self.language = Language::of(language);
         self.style = Style::of(language);
         self.evaluators.scene = Evaluators::scene(&self.program, language);
+        self.evaluators.trails = Trails::new(&self.program.model, self.program.scene(language));
         self.evaluators.scene_frame = None;
         self.evaluators.scene_scales.clear();
         self.label_plots();
@@ -342,6 +346,7 @@ impl Evaluators {
         Self {
             quantities: reading(model.quantities.iter().map(|quantity| quantity.value.node).collect()),
             scene: Self::scene(program, language),
+            trails: Trails::new(model, program.scene(language)),
             scene_values: Vec::new(),
             scene_scales: Vec::new(),
             scene_frame: None,

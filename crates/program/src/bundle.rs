@@ -5,7 +5,7 @@
 
 use crate::{
     Choices, Compiled, Drag, Dragged, Drawing, Members, Model, Node, NodeId, Parameter, Piece, Program, Scene, Sweep,
-    Taken,
+    Taken, Trail,
 };
 
 /// What a bundle begins with.
@@ -98,7 +98,8 @@ fn check(program: &Program) -> Result<(), BundleError> {
         && program.editions.first().is_some_and(|first| first.questions.len() == program.questions.len())
         && program.editions.iter().filter_map(|edition| edition.scene.as_ref()).all(|scene| {
             let drawn = scene.values.iter().all(compiled);
-            drawn && element_exists(&scene.root, scene, model)
+            let named = scene.trails.iter().flat_map(Trail::values).all(|index| index < scene.values.len());
+            drawn && named && element_exists(&scene.root, scene, model)
         });
     if good { Ok(()) } else { Err(BundleError::Damaged) }
 }
@@ -160,7 +161,10 @@ fn orders_ascend(model: &Model) -> bool {
 /// Whether an element of a scene shows values and drags states and parameters that there are.
 fn element_exists(element: &crate::Element, scene: &Scene, model: &Model) -> bool {
     let value = |index: &usize| *index < scene.values.len();
-    let piece = |piece: &Piece| piece.value().is_none_or(|index| value(&index));
+    let piece = |piece: &Piece| match piece {
+        Piece::Trail(index) => *index < scene.trails.len(),
+        other => other.value().is_none_or(|index| value(&index)),
+    };
     let target = |target: Dragged| match target {
         Dragged::State(index) => index < model.states.len(),
         Dragged::Parameter(index) => index < model.parameters.len(),

@@ -27,5 +27,5 @@ pub use presets::{Assignment, Preset};
 pub use program::{Edition, Program};
 pub use prose::{Block, Section};
 pub use questions::{Question, QuestionText, Tolerance};
-pub use scene::{Attribute, Child, Drag, Dragged, Element, Piece, Scene, Template, write_attribute};
+pub use scene::{Attribute, Child, Drag, Dragged, Element, Piece, Scene, Template, Trail, write_attribute};
 pub use speed::Speed;

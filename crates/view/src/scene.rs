@@ -133,10 +133,17 @@ impl SceneNodes {
             values.get(index).map(|value| value.to_bits()) != drawn.get(index).map(|value| value.to_bits())
         };
         for binding in &mut self.bindings {
-            if !binding.template.iter().filter_map(Piece::value).any(changed) {
+            let trail = match binding.template.as_slice() {
+                [Piece::Trail(number)] => Some(*number),
+                _ => None,
+            };
+            if trail.is_none() && !binding.template.iter().filter_map(Piece::value).any(changed) {
                 continue;
             }
             match &binding.target {
+                Target::Attribute(..) if trail.is_some() => {
+                    trail.into_iter().for_each(|number| play.scene_trail(number, &mut self.text));
+                }
                 Target::Attribute(..) => {
                     if !write_attribute(&binding.template, values, &mut self.text) {
                         continue;
@@ -150,7 +157,7 @@ impl SceneNodes {
                             Piece::Value { index, decimals } => {
                                 self.text.push_str(&play.scene_text(*index, *decimals));
                             }
-                            Piece::Choice { .. } => {}
+                            Piece::Choice { .. } | Piece::Trail(_) => {}
                         }
                     }
                 }
@@ -272,7 +279,7 @@ fn fixed(template: &Template) -> Option<String> {
         .iter()
         .map(|piece| match piece {
             Piece::Literal(text) => Some(text.as_str()),
-            Piece::Value { .. } | Piece::Choice { .. } => None,
+            Piece::Value { .. } | Piece::Choice { .. } | Piece::Trail(_) => None,
         })
         .collect()
 }

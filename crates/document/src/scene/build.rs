@@ -45,6 +45,7 @@ pub fn build(
     let mut builder = Builder {
         expressions,
         values: Vec::new(),
+        trails: Vec::new(),
         numbers: BTreeMap::new(),
         words: Vec::new(),
         ids: BTreeSet::new(),
@@ -80,9 +81,9 @@ pub fn build(
         }
     }
     builder.check_references();
-    let Builder { values, words, .. } = builder;
+    let Builder { values, trails, words, .. } = builder;
     expressions.forget();
-    Some((Scene { root: root?, values }, words))
+    Some((Scene { root: root?, values, trails }, words))
 }
 
 impl Builder<'_, '_> {

@@ -4,7 +4,7 @@ use super::space::Space;
 use super::translate::SceneText;
 use crate::expressions::Expressions;
 use model::{Diagnostic, Span};
-use program::{Compiled, Graph, NodeId};
+use program::{Compiled, Graph, NodeId, Trail};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use units::{Language, Words, words};
@@ -18,7 +18,9 @@ pub struct Builder<'b, 'a> {
     pub expressions: &'b mut Expressions<'a>,
     /// The values so far.
     pub values: Vec<Compiled>,
-    /// Which of them have a node.
+    /// Where points have been.
+    pub trails: Vec<Trail>,
+    /// Which of the values have a node.
     pub numbers: BTreeMap<NodeId, Vec<usize>>,
     /// What the texts so far say.
     pub words: Vec<SceneText>,

@@ -16,6 +16,7 @@ fn print_template(template: &Template) -> String {
             Piece::Literal(text) => text.clone(),
             Piece::Value { index, decimals: None } => format!("{{{index}}}"),
             Piece::Value { index, decimals: Some(decimals) } => format!("{{{index}:.{decimals}}}"),
+            Piece::Trail(index) => format!("{{trail {index}}}"),
             Piece::Choice { index, texts } => {
                 let texts: Vec<String> = texts.iter().map(|(number, text)| format!("{number} {text}")).collect();
                 format!("{{{index}: {}}}", texts.join(", "))

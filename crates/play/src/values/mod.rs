@@ -5,6 +5,7 @@ pub(crate) mod readout;
 mod scene;
 pub(crate) mod symbol;
 mod table;
+pub(crate) mod trails;
 
 pub use outline::{Follows, Outline};
 pub use readout::{Readout, ReadoutKind};

@@ -17,3 +17,4 @@ mod replacement;
 mod sharing;
 mod simulations;
 mod support;
+mod trails;

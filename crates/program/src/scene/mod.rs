@@ -14,6 +14,28 @@ pub struct Scene {
     pub root: Element,
     /// What the templates name, evaluated for each frame.
     pub values: Vec<Compiled>,
+    /// Where points have been.
+    pub trails: Vec<Trail>,
+}
+
+/// Where a point has been: a line, or dots at multiples of a time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Trail {
+    /// Its place to the right, in units of the drawing: an index into [`Scene::values`], as are the others.
+    pub x: usize,
+    /// Its place downwards, likewise.
+    pub y: usize,
+    /// How long a point of it is seen, of the independent variable (SI); without, as long as the run.
+    pub last: Option<usize>,
+    /// The time from one dot to the next; without, it is a line.
+    pub every: Option<usize>,
+}
+
+impl Trail {
+    /// The values that it names.
+    pub fn values(&self) -> impl Iterator<Item = usize> + use<> {
+        [Some(self.x), Some(self.y), self.last, self.every].into_iter().flatten()
+    }
 }
 
 /// A [`Scene`], not yet checked: the last of the elements is the root.
@@ -21,6 +43,7 @@ pub struct Scene {
 struct Written {
     elements: Vec<WrittenElement>,
     values: Vec<Compiled>,
+    trails: Vec<Trail>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -93,20 +116,22 @@ pub enum Piece {
         /// Whole numbers and the text for each.
         texts: Vec<(u32, String)>,
     },
+    /// The path of `Scene::trails[index]`; alone in its attribute.
+    Trail(usize),
 }
 
 impl Piece {
     /// The value that it shows, as an index into [`Scene::values`].
     pub fn value(&self) -> Option<usize> {
         match self {
-            Self::Literal(_) => None,
+            Self::Literal(_) | Self::Trail(_) => None,
             Self::Value { index, .. } | Self::Choice { index, .. } => Some(*index),
         }
     }
 }
 
 /// Writes the text of an attribute for the values of [`Scene::values`]. False where it has none: a number that is not
-/// finite, or a value without a text.
+/// finite, a value without a text, or a trail, which more than values decide.
 pub fn write_attribute(template: &[Piece], values: &[f64], text: &mut String) -> bool {
     text.clear();
     template.iter().all(|piece| match piece {
@@ -114,6 +139,7 @@ pub fn write_attribute(template: &[Piece], values: &[f64], text: &mut String) ->
             text.push_str(literal);
             true
         }
+        Piece::Trail(_) => false,
         Piece::Value { index, .. } => {
             // Seven digits are more than a screen has, and the shorter text is parsed sooner.
             let value = values.get(*index).map_or(f32::NAN, |value| *value as f32);

@@ -5,6 +5,7 @@ mod circuits;
 mod drawing;
 mod lines;
 mod marks;
+mod trails;
 mod vessels;
 
 use super::builder::Builder;
@@ -40,7 +41,7 @@ const fn part(
 }
 
 /// All parts.
-pub const PARTS: [Part; 22] = [
+pub const PARTS: [Part; 23] = [
     part("spring", ("Spring", "Muelle"), 2, &["from", "to", "turns", "width"]),
     part("damper", ("Damper", "Amortiguador"), 2, &["from", "to", "width", "length"]),
     part("rod", ("Rod", "Varilla"), 2, &["from", "to"]),
@@ -58,6 +59,7 @@ pub const PARTS: [Part; 22] = [
     part("image", ("Picture", "Imagen"), 3, &["at", "size", "href"]),
     part("tube", ("Tube", "Tubo"), 3, &["from", "to", "width", "level"]),
     part("utube", ("U-tube", "Tubo en U"), 5, &["at", "spacing", "height", "left", "right", "width"]),
+    part("trail", ("Trail", "Estela"), 1, &["at", "last", "every"]),
     part("resistor", ("Resistor", "Resistencia"), 2, &["from", "to"]),
     part("coil", ("Coil", "Bobina"), 2, &["from", "to"]),
     part("capacitor", ("Capacitor", "Condensador"), 2, &["from", "to"]),
@@ -98,6 +100,7 @@ impl Builder<'_, '_> {
             "angle" => self.angle_arc(given),
             "protractor" => self.protractor(given),
             "image" => self.image(given),
+            "trail" => self.trail(given),
             "tube" => self.tube(given),
             "utube" => self.u_tube(given),
             name => self.circuit(name, given),

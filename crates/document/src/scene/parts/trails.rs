@@ -1,0 +1,61 @@
+//! `<trail at="(x, y)" last="5 [s]"/>`: where a point has been; with `every="0.1 [s]"` single dots, as a stroboscope shows
+//! them.
+
+use super::super::builder::Builder;
+use super::drawing::{ACCENT, fixed};
+use super::{Drawn, Given};
+use crate::expressions::{Placed, dimension_error};
+use program::{Attribute, Compiled, Kind, NodeId, Piece, Trail};
+use units::{Unit, words};
+
+/// How many trails a scene may have.
+const TRAILS: usize = 50;
+
+impl Builder<'_, '_> {
+    /// Where a point has been.
+    pub fn trail(&mut self, given: &Given) -> Option<Drawn> {
+        let at = self.point_of(given, "at")?;
+        let (last, every) = (self.duration(given, "last")?, self.duration(given, "every")?);
+        if self.trails.len() == TRAILS {
+            let message = words!(
+                "a scene cannot have more than {TRAILS} trails",
+                "una escena no puede tener más de {TRAILS} estelas"
+            );
+            self.refuse_at(message, self.place, None);
+            return None;
+        }
+        let (x, y) = (self.drawing_value(at.x)?, self.drawing_value(at.y)?);
+        let mut path = fixed("path", &[("fill", "none"), ("pointer-events", "none")]);
+        path.attributes.push(Attribute { name: "d".to_owned(), value: vec![Piece::Trail(self.trails.len())] });
+        self.trails.push(Trail { x, y, last, every });
+        let mut defaults = vec![("stroke", ACCENT), ("stroke-linejoin", "round"), ("stroke-linecap", "round")];
+        defaults.push(("stroke-width", if every.is_some() { "5" } else { "2" }));
+        Some(Drawn { defaults, children: vec![path], anchor: at })
+    }
+
+    fn drawing_value(&mut self, node: NodeId) -> Option<usize> {
+        let value = Compiled { node, unit: Unit::dimensionless(), kind: Kind::Number };
+        self.value(Placed { value, span: self.place })
+    }
+
+    /// A length of time, where it is given.
+    fn duration(&mut self, given: &Given, name: &str) -> Option<Option<usize>> {
+        let Some(range) = given.get(name) else { return Some(None) };
+        let range = self.inside_braces(range.clone());
+        let placed = self.expressions.number(range)?;
+        let (found, expected) = (placed.value.dimension(), self.expressions.model().independent.unit.dimension);
+        if found == expected {
+            return self.value(placed).map(Some);
+        }
+        let message = words!("`{name}` has the wrong dimension", "`{name}` tiene una dimensión incorrecta");
+        let mut diagnostic = dimension_error(message, (placed.span, found), (placed.span, expected));
+        // Both labels would lie on one another.
+        let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
+        self.expressions.diagnostics.push(diagnostic.with_note(words!(
+            "it must be {expected}",
+            "debe ser {expected}",
+            expected = expected
+        )));
+        None
+    }
+}

@@ -26,6 +26,21 @@ impl Play {
         &self.evaluators.scene_values
     }
 
+    /// Writes the path of a trail of the scene up to the time shown, in units of the drawing: a line, or dots of no length.
+    pub fn scene_trail(&mut self, number: usize, path: &mut String) {
+        path.clear();
+        self.scene_values();
+        let Some(trail) = self.program.scene(&self.tag).and_then(|scene| scene.trails.get(number)) else { return };
+        let value = |index: usize| self.evaluators.scene_values.get(index).copied().unwrap_or(f64::NAN);
+        let (last, every) = (trail.last.map(value), trail.every.map(value));
+        let from = last.map_or(0.0, |last| (self.course.time() - last).max(0.0));
+        let trails = &mut self.evaluators.trails;
+        match every {
+            Some(every) => trails.write_dots(&mut self.course, number, (from, every), path),
+            None => trails.write_line(&self.course, number, from, path),
+        }
+    }
+
     /// Value `index` of the scene at the time shown, for people, with its unit.
     pub fn scene_text(&mut self, index: usize, decimals: Option<u8>) -> String {
         let Some(&value) = self.scene_values().get(index) else {

@@ -1,14 +1,14 @@
 //! The trails of the scene: where points of it have been, read off the rows of the run. Nothing is kept from frame to frame,
 //! so a trail is right after any scrub, and its memory is bounded.
 
-use crate::Play;
+use crate::time::course::Course;
 use engine::Readings;
 use program::{Model, NodeId, Scene};
 use std::fmt::Write;
 
 /// A line has at most twice so many points, and no more dots are drawn than this.
 const POINTS: usize = 500;
-const DOTS: f64 = 500.0;
+const DOTS: u32 = 500;
 
 /// What evaluates the places of the trails of a scene: two values for each.
 #[derive(Debug)]
@@ -45,28 +45,14 @@ fn write(path: &mut String, command: &mut char, (x, y): (f64, f64)) {
     }
 }
 
-impl Play {
-    /// Writes the path of a trail of the scene up to the time shown, in units of the drawing: a line, or dots of no length.
-    pub fn scene_trail(&mut self, number: usize, path: &mut String) {
-        path.clear();
-        self.scene_values();
-        let Some(trail) = self.program.scene(&self.tag).and_then(|scene| scene.trails.get(number)) else { return };
-        let value = |index: usize| self.evaluators.scene_values.get(index).copied().unwrap_or(f64::NAN);
-        let (last, every) = (trail.last.map(value), trail.every.map(value));
-        let from = last.map_or(0.0, |last| (self.course.time() - last).max(0.0));
-        match every {
-            Some(every) => self.write_dots(number, from, every, path),
-            None => self.write_line(number, from, path),
-        }
-    }
-
+impl Trails {
     /// The rows from a time on, evenly thinned, and the place at the time shown. The same rows are drawn from frame to
     /// frame: others would make the line tremble.
-    fn write_line(&mut self, number: usize, from: f64, path: &mut String) {
-        let places = &mut self.evaluators.trails.places;
-        let rows = self.course.rows_until_shown();
+    pub fn write_line(&mut self, course: &Course, number: usize, from: f64, path: &mut String) {
+        let places = &mut self.places;
+        let rows = course.rows_until_shown();
         let mut command = 'M';
-        if let Some(history) = self.course.history() {
+        if let Some(history) = course.history() {
             let first = history.times().partition_point(|time| *time < from);
             let mut stride = 1;
             while rows.saturating_sub(first) / stride > 2 * POINTS {
@@ -83,29 +69,27 @@ impl Play {
                 before = Some((time, here));
             }
         }
-        let course = &self.course;
         let here = places.at(course.parameters(), course.initial(), course.time(), course.state());
         write(path, &mut command, place(here, number));
     }
 
     /// A dot at each multiple of `every`, the last ones if there are very many.
-    fn write_dots(&mut self, number: usize, from: f64, every: f64, path: &mut String) {
-        let time = self.course.time();
+    pub fn write_dots(&mut self, course: &mut Course, number: usize, (from, every): (f64, f64), path: &mut String) {
+        let time = course.time();
         let (least, most) = ((from / every).ceil(), (time / every + 1e-9).floor());
         if !(every > 0.0 && most.is_finite()) {
             return;
         }
-        let trails = &mut self.evaluators.trails;
-        let mut multiple = least.max(most - (DOTS - 1.0)).max(0.0);
-        while multiple <= most {
+        let first = least.max(most - f64::from(DOTS - 1)).max(0.0);
+        // Counted, since adding 1 leaves a very large number as it is.
+        for multiple in (0..DOTS).map(|number| first + f64::from(number)).take_while(|multiple| *multiple <= most) {
             let at = (multiple * every).min(time);
-            let Some(parameters) = self.course.state_at(at, &mut trails.state) else { return };
-            let values = trails.places.at(&parameters, self.course.initial(), at, &trails.state);
+            let Some(parameters) = course.state_at(at, &mut self.state) else { return };
+            let values = self.places.at(&parameters, course.initial(), at, &self.state);
             let (x, y) = place(values, number);
             if x.is_finite() && y.is_finite() {
                 let _ = write!(path, "M{x:.2} {y:.2}h0");
             }
-            multiple += 1.0;
         }
     }
 }

@@ -4,6 +4,8 @@
 
 use crate::column::Column;
 use crate::instruction::{Elimination, Instruction, Register, each};
+use program::Interpolation;
+use std::sync::Arc;
 
 /// Register code for a set of expressions, the roots.
 #[derive(Clone, Debug, Default)]
@@ -16,6 +18,8 @@ pub(crate) struct Code {
     pub columns: Vec<Column>,
     /// The linear systems that instructions of both solve.
     pub systems: Vec<Elimination>,
+    /// What instructions of both look up.
+    pub interpolations: Vec<Arc<Interpolation>>,
     /// The independent variable, the states, then what is computed; constants have their values.
     pub registers: Vec<f64>,
     /// Indices of parameters, and their registers.
@@ -79,6 +83,7 @@ pub(crate) fn run<const ROWS: usize>(
     code: &[Instruction],
     registers: &mut [[f64; ROWS]],
     columns: &[Column],
+    interpolations: &[Arc<Interpolation>],
     systems: &mut [Elimination],
 ) {
     for &instruction in code {
@@ -96,7 +101,15 @@ pub(crate) fn run<const ROWS: usize>(
             }
             Instruction::Unary(function, to, a) => each(registers, to, [a], |[a]| function.evaluate(a)),
             Instruction::Binary(function, to, a, b) => each(registers, to, [a, b], |[a, b]| function.evaluate(a, b)),
-            Instruction::Column(column) => columns[column as usize].run(registers),
+            Instruction::Piece(number, to, x) => {
+                let interpolation = &interpolations[number as usize];
+                each(registers, to, [x], |[x]| interpolation.piece(x));
+            }
+            Instruction::Interpolated(number, to, x, piece) => {
+                let interpolation = &interpolations[number as usize];
+                each(registers, to, [x, piece], |[x, piece]| interpolation.value(x, piece));
+            }
+            Instruction::Column(column) => columns[column as usize].run(registers, interpolations),
             Instruction::Solve(system) => (0..ROWS).for_each(|row| systems[system as usize].solve(registers, row)),
         }
     }

@@ -3,6 +3,8 @@
 //! column, and the processor may treat several elements at once.
 
 use crate::instruction::{Operation, Register, each};
+use program::Interpolation;
+use std::sync::Arc;
 
 /// So many elements are computed in one go.
 const LANES: usize = 16;
@@ -60,7 +62,7 @@ impl Operand {
 
 impl Column {
     /// Computes all elements, for as many rows at a time as a register has values.
-    pub fn run<const ROWS: usize>(&self, registers: &mut [[f64; ROWS]]) {
+    pub fn run<const ROWS: usize>(&self, registers: &mut [[f64; ROWS]], interpolations: &[Arc<Interpolation>]) {
         match self.operation {
             Operation::Add => self.all(registers, |[a, b]| a + b),
             Operation::Subtract => self.all(registers, |[a, b]| a - b),
@@ -73,6 +75,14 @@ impl Column {
             Operation::Select => self.all(registers, |[condition, a, b]| if condition != 0.0 { a } else { b }),
             Operation::Unary(function) => self.all(registers, |[a]| function.evaluate(a)),
             Operation::Binary(function) => self.all(registers, |[a, b]| function.evaluate(a, b)),
+            Operation::Piece(number) => {
+                let interpolation = &interpolations[number as usize];
+                self.all(registers, |[x]| interpolation.piece(x));
+            }
+            Operation::Interpolated(number) => {
+                let interpolation = &interpolations[number as usize];
+                self.all(registers, |[x, piece]| interpolation.value(x, piece));
+            }
         }
     }
 

@@ -49,7 +49,8 @@ struct Compiler<'a> {
 impl<'a> Compiler<'a> {
     fn new(graph: &'a Graph, places: Vec<u32>, roots: &[NodeId]) -> Self {
         let nodes = graph.len();
-        let code = Code { registers: vec![0.0; places.len() + 1], ..Code::default() };
+        let interpolations = graph.interpolations().to_vec();
+        let code = Code { registers: vec![0.0; places.len() + 1], interpolations, ..Code::default() };
         let mut compiler = Self {
             graph,
             places,
@@ -282,6 +283,10 @@ impl<'a> Compiler<'a> {
                 };
                 (operation, [self.of(a), self.of(b), 0])
             }
+            Node::Piece(interpolation, x) => (Operation::Piece(interpolation), [self.of(x), 0, 0]),
+            Node::Interpolated(interpolation, x, piece) => {
+                (Operation::Interpolated(interpolation), [self.of(x), self.of(piece), 0])
+            }
             Node::Select(condition, a, b) => (Operation::Select, [condition, a, b].map(|operand| self.of(operand))),
             // Inputs and solutions are not computed by operations; `input` and `emit` have dealt with them.
             _ => (Operation::Negate, [0; 3]),
@@ -332,8 +337,8 @@ fn first_of_system(node: Node, read: &mut [bool]) -> bool {
 fn operands(graph: &Graph, node: Node) -> Vec<NodeId> {
     match node {
         Node::Constant(_) | Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) => Vec::new(),
-        Node::Unary(_, a) => vec![a],
-        Node::Binary(_, a, b) => vec![a, b],
+        Node::Unary(_, a) | Node::Piece(_, a) => vec![a],
+        Node::Binary(_, a, b) | Node::Interpolated(_, a, b) => vec![a, b],
         Node::Select(a, b, c) | Node::Friction(a, b, c) => vec![a, b, c],
         Node::Solution { system, .. } => {
             let system = &graph.systems()[system as usize];

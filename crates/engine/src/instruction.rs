@@ -25,6 +25,10 @@ pub(crate) enum Instruction {
     Select(Register, Register, Register, Register),
     Unary(Unary, Register, Register),
     Binary(Binary, Register, Register, Register),
+    /// The piece of the interpolation of this number.
+    Piece(u32, Register, Register),
+    /// The value of the interpolation of this number: where, and of which piece.
+    Interpolated(u32, Register, Register, Register),
     /// Solves the linear system of this number.
     Solve(u32),
     /// Computes the column of this number.
@@ -45,6 +49,8 @@ pub(crate) enum Operation {
     Select,
     Unary(Unary),
     Binary(Binary),
+    Piece(u32),
+    Interpolated(u32),
 }
 
 impl Operation {
@@ -62,23 +68,27 @@ impl Operation {
             Self::Select => Instruction::Select(to, a, b, c),
             Self::Unary(function) => Instruction::Unary(function, to, a),
             Self::Binary(function) => Instruction::Binary(function, to, a, b),
+            Self::Piece(interpolation) => Instruction::Piece(interpolation, to, a),
+            Self::Interpolated(interpolation) => Instruction::Interpolated(interpolation, to, a, b),
         }
     }
 
     /// A number of its own for each operation.
-    pub fn number(self) -> u16 {
+    pub fn number(self) -> (u8, u32) {
         match self {
-            Self::Add => 0,
-            Self::Subtract => 1,
-            Self::Multiply => 2,
-            Self::Divide => 3,
-            Self::Negate => 4,
-            Self::MultiplyAdd => 5,
-            Self::MultiplySubtract => 6,
-            Self::SubtractProduct => 7,
-            Self::Select => 8,
-            Self::Unary(function) => 0x100 + function as u16,
-            Self::Binary(function) => 0x200 + function as u16,
+            Self::Add => (0, 0),
+            Self::Subtract => (1, 0),
+            Self::Multiply => (2, 0),
+            Self::Divide => (3, 0),
+            Self::Negate => (4, 0),
+            Self::MultiplyAdd => (5, 0),
+            Self::MultiplySubtract => (6, 0),
+            Self::SubtractProduct => (7, 0),
+            Self::Select => (8, 0),
+            Self::Unary(function) => (9, function as u32),
+            Self::Binary(function) => (10, function as u32),
+            Self::Piece(interpolation) => (11, interpolation),
+            Self::Interpolated(interpolation) => (12, interpolation),
         }
     }
 }

@@ -26,6 +26,7 @@ mod looks;
 mod notice;
 #[cfg(test)]
 mod order_conditions;
+mod ranges;
 mod readings;
 mod record;
 mod rosenbrock;

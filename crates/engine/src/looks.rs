@@ -68,6 +68,8 @@ impl Looks {
     const CHECKS: [f64; 2] = [0.29, 0.62];
     /// A cubic that is wrong by less than this part of its greatest value is right.
     const EXACTNESS: f64 = 1e-3;
+    /// Within so many roundings of the time there is nothing but rounding to look at.
+    const ROUNDINGS: f64 = 8.0;
     /// Beside the zero of one number others are taken to be so far away, in parts of the interval.
     const BESIDE: f64 = 1e-6;
 
@@ -206,7 +208,9 @@ impl Looks {
             let nearest = if least > 0.0 { least } else { -greatest };
             wrong <= Self::EXACTNESS * greatest.abs().max(least.abs()) || 4.0 * wrong < nearest
         };
+        let nothing_between = size <= Self::ROUNDINGS * f64::EPSILON * high.time.abs();
         let doubtful = wrong.iter().enumerate().position(|(number, &wrong)| !is_right(number, wrong));
+        let doubtful = doubtful.filter(|_| !nothing_between);
         if let Some(doubtful) = doubtful {
             if depth < Self::DEEPEST && self.divisions < Self::DIVISIONS {
                 self.divisions += 1;

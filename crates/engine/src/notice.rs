@@ -20,6 +20,8 @@ pub enum NoticeKind {
     /// What the condition of this event compares, or a jump of the equations, changes too fast within a step for all its
     /// changes to be seen.
     MayBeSkipped(Option<usize>),
+    /// The argument of this table has left the range of its points.
+    OutsideTable(usize),
     /// A function of the independent variable alone changes too often within a step.
     TooFastInTime,
 }
@@ -29,7 +31,7 @@ impl Notice {
     pub fn subject(&self) -> Option<Subject> {
         match self.kind {
             NoticeKind::MayBeSkipped(event) => event.map(Subject::Event),
-            NoticeKind::TooFastInTime => None,
+            NoticeKind::TooFastInTime | NoticeKind::OutsideTable(_) => None,
         }
     }
 
@@ -38,6 +40,7 @@ impl Notice {
         match self.kind {
             NoticeKind::MayBeSkipped(_) => "may-be-skipped",
             NoticeKind::TooFastInTime => "too-fast-in-time",
+            NoticeKind::OutsideTable(_) => "outside-table",
         }
     }
 
@@ -57,6 +60,16 @@ impl Notice {
                  dentro de un paso",
                 moment = moment
             ),
+            NoticeKind::OutsideTable(table) => {
+                let table = model.tables.get(table);
+                let (table, argument) = table.map_or(("", ""), |table| (&table.name, &table.argument));
+                words!(
+                    "{argument} is outside the points of the table {table} at {moment}: the table keeps its last value there",
+                    "{argument} está fuera de los puntos de la tabla {table} en {moment}: la tabla conserva allí su último \
+                     valor",
+                    moment = moment
+                )
+            }
             NoticeKind::TooFastInTime => words!(
                 "a condition on {name} alone changes so often in a step that changes may be skipped from {moment} on",
                 "una condición que solo depende de {name} cambia tantas veces en un paso que desde {moment} pueden pasarse \
@@ -68,6 +81,11 @@ impl Notice {
 
     /// What to do.
     pub fn hint(&self) -> Words {
-        words("a smaller step helps", "ayuda un paso menor")
+        match self.kind {
+            NoticeKind::OutsideTable(_) => words("give the table more points", "añade puntos a la tabla"),
+            NoticeKind::MayBeSkipped(_) | NoticeKind::TooFastInTime => {
+                words("a smaller step helps", "ayuda un paso menor")
+            }
+        }
     }
 }

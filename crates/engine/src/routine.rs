@@ -54,7 +54,7 @@ impl Routine {
         for &(index, register) in &code.initial {
             code.registers[register as usize] = initial[index];
         }
-        run(&code.prologue, code.registers.as_chunks_mut::<1>().0, &code.columns, &mut code.systems);
+        run(&code.prologue, code.registers.as_chunks_mut::<1>().0, &code.columns, &code.interpolations, &mut code.systems);
     }
 
     /// Computes all roots at `time` and `state`; `out[i]` becomes the value of `roots[i]`.
@@ -69,25 +69,25 @@ impl Routine {
     /// registers.
     #[inline]
     pub(crate) fn evaluate_at(&mut self, time: f64, out: &mut [f64], set: impl FnOnce(&mut [f64])) {
-        let Code { body, columns, systems, registers, .. } = &mut self.code;
+        let Code { body, columns, interpolations, systems, registers, .. } = &mut self.code;
         if let Some((clock, rest)) = registers.split_first_mut() {
             *clock = time;
             set(&mut rest[..self.states]);
         }
-        run(body, registers.as_chunks_mut::<1>().0, columns, systems);
+        run(body, registers.as_chunks_mut::<1>().0, columns, interpolations, systems);
         self.code.copy_roots(out);
     }
 
     /// Computes all roots at many times and one state: those of root `i` stand in `out` from `i * times.len()` on. They have
     /// the bits of [`Routine::evaluate`].
     pub fn evaluate_rows(&mut self, times: &[f64], state: &[f64], out: &mut [f64]) {
-        let Code { body, columns, systems, registers, roots, .. } = &mut self.code;
+        let Code { body, columns, interpolations, systems, registers, roots, .. } = &mut self.code;
         registers[1..=self.states].copy_from_slice(&state[..self.states]);
         self.rows.clear();
         self.rows.extend(registers.iter().map(|&value| [value; ROWS]));
         for (chunk, some) in times.chunks(ROWS).enumerate() {
             self.rows[0][..some.len()].copy_from_slice(some);
-            run(body, &mut self.rows, columns, systems);
+            run(body, &mut self.rows, columns, interpolations, systems);
             for (column, &register) in out.chunks_mut(times.len()).zip(&*roots) {
                 let values = &self.rows[register as usize][..some.len()];
                 column[chunk * ROWS..][..some.len()].copy_from_slice(values);

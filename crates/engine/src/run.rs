@@ -1,6 +1,7 @@
 //! A run: a model in motion and the record of it.
 
 use crate::checkpoints::Checkpoints;
+use crate::ranges::Ranges;
 use crate::{History, Notice, Progress, Readings, RunError, Setup, Stepper};
 use program::{Model, NodeId};
 
@@ -31,6 +32,7 @@ pub struct Run {
     ends: [Vec<f64>; 2],
     /// The last row on the grid.
     last_on_grid: usize,
+    ranges: Ranges,
     /// For adaptive methods.
     checkpoints: Option<Checkpoints>,
 }
@@ -47,7 +49,10 @@ impl Run {
         let state = stepper.state().to_vec();
         let checkpoints = setup.method.adaptive().then(|| Checkpoints::new(&stepper));
         let rates = Readings::new(model, &rates);
-        Ok(Self { rates, setup, stepper, history, ends: [state.clone(), state], last_on_grid: 0, checkpoints })
+        let mut ranges = Ranges::new(model);
+        ranges.look(&setup.parameters, stepper.initial(), stepper.time(), &state);
+        let ends = [state.clone(), state];
+        Ok(Self { rates, setup, stepper, history, ends, last_on_grid: 0, ranges, checkpoints })
     }
 
     /// Goes on to the next point of the grid t_n = n h.
@@ -77,6 +82,8 @@ impl Run {
             return Ok(Advance::Partial);
         };
         self.last_on_grid = self.history.len() - 1;
+        let (parameters, initial) = (self.history.next_parameters(), self.history.initial());
+        self.ranges.look(parameters, initial, self.stepper.time(), self.stepper.state());
         if let Some(checkpoints) = &mut self.checkpoints {
             checkpoints.note(&self.stepper, self.last_on_grid);
         }
@@ -125,7 +132,9 @@ impl Run {
 
     /// What cannot be promised of the rows so far.
     pub fn notices(&self) -> Vec<Notice> {
-        self.stepper.notices()
+        let mut notices = self.stepper.notices();
+        notices.extend(self.ranges.notice());
+        notices
     }
 
     /// Changes the parameters from the next step on, one value for each; the state stays. Of a step that is only partly
@@ -157,6 +166,7 @@ impl Run {
         while row + 1 < history.len() && history.time(row + 1) == history.time(row) {
             row += 1;
         }
+        self.ranges.go_back_to(history.time(row));
         history.truncate(row);
         self.last_on_grid = self.last_on_grid.min(row);
         if !self.repeat_to(row) {

@@ -6,10 +6,12 @@ use crate::functions::{Budget, Functions};
 use crate::lowering::{Chain, Lowered, Lowering, TooManyNodes, frictions, too_many_nodes};
 use crate::names::{Meaning, NameCheck, Scope, for_each};
 use crate::notation::primed;
+use crate::tables::TableFunction;
 use crate::vectors::Vectors;
-use crate::{Diagnostic, Expression, ExpressionKind, Over, StatedUnit, has_errors};
+use crate::{Diagnostic, Expression, ExpressionKind, Over, Span, StatedUnit, has_errors};
 use program::{Choices, Compiled, Graph, Kind, Model};
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 use units::{Unit, words};
 
 /// Compiles expressions of a document against its model. What the names of the model mean, and what was derived from
@@ -212,6 +214,17 @@ fn scope(model: &Model, variables: &[(&str, Chain)]) -> Scope {
         if let Choices::Texts(_) = parameter.choices {
             let texts = parameter.words(&model.texts).into_iter().map(str::to_owned).collect();
             scope.declare_choice(&parameter.name, texts);
+        }
+    }
+    for table in &model.tables {
+        if let Some(interpolation) = model.graph.interpolations().get(table.interpolation as usize) {
+            let function = TableFunction {
+                argument: table.argument_unit.dimension,
+                value: table.unit.dimension,
+                interpolation: Arc::clone(interpolation),
+                span: Span::default(),
+            };
+            scope.declare_table(&table.name, function);
         }
     }
     for (index, quantity) in model.quantities.iter().enumerate() {

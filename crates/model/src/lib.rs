@@ -19,6 +19,7 @@ mod parser;
 mod places;
 mod so_far;
 mod syntax;
+mod tables;
 mod ticks;
 mod typeset;
 mod vectors;

@@ -26,6 +26,8 @@ pub(crate) const NESTING: usize = 64;
 pub(crate) const HEIGHT: usize = 400;
 /// Alternatives of a choice.
 pub(crate) const ALTERNATIVES: usize = 40;
+/// Points of a table.
+pub(crate) const TABLE_POINTS: usize = 10_000;
 /// Nodes of the expression graph.
 pub(crate) const NODES: usize = 200_000;
 

@@ -103,6 +103,8 @@ pub enum StatementKind {
     },
     /// `function Re(v, d) = rho*abs(v)*d/eta`
     Function(FunctionStatement),
+    /// `table eta(T) in [mPa s] { 273 [K] 1.792  293 1.002 }`
+    Table(TableStatement),
     /// `rho*S*L*y'' + b*y' + 2*rho*S*g*y = 0`. Two [`ExpressionKind::Error`] stand for a statement that could not be
     /// read at all, which may have been of any kind.
     Equation {
@@ -254,6 +256,47 @@ pub struct FunctionStatement {
     pub body: Expression,
     /// The stated unit of its value.
     pub unit: Option<StatedUnit>,
+}
+
+/// The parts of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableStatement {
+    /// The function.
+    pub name: Name,
+    /// What its argument is called.
+    pub argument: Name,
+    /// How it goes from point to point.
+    pub course: Course,
+    /// The label, where it stands before the brace.
+    pub label: Option<Quoted>,
+    /// The unit of the argument, which stands behind the first number; dimensionless without one.
+    pub argument_unit: Option<StatedUnit>,
+    /// The unit of the values: stated, or else behind the first value.
+    pub unit: Option<StatedUnit>,
+    /// In the units of their columns.
+    pub points: Vec<Point>,
+}
+
+/// A point of a table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// The argument.
+    pub x: f64,
+    /// The value.
+    pub y: f64,
+    /// Where both stand.
+    pub span: Span,
+}
+
+/// How a table goes from point to point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Course {
+    /// `table`: straight lines.
+    Linear,
+    /// `smooth table`: cubics that do not overshoot.
+    Smooth,
+    /// `steps table`: the value of each point until the next.
+    Steps,
 }
 
 /// `LOW..HIGH` and where.

@@ -74,6 +74,7 @@ fn check(program: &Program) -> Result<(), BundleError> {
         && model.parameters.iter().all(|one| one.takes(one.value) && texts_exist(one, model.texts.len()))
         && nodes.into_iter().all(known)
         && orders_ascend(model)
+        && model.tables.iter().all(|table| (table.interpolation as usize) < model.graph.interpolations().len())
         && model.quantities.iter().all(|quantity| compiled(&quantity.value))
         && model.events.iter().all(|event| {
             let targets = event.actions.iter();

@@ -16,11 +16,11 @@ mod scene;
 mod speed;
 
 pub use checks::{Check, Claim, Moment, Relation, Sides, Test};
-pub use graph::{Binary, Graph, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate, differentiate_all};
+pub use graph::{Binary, Graph, Interpolation, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate, differentiate_all};
 pub use method::{Method, UnknownMethod};
 pub use model::{
     Choices, Compared, Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity,
-    Sensitive, Size, Slope, Slopes, State, Switch, Timed,
+    Sensitive, Size, Slope, Slopes, State, Switch, Table, Timed,
 };
 pub use plots::{Curve, Drawing, Every, Members, Plot, Profile, Sweep, Taken};
 pub use presets::{Assignment, Preset};

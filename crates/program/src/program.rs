@@ -72,7 +72,8 @@ impl Program {
         let model = &self.model;
         let labels = (model.parameters.iter().map(|parameter| &parameter.label))
             .chain(model.states.iter().map(|state| &state.label))
-            .chain(model.quantities.iter().map(|quantity| &quantity.label));
+            .chain(model.quantities.iter().map(|quantity| &quantity.label))
+            .chain(model.tables.iter().map(|table| &table.label));
         let curves = self.plots.iter().flat_map(Plot::expressions).map(|curve| &curve.label);
         let groups = self.presets.iter().map(|preset| &preset.group);
         let optional = labels.chain(curves).chain(groups).flatten();

@@ -17,5 +17,6 @@ mod so_far;
 mod support;
 mod switches;
 mod tables;
+mod tabulated;
 mod vectors;
 mod work;

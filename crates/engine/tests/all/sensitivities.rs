@@ -19,7 +19,7 @@ fn sensitivities(text: &str, values: &[f64], time: f64) -> (Vec<f64>, Vec<Vec<f6
 }
 
 /// Compares with central differences of a closed form y(parameters, t).
-fn check(text: &str, values: &[f64], times: &[f64], exact: impl Fn(&[f64], f64) -> f64, tolerance: f64) {
+pub fn check(text: &str, values: &[f64], times: &[f64], exact: impl Fn(&[f64], f64) -> f64, tolerance: f64) {
     for &time in times {
         let (state, by_parameter) = sensitivities(text, values, time);
         let scale = values.iter().fold(1.0_f64, |scale, value| scale.max(value.abs()));

@@ -5,6 +5,7 @@ use super::terms::{Place, Term};
 use super::types::{Type, Types};
 use crate::names::{Meaning, Scope};
 use crate::notation::quote;
+use crate::tables::TableFunction;
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span, UnaryOperator};
 use program::Kind;
 use program::functions::{Function, Rule};
@@ -30,6 +31,10 @@ impl Inference<'_> {
             ExpressionKind::Number { value: 0.0, unit: None } => Type::Number(self.solver.fresh()),
             ExpressionKind::Number { .. } => Type::Number(Form::pure()),
             ExpressionKind::Text(_) => Type::Text,
+            ExpressionKind::InitialValue { name, .. } if self.scope.table(name).is_some() => {
+                let table = self.scope.table(name);
+                table.map_or(Type::Unknown, |table| Type::Number(table.value.into()))
+            }
             ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } => {
                 self.name(name, *order, expression.span)
             }
@@ -310,6 +315,9 @@ impl Inference<'_> {
     }
 
     fn call(&mut self, name: &Name, arguments: &[Expression]) -> Type {
+        if let (Some(table), [argument]) = (self.scope.table(&name.text), arguments) {
+            return self.look_up(name, table, argument);
+        }
         let Some(function) = Function::named(&name.text).filter(|function| function.takes(arguments.len())) else {
             for argument in arguments {
                 self.expression(argument);
@@ -348,6 +356,22 @@ impl Inference<'_> {
                 if function.dimensions == Rule::Same { common } else { Type::Number(Form::pure()) }
             }
         }
+    }
+
+    /// The value of a table at an argument of the right dimension.
+    fn look_up(&mut self, name: &Name, table: &TableFunction, argument: &Expression) -> Type {
+        let user = words!("the argument of `{}`", "el argumento de `{}`", name.text);
+        if let Some(form) = self.number(argument, &user) {
+            let needed = Form::from(table.argument);
+            match self.solver.unify(&form, &needed, argument.span) {
+                Ok(()) => {}
+                Err(Conflict::TooLarge) => return self.too_large(argument.span),
+                Err(Conflict::Different) => {
+                    self.report_value((argument, &form), (&name.text, &needed, table.span), &user);
+                }
+            }
+        }
+        Type::Number(table.value.into())
     }
 
     /// Requires a pure number.

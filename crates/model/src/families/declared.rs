@@ -12,6 +12,7 @@ pub(super) fn declared(statement: &Statement) -> Option<&str> {
     match &statement.kind {
         StatementKind::Parameter(parameter) => Some(&parameter.name.text),
         StatementKind::Size(size) => Some(&size.name.text),
+        StatementKind::Table(table) => Some(&table.name.text),
         StatementKind::Choice(choice) => Some(&choice.name.text),
         StatementKind::Function(function) => Some(&function.name.text),
         StatementKind::Definition { name, .. }

@@ -81,7 +81,10 @@ fn has_families(statement: &Statement) -> bool {
     !statement.over.is_empty()
         || match &statement.kind {
             StatementKind::Size(_) | StatementKind::Members { .. } => true,
-            StatementKind::Parameter(_) | StatementKind::Independent { .. } | StatementKind::Function(_) => false,
+            StatementKind::Parameter(_)
+            | StatementKind::Independent { .. }
+            | StatementKind::Function(_)
+            | StatementKind::Table(_) => false,
             StatementKind::Definition { value, .. }
             | StatementKind::InitialValue { value, .. }
             | StatementKind::Discrete { value, .. } => belongs(value),

@@ -112,6 +112,7 @@ impl<'a> WriteOut<'a> {
             StatementKind::Parameter(_)
             | StatementKind::Independent { .. }
             | StatementKind::Size(_)
+            | StatementKind::Table(_)
             | StatementKind::Function(_) => kind.clone(),
             StatementKind::Choice(choice) => {
                 let mut choice = choice.clone();

@@ -35,6 +35,7 @@ fn expressions(statement: &mut StatementKind) -> Vec<&mut Expression> {
     match statement {
         StatementKind::Parameter(_)
         | StatementKind::Size(_)
+        | StatementKind::Table(_)
         | StatementKind::Independent { .. }
         | StatementKind::Function(_) => Vec::new(),
         StatementKind::Members { value, .. } => vec![value],

@@ -6,11 +6,12 @@ use super::friction::{add_friction, frictions};
 use super::solve::{solve, too_many_nodes};
 use crate::dimensions::{Type, Types};
 use crate::matching::blocks;
-use crate::names::{Declarations, EventEntry, Meaning, Unknown, crossing, list};
+use crate::names::{Declarations, EventEntry, Meaning, TableEntry, Unknown, crossing, list};
 use crate::notation::primed;
-use crate::{Diagnostic, Expression, ExpressionKind, ParameterForm, Places, Span};
+use crate::{Diagnostic, Expression, ExpressionKind, ParameterForm, Places, Span, StatedUnit, TableStatement};
 use program::{
     Binary, Choices, Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, State,
+    Table,
 };
 use units::{Dimension, Exponent, Unit, words};
 
@@ -64,12 +65,14 @@ pub(crate) fn assemble(
             lower(&mut lowering, call)?;
         }
     }
+    let tables = tables(declarations, lowering.graph);
     let Lowered { definitions: values, frictions: calls, .. } = known;
     let mut model = Model {
         independent: Independent { name: declarations.independent.0.clone(), unit: declarations.independent.1.clone() },
         parameters,
         states,
         quantities: Vec::new(),
+        tables,
         events,
         graph,
         texts,
@@ -157,6 +160,24 @@ fn parameters(declarations: &Declarations, texts: &mut Vec<String>) -> Vec<Param
         }
     };
     declarations.parameters.iter().map(parameter).collect()
+}
+
+/// The functions that are given by tables, also those that no expression of the model calls.
+fn tables(declarations: &Declarations, graph: &mut Graph) -> Vec<Table> {
+    let unit = |stated: &Option<StatedUnit>| stated.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
+    let table = |entry: &TableEntry| {
+        let TableStatement { name, argument, argument_unit, unit: own, .. } = entry.statement;
+        let function = declarations.scope.table(&name.text)?;
+        Some(Table {
+            name: name.text.clone(),
+            label: entry.label.map(str::to_owned),
+            argument: argument.text.clone(),
+            argument_unit: unit(argument_unit),
+            unit: unit(own),
+            interpolation: graph.insert_interpolation(&function.interpolation),
+        })
+    };
+    declarations.tables.iter().filter_map(table).collect()
 }
 
 /// The index of a text, which is added if it is new.

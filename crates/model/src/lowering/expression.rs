@@ -81,6 +81,10 @@ impl Lowering<'_> {
             }
             ExpressionKind::Text(text) => self.text(text),
             ExpressionKind::Name { name, order } => self.name(name, *order)?,
+            ExpressionKind::InitialValue { name, .. } if self.scope.table(name).is_some() => {
+                let start = self.graph.constant(0.0);
+                self.table(name, start)
+            }
             ExpressionKind::InitialValue { name, order } => {
                 let node = self.name(name, *order)?;
                 *self.known.starts.entry(node).or_insert_with(|| at_start(self.graph, node))
@@ -105,7 +109,10 @@ impl Lowering<'_> {
                         }
                         node
                     }
-                    None => self.undefined(),
+                    None => match nodes.first() {
+                        Some(&argument) => self.table(&function.text, argument),
+                        None => self.undefined(),
+                    },
                 }
             }
             ExpressionKind::If(condition, chosen, other) => {
@@ -161,6 +168,13 @@ impl Lowering<'_> {
             BinaryOperator::Or => Binary::Or,
         };
         self.graph.binary(function, left, right)
+    }
+
+    /// The value of a table; undefined if there is none of that name.
+    fn table(&mut self, name: &str, argument: NodeId) -> NodeId {
+        let Some(table) = self.scope.table(name) else { return self.undefined() };
+        let interpolation = self.graph.insert_interpolation(&table.interpolation);
+        self.graph.interpolate(interpolation, argument)
     }
 
     fn undefined(&mut self) -> NodeId {

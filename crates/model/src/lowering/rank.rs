@@ -48,6 +48,8 @@ fn evaluate(graph: &Graph, order: &[NodeId], point: u32) -> Vec<f64> {
             | Node::State(_)
             | Node::Friction(..)
             | Node::Solution { .. } => arbitrary(id.0, point),
+            Node::Piece(number, x) => graph.interpolations()[number as usize].piece(of(x)),
+            Node::Interpolated(number, x, piece) => graph.interpolations()[number as usize].value(of(x), of(piece)),
             Node::Unary(function, x) => function.evaluate(of(x)),
             Node::Binary(function, a, b) => function.evaluate(of(a), of(b)),
             Node::Select(condition, chosen, other) => {

@@ -4,7 +4,7 @@
 use super::scope::{Meaning, PI, Scope};
 use crate::{
     Action, Diagnostic, Expression, FunctionStatement, Name, ParameterForm, ParameterStatement, Span, StatedUnit,
-    Statement, StatementKind,
+    Statement, StatementKind, TableStatement,
 };
 use program::functions::Function;
 use std::collections::HashMap;
@@ -20,6 +20,7 @@ pub(crate) struct Declarations<'a> {
     pub equations: Vec<Equation<'a>>,
     pub events: Vec<EventEntry<'a>>,
     pub functions: Vec<&'a FunctionStatement>,
+    pub tables: Vec<TableEntry<'a>>,
     pub scope: Scope,
 }
 
@@ -28,6 +29,12 @@ pub(crate) struct ParameterEntry<'a> {
     pub statement: &'a ParameterStatement,
     pub label: Option<&'a str>,
     pub span: Span,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TableEntry<'a> {
+    pub statement: &'a TableStatement,
+    pub label: Option<&'a str>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -78,6 +85,7 @@ impl<'a> Declarations<'a> {
             equations: Vec::new(),
             events: Vec::new(),
             functions: Vec::new(),
+            tables: Vec::new(),
         };
         for statement in statements {
             let span = statement.span;
@@ -117,6 +125,17 @@ impl<'a> Declarations<'a> {
                     if declarations.may_declare(&function.name, &mut declared, diagnostics) {
                         declarations.scope.declare_functions([function.name.text.as_str()]);
                         declarations.functions.push(function);
+                    }
+                }
+                StatementKind::Table(table) => {
+                    if declarations.may_declare(&table.name, &mut declared, diagnostics) {
+                        let label = label.or(table.label.as_ref().map(|label| label.text.as_str()));
+                        match table.checked(diagnostics) {
+                            Some(function) => declarations.scope.declare_table(&table.name.text, function),
+                            // So that its calls are not reported as well.
+                            None => declarations.scope.declare_functions([table.name.text.as_str()]),
+                        }
+                        declarations.tables.push(TableEntry { statement: table, label });
                     }
                 }
                 StatementKind::Equation { left, right } => declarations.equations.push(Equation { left, right, span }),

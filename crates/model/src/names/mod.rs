@@ -14,7 +14,7 @@ mod unknown;
 mod unknowns;
 
 pub(crate) use check::NameCheck;
-pub(crate) use declarations::{Declarations, Equation, EventEntry, InitialEntry, ParameterEntry};
+pub(crate) use declarations::{Declarations, Equation, EventEntry, InitialEntry, ParameterEntry, TableEntry};
 pub(crate) use events::{check_event, crossing};
 pub(crate) use order::{alternatives, definition_order, list};
 pub(crate) use scope::{Meaning, Scope};

@@ -1,5 +1,6 @@
 //! What each name of a model means.
 
+use crate::tables::TableFunction;
 use program::functions::FUNCTIONS;
 use std::collections::HashMap;
 use units::nearest;
@@ -29,6 +30,8 @@ pub(crate) struct Scope {
     names: Vec<String>,
     /// The functions of the author's own.
     functions: Vec<String>,
+    /// The functions that are given by tables.
+    tables: HashMap<String, TableFunction>,
     /// The names of choices with their texts.
     choices: HashMap<String, Vec<String>>,
 }
@@ -44,6 +47,7 @@ impl Scope {
             meanings: HashMap::new(),
             names: Vec::new(),
             functions: Vec::new(),
+            tables: HashMap::new(),
             choices: HashMap::new(),
         };
         scope.declare(PI, Meaning::Pi);
@@ -62,6 +66,17 @@ impl Scope {
     /// Declares functions of the author's own.
     pub fn declare_functions<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
         self.functions.extend(names.into_iter().map(str::to_owned));
+    }
+
+    /// Declares a function that is given by a table.
+    pub fn declare_table(&mut self, name: &str, table: TableFunction) {
+        self.declare_functions([name]);
+        self.tables.insert(name.to_owned(), table);
+    }
+
+    /// The function of that name, if it is given by a table.
+    pub fn table(&self, name: &str) -> Option<&TableFunction> {
+        self.tables.get(name)
     }
 
     /// Notes what texts the value of a name can be.

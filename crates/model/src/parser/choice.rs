@@ -66,7 +66,7 @@ impl Cursor<'_> {
         }
     }
 
-    fn skip_separators(&mut self) {
+    pub(super) fn skip_separators(&mut self) {
         while self.take(Symbol::Semicolon).is_some()
             || self.take(Symbol::Comma).is_some()
             || *self.peek() == TokenKind::Newline

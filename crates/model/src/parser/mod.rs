@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! model       = { statement line-end }
-//! statement   = parameter | switch | choice | independent | size | event | function | definition | initial
+//! statement   = parameter | switch | choice | independent | size | event | function | table | definition | initial
 //!             | equation
 //! parameter   = "parameter" NAME "=" [ "-" ] NUMBER [ UNIT ]
 //!               [ "in" signed ".." signed ] [ "step" NUMBER ] [ TEXT ]
@@ -18,6 +18,8 @@
 //! target      = NAME [ INDICES ] [ PRIMES ] [ AXIS [ PRIMES ] ]
 //! separator   = ";" | "," | line-end
 //! function    = "function" NAME "(" NAME { "," NAME } ")" "=" expression [ "in" UNIT ] [ TEXT ]
+//! table       = [ "smooth" | "steps" ] "table" NAME "(" NAME ")" [ "in" UNIT ] [ TEXT ] "{" { point [ separator ] } "}" [ TEXT ]
+//! point       = signed-number [ UNIT ] signed-number [ UNIT ]
 //! definition  = NAME [ INDICES ] "=" expression [ "in" UNIT ] [ over ] [ TEXT ]
 //! initial     = target "(" "0" ")" "=" expression [ "in" UNIT ] [ over ] [ TEXT ]
 //! equation    = expression "=" expression [ over ] [ TEXT ]
@@ -59,6 +61,7 @@ mod layout;
 mod operand;
 mod statement;
 mod switch;
+mod table;
 #[cfg(test)]
 mod tests;
 mod vector;

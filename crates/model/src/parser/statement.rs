@@ -28,11 +28,12 @@ impl Cursor<'_> {
             if *self.peek() == TokenKind::End {
                 return statements;
             }
-            statements.push(self.statement());
+            let first = statements.is_empty();
+            statements.push(self.statement(first));
         }
     }
 
-    fn statement(&mut self) -> Statement {
+    fn statement(&mut self, first: bool) -> Statement {
         let start = self.span();
         self.depth = 0;
         let (kind, mut read) = match self.peek() {
@@ -45,6 +46,7 @@ impl Cursor<'_> {
             TokenKind::Name { .. } if self.is_switch() => self.switch(),
             TokenKind::Name { .. } if self.is_choice() => self.choice(),
             TokenKind::Name { .. } if self.is_size() => self.size(),
+            TokenKind::Name { .. } if self.is_table() => self.table(first),
             TokenKind::Name { .. } if self.meant_word().is_some() => (nothing(start), self.unknown_word()),
             TokenKind::Keyword(Keyword::Parameter) => self.parameter(),
             TokenKind::Keyword(Keyword::Independent) => self.independent(),

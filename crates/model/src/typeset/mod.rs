@@ -3,6 +3,7 @@
 mod cases;
 mod expression;
 mod family;
+mod table;
 #[cfg(test)]
 mod tests;
 mod vectors;
@@ -41,6 +42,7 @@ impl Typesetter<'_> {
             | StatementKind::Choice(_)
             | StatementKind::Size(_)
             | StatementKind::Independent { .. } => return None,
+            StatementKind::Table(table) => self.table(table),
             StatementKind::Definition { name, value, .. } => equals(self.name(&name.text, 0, None), value),
             StatementKind::InitialValue { name, order, value, .. } => {
                 equals(at_start_of_run(&self.name(&name.text, *order, None)), value)

@@ -189,6 +189,28 @@ impl Graph {
         result
     }
 
+    /// The number of the piece of an interpolation in which `x` lies.
+    pub fn piece(&mut self, interpolation: u32, x: NodeId) -> NodeId {
+        match self.as_constant(x) {
+            Some(x) => self.constant(self.interpolations()[interpolation as usize].piece(x)),
+            None => self.insert(Node::Piece(interpolation, x)),
+        }
+    }
+
+    /// The value at `x` of an interpolation's piece of that number.
+    pub fn interpolated(&mut self, interpolation: u32, x: NodeId, piece: NodeId) -> NodeId {
+        match (self.as_constant(x), self.as_constant(piece)) {
+            (Some(x), Some(piece)) => self.constant(self.interpolations()[interpolation as usize].value(x, piece)),
+            _ => self.insert(Node::Interpolated(interpolation, x, piece)),
+        }
+    }
+
+    /// The value of an interpolation at `x`.
+    pub fn interpolate(&mut self, interpolation: u32, x: NodeId) -> NodeId {
+        let piece = self.piece(interpolation, x);
+        self.interpolated(interpolation, x, piece)
+    }
+
     /// `chosen` where `condition` is true, otherwise `other`.
     pub fn select(&mut self, condition: NodeId, chosen: NodeId, other: NodeId) -> NodeId {
         match self.as_constant(condition) {

@@ -3,6 +3,7 @@
 
 use super::{Binary, Graph, LinearSystem, Node, NodeId, Unary};
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// What to differentiate with respect to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -93,6 +94,13 @@ fn rates_through(
                     Some(graph.select(condition, chosen.unwrap_or(zero), other.unwrap_or(zero)))
                 }
             }
+            Node::Piece(..) => None,
+            Node::Interpolated(interpolation, x, piece) => rates.get(&x).copied().map(|dx| {
+                let derivative = Arc::new(graph.interpolations()[interpolation as usize].derivative());
+                let derivative = graph.insert_interpolation(&derivative);
+                let slope = graph.interpolated(derivative, x, piece);
+                graph.multiply(slope, dx)
+            }),
             Node::Solution { system, row } => {
                 let rate_system = match systems.get(&system) {
                     Some(&known) => known,

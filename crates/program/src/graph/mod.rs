@@ -5,15 +5,18 @@
 mod build;
 mod differentiate;
 mod evaluate;
+mod interpolation;
 mod same;
 mod walk;
 mod written;
 
 pub(crate) use differentiate::differentiate_through;
 pub use differentiate::{Variable, along, differentiate, differentiate_all};
+pub use interpolation::Interpolation;
 
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// A node of a [`Graph`]. A node's operands always have smaller numbers than the node itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
@@ -41,6 +44,10 @@ pub enum Node {
     /// The force of dry friction at this speed with these limits, static and kinetic. It depends on all other forces: while
     /// a model is built it stands for itself, and in a finished model nothing is computed from it.
     Friction(NodeId, NodeId, NodeId),
+    /// In which piece of [`Graph::interpolations`]`[i]` a number lies: it changes at isolated values, as `floor` does.
+    Piece(u32, NodeId),
+    /// The value of [`Graph::interpolations`]`[i]` at the first, by the polynomial of the piece whose number is the second.
+    Interpolated(u32, NodeId, NodeId),
     /// Unknown `row` of the linear system [`Graph::systems`]`[system]`.
     Solution {
         /// Which system.
@@ -117,6 +124,7 @@ pub struct LinearSystem {
 struct Written {
     nodes: Vec<Node>,
     systems: Vec<LinearSystem>,
+    interpolations: Vec<Interpolation>,
 }
 
 /// Nodes, each equal expression once.
@@ -126,6 +134,7 @@ pub struct Graph {
     nodes: Vec<Node>,
     known: HashMap<Node, NodeId>,
     systems: Vec<LinearSystem>,
+    interpolations: Vec<Arc<Interpolation>>,
 }
 
 impl Graph {
@@ -163,6 +172,24 @@ impl Graph {
     /// The linear systems.
     pub fn systems(&self) -> &[LinearSystem] {
         &self.systems
+    }
+
+    /// Adds an interpolation, or finds the equal one.
+    pub fn insert_interpolation(&mut self, interpolation: &Arc<Interpolation>) -> u32 {
+        let known = self.find_interpolation(interpolation).unwrap_or_else(|| {
+            self.interpolations.push(Arc::clone(interpolation));
+            self.interpolations.len() - 1
+        });
+        known as u32
+    }
+
+    fn find_interpolation(&self, wanted: &Arc<Interpolation>) -> Option<usize> {
+        self.interpolations.iter().position(|known| Arc::ptr_eq(known, wanted) || known == wanted)
+    }
+
+    /// The functions that are given by tables.
+    pub fn interpolations(&self) -> &[Arc<Interpolation>] {
+        &self.interpolations
     }
 
     /// How many nodes there are.

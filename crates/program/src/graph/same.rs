@@ -26,6 +26,12 @@ impl Graph {
         nodes.iter().zip(others).all(|(node, other)| found.get(node) == Some(other))
     }
 
+    /// The number that an interpolation has in another graph.
+    fn interpolation_in(&self, interpolation: u32, other: &Graph) -> Option<u32> {
+        let found = other.find_interpolation(self.interpolations().get(interpolation as usize)?)?;
+        Some(found as u32)
+    }
+
     fn counterpart(
         &self,
         id: NodeId,
@@ -54,6 +60,14 @@ impl Graph {
                 other.find(Node::Select(there(condition)?, there(chosen)?, there(rest)?))
             }
             Node::Friction(..) => None,
+            Node::Piece(interpolation, x) => {
+                let interpolation = self.interpolation_in(interpolation, other)?;
+                other.find(Node::Piece(interpolation, there(x)?))
+            }
+            Node::Interpolated(interpolation, x, piece) => {
+                let interpolation = self.interpolation_in(interpolation, other)?;
+                other.find(Node::Interpolated(interpolation, there(x)?, there(piece)?))
+            }
             Node::Solution { system, row } => {
                 let LinearSystem { matrix, right } = self.systems().get(system as usize)?;
                 let all = |entries: &[NodeId]| entries.iter().map(|&entry| there(entry)).collect::<Option<Vec<_>>>();

@@ -12,8 +12,8 @@ impl Graph {
     pub fn for_each_operand(&self, id: NodeId, mut visit: impl FnMut(NodeId)) {
         match self.node(id) {
             Node::Constant(_) | Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) => {}
-            Node::Unary(_, x) => visit(x),
-            Node::Binary(_, a, b) => {
+            Node::Unary(_, x) | Node::Piece(_, x) => visit(x),
+            Node::Binary(_, a, b) | Node::Interpolated(_, a, b) => {
                 visit(a);
                 visit(b);
             }
@@ -141,6 +141,10 @@ fn rebuild(
             Node::Friction(speed, adhesion, sliding) => {
                 Node::Friction(rebuilt[&speed], rebuilt[&adhesion], rebuilt[&sliding])
             }
+            Node::Piece(interpolation, x) => Node::Piece(carried(source, target, interpolation), rebuilt[&x]),
+            Node::Interpolated(interpolation, x, piece) => {
+                Node::Interpolated(carried(source, target, interpolation), rebuilt[&x], rebuilt[&piece])
+            }
             Node::Solution { system, row } => {
                 let system = *systems.entry(system).or_insert_with(|| {
                     let LinearSystem { matrix, right } = &source.unwrap_or(target).systems()[system as usize];
@@ -155,9 +159,19 @@ fn rebuild(
             Node::Unary(function, x) => target.unary(function, x),
             Node::Binary(function, a, b) => target.binary(function, a, b),
             Node::Select(condition, chosen, other) => target.select(condition, chosen, other),
+            Node::Piece(interpolation, x) => target.piece(interpolation, x),
+            Node::Interpolated(interpolation, x, piece) => target.interpolated(interpolation, x, piece),
             input => target.insert(input),
         });
         rebuilt.insert(id, new);
     }
     roots.iter().map(|root| rebuilt[root]).collect()
+}
+
+/// The number in `target` of an interpolation of `source`, or of `target` itself.
+fn carried(source: Option<&Graph>, target: &mut Graph, interpolation: u32) -> u32 {
+    match source {
+        Some(source) => target.insert_interpolation(&source.interpolations()[interpolation as usize]),
+        None => interpolation,
+    }
 }

@@ -1,10 +1,12 @@
 //! A graph as it is written to a bundle, and the checks of one that is read.
 
-use super::{Graph, LinearSystem, Node, NodeId, Written};
+use super::{Graph, Interpolation, LinearSystem, Node, NodeId, Written};
+use std::sync::Arc;
 
 impl From<Graph> for Written {
     fn from(graph: Graph) -> Self {
-        Self { nodes: graph.nodes, systems: graph.systems }
+        let interpolations = graph.interpolations.iter().map(|interpolation| (**interpolation).clone()).collect();
+        Self { nodes: graph.nodes, systems: graph.systems, interpolations }
     }
 }
 
@@ -17,11 +19,20 @@ impl TryFrom<Written> for Graph {
         if !graph.systems.iter().all(square) {
             return Err("a linear system that is not square");
         }
+        if !written.interpolations.iter().all(Interpolation::is_sound) {
+            return Err("a table whose points are in disorder");
+        }
+        graph.interpolations = written.interpolations.into_iter().map(Arc::new).collect();
         for (number, node) in written.nodes.into_iter().enumerate() {
             if let Node::Solution { system, row } = node
                 && graph.systems.get(system as usize).is_none_or(|system| row as usize >= system.right.len())
             {
                 return Err("a solution of no linear system");
+            }
+            if let Node::Piece(interpolation, _) | Node::Interpolated(interpolation, ..) = node
+                && interpolation as usize >= graph.interpolations.len()
+            {
+                return Err("a value of no table");
             }
             if graph.insert(node).0 as usize != number {
                 return Err("a node that is there twice");

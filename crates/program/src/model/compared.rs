@@ -3,6 +3,7 @@
 use super::switches::Motion;
 use crate::{Model, Node, NodeId, Unary};
 use std::collections::HashSet;
+use std::sync::Arc;
 
 /// The numbers that the conditions of events and the jumps of the equations compare, as far as they move with the states.
 /// Between two neighbouring zeros of all of them no condition changes.
@@ -53,6 +54,11 @@ impl Compared {
                 // Zero at the whole numbers, or half-way between.
                 let function = if function == Unary::Round { Unary::Cos } else { Unary::Sin };
                 (graph.unary(function, angle), zero)
+            }
+            Node::Piece(interpolation, x) => {
+                let zeros = Arc::new(graph.interpolations()[interpolation as usize].zeros());
+                let zeros = graph.insert_interpolation(&zeros);
+                (graph.interpolate(zeros, x), zero)
             }
             Node::Unary(_, x) => (x, zero),
             Node::Binary(_, a, b) => (a, b),

@@ -35,6 +35,8 @@ pub struct Model {
     /// Named definitions, in the order of the text.
     pub quantities: Vec<Quantity>,
     /// In the order of the text.
+    pub tables: Vec<Table>,
+    /// In the order of the text.
     pub events: Vec<Event>,
     /// The expressions.
     pub graph: Graph,
@@ -206,6 +208,23 @@ impl Quantity {
     pub fn is_remembered(&self) -> bool {
         self.name.contains(['.', '(', ' '])
     }
+}
+
+/// A function that is given by a table.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Table {
+    /// Its ASCII name.
+    pub name: String,
+    /// The author's label, if any.
+    pub label: Option<String>,
+    /// What its argument is called.
+    pub argument: String,
+    /// The unit of its argument.
+    pub argument_unit: Unit,
+    /// The unit of its values.
+    pub unit: Unit,
+    /// Its place in [`Graph::interpolations`].
+    pub interpolation: u32,
 }
 
 /// An expression compiled against a model.

@@ -1,5 +1,5 @@
-//! Where the equations of motion jump or bend: comparisons, `sign`, `floor`, `ceil`, `round`, and the corners of `abs`, `min`
-//! and `max`.
+//! Where the equations of motion jump or bend: comparisons, `sign`, `floor`, `ceil`, `round`, the points of tables, and the
+//! corners of `abs`, `min` and `max`.
 //!
 //! A method of integration takes its equations to be smooth. So within a step every switch is held at the value that it had
 //! at the beginning, which makes them smooth, and the step ends where the true value changes (Hairer, Norsett & Wanner,
@@ -103,7 +103,7 @@ impl Model {
         let mut found = Vec::new();
         for node in nodes.into_iter().filter(|node| steps(node) && moving[node] == Motion::WithTime) {
             let argument = match graph.node(node) {
-                Node::Unary(_, x) => x,
+                Node::Unary(_, x) | Node::Piece(_, x) => x,
                 Node::Binary(_, a, b) => graph.subtract(a, b),
                 _ => node,
             };
@@ -177,6 +177,7 @@ impl Node {
             Self::Binary(function, ..) => {
                 matches!(function, Binary::Less | Binary::LessOrEqual | Binary::Equal | Binary::NotEqual)
             }
+            Self::Piece(..) => true,
             _ => false,
         };
         steps || is_corner(self)
@@ -205,6 +206,9 @@ fn smoothness(graph: &Graph, nodes: &[NodeId], roots: &[NodeId], switch: NodeId)
             let factor = match (graph.node(reader), zero) {
                 (Node::Binary(Binary::Multiply, a, b), Some(zero)) => {
                     zero_order(graph, if a == operand { b } else { a }, zero, DEEPEST_FACTOR)
+                }
+                (Node::Interpolated(interpolation, _, piece), _) if piece == operand => {
+                    graph.interpolations()[interpolation as usize].smoothness()
                 }
                 _ => 0,
             };

@@ -36,6 +36,8 @@ impl Model {
                 Node::Initial(state) | Node::State(state) => states[state as usize],
                 Node::Parameter(_) | Node::Independent | Node::Friction(..) | Node::Solution { .. } => false,
                 Node::Unary(Unary::Floor | Unary::Ceil | Unary::Round | Unary::Sign | Unary::Not, _) => true,
+                Node::Piece(..) => true,
+                Node::Interpolated(..) => false,
                 Node::Unary(Unary::Negate | Unary::Absolute, x) => of(x),
                 Node::Unary(..) => false,
                 Node::Binary(function, a, b) => match function {

@@ -1,0 +1,185 @@
+//! `table eta(T) in [mPa s] "Viscosity" { 273 [K] 1.792  293 1.002 }`: a function that is given by its points.
+
+use super::cursor::{Cursor, Read, Told};
+use super::statement::{Salvaged, nothing};
+use crate::lexer::{Symbol, TokenKind};
+use crate::tables::too_many_points;
+use crate::{Course, Diagnostic, Point, Quoted, StatedUnit, StatementKind, TableStatement, limits};
+use units::{Unit, Words, words};
+
+const FORM: Words = words(
+    "the form is: table NAME(ARGUMENT) in [UNIT] { X [UNIT] Y  X Y ... }",
+    "la forma es: table NOMBRE(ARGUMENTO) in [UNIDAD] { X [UNIDAD] Y  X Y ... }",
+);
+
+impl Cursor<'_> {
+    /// Whether a statement begins with `table NAME`, `smooth table NAME` or `steps table NAME`: words that are free for other
+    /// use everywhere else.
+    pub(super) fn is_table(&self) -> bool {
+        if self.begins_with("table") {
+            return true;
+        }
+        let table = |kind: &TokenKind| matches!(kind, TokenKind::Name { text, order: 0, .. } if text == "table");
+        (self.begins_with("smooth") || self.begins_with("steps"))
+            && table(self.peek_ahead(1))
+            && matches!(self.peek_ahead(2), TokenKind::Name { .. })
+    }
+
+    /// A table. If `whole`, its points may be all that follows up to the end, without braces.
+    pub(super) fn table(&mut self, whole: bool) -> Salvaged {
+        let course = match () {
+            () if self.at_word("smooth") => Course::Smooth,
+            () if self.at_word("steps") => Course::Steps,
+            () => Course::Linear,
+        };
+        let mut start = self.advance();
+        if course != Course::Linear {
+            start = self.advance();
+        }
+        let name = match self.plain_name(&words("a table", "una tabla")) {
+            Ok(name) => name,
+            Err(reported) => return (nothing(start), Err(reported)),
+        };
+        let mut table = TableStatement {
+            argument: name.clone(),
+            name,
+            course,
+            label: None,
+            argument_unit: None,
+            unit: None,
+            points: Vec::new(),
+        };
+        let read = self.table_parts(&mut table, whole);
+        (StatementKind::Table(table), read)
+    }
+
+    fn table_parts(&mut self, table: &mut TableStatement, whole: bool) -> Read<()> {
+        let Some(open) = self.take(Symbol::LeftParenthesis) else {
+            let name = &table.name.text;
+            let wrong = words!(
+                "the argument of the table `{name}` is expected here, not {found}",
+                "aquí se espera el argumento de la tabla `{name}`, no {found}",
+                found = self.found()
+            );
+            let place = if self.at_line_end() { table.name.span } else { self.span() };
+            return self.fail(Diagnostic::error("table-form", wrong, place).with_hint(FORM));
+        };
+        table.argument = self.plain_name(&words("an argument", "un argumento"))?;
+        if *self.peek() == TokenKind::Symbol(Symbol::Comma) {
+            let wrong = words("a table has one argument", "una tabla tiene un solo argumento");
+            return self.fail(Diagnostic::error("table-form", wrong, self.span()).with_hint(FORM));
+        }
+        self.close(open)?;
+        table.unit = self.stated_unit()?;
+        if let TokenKind::Text(text) = self.peek().clone() {
+            table.label = Some(Quoted { text, span: self.advance() });
+        }
+        if *self.peek() == TokenKind::Newline && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftBrace) {
+            self.skip_lines();
+        }
+        let brace = self.take(Symbol::LeftBrace);
+        if brace.is_none() && !(whole && self.at_line_end()) {
+            let wrong =
+                words!("`{{` is expected here, not {found}", "aquí se espera `{{`, no {found}", found = self.found());
+            let place = if self.at_line_end() { table.name.span } else { self.span() };
+            return self.fail(Diagnostic::error("table-form", wrong, place).with_hint(FORM));
+        }
+        loop {
+            self.skip_separators();
+            if *self.peek() == TokenKind::End {
+                let Some(open) = brace else { return Ok(()) };
+                let unclosed = words("this `{` is not closed", "esta `{` no se cierra");
+                return self.fail(Diagnostic::error("unclosed-brace", unclosed, open).with_hint(FORM));
+            }
+            if brace.is_some() && self.take(Symbol::RightBrace).is_some() {
+                return Ok(());
+            }
+            if let Err(Told) = self.point(table) {
+                self.skip_table(brace.is_some());
+                return Err(Told);
+            }
+        }
+    }
+
+    /// Moves behind the points of a table that could not be read.
+    fn skip_table(&mut self, in_braces: bool) {
+        while *self.peek() != TokenKind::End {
+            let closes = *self.peek() == TokenKind::Symbol(Symbol::RightBrace);
+            self.advance();
+            if closes && in_braces {
+                return;
+            }
+        }
+    }
+
+    /// `273 [K] 1.792`
+    fn point(&mut self, table: &mut TableStatement) -> Read<()> {
+        let start = self.span();
+        let x = self.table_number(&mut table.argument_unit, table.points.is_empty())?;
+        if let TokenKind::Symbol(Symbol::Comma) = self.peek() {
+            let wrong = words(
+                "the two numbers of a point are separated by a blank, not by a comma",
+                "los dos números de un punto se separan con un espacio, no con una coma",
+            );
+            let hint = words(
+                "points may be separated by commas, and numbers have a decimal point: `0 1.5, 2 3.5`",
+                "los puntos pueden separarse con comas, y los números llevan punto decimal: `0 1.5, 2 3.5`",
+            );
+            return self.fail(Diagnostic::error("table-comma", wrong, self.span()).with_hint(hint));
+        }
+        let missing = matches!(
+            self.peek(),
+            TokenKind::Newline | TokenKind::End | TokenKind::Symbol(Symbol::RightBrace | Symbol::Semicolon)
+        );
+        if missing {
+            let argument = &table.argument.text;
+            let wrong = words!(
+                "this {argument} has no value behind it",
+                "detrás de este {argument} no hay ningún valor"
+            );
+            return self.fail(Diagnostic::error("table-form", wrong, start.to(self.last_span())).with_hint(FORM));
+        }
+        let y = self.table_number(&mut table.unit, table.points.is_empty())?;
+        let span = start.to(self.last_span());
+        if table.points.len() == limits::TABLE_POINTS {
+            self.say(too_many_points(span));
+            return Err(Told);
+        }
+        table.points.push(Point { x, y, span });
+        Ok(())
+    }
+
+    /// A number in the unit of its column. The first number of a column may state the unit of all of them.
+    fn table_number(&mut self, column: &mut Option<StatedUnit>, first: bool) -> Read<f64> {
+        let start = self.span();
+        let Some(value) = self.signed_number() else {
+            let wrong = words!(
+                "a number is expected here, not {found}",
+                "aquí se espera un número, no {found}",
+                found = self.found()
+            );
+            return self.fail(Diagnostic::error("table-form", wrong, start).with_hint(FORM));
+        };
+        let TokenKind::Brackets(inside) = self.peek().clone() else {
+            return Ok(value);
+        };
+        let span = self.advance();
+        let unit = self.unit(inside)?;
+        if first && column.is_none() {
+            *column = Some(StatedUnit { unit: unit.clone(), span });
+        }
+        let expected = column.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
+        if unit.dimension != expected.dimension {
+            let wrong = if column.is_none() {
+                words("the first numbers of this column have no unit", "los primeros números de esta columna no llevan unidad")
+            } else {
+                words!(
+                    "[{unit}] is no unit for this column, whose numbers are in [{expected}]",
+                    "[{unit}] no es una unidad para esta columna, cuyos números están en [{expected}]",
+                )
+            };
+            return self.fail(Diagnostic::error("dimension-mismatch", wrong, span));
+        }
+        Ok(if unit == expected { value } else { expected.from_si(unit.to_si(value)) })
+    }
+}

@@ -1,0 +1,43 @@
+//! Tables: the argument and the value below each other, point by point.
+
+use super::expression::Typesetter;
+use crate::{Name, StatedUnit, TableStatement};
+use units::mathml::{name, number, unit_after_number};
+
+/// Of a longer table only the first and the last points are shown.
+const MOST_SHOWN: usize = 8;
+
+impl Typesetter<'_> {
+    /// Two rows with a heading each: the argument, and the value of the function.
+    pub(super) fn table(&self, table: &TableStatement) -> String {
+        let argument = (name(&table.argument.text, 0, None), &table.argument_unit);
+        let value = (self.declared(&table.name, std::slice::from_ref::<Name>(&table.argument)), &table.unit);
+        let rows = [argument, value].into_iter().zip([0, 1]).map(|((heading, unit), which)| {
+            let unit = unit.as_ref().map(|unit: &StatedUnit| bracketed(&unit.unit)).unwrap_or_default();
+            let numbers: Vec<f64> = table.points.iter().map(|point| if which == 0 { point.x } else { point.y }).collect();
+            let cells: String = shown(&numbers).into_iter().map(|cell| format!("<mtd>{cell}</mtd>")).collect();
+            format!("<mtr><mtd><mrow>{heading}{unit}</mrow></mtd>{cells}</mtr>")
+        });
+        format!("<mtable>{}</mtable>", rows.collect::<String>())
+    }
+}
+
+/// The numbers, the middle ones of many left out.
+fn shown(numbers: &[f64]) -> Vec<String> {
+    if numbers.len() <= MOST_SHOWN {
+        return numbers.iter().map(|&value| number(value)).collect();
+    }
+    let (first, last) = (&numbers[..MOST_SHOWN - 2], &numbers[numbers.len() - 1..]);
+    let mut cells: Vec<String> = first.iter().map(|&value| number(value)).collect();
+    cells.push("<mo>…</mo>".to_owned());
+    cells.extend(last.iter().map(|&value| number(value)));
+    cells
+}
+
+/// ` [K]`
+fn bracketed(unit: &units::Unit) -> String {
+    if unit.text.is_empty() {
+        return String::new();
+    }
+    format!("<mspace width=\"0.3em\"/><mo stretchy=\"false\">[</mo>{}<mo stretchy=\"false\">]</mo>", unit_after_number(unit))
+}

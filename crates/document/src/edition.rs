@@ -95,7 +95,14 @@ impl File<'_> {
 
     /// What belongs to the original only.
     fn check_kinds(&self, found: &mut Vec<Diagnostic>) {
-        for kind in [BlockKind::Model, BlockKind::Scene, BlockKind::Plots, BlockKind::Presets, BlockKind::Check] {
+        for kind in [
+            BlockKind::Model,
+            BlockKind::Table,
+            BlockKind::Scene,
+            BlockKind::Plots,
+            BlockKind::Presets,
+            BlockKind::Check,
+        ] {
             for block in self.outline.blocks_of(kind) {
                 let message =
                     words!("a translation has no `{}` of its own", "una traducción no tiene `{}` propio", kind.word());

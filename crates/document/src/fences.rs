@@ -11,6 +11,8 @@ struct Opening<'a> {
     mark: char,
     length: usize,
     word: &'a str,
+    /// The word after it.
+    second: &'a str,
 }
 
 impl<'a> Opening<'a> {
@@ -26,10 +28,15 @@ impl<'a> Opening<'a> {
         if length < 3 || (mark == '`' && info.contains('`')) {
             return None;
         }
-        Some(Self { mark, length, word: info.split_whitespace().next().unwrap_or("") })
+        let mut words = info.split_whitespace();
+        let [word, second] = [words.next(), words.next()].map(Option::unwrap_or_default);
+        Some(Self { mark, length, word, second })
     }
 
     fn kind(&self) -> Option<BlockKind> {
+        if matches!(self.word, "smooth" | "steps") && self.second == "table" {
+            return Some(BlockKind::Table);
+        }
         BlockKind::FENCED.into_iter().find(|kind| kind.word() == self.word)
     }
 

@@ -50,14 +50,14 @@ pub fn read(source: &str) -> Outline<'_> {
 
 /// Parses the statements of all models, and returns what was found.
 fn parse_models(source: &str, blocks: &mut [Block]) -> Vec<Diagnostic> {
-    let models = || blocks.iter().filter(|block| block.kind == BlockKind::Model);
-    let parts: Vec<Range<usize>> = models().map(|block| block.content.range()).collect();
+    let parts: Vec<Range<usize>> = blocks.iter().filter_map(|block| block.model_part(source)).collect();
     if let Some(refusal) = model::refuse_length(&parts) {
         return vec![refusal];
     }
     let mut diagnostics = Vec::new();
-    for block in blocks.iter_mut().filter(|block| block.kind == BlockKind::Model) {
-        let (statements, found) = model::parse(source, &[block.content.range()]);
+    for block in blocks {
+        let Some(part) = block.model_part(source) else { continue };
+        let (statements, found) = model::parse(source, &[part]);
         block.statements = statements;
         diagnostics.extend(found);
     }

@@ -21,9 +21,10 @@ impl Ranges {
             model.tables.iter().enumerate().map(|(number, table)| (table.interpolation, number)).collect();
         let rates = model.states.iter().map(|state| state.derivative);
         let quantities = model.quantities.iter().map(|quantity| quantity.value.node);
-        let events = model.events.iter().flat_map(|event| {
-            std::iter::once(event.condition).chain(event.actions.iter().map(|(_, value)| *value))
-        });
+        let events = model
+            .events
+            .iter()
+            .flat_map(|event| std::iter::once(event.condition).chain(event.actions.iter().map(|(_, value)| *value)));
         let roots: Vec<NodeId> = rates.chain(quantities).chain(events).collect();
         let (mut arguments, mut tables) = (Vec::new(), Vec::new());
         let nodes = if numbers.is_empty() { Vec::new() } else { graph.reachable(&roots) };

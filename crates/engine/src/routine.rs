@@ -54,7 +54,13 @@ impl Routine {
         for &(index, register) in &code.initial {
             code.registers[register as usize] = initial[index];
         }
-        run(&code.prologue, code.registers.as_chunks_mut::<1>().0, &code.columns, &code.interpolations, &mut code.systems);
+        run(
+            &code.prologue,
+            code.registers.as_chunks_mut::<1>().0,
+            &code.columns,
+            &code.interpolations,
+            &mut code.systems,
+        );
     }
 
     /// Computes all roots at `time` and `state`; `out[i]` becomes the value of `roots[i]`.

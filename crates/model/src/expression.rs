@@ -219,6 +219,7 @@ fn scope(model: &Model, variables: &[(&str, Chain)]) -> Scope {
     for table in &model.tables {
         if let Some(interpolation) = model.graph.interpolations().get(table.interpolation as usize) {
             let function = TableFunction {
+                argument_name: table.argument.clone(),
                 argument: table.argument_unit.dimension,
                 value: table.unit.dimension,
                 interpolation: Arc::clone(interpolation),

@@ -9,6 +9,8 @@ use units::{Dimension, words};
 /// A table as expressions use it.
 #[derive(Clone, Debug)]
 pub(crate) struct TableFunction {
+    /// What its argument is called.
+    pub argument_name: String,
     /// The dimension of its argument.
     pub argument: Dimension,
     /// The dimension of its values.
@@ -31,8 +33,10 @@ impl TableStatement {
         };
         match interpolation {
             Some(interpolation) if points.len() > 1 => {
-                let dimension = |unit: &Option<StatedUnit>| unit.as_ref().map_or(Dimension::NONE, |unit| unit.unit.dimension);
+                let dimension =
+                    |unit: &Option<StatedUnit>| unit.as_ref().map_or(Dimension::NONE, |unit| unit.unit.dimension);
                 Some(TableFunction {
+                    argument_name: self.argument.text.clone(),
                     argument: dimension(&self.argument_unit),
                     value: dimension(&self.unit),
                     interpolation: Arc::new(interpolation),
@@ -50,17 +54,17 @@ impl TableStatement {
     fn disorder(&self) -> Diagnostic {
         let (name, argument) = (&self.name.text, &self.argument.text);
         if self.points.len() < 2 {
-            let message = words!(
-                "the table `{name}` has fewer than two points",
-                "la tabla `{name}` tiene menos de dos puntos"
-            );
+            let message =
+                words!("the table `{name}` has fewer than two points", "la tabla `{name}` tiene menos de dos puntos");
             let hint = words!(
                 "what is the same everywhere is a definition: `{name} = ...`",
                 "lo que es igual en todas partes es una definición: `{name} = ...`"
             );
             return Diagnostic::error("table-points", message, self.name.span).with_hint(hint);
         }
-        if let Some(pair) = self.points.windows(2).find(|pair| pair[0].x.partial_cmp(&pair[1].x) != Some(Ordering::Less)) {
+        if let Some(pair) =
+            self.points.windows(2).find(|pair| pair[0].x.partial_cmp(&pair[1].x) != Some(Ordering::Less))
+        {
             let twice = pair[0].x == pair[1].x;
             let message = if twice {
                 words!(

@@ -16,7 +16,9 @@ mod scene;
 mod speed;
 
 pub use checks::{Check, Claim, Moment, Relation, Sides, Test};
-pub use graph::{Binary, Graph, Interpolation, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate, differentiate_all};
+pub use graph::{
+    Binary, Graph, Interpolation, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate, differentiate_all,
+};
 pub use method::{Method, UnknownMethod};
 pub use model::{
     Choices, Compared, Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity,

@@ -84,7 +84,8 @@ pub fn check_places(outline: &Outline) {
         assert!(block.span.start <= block.content.start && block.content.end <= block.span.end);
         assert!(source.get(block.content.range()).is_some());
         for statement in &block.statements {
-            assert!(block.content.start <= statement.span.start && statement.span.end <= block.content.end);
+            // A table begins in its opening line.
+            assert!(block.span.start <= statement.span.start && statement.span.end <= block.content.end);
         }
     }
     assert_eq!(at, source.len());

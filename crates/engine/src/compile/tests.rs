@@ -60,8 +60,8 @@ fn values<const ROWS: usize>(code: &mut Code, order: &[u32]) -> Vec<u64> {
     for &(index, register) in &code.parameters {
         registers[register as usize] = [[2.5, -0.75][index]; ROWS];
     }
-    run(&code.prologue, &mut registers, &code.columns, &mut code.systems);
-    run(&code.body, &mut registers, &code.columns, &mut code.systems);
+    run(&code.prologue, &mut registers, &code.columns, &code.interpolations, &mut code.systems);
+    run(&code.body, &mut registers, &code.columns, &code.interpolations, &mut code.systems);
     code.registers = registers.iter().map(|values| values[ROWS - 1]).collect();
     let mut out = vec![0.0; code.roots.len()];
     code.copy_roots(&mut out);

@@ -106,10 +106,8 @@ fn outside_its_points_a_table_keeps_its_last_value_and_the_run_says_so() {
 #[test]
 fn a_table_of_many_points_does_not_slow_the_steps_down_to_a_halt() {
     // A sine by 5,000 points, whose integral is 1 - cos t.
-    let points: String = (0..5000)
-        .map(|number| f64::from(number) / 500.0)
-        .map(|t| format!("{t:?} {:?}\n", libm::sin(t)))
-        .collect();
+    let points: String =
+        (0..5000).map(|number| f64::from(number) / 500.0).map(|t| format!("{t:?} {:?}\n", libm::sin(t))).collect();
     let model = model(&format!("smooth table s(tau) {{ {points} }}\ny' = s(t/1 [s])/1 [s]\ny(0) = 0"));
     let mut run = Run::start(&model, setup(&model, Method::RungeKutta4, 0.05)).unwrap();
     for _ in 0..190 {

@@ -1,5 +1,6 @@
 //! Dimensions of expressions: inferred where they are not stated, and checked everywhere.
 
+mod call;
 mod check;
 mod describe;
 mod expansion;

@@ -10,8 +10,7 @@ use crate::names::{Declarations, EventEntry, Meaning, TableEntry, Unknown, cross
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, ExpressionKind, ParameterForm, Places, Span, StatedUnit, TableStatement};
 use program::{
-    Binary, Choices, Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, State,
-    Table,
+    Binary, Choices, Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, State, Table,
 };
 use units::{Dimension, Exponent, Unit, words};
 
@@ -164,7 +163,8 @@ fn parameters(declarations: &Declarations, texts: &mut Vec<String>) -> Vec<Param
 
 /// The functions that are given by tables, also those that no expression of the model calls.
 fn tables(declarations: &Declarations, graph: &mut Graph) -> Vec<Table> {
-    let unit = |stated: &Option<StatedUnit>| stated.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
+    let unit =
+        |stated: &Option<StatedUnit>| stated.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
     let table = |entry: &TableEntry| {
         let TableStatement { name, argument, argument_unit, unit: own, .. } = entry.statement;
         let function = declarations.scope.table(&name.text)?;

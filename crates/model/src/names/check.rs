@@ -139,7 +139,8 @@ impl<'a> NameCheck<'a> {
         }
         let text = &name.text;
         if self.scope.table(text).is_some() && arguments.len() != 1 {
-            let message = words!("`{text}` is a table and takes 1 argument", "`{text}` es una tabla y toma 1 argumento");
+            let message =
+                words!("`{text}` is a table and takes 1 argument", "`{text}` es una tabla y toma 1 argumento");
             self.diagnostics.push(Diagnostic::error("wrong-argument-count", message, name.span));
         }
         if self.scope.is_function(text) {

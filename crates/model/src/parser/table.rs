@@ -133,10 +133,8 @@ impl Cursor<'_> {
         );
         if missing {
             let argument = &table.argument.text;
-            let wrong = words!(
-                "this {argument} has no value behind it",
-                "detrás de este {argument} no hay ningún valor"
-            );
+            let wrong =
+                words!("this {argument} has no value behind it", "detrás de este {argument} no hay ningún valor");
             return self.fail(Diagnostic::error("table-form", wrong, start.to(self.last_span())).with_hint(FORM));
         }
         let y = self.table_number(&mut table.unit, table.points.is_empty())?;
@@ -171,14 +169,21 @@ impl Cursor<'_> {
         let expected = column.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
         if unit.dimension != expected.dimension {
             let wrong = if column.is_none() {
-                words("the first numbers of this column have no unit", "los primeros números de esta columna no llevan unidad")
+                words(
+                    "the first numbers of this column have no unit",
+                    "los primeros números de esta columna no llevan unidad",
+                )
             } else {
                 words!(
                     "[{unit}] is no unit for this column, whose numbers are in [{expected}]",
                     "[{unit}] no es una unidad para esta columna, cuyos números están en [{expected}]",
                 )
             };
-            return self.fail(Diagnostic::error("dimension-mismatch", wrong, span));
+            let hint = words(
+                "the unit of a column stands behind its first number",
+                "la unidad de una columna va detrás de su primer número",
+            );
+            return self.fail(Diagnostic::error("dimension-mismatch", wrong, span).with_hint(hint));
         }
         Ok(if unit == expected { value } else { expected.from_si(unit.to_si(value)) })
     }

@@ -106,6 +106,12 @@ fn shown_statement(statement: &Statement) -> String {
             let (name, body) = (&function.name.text, shown(&function.body));
             format!("function {name}({}) := {body}{}", parameters.join(", "), in_unit(&function.unit))
         }
+        StatementKind::Table(table) => {
+            let points: Vec<String> = table.points.iter().map(|point| format!("{} {}", point.x, point.y)).collect();
+            let (name, argument) = (&table.name.text, &table.argument.text);
+            let (of, unit) = (in_unit(&table.argument_unit), in_unit(&table.unit));
+            format!("{:?} {name}({argument}{of}){unit} {{{}}}", table.course, points.join(", "))
+        }
         StatementKind::Equation { left, right } => format!("{} = {}", shown(left), shown(right)),
         StatementKind::Event { condition, actions, .. } => {
             let actions: Vec<String> = actions
@@ -338,5 +344,27 @@ fn families() {
         ("for = 2*sum", "for := (2*sum)"),
     ] {
         assert_eq!(statements(source), [statement], "{source}");
+    }
+}
+
+#[test]
+fn tables() {
+    for (source, expected) in [
+        ("table a(t) { 0 1, 2 3 }", "Linear a(t) {0 1, 2 3}"),
+        ("table a(t) { 0 -1  -2 3e-2 }", "Linear a(t) {0 -1, -2 0.03}"),
+        (
+            "smooth table eta(T) in [mPa s] \"Viscosity\" { 273 [K] 1.792\n293 1 [Pa s] }",
+            "Smooth eta(T in [K]) in [mPa s] {273 1.792, 293 1000}",
+        ),
+        (
+            "steps table n(x)\n{ 0 [m] 2 [1/m]; 1 [km] 3 } \"Lines\"",
+            "Steps n(x in [m]) in [1/m] {0 2, 1000 3} \"Lines\"",
+        ),
+        ("table a(t)\n0 [s] 1\n\n2 3", "Linear a(t in [s]) {0 1, 2 3}"),
+        // The words are free for other use.
+        ("table = 3", "table := 3"),
+        ("smooth = 2*steps", "smooth := (2*steps)"),
+    ] {
+        assert_eq!(statements(source), [expected], "{source}");
     }
 }

@@ -14,7 +14,8 @@ impl Typesetter<'_> {
         let value = (self.declared(&table.name, std::slice::from_ref::<Name>(&table.argument)), &table.unit);
         let rows = [argument, value].into_iter().zip([0, 1]).map(|((heading, unit), which)| {
             let unit = unit.as_ref().map(|unit: &StatedUnit| bracketed(&unit.unit)).unwrap_or_default();
-            let numbers: Vec<f64> = table.points.iter().map(|point| if which == 0 { point.x } else { point.y }).collect();
+            let numbers: Vec<f64> =
+                table.points.iter().map(|point| if which == 0 { point.x } else { point.y }).collect();
             let cells: String = shown(&numbers).into_iter().map(|cell| format!("<mtd>{cell}</mtd>")).collect();
             format!("<mtr><mtd><mrow>{heading}{unit}</mrow></mtd>{cells}</mtr>")
         });
@@ -39,5 +40,8 @@ fn bracketed(unit: &units::Unit) -> String {
     if unit.text.is_empty() {
         return String::new();
     }
-    format!("<mspace width=\"0.3em\"/><mo stretchy=\"false\">[</mo>{}<mo stretchy=\"false\">]</mo>", unit_after_number(unit))
+    format!(
+        "<mspace width=\"0.3em\"/><mo stretchy=\"false\">[</mo>{}<mo stretchy=\"false\">]</mo>",
+        unit_after_number(unit)
+    )
 }

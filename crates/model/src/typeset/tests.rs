@@ -231,3 +231,21 @@ fn the_markup_itself() {
         "<math><mfrac><mrow><mi>g</mi><mo>&#x2062;</mo><mi>y</mi></mrow><mn>2</mn></mfrac></math>"
     );
 }
+
+#[test]
+fn a_table_is_two_rows_and_of_a_long_one_the_first_points_and_the_last() {
+    let rows = |source: &str| {
+        let (statements, diagnostics) = parse(source, std::slice::from_ref(&(0..source.len())));
+        assert!(diagnostics.is_empty(), "{diagnostics:?}");
+        super::typeset(&statements, &str::to_owned).iter().map(|row| short(row)).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        rows("table eta(T) in [mPa s] { 273 [K] 1.792  293 1.002 }"),
+        ["T~[~\\K] : 273 : 293; η(T)~[~\\mPa~\\s] : 1.792 : 1.002"]
+    );
+    let points: String = (0..20).map(|number| format!("{number} {}\n", number * number)).collect();
+    assert_eq!(
+        rows(&format!("steps table n(k) {{ {points} }}")),
+        ["k : 0 : 1 : 2 : 3 : 4 : 5 : … : 19; n(k) : 0 : 1 : 4 : 9 : 16 : 25 : … : 361"]
+    );
+}

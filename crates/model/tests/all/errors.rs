@@ -93,3 +93,8 @@ fn vectors() {
 fn families() {
     check("families.txt");
 }
+
+#[test]
+fn tables() {
+    check("tables.txt");
+}

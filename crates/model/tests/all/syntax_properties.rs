@@ -97,7 +97,10 @@ fn all_lie_in(diagnostics: &[Diagnostic], source: &str) -> bool {
 /// Each expression of a statement.
 fn expressions(statement: &Statement) -> Vec<&Expression> {
     match &statement.kind {
-        StatementKind::Parameter(_) | StatementKind::Size(_) | StatementKind::Independent { .. } => Vec::new(),
+        StatementKind::Parameter(_)
+        | StatementKind::Size(_)
+        | StatementKind::Table(_)
+        | StatementKind::Independent { .. } => Vec::new(),
         StatementKind::Members { left, value, .. } => vec![left, value],
         StatementKind::Definition { value, .. }
         | StatementKind::InitialValue { value, .. }

@@ -38,7 +38,8 @@ impl Interpolation {
         let slopes = slopes(points);
         Self::through(points, 2, |piece| {
             let secant = (piece.to - piece.from) / piece.size;
-            let [start, end] = [piece.number, piece.number + 1].map(|point| slopes.get(point).copied().unwrap_or(secant));
+            let [start, end] =
+                [piece.number, piece.number + 1].map(|point| slopes.get(point).copied().unwrap_or(secant));
             let square = (3.0 * secant - 2.0 * start - end) / piece.size;
             [piece.from, start, square, (start + end - 2.0 * secant) / (piece.size * piece.size)]
         })

@@ -69,9 +69,7 @@ impl At {
                 Node::Independent => self.time,
                 Node::State(index) => self.states[index as usize],
                 Node::Piece(number, x) => graph.interpolations()[number as usize].piece(of(x)),
-                Node::Interpolated(number, x, piece) => {
-                    graph.interpolations()[number as usize].value(of(x), of(piece))
-                }
+                Node::Interpolated(number, x, piece) => graph.interpolations()[number as usize].value(of(x), of(piece)),
                 Node::Unary(function, x) => function.evaluate(of(x)),
                 Node::Binary(function, a, b) => function.evaluate(of(a), of(b)),
                 Node::Select(condition, chosen, other) => {

@@ -1,0 +1,75 @@
+//! What kind of value a call has.
+
+use super::form::{Conflict, Form};
+use super::infer::Inference;
+use super::terms::{Place, Term};
+use super::types::Type;
+use crate::tables::TableFunction;
+use crate::{Expression, Name};
+use program::functions::{Function, Rule};
+use units::{Exponent, Words, words};
+
+impl Inference<'_> {
+    /// The type of a call, of a function of the language or of a table.
+    pub(super) fn call(&mut self, name: &Name, arguments: &[Expression]) -> Type {
+        if let (Some(table), [argument]) = (self.scope.table(&name.text), arguments) {
+            return self.look_up(name, table, argument);
+        }
+        let Some(function) = Function::named(&name.text).filter(|function| function.takes(arguments.len())) else {
+            for argument in arguments {
+                self.expression(argument);
+            }
+            return Type::Unknown;
+        };
+        let user = Words::same(format!("`{}`", function.name));
+        let forms: Vec<Option<Form>> = arguments.iter().map(|argument| self.number(argument, &user)).collect();
+        match function.dimensions {
+            Rule::Pure | Rule::Whole => {
+                for (argument, form) in arguments.iter().zip(forms) {
+                    if let Some(form) = form {
+                        self.pure(
+                            argument,
+                            &form,
+                            &words!("the argument of {user}", "el argumento de {user}", user = user),
+                        );
+                    }
+                }
+                Type::Number(Form::pure())
+            }
+            Rule::Root(degree) => {
+                let Some(form) = forms.into_iter().flatten().next() else { return Type::Unknown };
+                let root = Exponent::new(1, i64::from(degree)).and_then(|exponent| form.power(exponent).ok());
+                root.map_or_else(|| self.too_large(name.span), Type::Number)
+            }
+            Rule::Rest => {
+                let rest = arguments.iter().zip(forms).skip(1);
+                let terms: Vec<Term> = rest.map(|(expression, form)| Term { expression, form }).collect();
+                self.equal(&terms, Place::Arguments)
+            }
+            Rule::Same | Rule::Ratio => {
+                let terms: Vec<Term> =
+                    arguments.iter().zip(forms).map(|(expression, form)| Term { expression, form }).collect();
+                let common = self.equal(&terms, Place::Arguments);
+                if function.dimensions == Rule::Same { common } else { Type::Number(Form::pure()) }
+            }
+        }
+    }
+
+    /// The value of a table at an argument of the right dimension.
+    fn look_up(&mut self, name: &Name, table: &TableFunction, argument: &Expression) -> Type {
+        let user = words!("the argument of `{}`", "el argumento de `{}`", name.text);
+        if let Some(form) = self.number(argument, &user) {
+            let needed = Form::from(table.argument);
+            match self.solver.unify(&form, &needed, argument.span) {
+                Ok(()) => {}
+                Err(Conflict::TooLarge) => return self.too_large(argument.span),
+                Err(Conflict::Different) => {
+                    let title = format!("`{}`", table.argument_name);
+                    let context = words!(", as the argument of `{}`", ", como argumento de `{}`", name.text);
+                    self.report_value((argument, &form), (&title, &needed, table.span), &context);
+                }
+            }
+        }
+        Type::Number(table.value.into())
+    }
+}

@@ -18,6 +18,7 @@ pub(crate) fn bare(model: &Model) -> Model {
         parameters: model.parameters.clone(),
         states: model.states.clone(),
         quantities: model.quantities.clone(),
+        tables: Vec::new(),
         events: model.events.clone(),
         graph: model.graph.clone(),
         texts: Vec::new(),

@@ -103,6 +103,7 @@ impl Writer<'_> {
             StatementKind::Function(function) => one(StatementKind::Function(self.function(function))),
             StatementKind::Parameter(_)
             | StatementKind::Size(_)
+            | StatementKind::Table(_)
             | StatementKind::Independent { .. }
             | StatementKind::Members { .. } => one(kind.clone()),
         }

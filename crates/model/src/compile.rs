@@ -2,7 +2,7 @@
 
 use crate::choices;
 use crate::dimensions::check_dimensions;
-use crate::families::{sizes, without_families};
+use crate::families::{declared, sizes, without_families};
 use crate::functions::{Functions, written_out};
 use crate::lowering::{assemble, warn};
 use crate::names::{Declarations, NameCheck, Unknown, check_event, definition_order, find_unknowns};
@@ -126,6 +126,7 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
     match assemble(&declarations, &order, &unknowns, &types) {
         Ok((mut model, places)) => {
             model.sizes = sizes;
+            hide(&mut model, &statements);
             warn(&model, &places, &declarations, diagnostics);
             Some(Checked { model, places, statements, functions })
         }
@@ -150,6 +151,15 @@ fn without_vectors(
         return None;
     }
     Some((vectors.write_out(&single, diagnostics), functions))
+}
+
+/// Marks what the author has hidden: a quantity, all members of a family, all components of a vector.
+fn hide(model: &mut Model, statements: &[Statement]) {
+    let hidden: HashSet<&str> = statements.iter().filter(|statement| statement.hidden).filter_map(declared).collect();
+    for quantity in &mut model.quantities {
+        let name = quantity.name.split(['[', '.']).next().unwrap_or_default();
+        quantity.hidden = hidden.contains(name);
+    }
 }
 
 fn check_names(declarations: &Declarations, unknowns: &[Unknown], sizes: &[Size], diagnostics: &mut Vec<Diagnostic>) {

@@ -35,6 +35,8 @@ pub struct StatedUnit {
 pub struct Statement {
     /// What it states.
     pub kind: StatementKind,
+    /// `hidden m = rho*L`: whether a definition is kept out of the readouts.
+    pub hidden: bool,
     /// `for i in 1..N`: the indices for each of whose values it is stated; none of a statement that stands for itself.
     pub over: Vec<Over>,
     /// The quoted label that ends it, such as `"Damping"`.
@@ -460,7 +462,7 @@ pub enum BinaryOperator {
 impl Statement {
     /// A statement without a label that stands for itself.
     pub(crate) fn of(kind: StatementKind, span: Span) -> Self {
-        Self { kind, over: Vec::new(), label: None, span }
+        Self { kind, hidden: false, over: Vec::new(), label: None, span }
     }
 }
 

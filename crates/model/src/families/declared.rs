@@ -8,7 +8,7 @@ pub(super) fn taken(statements: &[Statement]) -> Vec<&str> {
 }
 
 /// The name that a statement gives a meaning.
-pub(super) fn declared(statement: &Statement) -> Option<&str> {
+pub(crate) fn declared(statement: &Statement) -> Option<&str> {
     match &statement.kind {
         StatementKind::Parameter(parameter) => Some(&parameter.name.text),
         StatementKind::Size(size) => Some(&size.name.text),

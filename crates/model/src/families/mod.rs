@@ -7,6 +7,7 @@ mod index;
 mod sizes;
 mod write_out;
 
+pub(crate) use declared::declared;
 pub(crate) use index::{Bindings, whole_number};
 pub(crate) use sizes::sizes;
 

@@ -54,7 +54,7 @@ impl<'a> WriteOut<'a> {
                 && let Some(kind) = own.kind(&statement.kind)
             {
                 let label = statement.label.clone();
-                written.push(Statement { kind, over: Vec::new(), label, span: statement.span });
+                written.push(Statement { label, ..Statement::of(kind, statement.span) });
             }
         });
     }

@@ -44,7 +44,7 @@ impl Cursor<'_> {
             )));
         }
         let start = self.span();
-        let value = self.signed_number();
+        let value = self.signed_number().map(|value| self.divided(value));
         parameter.value_span = start.to(self.last_span());
         let goes_on = matches!(
             self.peek(),
@@ -198,6 +198,16 @@ impl Cursor<'_> {
         };
         self.advance();
         Some(if negative { -value } else { value })
+    }
+
+    /// A number and the one behind `/`, if there is one: `1/3`.
+    fn divided(&mut self, value: f64) -> f64 {
+        let TokenKind::Number(divisor) = *self.peek_ahead(1) else { return value };
+        if divisor == 0.0 || self.take(Symbol::Slash).is_none() {
+            return value;
+        }
+        self.advance();
+        value / divisor
     }
 
     /// `independent x in [m]`

@@ -4,7 +4,7 @@
 //! model       = { statement line-end }
 //! statement   = parameter | switch | choice | independent | size | event | function | table | definition | initial
 //!             | equation
-//! parameter   = "parameter" NAME "=" [ "-" ] NUMBER [ UNIT ]
+//! parameter   = "parameter" NAME "=" [ "-" ] NUMBER [ "/" NUMBER ] [ UNIT ]
 //!               [ "in" signed ".." signed ] [ "step" NUMBER ] [ TEXT ]
 //! switch      = "switch" NAME "=" ( "on" | "off" | "true" | "false" ) [ TEXT ]
 //! choice      = "choice" NAME [ TEXT ] "{" alternative { separator alternative } "}"
@@ -20,7 +20,7 @@
 //! function    = "function" NAME "(" NAME { "," NAME } ")" "=" expression [ "in" UNIT ] [ TEXT ]
 //! table       = [ "smooth" | "steps" ] "table" NAME "(" NAME ")" [ "in" UNIT ] [ TEXT ] "{" { point [ separator ] } "}" [ TEXT ]
 //! point       = signed-number [ UNIT ] signed-number [ UNIT ]
-//! definition  = NAME [ INDICES ] "=" expression [ "in" UNIT ] [ over ] [ TEXT ]
+//! definition  = [ "hidden" ] NAME [ INDICES ] "=" expression [ "in" UNIT ] [ over ] [ TEXT ]
 //! initial     = target "(" "0" ")" "=" expression [ "in" UNIT ] [ over ] [ TEXT ]
 //! equation    = expression "=" expression [ over ] [ TEXT ]
 //! over        = "for" NAME "in" expression ".." expression { "," NAME "in" expression ".." expression }

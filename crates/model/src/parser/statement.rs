@@ -36,6 +36,10 @@ impl Cursor<'_> {
     fn statement(&mut self, first: bool) -> Statement {
         let start = self.span();
         self.depth = 0;
+        let hidden = self.begins_with("hidden");
+        if hidden {
+            self.advance();
+        }
         let (kind, mut read) = match self.peek() {
             TokenKind::Keyword(_) if *self.peek_ahead(1) == TokenKind::Symbol(Symbol::Equals) => {
                 (nothing(start), self.plain_name(&words("a quantity", "una magnitud")).map(|_| ()))
@@ -67,8 +71,23 @@ impl Cursor<'_> {
         }
         if read.is_err() {
             self.skip_rest(false);
+        } else if hidden {
+            self.require_definition(&kind, start);
         }
-        Statement { kind, over, label, span: start.to(self.last_span()) }
+        Statement { kind, hidden, over, label, span: start.to(self.last_span()) }
+    }
+
+    /// Only what is defined can be hidden.
+    fn require_definition(&mut self, kind: &StatementKind, hidden: Span) {
+        if matches!(kind, StatementKind::Definition { .. } | StatementKind::Members { what: Members::Definitions, .. })
+        {
+            return;
+        }
+        let wrong = words("only a definition can be hidden", "solo se puede ocultar una definición");
+        self.say(
+            Diagnostic::error("hidden-form", wrong, hidden)
+                .with_hint(words("such as: hidden m = rho*L", "por ejemplo: hidden m = rho*L")),
+        );
     }
 
     /// The word of the language that was probably meant where a statement begins with two names.

@@ -24,7 +24,7 @@ pub(super) fn write_out(
         let label = statement.label.as_ref();
         for (axis, kind) in writer.kinds(&statement.kind) {
             let label = label.map(|label| axis.map_or_else(|| label.clone(), |axis| of_component(label, axis)));
-            written.push(Statement { kind, over: Vec::new(), label, span: statement.span });
+            written.push(Statement { label, ..Statement::of(kind, statement.span) });
         }
         if written.len() > limits::STATEMENTS {
             let message = words(

@@ -215,3 +215,15 @@ fn counts_are_whole() {
     let names = ["n", "twice", "rounded", "y", "half", "both", "quarter", "e"];
     assert_eq!(names.map(is_whole), [true, true, true, false, false, false, false, false]);
 }
+
+#[test]
+fn a_default_may_be_a_quotient_and_what_is_hidden_is_marked() {
+    let model = compile(
+        "parameter k = 1/3 [1/s] in 0..2\nsize N = 3\nhidden a = 2*k\nhidden b[i] = i*k for i in 1..N\nc = a + b[2]\nhidden = 4",
+    );
+    assert_eq!(model.parameters[0].value, 1.0 / 3.0);
+    let hidden: Vec<(&str, bool)> =
+        model.quantities.iter().map(|quantity| (quantity.name.as_str(), quantity.hidden)).collect();
+    let expected = [("a", true), ("b[1]", true), ("b[2]", true), ("b[3]", true), ("c", false), ("hidden", false)];
+    assert_eq!(hidden, expected);
+}

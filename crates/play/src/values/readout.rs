@@ -75,7 +75,9 @@ impl Play {
         }
         let values = self.quantity_values();
         let quantities = self.program.model.quantities.iter().zip(&values).enumerate();
-        for (index, (quantity, &value)) in quantities.filter(|(_, (quantity, _))| !quantity.is_remembered()) {
+        for (index, (quantity, &value)) in
+            quantities.filter(|(_, (quantity, _))| !quantity.is_remembered() && !quantity.hidden)
+        {
             let scale = self.scales.get(self.program.model.states.len() + index).copied().unwrap_or_default();
             let unit = &quantity.value.unit;
             let hidden = self.is_hidden(index);

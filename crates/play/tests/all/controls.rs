@@ -222,3 +222,11 @@ fn everything_is_announced() {
         assert_eq!(play.announcement_text(&announcement), expected);
     }
 }
+
+#[test]
+fn what_is_hidden_is_no_readout() {
+    let source = "---\ntitle: A\n---\n\n```model\nhidden a = 2 [m]\nb = 3*a\nx' = -x/1 [s]\nx(0) = b\n```\n";
+    let mut play = crate::support::open(source, &[]);
+    let names: Vec<String> = play.readouts().into_iter().map(|readout| readout.name).collect();
+    assert!(names.contains(&"b".to_owned()) && !names.contains(&"a".to_owned()), "{names:?}");
+}

@@ -201,6 +201,8 @@ pub struct Quantity {
     pub value: Compiled,
     /// Whether it depends on states or the independent variable; if not, it is constant while parameters are.
     pub varies: bool,
+    /// Whether the author keeps it out of the readouts.
+    pub hidden: bool,
 }
 
 impl Quantity {

@@ -46,9 +46,10 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
         }
         None => Table::new(model),
     };
-    let steps = steps(until, setup.step)?;
     let failed = |error: RunError| failed(&sources, &document, &error, terminal);
     let mut run = engine::Run::start(model, setup).map_err(failed)?;
+    // That of the run: a model that counts goes by 1 whatever was asked for.
+    let steps = steps(until, run.setup().step)?;
     let output = match &arguments.output {
         Some(path) => Output::to(path, &sources)?,
         None => Output::standard(),

@@ -9,7 +9,7 @@ use document::Document;
 use document::edit::set_parameter;
 use engine::{Method, Readings, Setup};
 use model::Compiler;
-use program::{Choices, Compiled, Kind, Model, Parameter, Program};
+use program::{Compiled, Kind, Model, Parameter, Program};
 use std::str::FromStr;
 use units::Unit;
 use units::nearest;
@@ -95,7 +95,7 @@ impl Reader<'_> {
         let Some(index) = self.model.parameters.iter().position(|parameter| parameter.name == assignment.name) else {
             return Err(self.no_parameter(&assignment.name));
         };
-        if self.model.parameters[index].choices != Choices::Numbers {
+        if !self.model.parameters[index].is_number() {
             return Ok((index, self.chosen(option, index, &assignment.value)?));
         }
         let unit = self.model.parameters[index].unit.clone();

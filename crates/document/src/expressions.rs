@@ -113,7 +113,7 @@ impl<'a> Expressions<'a> {
                 );
                 continue;
             }
-            if self.model().parameters[parameter].choices != Choices::Numbers {
+            if !self.model().parameters[parameter].is_number() {
                 if let Some(value) = self.chosen(parameter, &assignment.value) {
                     result.push(Assignment { parameter, value });
                 }

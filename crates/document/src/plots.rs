@@ -190,6 +190,9 @@ fn firings(expressions: &mut Expressions, range: Range<usize>) -> Option<NodeId>
 fn every(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Every> {
     let source = expressions.source;
     let Some(word) = find_word(source, part.clone(), "every") else {
+        if expressions.model().independent.counts {
+            return Some(Every { period: expressions.graph().constant(1.0), from: None });
+        }
         expressions.diagnostics.push(
             Diagnostic::error(
                 "plot-syntax",

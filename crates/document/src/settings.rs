@@ -27,6 +27,9 @@ pub struct Settings {
 /// Checks the front matter against the model.
 pub fn read(matter: &FrontMatter, model: &Model, diagnostics: &mut Vec<Diagnostic>) -> Settings {
     let independent = &model.independent.unit;
+    if model.independent.counts {
+        refuse_steps(matter, &model.independent.name, diagnostics);
+    }
     let language = matter.get("language").filter(|language| {
         let good = is_language(&language.text);
         if !good {
@@ -48,6 +51,19 @@ pub fn read(matter: &FrontMatter, model: &Model, diagnostics: &mut Vec<Diagnosti
             .and_then(|value| quantity("speed", value, independent, diagnostics))
             .map(|(per_second, unit)| Speed { per_second, unit }),
         tolerance: matter.get("tolerance").and_then(|value| tolerance(value, diagnostics)),
+    }
+}
+
+/// Where the independent variable counts there is nothing to be stepped.
+fn refuse_steps(matter: &FrontMatter, independent: &str, diagnostics: &mut Vec<Diagnostic>) {
+    for key in ["method", "step", "tolerance"] {
+        let Some(value) = matter.get(key) else { continue };
+        let message = words!(
+            "`{key}` has no meaning here: `{independent}` counts by 1",
+            "`{key}` no tiene sentido aquí: `{independent}` cuenta por 1"
+        );
+        let diagnostic = Diagnostic::error("setting", message, value.span);
+        diagnostics.push(diagnostic.with_hint(words!("leave the line `{key}` out", "omite la línea `{key}`")));
     }
 }
 

@@ -99,6 +99,9 @@ pub(crate) fn run<const ROWS: usize>(
             Instruction::Select(to, condition, a, b) => {
                 each(registers, to, [condition, a, b], |[condition, a, b]| if condition != 0.0 { a } else { b });
             }
+            Instruction::Binomial(to, trials, probability, stream) => {
+                each(registers, to, [trials, probability, stream], |[n, p, stream]| program::binomial(n, p, stream));
+            }
             Instruction::Unary(function, to, a) => each(registers, to, [a], |[a]| function.evaluate(a)),
             Instruction::Binary(function, to, a, b) => each(registers, to, [a, b], |[a, b]| function.evaluate(a, b)),
             Instruction::Piece(number, to, x) => {

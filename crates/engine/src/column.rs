@@ -73,6 +73,7 @@ impl Column {
             Operation::MultiplySubtract => self.all(registers, |[a, b, c]| a * b - c),
             Operation::SubtractProduct => self.all(registers, |[a, b, c]| c - a * b),
             Operation::Select => self.all(registers, |[condition, a, b]| if condition != 0.0 { a } else { b }),
+            Operation::Binomial => self.all(registers, |[n, p, stream]| program::binomial(n, p, stream)),
             Operation::Unary(function) => self.all(registers, |[a]| function.evaluate(a)),
             Operation::Binary(function) => self.all(registers, |[a, b]| function.evaluate(a, b)),
             Operation::Piece(number) => {

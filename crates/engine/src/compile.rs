@@ -288,6 +288,9 @@ impl<'a> Compiler<'a> {
                 (Operation::Interpolated(interpolation), [self.of(x), self.of(piece), 0])
             }
             Node::Select(condition, a, b) => (Operation::Select, [condition, a, b].map(|operand| self.of(operand))),
+            Node::Binomial(trials, probability, stream) => {
+                (Operation::Binomial, [trials, probability, stream].map(|operand| self.of(operand)))
+            }
             // Inputs and solutions are not computed by operations; `input` and `emit` have dealt with them.
             _ => (Operation::Negate, [0; 3]),
         }
@@ -339,7 +342,7 @@ fn operands(graph: &Graph, node: Node) -> Vec<NodeId> {
         Node::Constant(_) | Node::Parameter(_) | Node::Initial(_) | Node::Independent | Node::State(_) => Vec::new(),
         Node::Unary(_, a) | Node::Piece(_, a) => vec![a],
         Node::Binary(_, a, b) | Node::Interpolated(_, a, b) => vec![a, b],
-        Node::Select(a, b, c) | Node::Friction(a, b, c) => vec![a, b, c],
+        Node::Select(a, b, c) | Node::Friction(a, b, c) | Node::Binomial(a, b, c) => vec![a, b, c],
         Node::Solution { system, .. } => {
             let system = &graph.systems()[system as usize];
             system.matrix.iter().chain(&system.right).copied().collect()

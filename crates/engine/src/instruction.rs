@@ -29,6 +29,8 @@ pub(crate) enum Instruction {
     Piece(u32, Register, Register),
     /// The value of the interpolation of this number: where, and of which piece.
     Interpolated(u32, Register, Register, Register),
+    /// Draws of the binomial distribution: trials, probability, stream.
+    Binomial(Register, Register, Register, Register),
     /// Solves the linear system of this number.
     Solve(u32),
     /// Computes the column of this number.
@@ -47,6 +49,7 @@ pub(crate) enum Operation {
     MultiplySubtract,
     SubtractProduct,
     Select,
+    Binomial,
     Unary(Unary),
     Binary(Binary),
     Piece(u32),
@@ -66,6 +69,7 @@ impl Operation {
             Self::MultiplySubtract => Instruction::MultiplySubtract(to, a, b, c),
             Self::SubtractProduct => Instruction::SubtractProduct(to, a, b, c),
             Self::Select => Instruction::Select(to, a, b, c),
+            Self::Binomial => Instruction::Binomial(to, a, b, c),
             Self::Unary(function) => Instruction::Unary(function, to, a),
             Self::Binary(function) => Instruction::Binary(function, to, a, b),
             Self::Piece(interpolation) => Instruction::Piece(interpolation, to, a),
@@ -89,6 +93,7 @@ impl Operation {
             Self::Binary(function) => (10, function as u32),
             Self::Piece(interpolation) => (11, interpolation),
             Self::Interpolated(interpolation) => (12, interpolation),
+            Self::Binomial => (13, 0),
         }
     }
 }

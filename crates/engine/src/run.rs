@@ -35,6 +35,8 @@ pub struct Run {
     ranges: Ranges,
     /// For adaptive methods.
     checkpoints: Option<Checkpoints>,
+    /// Whether the independent variable counts: the state then holds from one count to the next.
+    counts: bool,
 }
 
 impl Run {
@@ -43,6 +45,7 @@ impl Run {
     /// # Errors
     /// A step or tolerance that is not positive, an initial state that is not finite, a method that cannot treat the model.
     pub fn start(model: &Model, setup: Setup) -> Result<Self, RunError> {
+        let setup = setup.fitting(model);
         let stepper = Stepper::new(model, &setup)?;
         let history = History::new(stepper.initial().to_vec(), setup.parameters.clone());
         let rates: Vec<NodeId> = model.states.iter().map(|state| state.derivative).collect();
@@ -52,7 +55,17 @@ impl Run {
         let mut ranges = Ranges::new(model);
         ranges.look(&setup.parameters, stepper.initial(), stepper.time(), &state);
         let ends = [state.clone(), state];
-        Ok(Self { rates, setup, stepper, history, ends, last_on_grid: 0, ranges, checkpoints })
+        Ok(Self {
+            rates,
+            setup,
+            stepper,
+            history,
+            ends,
+            last_on_grid: 0,
+            ranges,
+            checkpoints,
+            counts: model.independent.counts,
+        })
     }
 
     /// Goes on to the next point of the grid t_n = n h.
@@ -206,13 +219,17 @@ impl Run {
     }
 
     /// The state at any time up to the last row: between two rows the cubic with the values and slopes of both (Hermite),
-    /// and the first or last row outside.
+    /// and the first or last row outside. Where the independent variable counts, the last row before.
     pub fn interpolate(&mut self, time: f64, out: &mut [f64]) {
         let history = &self.history;
         let row = history.row_at(time);
         history.state(row, out);
         let next = row + 1;
-        if next >= history.len() || history.segment(next) != history.segment(row) || time <= history.time(row) {
+        if self.counts
+            || next >= history.len()
+            || history.segment(next) != history.segment(row)
+            || time <= history.time(row)
+        {
             return;
         }
         let [from, to] = &mut self.ends;

@@ -37,6 +37,7 @@ impl Setup {
             tolerance: Self::TOLERANCE,
             start: None,
         }
+        .fitting(model)
     }
 
     /// What a document asks for; where it does not say, as [`Self::defaults`].
@@ -48,6 +49,12 @@ impl Setup {
             tolerance: program.tolerance.unwrap_or(defaults.tolerance),
             ..defaults
         }
+        .fitting(&program.model)
+    }
+
+    /// The same for a model: one that counts goes by 1, and no method has anything to do.
+    pub(crate) fn fitting(self, model: &Model) -> Self {
+        if model.independent.counts { Self { step: 1.0, method: Method::Euler, ..self } } else { self }
     }
 
     /// The same more finely: with half the step or, where the method chooses its own steps, a tenth of the tolerance.

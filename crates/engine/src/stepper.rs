@@ -1,6 +1,7 @@
 //! A model in motion, without memory of where it has been.
 
 mod advance;
+mod count;
 mod moment;
 
 pub use advance::Progress;
@@ -39,6 +40,8 @@ pub struct Stepper {
     row: RowWork,
     /// Whether an event that ends the run does so.
     heeds_ends: bool,
+    /// Whether the independent variable counts.
+    counts: bool,
     /// Why it cannot go on, until something is changed.
     stopped: Option<RunError>,
 }
@@ -82,6 +85,7 @@ impl Stepper {
     /// # Errors
     /// A step or tolerance that is not positive, an initial state that is not finite, a method that cannot treat the model.
     pub fn new(model: &Model, setup: &Setup) -> Result<Self, RunError> {
+        let setup = &setup.clone().fitting(model);
         start::check(setup, model)?;
         let initial = match &setup.start {
             Some(start) => start.clone(),
@@ -125,6 +129,7 @@ impl Stepper {
             initial,
             row: RowWork::default(),
             heeds_ends: true,
+            counts: model.independent.counts,
             stopped: None,
         };
         stepper.prepare();

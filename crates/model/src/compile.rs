@@ -1,13 +1,13 @@
 //! From text to a checked model: syntax, names, dimensions, and then the graph.
 
-use crate::choices;
 use crate::dimensions::check_dimensions;
 use crate::families::{declared, sizes, without_families};
 use crate::functions::{Functions, written_out};
 use crate::lowering::{assemble, warn};
 use crate::names::{Declarations, NameCheck, Unknown, check_event, definition_order, find_unknowns};
 use crate::vectors::Vectors;
-use crate::{Diagnostic, Places, Span, Statement, has_errors, limits, moments, parse, so_far, ticks};
+use crate::{Diagnostic, Places, Span, Statement, has_errors, limits, maps, moments, parse, so_far, ticks};
+use crate::{chance, choices};
 use program::{Model, Size};
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -87,7 +87,8 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
         let (single, functions) = without_vectors(&single, vectors, &sizes, diagnostics)?;
         (Cow::Owned(single), Some(functions))
     };
-    let scheduled = ticks::write_out(&single);
+    let mapped = chance::write_out(maps::write_out(&single, diagnostics), diagnostics);
+    let scheduled = ticks::write_out(&mapped);
     let remembered = so_far::write_out(moments::write_out(&scheduled, vectors, diagnostics));
     let (functions, called) = match functions {
         Some(functions) => (functions, None),

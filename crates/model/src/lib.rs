@@ -1,5 +1,6 @@
 //! The equation language: from text to a checked system of first-order equations.
 
+mod chance;
 mod choices;
 mod compile;
 mod components;
@@ -11,6 +12,7 @@ mod functions;
 mod lexer;
 mod limits;
 mod lowering;
+mod maps;
 mod matching;
 mod moments;
 mod names;

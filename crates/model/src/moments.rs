@@ -290,7 +290,7 @@ fn expression(kind: ExpressionKind, span: Span) -> Expression {
 }
 
 /// The expressions of a statement.
-fn expressions(statement: &Statement) -> Vec<&Expression> {
+pub(crate) fn expressions(statement: &Statement) -> Vec<&Expression> {
     match &statement.kind {
         StatementKind::Definition { value, .. }
         | StatementKind::InitialValue { value, .. }

@@ -140,7 +140,9 @@ fn write(out: &mut impl Write, expression: &Expression, least: u8) -> fmt::Resul
         }
         ExpressionKind::Call { function, arguments } => {
             write!(out, "{}(", function.text)?;
-            list(out, arguments)?;
+            // The stream of a draw is none of the author's.
+            let hidden = usize::from(crate::chance::has_stream(arguments));
+            list(out, arguments.get(hidden..).unwrap_or_default())?;
             out.write_char(')')
         }
         ExpressionKind::Expansion(expansion) => out.write_str(&expansion.written),

@@ -54,12 +54,14 @@ pub enum StatementKind {
     Choice(ChoiceStatement),
     /// `size N = 20 in 2..200`
     Size(SizeStatement),
-    /// `independent x in [m]`
+    /// `independent x in [m]`, `independent k by 1`
     Independent {
         /// The independent variable.
         name: Name,
         /// Its unit; dimensionless without one.
         unit: Option<StatedUnit>,
+        /// `by 1`: it counts.
+        counts: bool,
     },
     /// `m = rho*S*L in [kg]`
     Definition {
@@ -137,6 +139,8 @@ pub struct EventExtras {
     pub every: Option<Box<(Expression, Option<Expression>)>>,
     /// `stop`: it ends the run.
     pub stop: Option<Span>,
+    /// `next p = r*p*(1 - p)` in the place of a condition: it acts at each count.
+    pub next: bool,
 }
 
 /// What the members of a family are.
@@ -201,6 +205,8 @@ pub enum ParameterForm {
     Number,
     /// `switch drag = on`: the value is 1 or 0.
     Switch,
+    /// `random seed = 1`: a whole number that decides all random draws.
+    Seed,
     /// `choice liquid { ... }`: one of these texts; the value is the number of the one.
     Choice(Vec<String>),
 }
@@ -209,7 +215,7 @@ impl ParameterForm {
     /// What its value is.
     pub(crate) fn kind(&self) -> program::Kind {
         match self {
-            Self::Number => program::Kind::Number,
+            Self::Number | Self::Seed => program::Kind::Number,
             Self::Switch => program::Kind::Truth,
             Self::Choice(_) => program::Kind::Text,
         }

@@ -14,6 +14,7 @@ pub(crate) fn write_out(statements: &[Statement]) -> Cow<'_, [Statement]> {
         return Cow::Borrowed(statements);
     }
     let independent = crate::moments::independent(statements);
+    let counts = crate::maps::counts(statements);
     let mut written = statements.to_vec();
     let mut added = Vec::new();
     for (number, statement) in written.iter_mut().enumerate() {
@@ -21,8 +22,12 @@ pub(crate) fn write_out(statements: &[Statement]) -> Cow<'_, [Statement]> {
             && let Some(every) = extras.every.take()
         {
             let (interval, from) = *every;
-            let ticks =
-                Ticks { independent: &independent, next: format!("every {number} so far"), span: interval.span };
+            let ticks = Ticks {
+                independent: &independent,
+                counts,
+                next: format!("every {number} so far"),
+                span: interval.span,
+            };
             added.push(ticks.count(&interval, from.as_ref()));
             actions.push(ticks.counted());
             *condition = ticks.passed(interval, from);
@@ -35,6 +40,8 @@ pub(crate) fn write_out(statements: &[Statement]) -> Cow<'_, [Statement]> {
 /// The moments of one event.
 struct Ticks<'a> {
     independent: &'a str,
+    /// Whether it counts: the moments then are counts, and nothing comes between.
+    counts: bool,
     /// The number of the next one.
     next: String,
     span: Span,
@@ -84,13 +91,14 @@ impl Ticks<'_> {
         Action::of(name, 0, value)
     }
 
-    /// t > from + n interval
+    /// t > from + n interval; t >= from + n interval where t counts
     fn passed(&self, interval: Expression, from: Option<Expression>) -> Expression {
         let since = self.binary(BinaryOperator::Multiply, self.name(&self.next, 0), interval);
         let moment = match from {
             Some(from) => self.binary(BinaryOperator::Add, from, since),
             None => since,
         };
-        self.binary(BinaryOperator::Greater, self.name(self.independent, 0), moment)
+        let passed = if self.counts { BinaryOperator::GreaterOrEqual } else { BinaryOperator::Greater };
+        self.binary(passed, self.name(self.independent, 0), moment)
     }
 }

@@ -136,7 +136,7 @@ fn drawing_exists(drawing: &Drawing, curves: usize, model: &Model) -> bool {
 fn texts_exist(parameter: &Parameter, texts: usize) -> bool {
     match &parameter.choices {
         Choices::Texts(own) => own.iter().all(|&text| (text as usize) < texts),
-        Choices::Numbers | Choices::Switch => true,
+        Choices::Numbers | Choices::Switch | Choices::Seed => true,
     }
 }
 

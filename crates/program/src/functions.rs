@@ -46,6 +46,25 @@ enum Build {
     Remainder,
     /// Stands for itself until the model is solved ([`Node::Friction`]).
     Friction,
+    /// A random draw. Its first argument is its stream, which no author writes.
+    Draw(Draw),
+    /// The stream of draws that belongs to two numbers.
+    Stream,
+}
+
+/// How a draw is distributed.
+#[derive(Clone, Copy, Debug)]
+enum Draw {
+    /// Between two values.
+    Uniform,
+    /// With a mean and a standard deviation.
+    Normal,
+    /// With a mean.
+    Exponential,
+    /// With a mean.
+    Poisson,
+    /// With a number of trials and a probability.
+    Binomial,
 }
 
 /// As many as a model can write out.
@@ -57,6 +76,11 @@ const fn one(name: &'static str, dimensions: Rule, function: Unary) -> Function 
 
 const fn two(name: &'static str, most: usize, dimensions: Rule, function: Binary) -> Function {
     Function { name, least: 2, most, dimensions, build: Build::Binary(function) }
+}
+
+/// A draw with so many arguments of the author's.
+const fn draw(name: &'static str, arguments: usize, dimensions: Rule, draw: Draw) -> Function {
+    Function { name, least: 1 + arguments, most: 1 + arguments, dimensions, build: Build::Draw(draw) }
 }
 
 /// All functions, in the order of the language reference.
@@ -90,9 +114,23 @@ pub const FUNCTIONS: &[Function] = &[
     Function { name: "mod", least: 2, most: 2, dimensions: Rule::Same, build: Build::Remainder },
     Function { name: "hypot", least: 2, most: 2, dimensions: Rule::Same, build: Build::Hypotenuse },
     Function { name: "coulomb", least: 2, most: 3, dimensions: Rule::Rest, build: Build::Friction },
+    draw("uniform", 2, Rule::Rest, Draw::Uniform),
+    draw("normal", 2, Rule::Rest, Draw::Normal),
+    draw("exponential", 1, Rule::Rest, Draw::Exponential),
+    draw("poisson", 1, Rule::Pure, Draw::Poisson),
+    draw("binomial", 2, Rule::Pure, Draw::Binomial),
+    Function { name: Function::STREAM, least: 2, most: 2, dimensions: Rule::Pure, build: Build::Stream },
 ];
 
 impl Function {
+    /// The name of what makes streams of draws, which no text can give.
+    pub const STREAM: &str = "stream of draws";
+
+    /// Whether it draws at random.
+    pub fn draws(&self) -> bool {
+        matches!(self.build, Build::Draw(_))
+    }
+
     /// The function of that name.
     pub fn named(name: &str) -> Option<&'static Self> {
         FUNCTIONS.iter().find(|function| function.name == name)
@@ -101,7 +139,8 @@ impl Function {
     /// The function of that name if nothing else may have it. The names of functions that the language has gained since its
     /// first edition are free for other use.
     pub fn reserving(name: &str) -> Option<&'static Self> {
-        Self::named(name).filter(|function| !matches!(function.build, Build::Friction | Build::Sum))
+        Self::named(name)
+            .filter(|function| !matches!(function.build, Build::Friction | Build::Sum | Build::Draw(_) | Build::Stream))
     }
 
     /// Whether it can be called with so many arguments.
@@ -127,6 +166,8 @@ impl Function {
             return graph.constant(0.0);
         };
         match self.build {
+            Build::Stream => rest.first().map_or(first, |&number| graph.binary(Binary::Stream, first, number)),
+            Build::Draw(draw) => self::draws(graph, draw, first, rest),
             Build::Unary(function) => graph.unary(function, first),
             Build::Binary(function) => rest.iter().fold(first, |value, &next| graph.binary(function, value, next)),
             Build::Sum => pairwise_sum(graph, arguments),
@@ -149,6 +190,29 @@ impl Function {
                 graph.subtract(value, multiple)
             }),
         }
+    }
+}
+
+/// A draw of a stream.
+fn draws(graph: &mut Graph, draw: Draw, stream: NodeId, arguments: &[NodeId]) -> NodeId {
+    match (draw, arguments) {
+        (Draw::Uniform, &[low, high]) => {
+            let (part, range) = (graph.unary(Unary::Uniform, stream), graph.subtract(high, low));
+            let above = graph.multiply(range, part);
+            graph.add(low, above)
+        }
+        (Draw::Normal, &[mean, deviation]) => {
+            let number = graph.unary(Unary::Normal, stream);
+            let off = graph.multiply(deviation, number);
+            graph.add(mean, off)
+        }
+        (Draw::Exponential, &[mean]) => {
+            let number = graph.unary(Unary::Exponential, stream);
+            graph.multiply(mean, number)
+        }
+        (Draw::Poisson, &[mean]) => graph.binary(Binary::Poisson, mean, stream),
+        (Draw::Binomial, &[trials, probability]) => graph.insert(Node::Binomial(trials, probability, stream)),
+        _ => graph.constant(f64::NAN),
     }
 }
 

@@ -2,6 +2,7 @@
 //! without source text and places in it. It is what runs; [`bundle`] writes and reads it.
 
 pub mod bundle;
+mod chance;
 mod checks;
 pub mod functions;
 mod graph;
@@ -15,6 +16,7 @@ mod questions;
 mod scene;
 mod speed;
 
+pub use chance::binomial;
 pub use checks::{Check, Claim, Moment, Relation, Sides, Test};
 pub use graph::{
     Binary, Graph, Interpolation, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate, differentiate_all,

@@ -53,7 +53,10 @@ impl Program {
 
     /// How fast it is watched.
     pub fn pace(&self) -> Speed {
-        self.speed.clone().unwrap_or_else(|| Speed::chosen(self.until, &self.model.independent.unit))
+        let independent = &self.model.independent;
+        // Of what counts one in a second would be slow.
+        let until = self.until.or_else(|| independent.counts.then(|| self.end()));
+        self.speed.clone().unwrap_or_else(|| Speed::chosen(until, &independent.unit))
     }
 
     /// The edition in `language`; the document's own where there is none.

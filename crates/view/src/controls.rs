@@ -26,7 +26,9 @@ pub fn view(app: App) -> HtmlSection {
 
 /// The state at the present, and how it is computed: changed more seldom than parameters.
 pub fn state_and_method(app: App) -> HtmlSection {
-    part("settings", "controls card", app.words().settings).child(states(app)).child(numerics(app))
+    let settings = part("settings", "controls card", app.words().settings).child(states(app));
+    // What counts needs no method.
+    if app.read(|play| play.model().independent.counts) { settings } else { settings.child(numerics(app)) }
 }
 
 fn presets(app: App) -> View {

@@ -9,6 +9,7 @@ use super::task::{FitError, Record, Target, Task};
 use super::{MOST_VALUES, MOST_VARIED, check, weights};
 use program::{Model, NodeId};
 use std::sync::Arc;
+use units::words;
 
 /// A task made ready: what is asked, and how it is computed.
 #[derive(Clone, Debug)]
@@ -49,6 +50,12 @@ impl Problem {
     /// Checks a task and makes it ready.
     pub fn new(model: &Model, task: Task) -> Result<Self, FitError> {
         check::task(&task)?;
+        if model.is_random() {
+            return Err(FitError::Model(words(
+                "a model that draws at random is not fitted: each seed gives another curve",
+                "un modelo que sortea al azar no se ajusta: cada semilla da otra curva",
+            )));
+        }
         let columns = columns::of(&task);
         let mut expressions: Vec<NodeId> = Vec::new();
         let mut values = 0;

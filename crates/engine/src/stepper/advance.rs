@@ -115,6 +115,9 @@ impl Stepper {
 
     /// Goes towards a time; whether it is reached.
     fn advance_until(&mut self, target: f64, work: u64, record: &mut impl Record) -> Result<bool, RunError> {
+        if self.counts {
+            return self.count_until(target, work, record);
+        }
         let begun = self.work();
         while self.time < target {
             self.row.steps += 1;
@@ -284,7 +287,7 @@ impl Stepper {
 }
 
 /// Why a state that a step has given cannot be taken.
-fn not_finite(state: &[f64], singular: bool, method: Method) -> Cause {
+pub(super) fn not_finite(state: &[f64], singular: bool, method: Method) -> Cause {
     let first = state.iter().position(|value| !value.is_finite()).unwrap_or_default();
     if singular {
         Cause::Singular(first)

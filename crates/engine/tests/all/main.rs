@@ -2,12 +2,14 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 
+mod chance;
 mod closed_forms;
 mod events;
 mod families;
 mod friction;
 mod going_on;
 mod large;
+mod maps;
 mod orders;
 mod remembered;
 mod runs;

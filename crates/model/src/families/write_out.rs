@@ -156,7 +156,8 @@ impl<'a> WriteOut<'a> {
                 let every = extras.every.as_ref().map(|every| {
                     Box::new((self.expression(&every.0), every.1.as_ref().map(|from| self.expression(from))))
                 });
-                let extras = EventExtras { name: extras.name.clone(), names, every, stop: extras.stop };
+                let extras =
+                    EventExtras { name: extras.name.clone(), names, every, stop: extras.stop, next: extras.next };
                 StatementKind::Event { condition, actions, extras }
             }
         })

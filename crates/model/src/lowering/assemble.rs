@@ -67,7 +67,11 @@ pub(crate) fn assemble(
     let tables = tables(declarations, lowering.graph);
     let Lowered { definitions: values, frictions: calls, .. } = known;
     let mut model = Model {
-        independent: Independent { name: declarations.independent.0.clone(), unit: declarations.independent.1.clone() },
+        independent: Independent {
+            name: declarations.independent.0.clone(),
+            unit: declarations.independent.1.clone(),
+            counts: declarations.counts,
+        },
         parameters,
         states,
         quantities: Vec::new(),
@@ -141,11 +145,12 @@ fn parameters(declarations: &Declarations, texts: &mut Vec<String>) -> Vec<Param
         let choices = match &statement.form {
             ParameterForm::Number => Choices::Numbers,
             ParameterForm::Switch => Choices::Switch,
+            ParameterForm::Seed => Choices::Seed,
             ParameterForm::Choice(own) => Choices::Texts(own.iter().map(|text| text_index(texts, text)).collect()),
         };
         let value = match &choices {
             Choices::Texts(own) => own.first().copied().map_or(0.0, f64::from),
-            Choices::Numbers | Choices::Switch => unit.to_si(statement.value),
+            Choices::Numbers | Choices::Switch | Choices::Seed => unit.to_si(statement.value),
         };
         Parameter {
             name: statement.name.text.clone(),
@@ -154,7 +159,7 @@ fn parameters(declarations: &Declarations, texts: &mut Vec<String>) -> Vec<Param
             choices,
             range: statement.range.as_ref().map(|bounds| (unit.to_si(bounds.low), unit.to_si(bounds.high))),
             step: statement.step.map(|step| unit.to_si(step)),
-            restarts: false,
+            restarts: statement.form == ParameterForm::Seed,
             unit,
         }
     };

@@ -9,7 +9,7 @@
 use crate::limits;
 use crate::names::{Declarations, for_each};
 use crate::{Diagnostic, Expression, ExpressionKind, Places, Span};
-use program::functions::{Function, Rule};
+use program::functions::Function;
 use program::{Binary, Event, Graph, LinearSystem, Model, Node, NodeId, State, Unary, Variable, along, differentiate};
 use std::collections::HashMap;
 use units::{Unit, words};
@@ -102,7 +102,7 @@ pub(crate) fn frictions(expression: &Expression) -> Vec<&Expression> {
     let mut calls = Vec::new();
     for_each(expression, |part| {
         if let ExpressionKind::Call { function, .. } = &part.kind
-            && Function::named(&function.text).is_some_and(|function| function.dimensions == Rule::Rest)
+            && Function::named(&function.text).is_some_and(|function| function.name == "coulomb")
         {
             calls.push(part);
         }

@@ -47,6 +47,7 @@ fn evaluate(graph: &Graph, order: &[NodeId], point: u32) -> Vec<f64> {
             | Node::Independent
             | Node::State(_)
             | Node::Friction(..)
+            | Node::Binomial(..)
             | Node::Solution { .. } => arbitrary(id.0, point),
             Node::Piece(number, x) => graph.interpolations()[number as usize].piece(of(x)),
             Node::Interpolated(number, x, piece) => graph.interpolations()[number as usize].value(of(x), of(piece)),

@@ -4,6 +4,7 @@ use super::foreign;
 use super::members;
 use super::scope::{Meaning, Scope};
 use super::traverse::for_each;
+use crate::chance;
 use crate::limits;
 use crate::notation::{primed, quote};
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, Span};
@@ -131,6 +132,10 @@ impl<'a> NameCheck<'a> {
     }
 
     fn call(&mut self, name: &Name, arguments: &[Expression]) {
+        if chance::draws(&name.text) && !chance::has_stream(arguments) && !self.scope.is_function(&name.text) {
+            self.diagnostics.push(chance::out_of_place(name));
+            return;
+        }
         if let Some(function) = Function::named(&name.text) {
             if !function.takes(arguments.len()) {
                 self.wrong_count(function, arguments.len(), name.span);

@@ -14,6 +14,8 @@ use units::{Unit, words};
 #[derive(Debug)]
 pub(crate) struct Declarations<'a> {
     pub independent: (String, Unit),
+    /// Whether the independent variable counts.
+    pub counts: bool,
     pub parameters: Vec<ParameterEntry<'a>>,
     pub definitions: Vec<Definition<'a>>,
     pub initial_values: Vec<InitialEntry<'a>>,
@@ -79,6 +81,7 @@ impl<'a> Declarations<'a> {
         let mut declarations = Self {
             scope: Scope::new(&independent.0),
             independent,
+            counts: crate::maps::counts(statements),
             parameters: Vec::new(),
             definitions: Vec::new(),
             initial_values: Vec::new(),
@@ -204,7 +207,7 @@ impl<'a> Declarations<'a> {
 fn independent(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> (String, Unit) {
     let mut stated: Option<(&Name, Unit)> = None;
     for statement in statements {
-        let StatementKind::Independent { name, unit } = &statement.kind else {
+        let StatementKind::Independent { name, unit, .. } = &statement.kind else {
             continue;
         };
         if let Some((first, _)) = &stated {

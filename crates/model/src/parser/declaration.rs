@@ -219,8 +219,12 @@ impl Cursor<'_> {
         };
         let unit = self.stated_unit();
         let read = unit.as_ref().map(|_| ()).map_err(|reported| *reported);
-        (StatementKind::Independent { name, unit: unit.unwrap_or(None) }, read)
+        let unit = unit.unwrap_or(None);
+        let counts = if read.is_ok() { self.counting(unit.as_ref()) } else { Ok(false) };
+        let read = counts.as_ref().map(|_| ()).map_err(|reported| *reported);
+        (StatementKind::Independent { name, unit, counts: counts.unwrap_or(false) }, read)
     }
+
     /// Assignments up to the end.
     pub(super) fn assignments(&mut self) -> Vec<Assignment> {
         let mut assignments = Vec::new();

@@ -90,6 +90,19 @@ impl Cursor<'_> {
     }
 
     fn action(&mut self) -> Read<Action> {
+        let mut action = self.new_value()?;
+        action.over = self.over()?;
+        let separated = matches!(
+            self.peek(),
+            TokenKind::Newline
+                | TokenKind::End
+                | TokenKind::Symbol(Symbol::Semicolon | Symbol::Comma | Symbol::RightBrace)
+        );
+        if separated { Ok(action) } else { self.unexpected_after_expression() }
+    }
+
+    /// `y' = -e*y'`
+    pub(super) fn new_value(&mut self) -> Read<Action> {
         let span = self.span();
         let TokenKind::Name { text, order, end } = self.peek().clone() else {
             let wrong = words!(
@@ -124,18 +137,8 @@ impl Cursor<'_> {
             return self.fail(diagnostic.with_hint(EVENT_FORM));
         }
         let value = self.expression()?.expression;
-        let over = self.over()?;
-        let separated = matches!(
-            self.peek(),
-            TokenKind::Newline
-                | TokenKind::End
-                | TokenKind::Symbol(Symbol::Semicolon | Symbol::Comma | Symbol::RightBrace)
-        );
-        if !separated {
-            return self.unexpected_after_expression();
-        }
         let name = crate::Name { text, span: Span::new(span.start, end) };
-        Ok(Action { name, indices, component, order, value, over })
+        Ok(Action { name, indices, component, order, value, over: Vec::new() })
     }
 
     /// Whether a statement begins with `every` and an interval.

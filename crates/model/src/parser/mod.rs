@@ -2,15 +2,17 @@
 //!
 //! ```text
 //! model       = { statement line-end }
-//! statement   = parameter | switch | choice | independent | size | event | function | table | definition | initial
-//!             | equation
+//! statement   = parameter | switch | random | choice | independent | size | event | next | function | table
+//!             | definition | initial | equation
 //! parameter   = "parameter" NAME "=" [ "-" ] NUMBER [ "/" NUMBER ] [ UNIT ]
 //!               [ "in" signed ".." signed ] [ "step" NUMBER ] [ TEXT ]
 //! switch      = "switch" NAME "=" ( "on" | "off" | "true" | "false" ) [ TEXT ]
+//! random      = "random" NAME "=" NUMBER [ "in" signed ".." signed ] [ TEXT ]
 //! choice      = "choice" NAME [ TEXT ] "{" alternative { separator alternative } "}"
 //! alternative = TEXT ":" assignment { "," assignment }
 //! assignment  = NAME "=" expression [ "in" UNIT ]
-//! independent = "independent" NAME [ "in" UNIT ] [ TEXT ]
+//! independent = "independent" NAME [ "in" UNIT | "by" "1" ] [ TEXT ]
+//! next        = "next" NAME [ INDICES ] "=" expression [ over ] [ TEXT ]
 //! size        = "size" NAME "=" NUMBER [ "in" signed ".." signed ] [ TEXT ]
 //! event       = ( "when" expression | "every" expression [ "from" expression ] ) [ "as" NAME ]
 //!               "{" [ action { separator action } ] "}" [ over ] [ TEXT ]
@@ -58,7 +60,9 @@ mod expression;
 mod family;
 mod function;
 mod layout;
+mod map;
 mod operand;
+mod random;
 mod statement;
 mod switch;
 mod table;

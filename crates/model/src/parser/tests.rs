@@ -82,7 +82,7 @@ fn shown_statement(statement: &Statement) -> String {
         StatementKind::Members { what, left, value, unit } => {
             format!("{what:?} {} := {}{}", shown(left), shown(value), in_unit(unit))
         }
-        StatementKind::Independent { name, unit } => format!("independent {}{}", name.text, in_unit(unit)),
+        StatementKind::Independent { name, unit, .. } => format!("independent {}{}", name.text, in_unit(unit)),
         StatementKind::Definition { name, value, unit } => {
             format!("{} := {}{}", name.text, shown(value), in_unit(unit))
         }

@@ -3,6 +3,7 @@
 mod cases;
 mod expression;
 mod family;
+mod map;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -10,7 +11,7 @@ mod vectors;
 
 use crate::choices::definitions;
 use crate::vectors::Vectors;
-use crate::{Action, Expression, ExpressionKind, Members, Over, Statement, StatementKind};
+use crate::{Action, EventExtras, Expression, ExpressionKind, Members, Over, Statement, StatementKind};
 use expression::{Typesetter, at_start_of_run};
 
 /// Each displayed statement as a `<math display="block">` element, in the order of the text: definitions, equations,
@@ -25,7 +26,7 @@ pub fn typeset(statements: &[Statement], translate: &dyn Fn(&str) -> String) -> 
         }
         kind => typesetter.kind(kind, &statement.over).into_iter().collect::<Vec<_>>(),
     };
-    statements.iter().flat_map(rows).collect()
+    map::with_counts(statements).iter().flat_map(rows).collect()
 }
 
 /// An expression as a `<math>` element for a line of text.
@@ -60,6 +61,7 @@ impl Typesetter<'_> {
                 }
                 _ => equals(self.expression(left), value),
             },
+            StatementKind::Event { actions, extras: EventExtras { next: true, .. }, .. } => self.next(actions.first()?),
             StatementKind::Event { condition, actions, extras } => {
                 let named = |action: &Action| equals(self.name(&action.name.text, 0, None), &action.value);
                 let mut actions: Vec<String> =

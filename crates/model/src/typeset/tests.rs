@@ -224,6 +224,15 @@ fn vectors_have_arrows() {
 }
 
 #[test]
+fn maps_have_the_count_below() {
+    let source = "independent k by 1\nnext p = r*p*(1 - p)\nnext x[i] = x[i-1] + p for i in 1..N\np(0) = 0.1";
+    let (statements, diagnostics) = parse(source, std::slice::from_ref(&(0..source.len())));
+    assert!(diagnostics.is_empty(), "{diagnostics:?}");
+    let read: Vec<String> = super::typeset(&statements, &str::to_owned).iter().map(|one| short(one)).collect();
+    assert_eq!(read, ["p_{k+1}=rp_{k}(1−p_{k})", "x_{i,k+1}=x_{i−1,k}+p_{k}~i=1,…,N", "p(0)=0.1"]);
+}
+
+#[test]
 fn the_markup_itself() {
     let (expression, _, _) = parse_expression("g*y/2", 0..5);
     assert_eq!(

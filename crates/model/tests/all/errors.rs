@@ -30,6 +30,16 @@ fn check(file: &str) {
 }
 
 #[test]
+fn chance() {
+    check("chance.txt");
+}
+
+#[test]
+fn maps() {
+    check("maps.txt");
+}
+
+#[test]
 fn names() {
     check("names.txt");
 }

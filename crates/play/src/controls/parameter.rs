@@ -78,7 +78,7 @@ impl Play {
     /// The values of a switch or a choice.
     fn choices(&self, index: usize) -> Vec<ChoiceView> {
         let values = match self.model().parameters.get(index).map(|parameter| &parameter.choices) {
-            None | Some(Choices::Numbers) => Vec::new(),
+            None | Some(Choices::Numbers | Choices::Seed) => Vec::new(),
             Some(Choices::Switch) => vec![0.0, 1.0],
             Some(Choices::Texts(texts)) => texts.iter().map(|&text| f64::from(text)).collect(),
         };
@@ -90,7 +90,7 @@ impl Play {
     pub fn parameter_value_text(&self, index: usize, value: f64) -> String {
         let Some(parameter) = self.model().parameters.get(index) else { return String::new() };
         match parameter.choices {
-            Choices::Numbers => self.quantity_text(value, &parameter.unit),
+            Choices::Numbers | Choices::Seed => self.quantity_text(value, &parameter.unit),
             Choices::Switch => words::truth(self.language, value != 0.0).to_owned(),
             Choices::Texts(_) => {
                 parameter.word(value, &self.model().texts).map_or_else(String::new, |text| self.text(text).to_owned())

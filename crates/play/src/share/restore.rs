@@ -162,7 +162,7 @@ impl Reader<'_> {
                 let index = self.play.model().parameters.iter().position(|parameter| parameter.name == name)?;
                 let parameter = self.play.model().parameters.get(index)?;
                 let value = match parameter.choices {
-                    program::Choices::Numbers => number(value)?,
+                    program::Choices::Numbers | program::Choices::Seed => number(value)?,
                     _ => parameter.chosen(&decode(value)?, &self.play.model().texts)?,
                 };
                 Some((index, self.play.admit(index, value).ok()?))

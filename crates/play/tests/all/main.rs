@@ -7,6 +7,7 @@ mod checks;
 mod choosing;
 mod clock;
 mod controls;
+mod counting;
 mod dragging;
 mod ending;
 mod history;

@@ -101,6 +101,8 @@ fn rates_through(
                 let slope = graph.interpolated(derivative, x, piece);
                 graph.multiply(slope, dx)
             }),
+            // No draw has a derivative; nothing but actions and values at the start is computed from one.
+            Node::Binomial(..) => None,
             Node::Solution { system, row } => {
                 let rate_system = match systems.get(&system) {
                     Some(&known) => known,
@@ -129,6 +131,8 @@ fn of_unary(graph: &mut Graph, function: Unary, value: NodeId, x: NodeId, dx: No
     let derivative = match function {
         Unary::Negate => graph.negate(dx),
         Unary::Not | Unary::Sign | Unary::Floor | Unary::Ceil | Unary::Round => return None,
+        // No draw has a derivative; nothing but actions and values at the start is computed from one.
+        Unary::Uniform | Unary::Normal | Unary::Exponential => return None,
         Unary::Absolute => {
             let sign = graph.unary(Unary::Sign, x);
             graph.multiply(sign, dx)
@@ -260,6 +264,7 @@ fn of_binary(
             Some(graph.select(a_taken, da.unwrap_or(zero), db.unwrap_or(zero)))
         }
         Binary::Less | Binary::LessOrEqual | Binary::Equal | Binary::NotEqual | Binary::And | Binary::Or => None,
+        Binary::Stream | Binary::Poisson => None,
     }
 }
 

@@ -1,7 +1,7 @@
 //! What the functions of a graph mean on numbers. Constant folding, the virtual machine and the tests all use these, so
 //! that an expression has the same bits wherever it is computed.
 
-use crate::{Binary, Unary};
+use crate::{Binary, Unary, chance};
 
 impl Unary {
     /// The value for `x`.
@@ -31,6 +31,9 @@ impl Unary {
             Self::Floor => x.floor(),
             Self::Ceil => x.ceil(),
             Self::Round => x.round(),
+            Self::Uniform => chance::uniform(x),
+            Self::Normal => chance::normal(x),
+            Self::Exponential => chance::exponential(x),
         }
     }
 }
@@ -53,6 +56,8 @@ impl Binary {
             Self::NotEqual => truth(a != b),
             Self::And => truth(a != 0.0 && b != 0.0),
             Self::Or => truth(a != 0.0 || b != 0.0),
+            Self::Stream => chance::stream(a, b),
+            Self::Poisson => chance::poisson(a, b),
         }
     }
 }

@@ -48,6 +48,8 @@ pub enum Node {
     Piece(u32, NodeId),
     /// The value of [`Graph::interpolations`]`[i]` at the first, by the polynomial of the piece whose number is the second.
     Interpolated(u32, NodeId, NodeId),
+    /// A draw of the number of successes: trials, probability, stream.
+    Binomial(NodeId, NodeId, NodeId),
     /// Unknown `row` of the linear system [`Graph::systems`]`[system]`.
     Solution {
         /// Which system.
@@ -87,6 +89,12 @@ pub enum Unary {
     Ceil,
     /// Half away from zero.
     Round,
+    /// A draw between 0 and 1, of this stream.
+    Uniform,
+    /// A draw with the mean 0 and the standard deviation 1, of this stream.
+    Normal,
+    /// A draw with the mean 1, of this stream.
+    Exponential,
 }
 
 /// Functions of two arguments.
@@ -108,6 +116,10 @@ pub enum Binary {
     NotEqual,
     And,
     Or,
+    /// The stream of random draws that belongs to two numbers.
+    Stream,
+    /// A draw with this mean, of this stream.
+    Poisson,
 }
 
 /// A small linear system A x = r, solved where the equations of motion are coupled.

@@ -59,6 +59,9 @@ impl Graph {
             Node::Select(condition, chosen, rest) => {
                 other.find(Node::Select(there(condition)?, there(chosen)?, there(rest)?))
             }
+            Node::Binomial(trials, probability, stream) => {
+                other.find(Node::Binomial(there(trials)?, there(probability)?, there(stream)?))
+            }
             Node::Friction(..) => None,
             Node::Piece(interpolation, x) => {
                 let interpolation = self.interpolation_in(interpolation, other)?;

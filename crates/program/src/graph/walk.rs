@@ -17,7 +17,9 @@ impl Graph {
                 visit(a);
                 visit(b);
             }
-            Node::Select(condition, chosen, other) | Node::Friction(condition, chosen, other) => {
+            Node::Select(condition, chosen, other)
+            | Node::Friction(condition, chosen, other)
+            | Node::Binomial(condition, chosen, other) => {
                 visit(condition);
                 visit(chosen);
                 visit(other);
@@ -144,6 +146,9 @@ fn rebuild(
             Node::Piece(interpolation, x) => Node::Piece(carried(source, target, interpolation), rebuilt[&x]),
             Node::Interpolated(interpolation, x, piece) => {
                 Node::Interpolated(carried(source, target, interpolation), rebuilt[&x], rebuilt[&piece])
+            }
+            Node::Binomial(trials, probability, stream) => {
+                Node::Binomial(rebuilt[&trials], rebuilt[&probability], rebuilt[&stream])
             }
             Node::Solution { system, row } => {
                 let system = *systems.entry(system).or_insert_with(|| {

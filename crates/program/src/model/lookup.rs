@@ -1,6 +1,6 @@
 //! What names mean, and what values depend on.
 
-use crate::{Compiled, Kind, Model, Node, NodeId};
+use crate::{Choices, Compiled, Kind, Model, Node, NodeId};
 use units::Unit;
 
 /// What a node is computed from. The numbers are sorted.
@@ -55,6 +55,11 @@ impl Model {
             return Some(Compiled { node, kind: parameter.kind(), unit: parameter.unit.clone() });
         }
         self.quantities.iter().find(|quantity| quantity.name == name).map(|quantity| quantity.value.clone())
+    }
+
+    /// Whether its runs depend on random draws.
+    pub fn is_random(&self) -> bool {
+        self.parameters.iter().any(|parameter| parameter.choices == Choices::Seed)
     }
 
     /// What `node` is computed from.

@@ -53,6 +53,8 @@ pub struct Independent {
     pub name: String,
     /// Its unit.
     pub unit: Unit,
+    /// Whether it counts 0, 1, 2 ...: nothing flows, and a run has one row at each count.
+    pub counts: bool,
 }
 
 /// A number the user can change.
@@ -83,6 +85,8 @@ pub enum Choices {
     Numbers,
     /// On (1) or off (0).
     Switch,
+    /// A whole number that decides all random draws.
+    Seed,
     /// One of these texts, the default first: indices into [`Model::texts`], which are also its values.
     Texts(Vec<u32>),
 }
@@ -91,16 +95,22 @@ impl Parameter {
     /// What its value is.
     pub fn kind(&self) -> Kind {
         match self.choices {
-            Choices::Numbers => Kind::Number,
+            Choices::Numbers | Choices::Seed => Kind::Number,
             Choices::Switch => Kind::Truth,
             Choices::Texts(_) => Kind::Text,
         }
+    }
+
+    /// Whether its value is a number, and no word stands for it.
+    pub fn is_number(&self) -> bool {
+        matches!(self.choices, Choices::Numbers | Choices::Seed)
     }
 
     /// Whether it can have a value (SI), its range aside.
     pub fn takes(&self, value: f64) -> bool {
         match &self.choices {
             Choices::Numbers => value.is_finite(),
+            Choices::Seed => value.floor() == value && (0.0..9_007_199_254_740_992.0).contains(&value),
             Choices::Switch => value == 0.0 || value == 1.0,
             Choices::Texts(texts) => texts.iter().any(|&text| f64::from(text) == value),
         }
@@ -109,7 +119,7 @@ impl Parameter {
     /// The value that a word stands for: `on` or `off`, or one of the texts; `None` for numbers and other words.
     pub fn chosen(&self, word: &str, texts: &[String]) -> Option<f64> {
         match &self.choices {
-            Choices::Numbers => None,
+            Choices::Numbers | Choices::Seed => None,
             Choices::Switch => match word {
                 "on" | "true" => Some(1.0),
                 "off" | "false" => Some(0.0),
@@ -125,7 +135,7 @@ impl Parameter {
     /// The words for all values, `on` and `off` or the texts; none for numbers.
     pub fn words<'a>(&self, texts: &'a [String]) -> Vec<&'a str> {
         match &self.choices {
-            Choices::Numbers => Vec::new(),
+            Choices::Numbers | Choices::Seed => Vec::new(),
             Choices::Switch => vec!["on", "off"],
             Choices::Texts(own) => {
                 own.iter().filter_map(|&text| texts.get(text as usize)).map(String::as_str).collect()
@@ -136,7 +146,7 @@ impl Parameter {
     /// The word for a value; `None` for a number.
     pub fn word<'a>(&self, value: f64, texts: &'a [String]) -> Option<&'a str> {
         match &self.choices {
-            Choices::Numbers => None,
+            Choices::Numbers | Choices::Seed => None,
             Choices::Switch => Some(if value == 0.0 { "off" } else { "on" }),
             Choices::Texts(_) => texts.get(value as usize).map(String::as_str),
         }

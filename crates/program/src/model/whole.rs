@@ -38,11 +38,12 @@ impl Model {
                 Node::Unary(Unary::Floor | Unary::Ceil | Unary::Round | Unary::Sign | Unary::Not, _) => true,
                 Node::Piece(..) => true,
                 Node::Interpolated(..) => false,
+                Node::Binomial(..) => true,
                 Node::Unary(Unary::Negate | Unary::Absolute, x) => of(x),
                 Node::Unary(..) => false,
                 Node::Binary(function, a, b) => match function {
                     Binary::Less | Binary::LessOrEqual | Binary::Equal | Binary::NotEqual => true,
-                    Binary::And | Binary::Or => true,
+                    Binary::And | Binary::Or | Binary::Poisson => true,
                     Binary::Divide | Binary::Power | Binary::Atan2 => false,
                     _ => of(a) && of(b),
                 },

@@ -181,3 +181,12 @@ fn what_is_no_number_is_refused() {
     empty.until = Some(50.0);
     assert_eq!(refused(empty), FitError::RecordEmpty(1));
 }
+
+/// Each seed would have a minimum of its own.
+#[test]
+fn what_draws_at_random_is_refused() {
+    let model = model("random seed = 1\nparameter a = 1\ndiscrete y = a + normal(0, 1)");
+    let one = observation(&model, "y", 0, &[0.0, 1.0, 2.0], &[1.0, 1.0, 1.0]);
+    let refused = Fit::new(&model, task(&model, record(vec![one]), &["a"])).map(|_| ()).unwrap_err();
+    assert!(refused.to_string().contains("draws at random"), "{refused}");
+}

@@ -79,7 +79,7 @@ impl At {
                         of(other)
                     }
                 }
-                Node::Friction(..) => f64::NAN,
+                Node::Friction(..) | Node::Binomial(..) => f64::NAN,
                 Node::Solution { system, row } => {
                     let system = &graph.systems()[system as usize];
                     let matrix = system.matrix.iter().map(|&entry| of(entry)).collect();

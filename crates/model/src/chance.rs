@@ -1,0 +1,239 @@
+//! Random draws: `x = x + normal(0, 1 [m])` in an event, `v(0) = normal(0, s)` at the start.
+//!
+//! Every draw gets a stream of its own, a definition that mixes the seed, the name of what is set, which of the draws for it
+//! this is in the order of the text, and how often the event has happened. So a draw does not depend on what was drawn
+//! before: going back in the run, another step and another event change nothing of it.
+
+use crate::{
+    Action, BinaryOperator, Diagnostic, EventExtras, Expression, ExpressionKind, Name, ParameterForm, Span, Statement,
+    StatementKind,
+};
+use program::functions::Function;
+use std::borrow::Cow;
+use std::collections::{HashMap, HashSet};
+use units::words;
+
+/// One of several values by chance.
+const PICK: &str = "pick";
+
+/// How the names of streams begin; no text can give them.
+const STREAM: &str = "draw ";
+
+/// Whether these are the arguments of a draw that has its stream.
+pub(crate) fn has_stream(arguments: &[Expression]) -> bool {
+    let name = arguments.first().map(|first| &first.kind);
+    matches!(name, Some(ExpressionKind::Name { name, .. }) if name.starts_with(STREAM))
+}
+
+/// Whether a name is that of a function that draws.
+pub(crate) fn draws(name: &str) -> bool {
+    name == PICK || Function::named(name).is_some_and(Function::draws)
+}
+
+/// What is said of a draw in a place where nothing may be drawn.
+pub(crate) fn out_of_place(name: &Name) -> Diagnostic {
+    let message = words!(
+        "`{}` draws at random, and here the value would be another one at each look",
+        "`{}` sortea al azar, y aquí el valor sería otro a cada mirada",
+        name.text
+    );
+    Diagnostic::error("draw-out-of-place", message, name.span).with_hint(words(
+        "draw in the action of an event, in `every`, in `next` or in a value at the start: `discrete x = 0` and `every 1 [s] { x = normal(0, 1) }`",
+        "sortea en la acción de un evento, en `every`, en `next` o en un valor inicial: `discrete x = 0` y `every 1 [s] { x = normal(0, 1) }`",
+    ))
+}
+
+/// The statements with a stream in each draw that is in its place.
+pub(crate) fn write_out<'a>(
+    statements: Cow<'a, [Statement]>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Cow<'a, [Statement]> {
+    let seeds: Vec<&Name> = statements.iter().filter_map(seed).collect();
+    if let [first, second, ..] = seeds.as_slice() {
+        let message = words("there is more than one seed", "hay más de una semilla");
+        diagnostics.push(
+            Diagnostic::error("duplicate-seed", message, second.span)
+                .with_label(first.span, words("the first is here", "la primera está aquí"))
+                .with_hint(words("one decides all draws; leave this out", "una decide todos los sorteos; omite esta")),
+        );
+    }
+    let own = |statement: &Statement| match &statement.kind {
+        StatementKind::Function(function) => Some(function.name.text.clone()),
+        _ => None,
+    };
+    let mut writer = Writer {
+        seed: seeds.first().map(|name| name.text.clone()),
+        functions: statements.iter().filter_map(own).collect(),
+        drawn: HashMap::new(),
+        added: Vec::new(),
+        first: None,
+        diagnostics: Vec::new(),
+    };
+    let mut written = statements.to_vec();
+    written.iter_mut().enumerate().for_each(|(number, statement)| writer.statement(number, statement));
+    let Writer { seed, mut added, first, diagnostics: mut found, .. } = writer;
+    diagnostics.append(&mut found);
+    if let (None, Some(first)) = (seed, &first) {
+        let message = words("nothing gives the seed of the random draws", "nada da la semilla de los sorteos");
+        diagnostics.push(Diagnostic::error("draw-without-seed", message, *first).with_hint(words(
+            "add the statement: random seed = 1 in 1..9999 \"Seed\"",
+            "añade la sentencia: random seed = 1 in 1..9999 \"Semilla\"",
+        )));
+    }
+    if first.is_none() {
+        return statements;
+    }
+    written.append(&mut added);
+    Cow::Owned(written)
+}
+
+fn seed(statement: &Statement) -> Option<&Name> {
+    match &statement.kind {
+        StatementKind::Parameter(parameter) if parameter.form == ParameterForm::Seed => Some(&parameter.name),
+        _ => None,
+    }
+}
+
+/// Writes streams into draws.
+#[derive(Debug)]
+struct Writer {
+    seed: Option<String>,
+    /// The author's functions, which may have these names.
+    functions: HashSet<String>,
+    /// How many draws there are for each quantity.
+    drawn: HashMap<String, u32>,
+    added: Vec<Statement>,
+    /// The first draw.
+    first: Option<Span>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl Writer {
+    fn statement(&mut self, number: usize, statement: &mut Statement) {
+        match &mut statement.kind {
+            StatementKind::InitialValue { name, order, value, .. } => {
+                self.value(&format!("{}{}(0)", name.text, "'".repeat(*order as usize)), None, value);
+            }
+            StatementKind::Discrete { name, value, .. } => self.value(&format!("{}(0)", name.text), None, value),
+            StatementKind::Event { actions, extras: EventExtras { names, .. }, .. } => {
+                let counter = format!("firings {number} so far");
+                let before = self.added.len();
+                for Action { name, order, value, .. } in names.iter_mut().chain(actions.iter_mut()) {
+                    self.value(&format!("{}{}", name.text, "'".repeat(*order as usize)), Some(&counter), value);
+                }
+                if self.added.len() > before {
+                    let span = statement.span;
+                    let name = Name { text: counter.clone(), span };
+                    let one = binary(BinaryOperator::Add, named(&counter, span), number_of(1.0, span), span);
+                    actions.push(Action::of(name.clone(), 0, one));
+                    self.added.push(Statement::of(StatementKind::discrete(name, number_of(0.0, span), None), span));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Writes streams into the draws of a value; `counter` counts how often the event has happened.
+    fn value(&mut self, target: &str, counter: Option<&str>, value: &mut Expression) {
+        // From the left to the right, as they are read.
+        let mut waiting = vec![value];
+        while let Some(next) = waiting.pop() {
+            let span = next.span;
+            if let ExpressionKind::Call { function, arguments } = &mut next.kind
+                && draws(&function.text)
+                && !self.functions.contains(&function.text)
+                && !has_stream(arguments)
+            {
+                self.first = self.first.or(Some(span));
+                if self.counts(function, arguments.len()) {
+                    let stream = self.stream(target, counter, span);
+                    if function.text == PICK {
+                        next.kind = picked(std::mem::take(arguments), &stream, span).kind;
+                    } else {
+                        arguments.insert(0, stream);
+                    }
+                } else {
+                    next.kind = ExpressionKind::Error;
+                }
+            }
+            let mut operands = next.operands_mut();
+            operands.reverse();
+            waiting.extend(operands);
+        }
+    }
+
+    /// Whether a draw has as many arguments as it takes; if not, says so.
+    fn counts(&mut self, function: &Name, given: usize) -> bool {
+        let (takes, form) = match function.text.as_str() {
+            PICK => (given.max(1), "pick(a, b, c)"),
+            "uniform" => (2, "uniform(low, high)"),
+            "normal" => (2, "normal(mean, deviation)"),
+            "binomial" => (2, "binomial(trials, probability)"),
+            "poisson" => (1, "poisson(mean)"),
+            _ => (1, "exponential(mean)"),
+        };
+        if takes != given {
+            let message = words!(
+                "the form is {form}; {given} is not the number of its arguments",
+                "la forma es {form}; {given} no es el número de sus argumentos"
+            );
+            self.diagnostics.push(Diagnostic::error("wrong-argument-count", message, function.span));
+        }
+        takes == given
+    }
+
+    /// A new definition, which is the stream of a draw for `target`.
+    fn stream(&mut self, target: &str, counter: Option<&str>, span: Span) -> Expression {
+        let number = self.drawn.entry(target.to_owned()).or_default();
+        *number += 1;
+        let site = site(&format!("{target} {number}"));
+        let seed = self.seed.as_deref().map_or_else(|| number_of(0.0, span), |seed| named(seed, span));
+        let mixed = |a, b| {
+            let function = Name { text: Function::STREAM.to_owned(), span };
+            Expression { kind: ExpressionKind::Call { function, arguments: vec![a, b] }, span }
+        };
+        let firing = counter.map_or_else(|| number_of(0.0, span), |counter| named(counter, span));
+        let value = mixed(mixed(seed, number_of(site, span)), firing);
+        let name = format!("{STREAM}{number} for {target}");
+        let definition = StatementKind::Definition { name: Name { text: name.clone(), span }, value, unit: None };
+        self.added.push(Statement::of(definition, span));
+        named(&name, span)
+    }
+}
+
+/// A whole number for a text, the same for ever: FNV-1a with 64 bits, of which the highest 53 are taken.
+fn site(text: &str) -> f64 {
+    let hash = text
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3));
+    (hash >> 11) as f64
+}
+
+/// `if u < 1/3 then a else if u < 2/3 then b else c`, where u lies evenly between 0 and 1.
+fn picked(values: Vec<Expression>, stream: &Expression, span: Span) -> Expression {
+    let count = values.len() as f64;
+    let part = || {
+        let function = Name { text: "uniform".to_owned(), span };
+        let arguments = vec![stream.clone(), number_of(0.0, span), number_of(1.0, span)];
+        Expression { kind: ExpressionKind::Call { function, arguments }, span }
+    };
+    let mut values: Vec<(usize, Expression)> = values.into_iter().enumerate().collect();
+    let Some((_, last)) = values.pop() else { return Expression { kind: ExpressionKind::Error, span } };
+    values.into_iter().rev().fold(last, |other, (number, value)| {
+        let limit = number_of((number as f64 + 1.0) / count, span);
+        let condition = binary(BinaryOperator::Less, part(), limit, span);
+        Expression { kind: ExpressionKind::If(Box::new(condition), Box::new(value), Box::new(other)), span }
+    })
+}
+
+fn named(name: &str, span: Span) -> Expression {
+    Expression { kind: ExpressionKind::Name { name: name.to_owned(), order: 0 }, span }
+}
+
+fn number_of(value: f64, span: Span) -> Expression {
+    Expression { kind: ExpressionKind::Number { value, unit: None }, span }
+}
+
+fn binary(operator: BinaryOperator, left: Expression, right: Expression, span: Span) -> Expression {
+    Expression { kind: ExpressionKind::Binary(operator, Box::new(left), Box::new(right)), span }
+}

@@ -1,0 +1,71 @@
+//! Maps: `independent k by 1` counts, and `next p = r*p*(1 - p)` gives the value at the next count. Both words are free as
+//! names everywhere else.
+
+use super::cursor::{Cursor, Read};
+use super::statement::{Salvaged, nothing};
+use super::unread;
+use crate::lexer::{Symbol, TokenKind};
+use crate::{Diagnostic, EventExtras, StatedUnit, StatementKind};
+use units::words;
+
+impl Cursor<'_> {
+    /// `by 1`, if it is there: whether the independent variable counts.
+    pub(super) fn counting(&mut self, unit: Option<&StatedUnit>) -> Read<bool> {
+        if !self.at_word("by") {
+            return Ok(false);
+        }
+        let start = self.advance();
+        if let Some(unit) = unit {
+            let wrong = words("what counts has no unit", "lo que cuenta no tiene unidad");
+            let diagnostic = Diagnostic::error("counts-by", wrong, unit.span);
+            return self.fail(diagnostic.with_hint(words("leave it out: `by 1`", "omítela: `by 1`")));
+        }
+        let ends = matches!(self.peek_ahead(1), TokenKind::Newline | TokenKind::End | TokenKind::Text(_));
+        if *self.peek() == TokenKind::Number(1.0) && ends {
+            self.advance();
+            return Ok(true);
+        }
+        let wrong = words!(
+            "an independent variable counts by 1, not by {found}",
+            "una variable independiente cuenta por 1, no por {found}",
+            found = self.found()
+        );
+        let place = if self.at_line_end() { start } else { self.span() };
+        self.fail(Diagnostic::error("counts-by", wrong, place).with_hint(words("write `by 1`", "escribe `by 1`")))
+    }
+
+    /// Whether a name and `(` follow.
+    fn is_at_the_start(&self) -> bool {
+        matches!(self.peek_ahead(1), TokenKind::Symbol(Symbol::LeftParenthesis))
+    }
+
+    /// Whether a statement begins with `next NAME`.
+    pub(super) fn is_next(&self) -> bool {
+        self.begins_with("next")
+    }
+
+    /// `next p = r*p*(1 - p)`
+    pub(super) fn next_value(&mut self) -> Salvaged {
+        let start = self.advance();
+        if self.is_at_the_start() {
+            let place = start.to(self.span());
+            let wrong = words("the value at the start is given without `next`", "el valor inicial se da sin `next`");
+            let hint = words("such as: p(0) = 0.1", "por ejemplo: p(0) = 0.1");
+            return (nothing(start), self.fail(Diagnostic::error("next-value", wrong, place).with_hint(hint)));
+        }
+        if !matches!(self.peek_ahead(1), TokenKind::Symbol(Symbol::Equals) | TokenKind::Brackets(_)) {
+            self.advance();
+            let wrong =
+                words!("`=` is expected here, not {found}", "aquí se espera `=`, no {found}", found = self.found());
+            let place = if self.at_line_end() { start.to(self.last_span()) } else { self.span() };
+            let hint = words("such as: next p = 3.2*p*(1 - p)", "por ejemplo: next p = 3.2*p*(1 - p)");
+            return (nothing(start), self.fail(Diagnostic::error("next-value", wrong, place).with_hint(hint)));
+        }
+        let action = match self.new_value() {
+            Ok(action) => action,
+            Err(reported) => return (nothing(start), Err(reported)),
+        };
+        let extras = EventExtras { next: true, ..EventExtras::default() };
+        (StatementKind::Event { condition: unread(start), actions: vec![action], extras }, Ok(()))
+    }
+}

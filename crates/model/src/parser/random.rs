@@ -1,0 +1,42 @@
+//! `random seed = 1 in 1..9999 "Seed"`: the whole number that decides all random draws of a run.
+
+use super::cursor::Cursor;
+use super::statement::Salvaged;
+use crate::{Diagnostic, ParameterForm, StatementKind};
+use units::words;
+
+/// Beyond it not every whole number is a number of the machine.
+const GREATEST: f64 = 9_007_199_254_740_992.0;
+
+impl Cursor<'_> {
+    /// Whether a statement begins with `random NAME`.
+    pub(super) fn is_random(&self) -> bool {
+        self.begins_with("random")
+    }
+
+    /// `random seed = 1 in 1..9999`
+    pub(super) fn random(&mut self) -> Salvaged {
+        let (mut kind, mut read) = self.parameter();
+        if let StatementKind::Parameter(seed) = &mut kind {
+            seed.form = ParameterForm::Seed;
+            seed.step = seed.step.or(Some(1.0));
+            let bounds = seed.range.iter().flat_map(|range| [range.low, range.high]);
+            let whole = |number: f64| number.floor() == number && (0.0..=GREATEST).contains(&number);
+            let fits = bounds.chain([seed.value]).chain(seed.step).all(whole) && seed.unit.is_none();
+            if read.is_ok() && !fits {
+                let wrong = words!(
+                    "the seed `{}` is a whole number without a unit",
+                    "la semilla `{}` es un número entero sin unidad",
+                    seed.name.text
+                );
+                let hint = words!(
+                    "such as: random {} = 1 in 1..9999",
+                    "por ejemplo: random {} = 1 in 1..9999",
+                    seed.name.text
+                );
+                read = self.fail(Diagnostic::error("seed", wrong, seed.value_span).with_hint(hint));
+            }
+        }
+        (kind, read)
+    }
+}

@@ -215,9 +215,20 @@ impl Play {
 
     /// Any time in the same way, for the ends of the time line and for `aria-valuetext`.
     pub fn time_words(&self, time: f64) -> String {
+        if let Some(group) = self.small_times() {
+            return group.quantity(time);
+        }
         let unit = &self.model().independent.unit;
         let number = self.time_number(time);
         if unit.text.is_empty() { number } else { format!("{number} {}", number::unit_text(&unit.text)) }
+    }
+
+    /// How times are written that would need more than six decimals: in a unit with a prefix.
+    pub(crate) fn small_times(&self) -> Option<number::Group> {
+        let unit = &self.model().independent.unit;
+        let decimals = number::decimals(unit.from_si(self.course.begun().step), 3);
+        let longest = || self.program.until.unwrap_or_else(|| self.horizon());
+        (decimals > 6).then(|| number::Group::of_scale(unit, longest(), 4, self.style))
     }
 
     /// As many decimals of a time as the step has, from two to six.
@@ -226,6 +237,9 @@ impl Play {
     }
 
     pub(crate) fn time_number(&self, time: f64) -> String {
+        if self.model().independent.counts {
+            return number::fixed(time.floor(), 0, self.style);
+        }
         let unit = &self.model().independent.unit;
         number::fixed(unit.from_si(time), self.time_decimals(), self.style)
     }

@@ -47,13 +47,17 @@ impl Play {
     /// Everything that can be read off at the time shown: the independent variable, the states, the quantities.
     pub fn readouts(&mut self) -> Vec<Readout> {
         let model = &self.program.model;
+        let (time, unit) = match self.small_times() {
+            Some(group) => (group.number(self.course.time()), group.unit_text()),
+            None => (self.time_number(self.course.time()), number::unit_text(&model.independent.unit.text)),
+        };
         let mut readouts = vec![Readout {
             kind: ReadoutKind::Independent,
             name: model.independent.name.clone(),
             label: String::new(),
             has_symbol: true,
-            value: self.time_number(self.course.time()),
-            unit: number::unit_text(&model.independent.unit.text),
+            value: time,
+            unit,
             varies: true,
             hidden: false,
         }];

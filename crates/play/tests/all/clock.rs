@@ -192,6 +192,16 @@ fn steps_go_from_grid_time_to_grid_time() {
 }
 
 #[test]
+fn short_times_are_told_in_a_unit_with_a_prefix() {
+    let source = "---\ntitle: A\nstep: 0.01 [ns]\nspeed: 10 [ns]\nuntil: 40 [ns]\n---\n\n```model\nx' = -x/5 [ns]\nx(0) = 1\n```\n";
+    let mut play = crate::support::open(source, &[]);
+    go_on(&mut play, [0.5]);
+    assert_eq!(play.time_text(), "5.00 ns");
+    let readout = play.readouts().remove(0);
+    assert_eq!((readout.value.as_str(), readout.unit.as_str()), ("5.00", "ns"));
+}
+
+#[test]
 fn a_run_that_fails_says_so_and_shows_the_last_good_moment() {
     let source = "---\ntitle: Runaway\n---\n```model\nparameter k = 1 [1/s] in 0..100\ny' = k*y^3\ny(0) = 1\n```\n";
     let mut play = open(source, &[]);

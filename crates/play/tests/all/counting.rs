@@ -21,7 +21,7 @@ fn a_run_takes_5_to_20_seconds_to_watch() {
     }
     let mut play = open(&document("speed: 3\nuntil: 12\n"), &[]);
     go_on(&mut play, [1.0, 0.5]);
-    assert_eq!(play.time(), 4.5);
+    assert_eq!((play.time(), play.time_text().as_str()), (4.5, "4"), "counts are whole");
     let at_4 = state(&play);
     play.scrub(4.0);
     assert_eq!(state(&play), at_4, "the value holds from one count to the next");

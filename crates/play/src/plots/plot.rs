@@ -100,6 +100,9 @@ impl Default for PlotState {
 }
 
 impl PlotState {
+    /// So many plots of a document are shown at first, since each of more would be too small to be read.
+    pub const AT_FIRST: usize = 3;
+
     /// Those of the document.
     pub fn of(program: &Program, columns: &Columns) -> Vec<Self> {
         let state = |(index, plot): (usize, &Plot)| {
@@ -117,7 +120,7 @@ impl PlotState {
                 }
                 Drawing::Histogram(members) => Content::Histogram(Histogram::new(model, plot, members)),
             });
-            Self { content: content.unwrap_or_default(), ..Self::default() }
+            Self { content: content.unwrap_or_default(), shown: index < Self::AT_FIRST, ..Self::default() }
         };
         program.plots.iter().enumerate().map(state).collect()
     }

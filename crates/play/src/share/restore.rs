@@ -2,6 +2,7 @@
 
 use super::link::{VERSION, decode};
 use super::state::MOST_CHANGES;
+use crate::plots::plot::PlotState;
 use crate::time::course::Course;
 use crate::time::recipe::{Change, Moments, Recipe};
 use crate::{Announcement, MOST_KEPT, Play, PlotId, Refusal};
@@ -40,8 +41,9 @@ impl Play {
             return Err(Refusal::UnreadableState);
         }
         self.speed = 1.0;
-        for plot in &mut self.plots {
-            (plot.shown, plot.view) = (true, View::default());
+        let first = PlotState::AT_FIRST..self.program.plots.len();
+        for (index, plot) in self.plots.iter_mut().enumerate() {
+            (plot.shown, plot.view) = (!first.contains(&index), View::default());
         }
         self.revision.plots += 1;
         let mut reader = Reader { play: self, left_out: Vec::new() };
@@ -137,7 +139,8 @@ impl Reader<'_> {
             "x" => self.play.set_speed(number(value)?),
             "w" => self.play.show_hidden(true),
             "v" => {
-                for index in value.split(',') {
+                self.play.plots.iter_mut().for_each(|plot| plot.shown = true);
+                for index in value.split(',').filter(|index| !index.is_empty()) {
                     let index: usize = index.parse().ok()?;
                     self.play.plots.get(index)?;
                     self.play.show_plot(PlotId::at(index), false);

@@ -19,6 +19,7 @@
 
 use super::link::{VERSION, encode};
 use crate::Play;
+use crate::plots::plot::PlotState;
 use crate::time::recipe::{Change, Recipe};
 use engine::Setup;
 use figure::{Interval, View};
@@ -50,8 +51,9 @@ impl Play {
             fields.push(format!("x={}", exact(self.speed)));
         }
         let hidden = self.plots.iter().enumerate().filter(|(_, plot)| !plot.shown);
-        let hidden: Vec<String> = hidden.map(|(index, _)| index.to_string()).collect();
-        if !hidden.is_empty() {
+        let hidden: Vec<usize> = hidden.map(|(index, _)| index).collect();
+        if !hidden.iter().copied().eq(PlotState::AT_FIRST..self.program.plots.len()) {
+            let hidden: Vec<String> = hidden.iter().map(usize::to_string).collect();
             fields.push(format!("v={}", hidden.join(",")));
         }
         // Plots of what is measured come and go with the records, which are not in a link.

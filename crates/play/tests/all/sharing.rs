@@ -213,3 +213,23 @@ fn restoring_replaces_what_was_there() {
     assert!(!play.is_playing() && play.kept().is_empty() && !play.has_ghost());
     assert_eq!(play.share(), "1&p=b:7&t=2");
 }
+
+/// More than three plots would each be too small; the others are a click away, and a link remembers what was chosen.
+#[test]
+fn the_first_three_plots_are_shown_at_first() {
+    let plots: String = (0..5).map(|number| format!("\"Plot {number}\": {number} + x against t\n")).collect();
+    let source = format!("---\ntitle: A\n---\n\n```model\nx' = -x/1 [s]\nx(0) = 1\n```\n\n```plots\n{plots}```\n");
+    let open = || crate::support::open(&source, &[]);
+    let shown = |play: &Play| play.plots().iter().map(|plot| plot.shown).collect::<Vec<_>>();
+    let mut play = open();
+    assert_eq!((shown(&play), play.share().as_str()), (vec![true, true, true, false, false], ""));
+    for (changed, link) in [(4, "1&v=3"), (3, "1&v="), (0, "1&v=0")] {
+        play.show_plot(PlotId::at(changed), changed > 0);
+        assert_eq!(play.share(), link);
+        let mut other = open();
+        other.restore(link).unwrap();
+        assert_eq!(shown(&other), shown(&play), "{link}");
+    }
+    play.restore("1&t=1").unwrap();
+    assert_eq!(shown(&play), [true, true, true, false, false]);
+}

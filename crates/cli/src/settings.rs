@@ -23,7 +23,7 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
     }
     let end = document.program.end();
     let Program { model, .. } = &mut document.program;
-    let time = model.independent.unit.clone();
+    let (time, time_counts) = (model.independent.unit.clone(), model.independent.counts);
     let mut reader = Reader { model, terminal };
     for assignment in parameters {
         let (index, value) = reader.parameter("--set", assignment, &setup.parameters)?;
@@ -31,6 +31,9 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
     }
     if !arguments.start.is_empty() {
         setup.start = Some(reader.start(&arguments.start, &setup.parameters)?);
+    }
+    if time_counts {
+        refuse_steps(arguments)?;
     }
     if let Some(name) = &arguments.method {
         setup.method = Method::from_str(name)
@@ -47,6 +50,19 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
         None => end,
     };
     Ok((setup, until))
+}
+
+/// A model that counts goes by 1 and has no method.
+fn refuse_steps(arguments: &Run) -> Result<(), Failure> {
+    let given = [
+        ("--method", arguments.method.is_some()),
+        ("--step", arguments.step.is_some()),
+        ("--tolerance", arguments.tolerance.is_some()),
+    ];
+    match given.iter().find(|(_, given)| *given) {
+        Some((option, _)) => Err(Failure::request(format!("{option} means nothing here: the model counts by 1"))),
+        None => Ok(()),
+    }
 }
 
 /// Gives the sizes of families other values, as `--set N=50`: another size makes other equations, so the document is opened

@@ -220,3 +220,25 @@ fn long_runs_are_the_same_as_short_ones_put_together() {
     assert!(long.starts_with(&short));
     assert!(long.lines().last().is_some_and(|row| row.starts_with("5000,")));
 }
+
+#[test]
+fn a_model_that_counts_leaves_a_row_at_each_count_and_takes_no_step() {
+    let map = "---\ntitle: A map\nuntil: 4\n---\n\n```model\nindependent k by 1\nparameter r = 2 in 0..4\n\
+               next x = r*x*(1 - x)\nx(0) = 0.25\n```\n";
+    let (_directory, path) = directory_with(map);
+    let done = run(&path, &["--set", "r=4"]);
+    assert_eq!(
+        (done.code, done.stdout.as_str()),
+        (0, "k,x\n0,0.25\n1,0.75\n2,0.75\n3,0.75\n4,0.75\n"),
+        "{}",
+        done.stderr
+    );
+    for option in ["--step", "--tolerance"] {
+        let done = run(&path, &[option, "0.5"]);
+        assert!(
+            done.code == 2 && done.stderr.contains("counts by 1") && done.stderr.contains(option),
+            "{}",
+            done.stderr
+        );
+    }
+}

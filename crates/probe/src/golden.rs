@@ -3,9 +3,9 @@
 use engine::{Advance, Method, Run, Setup};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Name, text, method and end of each golden run: every method, every function, events, and equations that are solved in
-/// every step. The end is short, since the bits of two runs that differ at all differ early.
-const RUNS: [(&str, &str, Method, f64); 15] = [
+/// Name, text, method and end of each golden run: every method, every function, events, random draws, tables, vectors,
+/// columns, and equations that are solved in every step. The end is short, since the bits of two runs that differ at all differ early.
+const RUNS: [(&str, &str, Method, f64); 20] = [
     ("utube", UTUBE, Method::RungeKutta4, 100.0),
     ("utube", UTUBE, Method::Euler, 20.0),
     ("utube", UTUBE, Method::EulerRichardson, 20.0),
@@ -21,6 +21,11 @@ const RUNS: [(&str, &str, Method, f64); 15] = [
     ("van-der-pol", VAN_DER_POL, Method::Rosenbrock, 50.0),
     ("functions", FUNCTIONS, Method::RungeKutta4, 20.0),
     ("functions", FUNCTIONS, Method::DormandPrince, 5.0),
+    ("chance", CHANCE, Method::RungeKutta4, 20.0),
+    ("chance", CHANCE, Method::DormandPrince, 10.0),
+    ("tables", TABLES, Method::RungeKutta4, 10.0),
+    ("tables", TABLES, Method::Rosenbrock, 5.0),
+    ("chain", CHAIN, Method::RungeKutta4, 2.0),
 ];
 
 pub(crate) const UTUBE: &str = include_str!("../../../simulations/utube.md");
@@ -28,7 +33,10 @@ const PENDULUM: &str = include_str!("../../../simulations/pendulum.md");
 const DOUBLE_PENDULUM: &str = include_str!("../../../simulations/double-pendulum.md");
 const BOUNCING_BALL: &str = include_str!("../../../simulations/bouncing-ball.md");
 const VAN_DER_POL: &str = include_str!("../../../simulations/van-der-pol.md");
+const CHAIN: &str = include_str!("../../../simulations/chain.md");
 const FUNCTIONS: &str = include_str!("../golden/functions.md");
+const CHANCE: &str = include_str!("../golden/chance.md");
+const TABLES: &str = include_str!("../golden/tables.md");
 
 /// The fingerprints of all golden runs, one in each line: `name method end fingerprint`. They are kept in `golden.txt`.
 #[wasm_bindgen]

@@ -222,3 +222,30 @@ fn many_events_in_a_step() {
     let run = run(&model, setup(&model, Method::RungeKutta4, 86400.0), 1);
     assert_eq!(last(&run), [86400.0]);
 }
+
+/// Each of two choices decides the motion, whichever stands first.
+#[test]
+fn equations_follow_every_choice() {
+    let text = "
+choice gas { \"A\": gamma = 1.4
+             \"B\": gamma = 1.6 }
+choice process { \"P\": kappa = 1
+                 \"Q\": kappa = 2
+                 \"A\": kappa = 3 }
+x' = kappa*gamma/1 [s]
+x(0) = 0
+";
+    let model = model(text);
+    let [gas, process] = ["gas", "process"].map(|name| parameter(&model, name));
+    let value = |text: &str| model.texts.iter().position(|known| known == text).unwrap() as f64;
+    for (one, gamma) in [("A", 1.4), ("B", 1.6)] {
+        for (other, kappa) in [("P", 1.0), ("Q", 2.0), ("A", 3.0)] {
+            let mut setup = setup(&model, Method::RungeKutta4, 0.5);
+            setup.parameters[gas] = value(one);
+            setup.parameters[process] = value(other);
+            let run = run(&model, setup, 2);
+            let x = run.history().column(0)[2];
+            assert!((x - gamma * kappa).abs() < 1e-12, "{one} and {other}: {x}");
+        }
+    }
+}

@@ -32,7 +32,7 @@ pub(crate) fn assemble(
     for number in 0..unknowns.iter().map(|unknown| unknown.highest).sum() {
         graph.insert(Node::State(number));
     }
-    let rates = solve(declarations, order, unknowns, &mut graph)?;
+    let rates = solve(declarations, order, unknowns, (&mut graph, &mut texts))?;
     let chain = |(unknown, rate): (&Unknown, NodeId)| Chain {
         first_state: unknown.first_state,
         highest: unknown.highest,

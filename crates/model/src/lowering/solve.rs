@@ -11,12 +11,13 @@ use crate::{Diagnostic, Span, limits};
 use program::{Graph, LinearSystem, Node, NodeId};
 use units::words;
 
-/// The highest derivative of each unknown as an expression in `graph`. `order` is that of the definitions.
+/// The highest derivative of each unknown as an expression in `graph`, in which texts are their places in `texts`. `order` is that
+/// of the definitions.
 pub(crate) fn solve(
     declarations: &Declarations,
     order: &[usize],
     unknowns: &[Unknown],
-    graph: &mut Graph,
+    (graph, texts): (&mut Graph, &mut Vec<String>),
 ) -> Result<Vec<NodeId>, Vec<Diagnostic>> {
     // The equations are built in a graph of their own, in which the highest derivatives are further states.
     let mut scratch = Graph::default();
@@ -29,7 +30,7 @@ pub(crate) fn solve(
             rate: scratch.insert(Node::State(number)),
         })
         .collect();
-    let affine = linear_equations(declarations, order, (states, &chains), &mut scratch)?;
+    let affine = linear_equations(declarations, order, (states, &chains), (&mut scratch, texts))?;
     let affine = copied(&affine, &scratch, graph);
     let contains: Vec<Vec<usize>> =
         affine.iter().map(|form| form.coefficients.keys().map(|&unknown| unknown as usize).collect()).collect();
@@ -78,12 +79,10 @@ fn linear_equations(
     declarations: &Declarations,
     order: &[usize],
     (states, chains): (u32, &[Chain]),
-    scratch: &mut Graph,
+    (scratch, texts): (&mut Graph, &mut Vec<String>),
 ) -> Result<Vec<Affine>, Vec<Diagnostic>> {
-    let mut texts = Vec::new();
     let mut known = Lowered::of(vec![None; declarations.definitions.len()]);
-    let mut lowering =
-        Lowering { graph: scratch, texts: &mut texts, scope: &declarations.scope, chains, known: &mut known };
+    let mut lowering = Lowering { graph: scratch, texts, scope: &declarations.scope, chains, known: &mut known };
     let too_many = |span: Span| vec![too_many_nodes(span)];
     for index in used_definitions(declarations, order) {
         let definition = &declarations.definitions[index];

@@ -26,6 +26,8 @@ pub struct Compiler<'a> {
     functions: Functions,
     indices: Bindings,
     vectors: Vectors,
+    /// For the calls of functions.
+    budget: Budget,
 }
 
 impl<'a> Compiler<'a> {
@@ -38,7 +40,8 @@ impl<'a> Compiler<'a> {
         let lowered = Lowered::of(definitions);
         let (functions, indices) = (Functions::default(), Bindings::default());
         let vectors = Vectors::of_names(scope.names());
-        Self { scope, types, chains, lowered, functions, indices, vectors, model }
+        let budget = Budget::of_document();
+        Self { scope, types, chains, lowered, functions, indices, vectors, budget, model }
     }
 
     /// With the author's functions, which the expressions may then call.
@@ -109,9 +112,9 @@ impl<'a> Compiler<'a> {
     }
 
     /// An expression without functions of the author's own and without families.
-    fn single(&self, expression: &Expression) -> Result<Expression, Vec<Diagnostic>> {
+    fn single(&mut self, expression: &Expression) -> Result<Expression, Vec<Diagnostic>> {
         let mut found = Vec::new();
-        let called = self.functions.expanded(expression, &mut Budget::default(), &mut found);
+        let called = self.functions.expanded(expression, &mut self.budget, &mut found);
         if has_errors(&found) {
             return Err(found);
         }

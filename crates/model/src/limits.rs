@@ -19,6 +19,8 @@ pub(crate) const COUPLED: usize = 32;
 pub(crate) const FRICTIONS: usize = 16;
 /// Parts that all calls of the author's functions together may have when they are written out.
 pub(crate) const WRITTEN_OUT: usize = 50_000;
+/// The same in all expressions of a document outside its model together.
+pub(crate) const WRITTEN_OUT_IN_DOCUMENT: usize = 1_000_000;
 /// How deeply an expression may be nested when the calls of the author's functions are written out, as deeply as one that
 /// is read.
 pub(crate) const NESTING: usize = 64;

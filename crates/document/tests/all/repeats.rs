@@ -84,6 +84,16 @@ fn indices_are_checked_and_bounded() {
     refused(&lines, &["there are too many parts in this scene"]);
 }
 
+/// Each copy alone is small enough.
+#[test]
+fn the_calls_of_all_copies_together_are_bounded() {
+    let source = "```model\nfunction f(x) = x*(1 - x)\nfunction g(x) = f(f(f(x)))\nx' = -x/1 [s]\nx(0) = 0.5\n```\n\n\
+                  ```scene\n<svg viewBox='0 0 9 9'><circle repeat='i in 1..2000' r='{g(g(g(g(i/2000))))}'/></svg>\n```\n";
+    let opened = document::open(source, &[]);
+    let found: Vec<&str> = opened.diagnostics.iter().map(|(_, one)| one.code).collect();
+    assert!(!found.is_empty() && found.iter().all(|code| *code == "model-too-large"), "{found:?}");
+}
+
 #[test]
 fn members_of_families_are_drawn_and_dragged_by_their_index() {
     let source = "```model\nsize N = 3\nx[i]' = 0 [m/s] for i in 1..N\nx[i](0) = i*0.5 [m] for i in 1..N\n```\n\n\

@@ -13,6 +13,11 @@ impl Default for Budget {
 }
 
 impl Budget {
+    /// That of all expressions of a document outside its model together, such as those of the copies of a part.
+    pub fn of_document() -> Self {
+        Self(limits::WRITTEN_OUT_IN_DOCUMENT)
+    }
+
     /// Whether one more part may be written out.
     pub fn take(&mut self) -> bool {
         let left = self.0 > 0;

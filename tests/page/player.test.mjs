@@ -100,7 +100,8 @@ visit("a simulation that was damaged on its way says so", async (page) => {
 for (const document of readdirSync(beside("../../simulations")).filter((name) => /^[^.]+\.md$/.test(name))) {
   visit(`${document} plays as a page of its own`, { file: () => exported(document) }, async (page) => {
     await page.press("Play");
-    await page.watchUntil(0.3);
+    // In slow motion a second of watching is a few milliseconds or nanoseconds.
+    await page.watchUntil(1e-6);
     assert.equal(await page.page.locator("#scene svg, #scene .drawing").first().isVisible(), true);
   });
 }

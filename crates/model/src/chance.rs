@@ -4,6 +4,8 @@
 //! this is in the order of the text, and how often the event has happened. So a draw does not depend on what was drawn
 //! before: going back in the run, another step and another event change nothing of it.
 
+use crate::names::for_each;
+use crate::syntax::expressions;
 use crate::{
     Action, BinaryOperator, Diagnostic, EventExtras, Expression, ExpressionKind, Name, ParameterForm, Span, Statement,
     StatementKind,
@@ -57,6 +59,9 @@ pub(crate) fn write_out<'a>(
                 .with_hint(words("one decides all draws; leave this out", "una decide todos los sorteos; omite esta")),
         );
     }
+    if !statements.iter().any(has_draw) {
+        return statements;
+    }
     let own = |statement: &Statement| match &statement.kind {
         StatementKind::Function(function) => Some(function.name.text.clone()),
         _ => None,
@@ -85,6 +90,16 @@ pub(crate) fn write_out<'a>(
     }
     written.append(&mut added);
     Cow::Owned(written)
+}
+
+fn has_draw(statement: &Statement) -> bool {
+    let mut found = false;
+    for expression in expressions(statement) {
+        for_each(expression, |part| {
+            found |= matches!(&part.kind, ExpressionKind::Call { function, .. } if draws(&function.text));
+        });
+    }
+    found
 }
 
 fn seed(statement: &Statement) -> Option<&Name> {
@@ -124,9 +139,15 @@ impl Writer {
                 if self.added.len() > before {
                     let span = statement.span;
                     let name = Name { text: counter.clone(), span };
-                    let one = binary(BinaryOperator::Add, named(&counter, span), number_of(1.0, span), span);
+                    let one = Expression::binary(
+                        BinaryOperator::Add,
+                        Expression::named(&counter, span),
+                        Expression::number(1.0, span),
+                        span,
+                    );
                     actions.push(Action::of(name.clone(), 0, one));
-                    self.added.push(Statement::of(StatementKind::discrete(name, number_of(0.0, span), None), span));
+                    self.added
+                        .push(Statement::of(StatementKind::discrete(name, Expression::number(0.0, span), None), span));
                 }
             }
             _ => {}
@@ -187,17 +208,15 @@ impl Writer {
         let number = self.drawn.entry(target.to_owned()).or_default();
         *number += 1;
         let site = site(&format!("{target} {number}"));
-        let seed = self.seed.as_deref().map_or_else(|| number_of(0.0, span), |seed| named(seed, span));
-        let mixed = |a, b| {
-            let function = Name { text: Function::STREAM.to_owned(), span };
-            Expression { kind: ExpressionKind::Call { function, arguments: vec![a, b] }, span }
-        };
-        let firing = counter.map_or_else(|| number_of(0.0, span), |counter| named(counter, span));
-        let value = mixed(mixed(seed, number_of(site, span)), firing);
+        let seed =
+            self.seed.as_deref().map_or_else(|| Expression::number(0.0, span), |seed| Expression::named(seed, span));
+        let mixed = |a, b| Expression::call(Function::STREAM, vec![a, b], span);
+        let firing = counter.map_or_else(|| Expression::number(0.0, span), |counter| Expression::named(counter, span));
+        let value = mixed(mixed(seed, Expression::number(site, span)), firing);
         let name = format!("{STREAM}{number} for {target}");
         let definition = StatementKind::Definition { name: Name { text: name.clone(), span }, value, unit: None };
         self.added.push(Statement::of(definition, span));
-        named(&name, span)
+        Expression::named(&name, span)
     }
 }
 
@@ -213,27 +232,14 @@ fn site(text: &str) -> f64 {
 fn picked(values: Vec<Expression>, stream: &Expression, span: Span) -> Expression {
     let count = values.len() as f64;
     let part = || {
-        let function = Name { text: "uniform".to_owned(), span };
-        let arguments = vec![stream.clone(), number_of(0.0, span), number_of(1.0, span)];
-        Expression { kind: ExpressionKind::Call { function, arguments }, span }
+        let arguments = vec![stream.clone(), Expression::number(0.0, span), Expression::number(1.0, span)];
+        Expression::call("uniform", arguments, span)
     };
     let mut values: Vec<(usize, Expression)> = values.into_iter().enumerate().collect();
-    let Some((_, last)) = values.pop() else { return Expression { kind: ExpressionKind::Error, span } };
+    let Some((_, last)) = values.pop() else { return Expression::nothing(span) };
     values.into_iter().rev().fold(last, |other, (number, value)| {
-        let limit = number_of((number as f64 + 1.0) / count, span);
-        let condition = binary(BinaryOperator::Less, part(), limit, span);
-        Expression { kind: ExpressionKind::If(Box::new(condition), Box::new(value), Box::new(other)), span }
+        let limit = Expression::number((number as f64 + 1.0) / count, span);
+        let condition = Expression::binary(BinaryOperator::Less, part(), limit, span);
+        Expression::conditional(condition, value, other, span)
     })
-}
-
-fn named(name: &str, span: Span) -> Expression {
-    Expression { kind: ExpressionKind::Name { name: name.to_owned(), order: 0 }, span }
-}
-
-fn number_of(value: f64, span: Span) -> Expression {
-    Expression { kind: ExpressionKind::Number { value, unit: None }, span }
-}
-
-fn binary(operator: BinaryOperator, left: Expression, right: Expression, span: Span) -> Expression {
-    Expression { kind: ExpressionKind::Binary(operator, Box::new(left), Box::new(right)), span }
 }

@@ -55,15 +55,13 @@ fn definition(choice: &ChoiceStatement, first: &Assignment) -> StatementKind {
     for alternative in choice.alternatives.iter().rev() {
         let own = alternative.values.iter().find(|value| value.name.text == name.text).unwrap_or(first);
         let span = own.value.span;
-        let of = |kind| Expression { kind, span };
         value = Some(match value {
             None => own.value.clone(),
             Some(others) => {
-                let chosen = of(ExpressionKind::Name { name: choice.name.text.clone(), order: 0 });
-                let text = of(ExpressionKind::Text(alternative.text.text.clone()));
-                let condition = ExpressionKind::Binary(BinaryOperator::Equal, Box::new(chosen), Box::new(text));
-                let [condition, own, others] = [of(condition), own.value.clone(), others].map(Box::new);
-                of(ExpressionKind::If(condition, own, others))
+                let chosen = Expression::named(&choice.name.text, span);
+                let text = Expression { kind: ExpressionKind::Text(alternative.text.text.clone()), span };
+                let condition = Expression::binary(BinaryOperator::Equal, chosen, text, span);
+                Expression::conditional(condition, own.value.clone(), others, span)
             }
         });
     }

@@ -158,7 +158,7 @@ fn without_vectors(
 fn hide(model: &mut Model, statements: &[Statement]) {
     let hidden: HashSet<&str> = statements.iter().filter(|statement| statement.hidden).filter_map(declared).collect();
     for quantity in &mut model.quantities {
-        let name = quantity.name.split(['[', '.']).next().unwrap_or_default();
+        let name = crate::components::vector_or_family(&quantity.name).unwrap_or(&quantity.name);
         quantity.hidden = hidden.contains(name);
     }
 }

@@ -7,7 +7,7 @@ use crate::names::for_each;
 use crate::notation::primed;
 use crate::{
     Action, Diagnostic, EventExtras, Expression, ExpressionKind, Name, Span, Statement, StatementKind,
-    moments::expressions,
+    syntax::expressions,
 };
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -105,9 +105,8 @@ fn next(statement: &Statement) -> impl Iterator<Item = (Span, &Action)> {
 
 /// `every 1 { }`
 fn each_count(span: Span) -> StatementKind {
-    let one = Expression { kind: ExpressionKind::Number { value: 1.0, unit: None }, span };
-    let condition = Expression { kind: ExpressionKind::Error, span };
-    let extras = EventExtras { every: Some(Box::new((one, None))), ..EventExtras::default() };
+    let condition = Expression::nothing(span);
+    let extras = EventExtras { every: Some(Box::new((Expression::number(1.0, span), None))), ..EventExtras::default() };
     StatementKind::Event { condition, actions: Vec::new(), extras }
 }
 

@@ -7,6 +7,7 @@
 
 use crate::components::AXES;
 use crate::names::for_each;
+use crate::syntax::{expressions, expressions_mut, independent, rewrite};
 use crate::vectors::Vectors;
 use crate::{
     Action, BinaryOperator, Diagnostic, EventExtras, Expression, ExpressionKind, Name, Span, Statement, StatementKind,
@@ -101,15 +102,6 @@ fn declared(statements: &[Statement]) -> HashSet<String> {
         _ => None,
     };
     statements.iter().filter_map(name).collect()
-}
-
-/// The name of the independent variable.
-pub(crate) fn independent(statements: &[Statement]) -> String {
-    let stated = statements.iter().find_map(|statement| match &statement.kind {
-        StatementKind::Independent { name, .. } => Some(name.text.clone()),
-        _ => None,
-    });
-    stated.unwrap_or_else(|| "t".to_owned())
 }
 
 /// The places where something that an event remembers is used.
@@ -235,14 +227,12 @@ impl Writer {
     /// Lets an event remember these quantities, and its count, time and interval.
     fn remember(&mut self, event: &Name, wanted: &[(&str, u32, Span)], actions: &mut Vec<Action>, span: Span) {
         let at = event.span;
-        let name = |text: String| expression(ExpressionKind::Name { name: text, order: 0 }, at);
-        let number = |value: f64| expression(ExpressionKind::Number { value, unit: None }, at);
         let kept = |member: &str| format!("{}.{member}.", event.text);
-        let operation =
-            |operator, left, right| expression(ExpressionKind::Binary(operator, Box::new(left), Box::new(right)), at);
-        let time = || name(self.independent.clone());
-        let counted = operation(BinaryOperator::Add, name(kept(COUNT)), number(1.0));
-        let interval = operation(BinaryOperator::Subtract, time(), name(kept(TIME)));
+        let value_kept = |member: &str| Expression::named(&kept(member), at);
+        let time = || Expression::named(&self.independent, at);
+        let one = Expression::number(1.0, at);
+        let counted = Expression::binary(BinaryOperator::Add, value_kept(COUNT), one, at);
+        let interval = Expression::binary(BinaryOperator::Subtract, time(), value_kept(TIME), at);
         let mut all = vec![
             (COUNT.to_owned(), counted, None, at),
             (TIME.to_owned(), time(), Some(0.0), at),
@@ -250,30 +240,20 @@ impl Writer {
         ];
         for &(member, order, span) in wanted {
             let primes = "'".repeat(order as usize);
-            let value = expression(ExpressionKind::Name { name: member.to_owned(), order }, span);
-            all.push((format!("{member}{primes}"), value, Some(0.0), span));
+            all.push((format!("{member}{primes}"), Expression::derivative(member, order, span), Some(0.0), span));
         }
         for (member, value, beyond, place) in all {
             let state = Name { text: kept(&member), span: place };
             actions.push(Action::of(state.clone(), 0, value));
-            let value = match beyond {
-                None => name(state.text.clone()),
+            let mut value = value_kept(&member);
+            if let Some(count) = beyond {
                 // No value before so many times.
-                Some(count) => {
-                    let condition = operation(BinaryOperator::Greater, name(kept(COUNT)), number(count));
-                    let nothing = expression(ExpressionKind::Error, place);
-                    let parts = [condition, name(state.text.clone()), nothing].map(Box::new);
-                    let [condition, chosen, other] = parts;
-                    expression(ExpressionKind::If(condition, chosen, other), place)
-                }
-            };
+                let count = Expression::number(count, at);
+                let condition = Expression::binary(BinaryOperator::Greater, value_kept(COUNT), count, at);
+                value = Expression::conditional(condition, value, Expression::nothing(place), place);
+            }
             self.define(Name { text: format!("{}.{member}", event.text), span: place }, value);
-            let rate = [
-                expression(ExpressionKind::Name { name: state.text.clone(), order: 1 }, place),
-                expression(ExpressionKind::Number { value: 0.0, unit: None }, place),
-            ];
-            let zero = expression(ExpressionKind::Number { value: 0.0, unit: None }, place);
-            let kind = StatementKind::Discrete { name: state, value: zero, unit: None, rate: Box::new(rate) };
+            let kind = StatementKind::discrete(state, Expression::number(0.0, place), None);
             self.added.push(Statement::of(kind, span));
         }
     }
@@ -282,51 +262,5 @@ impl Writer {
         let span = name.span;
         let kind = StatementKind::Definition { name, value, unit: None };
         self.added.push(Statement::of(kind, span));
-    }
-}
-
-fn expression(kind: ExpressionKind, span: Span) -> Expression {
-    Expression { kind, span }
-}
-
-/// The expressions of a statement.
-pub(crate) fn expressions(statement: &Statement) -> Vec<&Expression> {
-    match &statement.kind {
-        StatementKind::Definition { value, .. }
-        | StatementKind::InitialValue { value, .. }
-        | StatementKind::Discrete { value, .. } => vec![value],
-        StatementKind::Equation { left, right } => vec![left, right],
-        StatementKind::Function(function) => vec![&function.body],
-        StatementKind::Event { condition, actions, extras } => {
-            let values = extras.names.iter().chain(actions).map(|action| &action.value);
-            let moments = extras.every.iter().flat_map(|every| std::iter::once(&every.0).chain(&every.1));
-            std::iter::once(condition).chain(values).chain(moments).collect()
-        }
-        _ => Vec::new(),
-    }
-}
-
-/// The same to be changed.
-pub(crate) fn expressions_mut(statement: &mut Statement) -> Vec<&mut Expression> {
-    match &mut statement.kind {
-        StatementKind::Definition { value, .. }
-        | StatementKind::InitialValue { value, .. }
-        | StatementKind::Discrete { value, .. } => vec![value],
-        StatementKind::Equation { left, right } => vec![left, right],
-        StatementKind::Event { condition, actions, extras } => {
-            let values = extras.names.iter_mut().chain(actions).map(|action| &mut action.value);
-            std::iter::once(condition).chain(values).collect()
-        }
-        StatementKind::Function(function) => vec![&mut function.body],
-        _ => Vec::new(),
-    }
-}
-
-/// Changes an expression and everything inside it, without recursion.
-pub(crate) fn rewrite(expression: &mut Expression, change: &mut impl FnMut(&mut Expression)) {
-    let mut waiting = vec![expression];
-    while let Some(next) = waiting.pop() {
-        change(next);
-        waiting.extend(next.operands_mut());
     }
 }

@@ -5,8 +5,8 @@
 //! where y' passes through zero, which is an event that is found between the steps. The words are free as names: only directly
 //! before a parenthesis they are functions, and not if the author has one of that name.
 
-use crate::moments::{expressions_mut, rewrite};
 use crate::notation::quote;
+use crate::syntax::{expressions_mut, rewrite};
 use crate::{Action, BinaryOperator, EventExtras, Expression, ExpressionKind, Name, Span, Statement, StatementKind};
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -82,7 +82,7 @@ impl Writer {
             long => format!("{called}({long}) {}", part.span.start),
         };
         let (argument, whole, is_mean) = (argument.clone(), part.span, called == MEAN);
-        part.kind = ExpressionKind::Name { name: name.clone(), order: 0 };
+        *part = Expression::named(&name, whole);
         if !self.names.insert(name.clone()) {
             return;
         }
@@ -95,19 +95,17 @@ impl Writer {
 
     fn extremum(&mut self, name: &str, keeps: &str, turned: BinaryOperator, argument: Expression, span: Span) {
         let (present, past) = (format!("{name} now"), format!("{name} so far"));
-        let of = |kind| Expression { kind, span };
         let extreme = || {
-            let arguments = [&past, &present].map(|name| of(named_kind(name))).to_vec();
-            of(ExpressionKind::Call { function: Name { text: keeps.to_owned(), span }, arguments })
+            let arguments = [&past, &present].map(|name| Expression::named(name, span)).to_vec();
+            Expression::call(keeps, arguments, span)
         };
         self.define(&present, argument, span);
         self.define(name, extreme(), span);
-        let rate = [of(ExpressionKind::Name { name: past.clone(), order: 1 }), of(number(0.0))];
-        let value = of(ExpressionKind::InitialValue { name: present.clone(), order: 0 });
+        let value = Expression { kind: ExpressionKind::InitialValue { name: present.clone(), order: 0 }, span };
         let state = Name { text: past.clone(), span };
-        self.add(StatementKind::Discrete { name: state.clone(), value, unit: None, rate: Box::new(rate) }, span);
-        let slope = of(ExpressionKind::Name { name: present.clone(), order: 1 });
-        let condition = of(ExpressionKind::Binary(turned, Box::new(slope), Box::new(of(number(0.0)))));
+        self.add(StatementKind::discrete(state.clone(), value, None), span);
+        let slope = Expression::derivative(&present, 1, span);
+        let condition = Expression::binary(turned, slope, Expression::number(0.0, span), span);
         let action = Action::of(state, 0, extreme());
         let (actions, extras) = (vec![action.clone()], EventExtras::default());
         self.kept.push(action);
@@ -116,25 +114,20 @@ impl Writer {
 
     fn integral(&mut self, name: &str, argument: Expression, span: Span) {
         let state = format!("{name} so far");
-        let of = |kind| Expression { kind, span };
-        self.define(name, of(named_kind(&state)), span);
-        let left = of(ExpressionKind::Name { name: state.clone(), order: 1 });
+        self.define(name, Expression::named(&state, span), span);
+        let left = Expression::derivative(&state, 1, span);
         self.add(StatementKind::Equation { left, right: argument }, span);
-        let value = of(number(0.0));
-        let name = Name { text: state, span };
+        let (name, value) = (Name { text: state, span }, Expression::number(0.0, span));
         self.add(StatementKind::InitialValue { name, order: 0, value, unit: None }, span);
     }
 
     /// The integral by the time; at the start the value itself.
     fn mean(&mut self, name: &str, argument: Expression, span: Span) {
-        let of = |kind| Box::new(Expression { kind, span });
-        let function = Name { text: INTEGRAL.to_owned(), span };
-        let integral = of(ExpressionKind::Call { function, arguments: vec![argument.clone()] });
-        let time = || of(named_kind(&self.independent));
-        let quotient = of(ExpressionKind::Binary(BinaryOperator::Divide, integral, time()));
-        let begun = of(ExpressionKind::Binary(BinaryOperator::Greater, time(), of(number(0.0))));
-        let value = Expression { kind: ExpressionKind::If(begun, quotient, Box::new(argument)), span };
-        self.define(name, value, span);
+        let integral = Expression::call(INTEGRAL, vec![argument.clone()], span);
+        let time = || Expression::named(&self.independent, span);
+        let quotient = Expression::binary(BinaryOperator::Divide, integral, time(), span);
+        let begun = Expression::binary(BinaryOperator::Greater, time(), Expression::number(0.0, span), span);
+        self.define(name, Expression::conditional(begun, quotient, argument, span), span);
     }
 
     fn define(&mut self, name: &str, value: Expression, span: Span) {
@@ -145,12 +138,4 @@ impl Writer {
     fn add(&mut self, kind: StatementKind, span: Span) {
         self.added.push(Statement::of(kind, span));
     }
-}
-
-fn named_kind(name: &str) -> ExpressionKind {
-    ExpressionKind::Name { name: name.to_owned(), order: 0 }
-}
-
-fn number(value: f64) -> ExpressionKind {
-    ExpressionKind::Number { value, unit: None }
 }

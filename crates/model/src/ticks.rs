@@ -4,7 +4,7 @@
 //! It is written out as an event whose condition is that the time has passed the next of these moments. Which one that is, is
 //! counted by a discrete quantity, so that the moments are products and no sums, and all of them are scheduled exactly.
 
-use crate::{Action, BinaryOperator, Expression, ExpressionKind, Name, Span, Statement, StatementKind, UnaryOperator};
+use crate::{Action, BinaryOperator, Expression, Name, Span, Statement, StatementKind, UnaryOperator};
 use std::borrow::Cow;
 
 /// The statements with all events at equal intervals as events with conditions.
@@ -13,7 +13,7 @@ pub(crate) fn write_out(statements: &[Statement]) -> Cow<'_, [Statement]> {
     if !statements.iter().any(is_tick) {
         return Cow::Borrowed(statements);
     }
-    let independent = crate::moments::independent(statements);
+    let independent = crate::syntax::independent(statements);
     let counts = crate::maps::counts(statements);
     let mut written = statements.to_vec();
     let mut added = Vec::new();
@@ -48,57 +48,46 @@ struct Ticks<'a> {
 }
 
 impl Ticks<'_> {
-    fn of(&self, kind: ExpressionKind) -> Expression {
-        Expression { kind, span: self.span }
-    }
-
-    fn name(&self, name: &str, order: u32) -> Expression {
-        self.of(ExpressionKind::Name { name: name.to_owned(), order })
-    }
-
-    fn number(&self, value: f64) -> Expression {
-        self.of(ExpressionKind::Number { value, unit: None })
-    }
-
-    fn binary(&self, operator: BinaryOperator, left: Expression, right: Expression) -> Expression {
-        self.of(ExpressionKind::Binary(operator, Box::new(left), Box::new(right)))
-    }
-
     /// The discrete quantity that counts: at the start the least number whose moment lies behind it.
     fn count(&self, interval: &Expression, from: Option<&Expression>) -> Statement {
+        let span = self.span;
+        let number = |value| Expression::number(value, span);
         let first = match from {
-            None => self.number(1.0),
+            None => number(1.0),
             Some(from) => {
-                let later = self.binary(BinaryOperator::Greater, from.clone(), self.number(0.0));
-                let before = self.of(ExpressionKind::Unary(UnaryOperator::Negate, Box::new(from.clone())));
-                let passed = self.binary(BinaryOperator::Divide, before, interval.clone());
-                let function = Name { text: "floor".to_owned(), span: self.span };
-                let whole = self.of(ExpressionKind::Call { function, arguments: vec![passed] });
-                let next = self.binary(BinaryOperator::Add, whole, self.number(1.0));
-                self.of(ExpressionKind::If(Box::new(later), Box::new(self.number(0.0)), Box::new(next)))
+                let later = Expression::binary(BinaryOperator::Greater, from.clone(), number(0.0), span);
+                let before = Expression::unary(UnaryOperator::Negate, from.clone(), span);
+                let passed = Expression::binary(BinaryOperator::Divide, before, interval.clone(), span);
+                let whole = Expression::call("floor", vec![passed], span);
+                let next = Expression::binary(BinaryOperator::Add, whole, number(1.0), span);
+                Expression::conditional(later, number(0.0), next, span)
             }
         };
-        let rate = Box::new([self.name(&self.next, 1), self.number(0.0)]);
-        let name = Name { text: self.next.clone(), span: self.span };
-        let kind = StatementKind::Discrete { name, value: first, unit: None, rate };
-        Statement::of(kind, self.span)
+        let name = Name { text: self.next.clone(), span };
+        Statement::of(StatementKind::discrete(name, first, None), span)
+    }
+
+    /// The number of the next moment.
+    fn number(&self) -> Expression {
+        Expression::named(&self.next, self.span)
     }
 
     /// n = n + 1
     fn counted(&self) -> Action {
         let name = Name { text: self.next.clone(), span: self.span };
-        let value = self.binary(BinaryOperator::Add, self.name(&self.next, 0), self.number(1.0));
+        let one = Expression::number(1.0, self.span);
+        let value = Expression::binary(BinaryOperator::Add, self.number(), one, self.span);
         Action::of(name, 0, value)
     }
 
     /// t > from + n interval; t >= from + n interval where t counts
     fn passed(&self, interval: Expression, from: Option<Expression>) -> Expression {
-        let since = self.binary(BinaryOperator::Multiply, self.name(&self.next, 0), interval);
+        let since = Expression::binary(BinaryOperator::Multiply, self.number(), interval, self.span);
         let moment = match from {
-            Some(from) => self.binary(BinaryOperator::Add, from, since),
+            Some(from) => Expression::binary(BinaryOperator::Add, from, since, self.span),
             None => since,
         };
         let passed = if self.counts { BinaryOperator::GreaterOrEqual } else { BinaryOperator::Greater };
-        self.binary(passed, self.name(self.independent, 0), moment)
+        Expression::binary(passed, Expression::named(self.independent, self.span), moment, self.span)
     }
 }

@@ -25,22 +25,15 @@ impl Cursor<'_> {
             Err(reported) => return (nothing(start), Err(reported)),
         };
         let mut choice = ChoiceStatement { name, label: None, alternatives: Vec::new() };
-        if let TokenKind::Text(text) = self.peek().clone() {
-            choice.label = Some(Quoted { text, span: self.advance() });
-        }
-        if *self.peek() == TokenKind::Newline && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftBrace) {
-            self.skip_lines();
-        }
+        choice.label = self.label();
         let read = self.alternatives(&mut choice);
         (StatementKind::Choice(choice), read)
     }
 
     fn alternatives(&mut self, choice: &mut ChoiceStatement) -> Read<()> {
-        let Some(open) = self.take(Symbol::LeftBrace) else {
-            let wrong =
-                words!("`{{` is expected here, not {found}", "aquí se espera `{{`, no {found}", found = self.found());
-            let place = if self.at_line_end() { choice.name.span } else { self.span() };
-            return self.fail(Diagnostic::error("choice-form", wrong, place).with_hint(FORM));
+        let Some(open) = self.open_brace() else {
+            let expected = self.brace_expected("choice-form", choice.name.span);
+            return self.fail(expected.with_hint(FORM));
         };
         let mut wrong = false;
         loop {

@@ -89,6 +89,21 @@ impl<'a> Cursor<'a> {
         (*self.peek() == TokenKind::Keyword(keyword)).then(|| self.advance())
     }
 
+    /// Reads the brace that opens a block, which may stand at the beginning of the next line.
+    pub(super) fn open_brace(&mut self) -> Option<Span> {
+        if *self.peek() == TokenKind::Newline && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftBrace) {
+            self.skip_lines();
+        }
+        self.take(Symbol::LeftBrace)
+    }
+
+    /// What is said where a block should open and does not. At the end of a line the place is `before`.
+    pub(super) fn brace_expected(&self, code: &'static str, before: Span) -> Diagnostic {
+        let wrong =
+            words!("`{{` is expected here, not {found}", "aquí se espera `{{`, no {found}", found = self.found());
+        Diagnostic::error(code, wrong, if self.at_line_end() { before } else { self.span() })
+    }
+
     /// Whether this name is next, without primes.
     pub(super) fn at_word(&self, word: &str) -> bool {
         matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == word)

@@ -22,9 +22,6 @@ impl Cursor<'_> {
         self.refuse_equals(words("condition", "una condición"));
         let (mut actions, mut extras) = (Vec::new(), EventExtras::default());
         let mut read = self.event_name(&mut extras);
-        if matches!(self.peek(), TokenKind::Newline) && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftBrace) {
-            self.skip_lines();
-        }
         if read.is_ok() {
             read = self.actions(start, &mut actions, &mut extras);
         }
@@ -32,13 +29,10 @@ impl Cursor<'_> {
     }
 
     fn actions(&mut self, start: Span, actions: &mut Vec<Action>, extras: &mut EventExtras) -> Read<()> {
-        let Some(open) = self.take(Symbol::LeftBrace) else {
-            let wrong =
-                words!("`{{` is expected here, not {found}", "aquí se espera `{{`, no {found}", found = self.found());
-            let place = if self.at_line_end() { self.last_span() } else { self.span() };
-            let diagnostic = Diagnostic::error("missing-braces", wrong, place)
-                .with_label(start, words("of this event", "de este evento"));
-            return self.fail(diagnostic.with_hint(EVENT_FORM));
+        let Some(open) = self.open_brace() else {
+            let expected = self.brace_expected("missing-braces", self.last_span());
+            let expected = expected.with_label(start, words("of this event", "de este evento"));
+            return self.fail(expected.with_hint(EVENT_FORM));
         };
         let mut wrong_actions = false;
         loop {

@@ -113,7 +113,8 @@ impl Cursor<'_> {
         self.fail(diagnostic.with_hint(words!("did you mean {meant}?", "¿querías decir {meant}?")))
     }
 
-    fn label(&mut self) -> Option<Quoted> {
+    /// A text in quotation marks, if it comes next.
+    pub(super) fn label(&mut self) -> Option<Quoted> {
         let TokenKind::Text(text) = self.peek().clone() else {
             return None;
         };

@@ -4,7 +4,7 @@ use super::cursor::{Cursor, Read, Told};
 use super::statement::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
 use crate::tables::too_many_points;
-use crate::{Course, Diagnostic, Point, Quoted, StatedUnit, StatementKind, TableStatement, limits};
+use crate::{Course, Diagnostic, Point, StatedUnit, StatementKind, TableStatement, limits};
 use units::{Unit, Words, words};
 
 const FORM: Words = words(
@@ -71,18 +71,11 @@ impl Cursor<'_> {
         }
         self.close(open)?;
         table.unit = self.stated_unit()?;
-        if let TokenKind::Text(text) = self.peek().clone() {
-            table.label = Some(Quoted { text, span: self.advance() });
-        }
-        if *self.peek() == TokenKind::Newline && *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftBrace) {
-            self.skip_lines();
-        }
-        let brace = self.take(Symbol::LeftBrace);
+        table.label = self.label();
+        let brace = self.open_brace();
         if brace.is_none() && !(whole && self.at_line_end()) {
-            let wrong =
-                words!("`{{` is expected here, not {found}", "aquí se espera `{{`, no {found}", found = self.found());
-            let place = if self.at_line_end() { table.name.span } else { self.span() };
-            return self.fail(Diagnostic::error("table-form", wrong, place).with_hint(FORM));
+            let expected = self.brace_expected("table-form", table.name.span);
+            return self.fail(expected.with_hint(FORM));
         }
         loop {
             self.skip_separators();

@@ -1,8 +1,8 @@
 //! Maps as a textbook prints them: the next value of p is p with k + 1 below, from those with k below.
 
 use super::expression::Typesetter;
-use crate::moments::{expressions_mut, independent, rewrite};
-use crate::{Action, BinaryOperator, EventExtras, Expression, ExpressionKind, Name, Span, Statement, StatementKind};
+use crate::syntax::{expressions_mut, independent, rewrite};
+use crate::{Action, BinaryOperator, EventExtras, Expression, ExpressionKind, Name, Statement, StatementKind};
 use std::borrow::Cow;
 use std::collections::HashSet;
 
@@ -29,9 +29,8 @@ pub(super) fn with_counts(statements: &[Statement]) -> Cow<'_, [Statement]> {
             .for_each(|one| rewrite(one, &mut |part| at_count(part, &mapped, &count)));
         if let StatementKind::Event { actions, .. } = &mut statement.kind {
             for Action { name: Name { span, .. }, indices, .. } in actions {
-                let one = of(ExpressionKind::Number { value: 1.0, unit: None }, *span);
-                let next = ExpressionKind::Binary(BinaryOperator::Add, Box::new(named(&count, *span)), Box::new(one));
-                indices.push(of(next, *span));
+                let (count, one) = (Expression::named(&count, *span), Expression::number(1.0, *span));
+                indices.push(Expression::binary(BinaryOperator::Add, count, one, *span));
             }
         }
     }
@@ -43,22 +42,14 @@ fn at_count(part: &mut Expression, mapped: &HashSet<String>, count: &str) {
     let span = part.span;
     match &mut part.kind {
         ExpressionKind::Name { name, order: 0 } if mapped.contains(name) => {
-            let (name, indices) = (std::mem::take(name), vec![named(count, span)]);
+            let (name, indices) = (std::mem::take(name), vec![Expression::named(count, span)]);
             part.kind = ExpressionKind::Member { name, indices, order: 0, at_start: false };
         }
         ExpressionKind::Member { name, indices, at_start: false, .. } if mapped.contains(name) => {
-            indices.push(named(count, span));
+            indices.push(Expression::named(count, span));
         }
         _ => {}
     }
-}
-
-fn of(kind: ExpressionKind, span: Span) -> Expression {
-    Expression { kind, span }
-}
-
-fn named(name: &str, span: Span) -> Expression {
-    of(ExpressionKind::Name { name: name.to_owned(), order: 0 }, span)
 }
 
 impl Typesetter<'_> {

@@ -273,7 +273,7 @@ impl<'a> Writer<'a> {
         (right, two): (&Expression, Value),
         span: Span,
     ) -> Value {
-        let of = |one, two| Expression { kind: ExpressionKind::Binary(operator, Box::new(one), Box::new(two)), span };
+        let of = |one, two| Expression::binary(operator, one, two, span);
         match (operator, one, two) {
             (_, Value::Unknown, _) | (_, _, Value::Unknown) => Value::Unknown,
             (_, Value::Number(one), Value::Number(two)) => Value::Number(of(one, two)),
@@ -317,7 +317,7 @@ fn each(value: Value, of: impl Fn(Expression) -> ExpressionKind, span: Span) -> 
 
 /// The zero vector.
 pub(super) fn zero(dimension: usize, span: Span) -> Value {
-    let zero = Expression { kind: ExpressionKind::Number { value: 0.0, unit: None }, span };
+    let zero = Expression::number(0.0, span);
     Value::Vector(vec![zero; dimension])
 }
 

@@ -3,6 +3,7 @@
 
 use super::known::{CROSS, Vectors, has_tuple};
 use crate::components::split_component;
+use crate::syntax::expressions;
 use crate::{
     BinaryOperator, Expression, ExpressionKind, FunctionStatement, Statement, StatementKind, UnaryOperator, limits,
 };
@@ -34,7 +35,8 @@ impl Vectors {
                 }
                 _ => {}
             }
-            occur |= expressions(statement).into_iter().any(has_tuple);
+            let in_values = values(statement).into_iter().any(|(_, value)| has_tuple(value));
+            occur |= in_values || expressions(statement).into_iter().any(has_tuple);
         }
         let mut vectors = Self {
             dimensions: BTreeMap::new(),
@@ -214,19 +216,4 @@ fn values(statement: &Statement) -> Vec<(&str, &Expression)> {
         }
         _ => Vec::new(),
     }
-}
-
-/// The expressions of a statement.
-fn expressions(statement: &Statement) -> Vec<&Expression> {
-    let own = match &statement.kind {
-        StatementKind::Equation { left, right } => vec![left, right],
-        StatementKind::Function(function) => vec![&function.body],
-        StatementKind::Event { condition, actions, extras } => {
-            let values = extras.names.iter().chain(actions).map(|action| &action.value);
-            let moments = extras.every.iter().flat_map(|every| std::iter::once(&every.0).chain(&every.1));
-            std::iter::once(condition).chain(values).chain(moments).collect()
-        }
-        _ => Vec::new(),
-    };
-    own.into_iter().chain(values(statement).into_iter().map(|(_, value)| value)).collect()
 }

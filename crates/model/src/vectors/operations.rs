@@ -67,25 +67,21 @@ impl Writer<'_> {
 
     /// The square root of the sum of the squares.
     fn norm(&mut self, parts: Vec<Expression>, span: Span) -> Expression {
-        let squares = parts.into_iter().map(|part| {
-            let two = Expression { kind: ExpressionKind::Number { value: 2.0, unit: None }, span };
-            binary(BinaryOperator::Power, part, two, span)
-        });
-        let function = Name { text: "sqrt".to_owned(), span };
-        let arguments = total(squares, span).into_iter().collect();
-        Expression { kind: ExpressionKind::Call { function, arguments }, span }
+        let squares = parts
+            .into_iter()
+            .map(|part| Expression::binary(BinaryOperator::Power, part, Expression::number(2.0, span), span));
+        Expression::call("sqrt", total(squares, span).into_iter().collect(), span)
     }
 
     /// The vector product; in the plane the only component that it has, along z.
     fn cross(&mut self, one: &[Expression], two: &[Expression], span: Span) -> Value {
         let mut component = |i: usize, j: usize| {
             let mut factor = |parts: &[Expression], axis: usize| {
-                let nothing = Expression { kind: ExpressionKind::Error, span };
-                parts.get(axis).map_or(nothing, |part| self.copy(part))
+                parts.get(axis).map_or_else(|| Expression::nothing(span), |part| self.copy(part))
             };
             let first = product(factor(one, i), factor(two, j), span);
             let second = product(factor(one, j), factor(two, i), span);
-            binary(BinaryOperator::Subtract, first, second, span)
+            Expression::binary(BinaryOperator::Subtract, first, second, span)
         };
         if one.len() == 2 {
             return Value::Number(component(0, 1));
@@ -123,14 +119,10 @@ impl Writer<'_> {
     }
 }
 
-fn binary(operator: BinaryOperator, left: Expression, right: Expression, span: Span) -> Expression {
-    Expression { kind: ExpressionKind::Binary(operator, Box::new(left), Box::new(right)), span }
-}
-
 fn product(left: Expression, right: Expression, span: Span) -> Expression {
-    binary(BinaryOperator::Multiply, left, right, span)
+    Expression::binary(BinaryOperator::Multiply, left, right, span)
 }
 
 fn total(terms: impl Iterator<Item = Expression>, span: Span) -> Option<Expression> {
-    terms.reduce(|sum, term| binary(BinaryOperator::Add, sum, term, span))
+    terms.reduce(|sum, term| Expression::binary(BinaryOperator::Add, sum, term, span))
 }

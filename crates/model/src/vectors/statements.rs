@@ -139,8 +139,7 @@ impl Writer<'_> {
                 parts.into_iter().enumerate().map(named).collect()
             }
             Value::Vector(parts) => {
-                let own =
-                    Expression { kind: ExpressionKind::Name { name: name.text.clone(), order: 0 }, span: name.span };
+                let own = Expression::named(&name.text, name.span);
                 self.refuse(faults::different_dimensions((&own, dimension), (value, parts.len())));
                 Vec::new()
             }

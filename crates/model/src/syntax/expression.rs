@@ -1,0 +1,225 @@
+//! Expressions: numbers, names, operations and calls.
+
+use super::{Name, Over, StatedUnit};
+use crate::Span;
+use units::Unit;
+
+/// An expression and where it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expression {
+    /// What it is.
+    pub kind: ExpressionKind,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// The kinds of expression.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ExpressionKind {
+    /// `9.8 [m/s^2]`; the value in the unit given.
+    Number {
+        /// The number as written.
+        value: f64,
+        /// The unit that follows it.
+        unit: Option<Unit>,
+    },
+    /// `"underdamped"`
+    Text(String),
+    /// `y''` or `m`; also `pi` and the independent variable.
+    Name {
+        /// The ASCII name.
+        name: String,
+        /// How many primes.
+        order: u32,
+    },
+    /// `y'(0)` on the right: the value at the start of the run.
+    InitialValue {
+        /// The ASCII name.
+        name: String,
+        /// How many primes.
+        order: u32,
+    },
+    /// `x[i+1]''`, `u[i, j]`: a member of a family; `x[i](0)`: its value at the start.
+    Member {
+        /// The ASCII name of the family.
+        name: String,
+        /// Which member.
+        indices: Vec<Expression>,
+        /// How many primes.
+        order: u32,
+        /// Whether it is the value at the start of the run.
+        at_start: bool,
+    },
+    /// `sum(m*x[i]'^2/2 for i in 1..N)`
+    Reduction {
+        /// What joins the values: `sum`, `min` or `max`.
+        function: Name,
+        /// The value for each index.
+        body: Box<Expression>,
+        /// The indices.
+        over: Vec<Over>,
+    },
+    /// `(1, 0) [au]`: a vector by its components.
+    Tuple {
+        /// The components, 2 or 3.
+        parts: Vec<Expression>,
+        /// The unit that follows; it is that of every component.
+        unit: Option<Unit>,
+    },
+    /// `r[i].x`, `(a - b).y`: a component of a vector. That of a vector with a name is a name, `r.x`.
+    Component {
+        /// The vector.
+        of: Box<Expression>,
+        /// Which component, from 0.
+        axis: usize,
+    },
+    /// `-x`, `not x`
+    Unary(UnaryOperator, Box<Expression>),
+    /// `a + b`
+    Binary(BinaryOperator, Box<Expression>, Box<Expression>),
+    /// `sin(x)`; `function` need not exist.
+    Call {
+        /// The name before the parenthesis.
+        function: Name,
+        /// What stands inside.
+        arguments: Vec<Expression>,
+    },
+    /// `if c then a else b`
+    If(Box<Expression>, Box<Expression>, Box<Expression>),
+    /// A call of a function of the author's own, written out. The parser makes none.
+    Expansion(Box<Expansion>),
+    /// What could not be read; a diagnostic has said so, and nothing more is said about it.
+    Error,
+}
+
+/// What a call of a function of the author's own stands for. The expression that has it stands where the call stands; its
+/// body stands in the statement of the function, but for the arguments.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expansion {
+    /// The function.
+    pub function: String,
+    /// The call as messages quote it.
+    pub written: String,
+    /// The value of the function, with the arguments put in.
+    pub body: Expression,
+    /// The stated unit of the function.
+    pub unit: Option<StatedUnit>,
+}
+
+/// Prefix operators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnaryOperator {
+    /// `-`
+    Negate,
+    /// `not`
+    Not,
+}
+
+/// Infix operators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "each says itself")]
+pub enum BinaryOperator {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+    Less,
+    LessOrEqual,
+    Greater,
+    GreaterOrEqual,
+    Equal,
+    NotEqual,
+    And,
+    Or,
+}
+
+impl Expression {
+    /// A number without a unit.
+    pub(crate) fn number(value: f64, span: Span) -> Self {
+        Self { kind: ExpressionKind::Number { value, unit: None }, span }
+    }
+
+    /// The value of what has this name.
+    pub(crate) fn named(name: &str, span: Span) -> Self {
+        Self::derivative(name, 0, span)
+    }
+
+    /// A name with so many primes.
+    pub(crate) fn derivative(name: &str, order: u32, span: Span) -> Self {
+        Self { kind: ExpressionKind::Name { name: name.to_owned(), order }, span }
+    }
+
+    /// `left + right`, for example.
+    pub(crate) fn binary(operator: BinaryOperator, left: Self, right: Self, span: Span) -> Self {
+        Self { kind: ExpressionKind::Binary(operator, Box::new(left), Box::new(right)), span }
+    }
+
+    /// `-operand`, for example.
+    pub(crate) fn unary(operator: UnaryOperator, operand: Self, span: Span) -> Self {
+        Self { kind: ExpressionKind::Unary(operator, Box::new(operand)), span }
+    }
+
+    /// `function(arguments)`
+    pub(crate) fn call(function: &str, arguments: Vec<Self>, span: Span) -> Self {
+        let function = Name { text: function.to_owned(), span };
+        Self { kind: ExpressionKind::Call { function, arguments }, span }
+    }
+
+    /// `if condition then chosen else other`
+    pub(crate) fn conditional(condition: Self, chosen: Self, other: Self, span: Span) -> Self {
+        let [condition, chosen, other] = [condition, chosen, other].map(Box::new);
+        Self { kind: ExpressionKind::If(condition, chosen, other), span }
+    }
+
+    /// No value, of any dimension.
+    pub(crate) fn nothing(span: Span) -> Self {
+        Self { kind: ExpressionKind::Error, span }
+    }
+
+    /// The direct operands, in the order of the text.
+    pub fn operands(&self) -> Vec<&Self> {
+        match &self.kind {
+            ExpressionKind::Number { .. }
+            | ExpressionKind::Text(_)
+            | ExpressionKind::Name { .. }
+            | ExpressionKind::InitialValue { .. }
+            | ExpressionKind::Error => Vec::new(),
+            ExpressionKind::Member { indices, .. } => indices.iter().collect(),
+            ExpressionKind::Reduction { body, over, .. } => {
+                let bounds = over.iter().flat_map(|over| [&over.low, &over.high]);
+                std::iter::once(&**body).chain(bounds).collect()
+            }
+            ExpressionKind::Tuple { parts, .. } => parts.iter().collect(),
+            ExpressionKind::Component { of, .. } => vec![of],
+            ExpressionKind::Unary(_, operand) => vec![operand],
+            ExpressionKind::Binary(_, left, right) => vec![left, right],
+            ExpressionKind::Call { arguments, .. } => arguments.iter().collect(),
+            ExpressionKind::Expansion(expansion) => vec![&expansion.body],
+            ExpressionKind::If(condition, chosen, other) => vec![condition, chosen, other],
+        }
+    }
+
+    /// The same, to be changed.
+    pub fn operands_mut(&mut self) -> Vec<&mut Self> {
+        match &mut self.kind {
+            ExpressionKind::Number { .. }
+            | ExpressionKind::Text(_)
+            | ExpressionKind::Name { .. }
+            | ExpressionKind::InitialValue { .. }
+            | ExpressionKind::Error => Vec::new(),
+            ExpressionKind::Member { indices, .. } => indices.iter_mut().collect(),
+            ExpressionKind::Reduction { body, over, .. } => {
+                let bounds = over.iter_mut().flat_map(|over| [&mut over.low, &mut over.high]);
+                std::iter::once(&mut **body).chain(bounds).collect()
+            }
+            ExpressionKind::Tuple { parts, .. } => parts.iter_mut().collect(),
+            ExpressionKind::Component { of, .. } => vec![of],
+            ExpressionKind::Unary(_, operand) => vec![operand],
+            ExpressionKind::Binary(_, left, right) => vec![left, right],
+            ExpressionKind::Call { arguments, .. } => arguments.iter_mut().collect(),
+            ExpressionKind::Expansion(expansion) => vec![&mut expansion.body],
+            ExpressionKind::If(condition, chosen, other) => vec![condition, chosen, other],
+        }
+    }
+}

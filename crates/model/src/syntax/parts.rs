@@ -1,0 +1,54 @@
+//! What the statements of a model consist of, for those who look through all of it.
+
+use super::{Expression, Statement, StatementKind};
+
+/// The expressions of a statement.
+pub(crate) fn expressions(statement: &Statement) -> Vec<&Expression> {
+    match &statement.kind {
+        StatementKind::Definition { value, .. }
+        | StatementKind::InitialValue { value, .. }
+        | StatementKind::Discrete { value, .. } => vec![value],
+        StatementKind::Equation { left, right } => vec![left, right],
+        StatementKind::Function(function) => vec![&function.body],
+        StatementKind::Event { condition, actions, extras } => {
+            let values = extras.names.iter().chain(actions).map(|action| &action.value);
+            let moments = extras.every.iter().flat_map(|every| std::iter::once(&every.0).chain(&every.1));
+            std::iter::once(condition).chain(values).chain(moments).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The same to be changed.
+pub(crate) fn expressions_mut(statement: &mut Statement) -> Vec<&mut Expression> {
+    match &mut statement.kind {
+        StatementKind::Definition { value, .. }
+        | StatementKind::InitialValue { value, .. }
+        | StatementKind::Discrete { value, .. } => vec![value],
+        StatementKind::Equation { left, right } => vec![left, right],
+        StatementKind::Event { condition, actions, extras } => {
+            let values = extras.names.iter_mut().chain(actions).map(|action| &mut action.value);
+            std::iter::once(condition).chain(values).collect()
+        }
+        StatementKind::Function(function) => vec![&mut function.body],
+        _ => Vec::new(),
+    }
+}
+
+/// Changes an expression and everything inside it, without recursion.
+pub(crate) fn rewrite(expression: &mut Expression, change: &mut impl FnMut(&mut Expression)) {
+    let mut waiting = vec![expression];
+    while let Some(next) = waiting.pop() {
+        change(next);
+        waiting.extend(next.operands_mut());
+    }
+}
+
+/// The name of the independent variable.
+pub(crate) fn independent(statements: &[Statement]) -> String {
+    let stated = statements.iter().find_map(|statement| match &statement.kind {
+        StatementKind::Independent { name, .. } => Some(name.text.clone()),
+        _ => None,
+    });
+    stated.unwrap_or_else(|| "t".to_owned())
+}

@@ -225,15 +225,19 @@ impl Play {
 
     /// How times are written that would need more than six decimals: in a unit with a prefix.
     pub(crate) fn small_times(&self) -> Option<number::Group> {
-        let unit = &self.model().independent.unit;
-        let decimals = number::decimals(unit.from_si(self.course.begun().step), 3);
         let longest = || self.program.until.unwrap_or_else(|| self.horizon());
-        (decimals > 6).then(|| number::Group::of_scale(unit, longest(), 4, self.style))
+        let unit = &self.model().independent.unit;
+        (self.step_decimals() > 6).then(|| number::Group::of_scale(unit, longest(), 4, self.style))
     }
 
     /// As many decimals of a time as the step has, from two to six.
     pub(crate) fn time_decimals(&self) -> usize {
-        number::decimals(self.model().independent.unit.from_si(self.course.begun().step), 3).clamp(2, 6)
+        self.step_decimals().clamp(2, 6)
+    }
+
+    /// As many decimals as the step needs for three digits.
+    fn step_decimals(&self) -> usize {
+        number::decimals(self.model().independent.unit.from_si(self.step()), 3)
     }
 
     pub(crate) fn time_number(&self, time: f64) -> String {

@@ -3,6 +3,7 @@
 //! for an infinite x.
 
 use crate::{Binary, Graph, Node, NodeId, Unary};
+use std::sync::Arc;
 
 /// The greatest whole power that is multiplied out: beyond it, the error of repeated products exceeds that of `pow`.
 const GREATEST_PRODUCT: f64 = 16.0;
@@ -209,6 +210,20 @@ impl Graph {
     pub fn interpolate(&mut self, interpolation: u32, x: NodeId) -> NodeId {
         let piece = self.piece(interpolation, x);
         self.interpolated(interpolation, x, piece)
+    }
+
+    /// A number that changes its sign where `x` passes a point of the interpolation, and nowhere else
+    /// ([`Interpolation::zeros`]).
+    pub fn passing_points(&mut self, interpolation: u32, x: NodeId) -> NodeId {
+        let zeros = Arc::new(self.interpolations()[interpolation as usize].zeros());
+        let zeros = self.insert_interpolation(&zeros);
+        self.interpolate(zeros, x)
+    }
+
+    /// The number of the interpolation that is the derivative of this one.
+    pub(super) fn derivative_of_table(&mut self, interpolation: u32) -> u32 {
+        let derivative = Arc::new(self.interpolations()[interpolation as usize].derivative());
+        self.insert_interpolation(&derivative)
     }
 
     /// `chosen` where `condition` is true, otherwise `other`.

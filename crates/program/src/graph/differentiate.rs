@@ -3,7 +3,6 @@
 
 use super::{Binary, Graph, LinearSystem, Node, NodeId, Unary};
 use std::collections::HashMap;
-use std::sync::Arc;
 
 /// What to differentiate with respect to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -72,6 +71,7 @@ fn rates_through(
 ) -> HashMap<NodeId, NodeId> {
     let mut rates: HashMap<NodeId, NodeId> = HashMap::new();
     let mut systems: HashMap<u32, Option<u32>> = HashMap::new();
+    let mut slopes: HashMap<u32, u32> = HashMap::new();
     for &id in nodes {
         let derivative = match graph.node(id) {
             Node::Constant(_) => None,
@@ -96,8 +96,8 @@ fn rates_through(
             }
             Node::Piece(..) => None,
             Node::Interpolated(interpolation, x, piece) => rates.get(&x).copied().map(|dx| {
-                let derivative = Arc::new(graph.interpolations()[interpolation as usize].derivative());
-                let derivative = graph.insert_interpolation(&derivative);
+                let derivative =
+                    *slopes.entry(interpolation).or_insert_with(|| graph.derivative_of_table(interpolation));
                 let slope = graph.interpolated(derivative, x, piece);
                 graph.multiply(slope, dx)
             }),

@@ -78,7 +78,7 @@ impl Interpolation {
         let piece = (piece.max(0.0) as usize).min(self.knots.len());
         let (begin, [a, b, c, d]) = (self.knots[piece.saturating_sub(1)], self.pieces[piece]);
         let distance = x - begin;
-        // What is constant is so at infinity, too.
+        // An infinite distance times 0 would be no number.
         if b == 0.0 && c == 0.0 && d == 0.0 { a } else { a + distance * (b + distance * (c + distance * d)) }
     }
 

@@ -3,7 +3,6 @@
 use super::switches::Motion;
 use crate::{Model, Node, NodeId, Unary};
 use std::collections::HashSet;
-use std::sync::Arc;
 
 /// The numbers that the conditions of events and the jumps of the equations compare, as far as they move with the states.
 /// Between two neighbouring zeros of all of them no condition changes.
@@ -55,11 +54,7 @@ impl Compared {
                 let function = if function == Unary::Round { Unary::Cos } else { Unary::Sin };
                 (graph.unary(function, angle), zero)
             }
-            Node::Piece(interpolation, x) => {
-                let zeros = Arc::new(graph.interpolations()[interpolation as usize].zeros());
-                let zeros = graph.insert_interpolation(&zeros);
-                (graph.interpolate(zeros, x), zero)
-            }
+            Node::Piece(interpolation, x) => (graph.passing_points(interpolation, x), zero),
             Node::Unary(_, x) => (x, zero),
             Node::Binary(_, a, b) => (a, b),
             _ => return,

@@ -15,7 +15,6 @@
 use super::MOST_NODES;
 use crate::graph::along;
 use crate::{Binary, Graph, Jump, Model, Node, NodeId, Sensitive, State, Unary};
-use std::sync::Arc;
 use units::Unit;
 
 impl Model {
@@ -197,11 +196,7 @@ fn delay(
 /// What passes through zero where a switch changes; for what rounds, up to a constant.
 fn crossings(graph: &mut Graph, switch: NodeId) -> Vec<NodeId> {
     match graph.node(switch) {
-        Node::Piece(interpolation, x) => {
-            let zeros = Arc::new(graph.interpolations()[interpolation as usize].zeros());
-            let zeros = graph.insert_interpolation(&zeros);
-            vec![graph.interpolate(zeros, x)]
-        }
+        Node::Piece(interpolation, x) => vec![graph.passing_points(interpolation, x)],
         Node::Unary(_, x) => vec![x],
         Node::Binary(_, a, b) => vec![graph.subtract(a, b)],
         _ => Vec::new(),

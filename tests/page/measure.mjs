@@ -1,6 +1,7 @@
 // Measures the built page in the browser, and the engine's pace in WebAssembly, for `cargo xtask bench`. Prints one
 // `name value` in each line. Needs PROBE, the directory with the probe's JavaScript and module; PAGE, the laboratory; EXPORTED,
-// a page that `meniscus export` has made; and CHROME, without which the pace is that of Node and nothing is said about the page.
+// a page that `meniscus export` has made; PROFILES, the directory with the exported pages `chain.html` and `string.html`, whose
+// systems have 200 members; and CHROME, without which the pace is that of Node and nothing is said about the page.
 
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -11,6 +12,8 @@ import { framesIn, median, usableAfter } from "./timing.mjs";
 
 const STEPS = 1_000_000;
 const ROUNDS = 5;
+/** Systems of many equal parts, and how many steps are measured at a time. */
+const SYSTEMS = { chain: 10_000, string: 2000, gas: 200 };
 /** How many rows are to be recorded before frames are measured, the model's step, and for how many seconds to measure. */
 const ROWS = 2000;
 const STEP = 0.05;
@@ -26,7 +29,7 @@ const module = readFileSync(join(process.env.PROBE, "probe_bg.wasm"));
 const say = (name, value) => console.log(name, value.toFixed(3));
 
 /** Million steps in a second in the virtual machine and by hand, in turns, the best of each. */
-async function pace({ bytes, steps, rounds, record }) {
+async function pace({ bytes, steps, systems, rounds, record }) {
   const { probe } = globalThis;
   await probe({ module_or_path: Uint8Array.from(atob(bytes), (character) => character.charCodeAt(0)) });
   const tube = new probe.Pace();
@@ -52,6 +55,22 @@ async function pace({ bytes, steps, rounds, record }) {
   };
   best.formula = each((count) => fits.formula(count), 200);
   best.motion = each((count) => fits.motion(count), 20);
+  // Microseconds of a step, and milliseconds of a check of a long document, the best of some.
+  best.systems = {};
+  const least = (name, count, work) => {
+    const start = performance.now();
+    work();
+    best.systems[name] = Math.min(best.systems[name] ?? Infinity, (performance.now() - start) / count);
+  };
+  for (const [name, count] of Object.entries(systems)) {
+    const system = new probe.System(name);
+    for (let round = 0; round < rounds; round += 1) {
+      least(`${name}-machine`, count / 1000, () => system.machine(count));
+      least(`${name}-hand`, count / 1000, () => system.by_hand(count));
+    }
+  }
+  const text = probe.long_document();
+  for (let round = 0; round < rounds; round += 1) least("check-lines", 3, () => probe.check(text, 3));
   return best;
 }
 
@@ -63,15 +82,19 @@ function measured() {
   return { times: rows.map((row) => row[0]), level: rows.map((row) => row[1]) };
 }
 
-const task = { bytes: module.toString("base64"), steps: STEPS, rounds: ROUNDS, record: measured() };
+const task = { bytes: module.toString("base64"), steps: STEPS, systems: SYSTEMS, rounds: ROUNDS, record: measured() };
 
-if (!process.env.CHROME) {
-  vm.runInThisContext(glue);
-  const best = await pace(task);
+function sayPace(best) {
   say("wasm-machine", best.machine);
   say("wasm-hand", best.hand);
   say("fit-formula", best.formula);
   say("fit-motion", best.motion);
+  for (const [name, value] of Object.entries(best.systems)) say(name, value);
+}
+
+if (!process.env.CHROME) {
+  vm.runInThisContext(glue);
+  sayPace(await pace(task));
   process.exit(0);
 }
 
@@ -87,6 +110,7 @@ try {
   await measureOpening();
   await measureFrames();
   await measureLongRecord();
+  for (const name of ["chain", "string"]) await measureProfile(name);
   await measurePhone(browser, pathToFileURL(process.env.EXPORTED).href, say);
 } finally {
   await browser.close();
@@ -95,11 +119,7 @@ try {
 async function measurePace() {
   const page = await browser.newPage();
   await page.evaluate(glue);
-  const best = await page.evaluate(pace, task);
-  say("wasm-machine", best.machine);
-  say("wasm-hand", best.hand);
-  say("fit-formula", best.formula);
-  say("fit-motion", best.motion);
+  sayPace(await page.evaluate(pace, task));
   await page.close();
 }
 
@@ -119,15 +139,6 @@ async function measureOpening() {
 async function measureFrames() {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, offline: true });
   const page = await context.newPage();
-  await page.addInitScript(() => {
-    window.frames_drawn = 0;
-    const original = window.requestAnimationFrame.bind(window);
-    window.requestAnimationFrame = (callback) =>
-      original((now) => {
-        window.frames_drawn += 1;
-        callback(now);
-      });
-  });
   await page.goto(address);
   await page.locator("#play").waitFor();
   // All plots on the screen: what is out of sight might not be drawn.
@@ -140,23 +151,42 @@ async function measureFrames() {
     await page.waitForTimeout(250);
   }
   await page.locator("#speed").selectOption("1");
+  const { frames, script, thread } = await framesOf(context, page);
+  say("plots", await page.locator("#plots canvas").count());
+  say("frames-per-second", frames / SECONDS);
+  say("script-per-frame", script / frames);
+  say("thread-per-frame", thread / frames);
+  await context.close();
+}
+
+/** What a playing page does in some seconds: its frames, and milliseconds of script and of the main thread altogether. */
+async function framesOf(context, page) {
   const devtools = await context.newCDPSession(page);
   // Processor time of the thread, so that what else the machine does counts little.
   await devtools.send("Performance.enable", { timeDomain: "threadTicks" });
   const read = async () => {
     const { metrics } = await devtools.send("Performance.getMetrics");
     const value = (name) => metrics.find((metric) => metric.name === name).value * 1000;
-    return { script: value("ScriptDuration"), thread: value("TaskDuration"), frames: await page.evaluate(() => window.frames_drawn) };
+    return { script: value("ScriptDuration"), thread: value("TaskDuration") };
   };
   await page.waitForTimeout(500);
   const before = await read();
-  await page.waitForTimeout(SECONDS * 1000);
+  const frames = await framesIn(page, SECONDS);
   const after = await read();
-  const frames = after.frames - before.frames;
-  say("plots", await page.locator("#plots canvas").count());
-  say("frames-per-second", frames / SECONDS);
-  say("script-per-frame", (after.script - before.script) / frames);
-  say("thread-per-frame", (after.thread - before.thread) / frames);
+  return { frames, script: after.script - before.script, thread: after.thread - before.thread };
+}
+
+/** Frames of a system with 200 members, its profile and its drawing in sight. */
+async function measureProfile(name) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, offline: true });
+  const page = await context.newPage();
+  await page.goto(pathToFileURL(join(process.env.PROFILES, `${name}.html`)).href);
+  await page.locator("#play").click();
+  await page.waitForTimeout(1000);
+  const { frames, script, thread } = await framesOf(context, page);
+  say(`${name}-frames-per-second`, frames / SECONDS);
+  say(`${name}-script-per-frame`, script / frames);
+  say(`${name}-thread-per-frame`, thread / frames);
   await context.close();
 }
 

@@ -19,7 +19,7 @@ pub fn all() -> Result<()> {
     if let Err(missing) = &browser {
         println!("{missing:#}");
     }
-    step("the U-tube as a page of its own", export)?;
+    step("the U-tube, and systems of 200 members, as pages of their own", export)?;
     let place = if browser.is_ok() { "in the browser" } else { "in Node" };
     let web = step(&format!("the pace of the engine {place}, and the page"), || in_wasm(browser.ok()))?;
     let gzipped = page::gzip(&page)?.len();
@@ -29,8 +29,15 @@ pub fn all() -> Result<()> {
     println!();
     pace("natively", &native, "machine", "hand");
     pace(place, &web, "wasm-machine", "wasm-hand");
+    systems("natively", &native, ["at most 0.88", "at most 6", ""]);
+    systems(place, &web, [""; 3]);
     fits("natively", &native);
     fits(place, &web);
+    for (place, numbers, aim) in [("natively", &native, ""), (place, &web, "at most 16")] {
+        if let Some(milliseconds) = numbers.get("check-lines") {
+            row(&format!("check of a document of 2,000 lines {place}"), *milliseconds, "ms", aim);
+        }
+    }
     for (name, title) in [("points", "import"), ("commas", "import with decimal commas")] {
         if let Some(rows) = native.get(name) {
             row(title, rows / 1e6, "million rows/s", "at least 1");
@@ -53,6 +60,12 @@ pub fn all() -> Result<()> {
         ("long-record-seconds", "reading a record of 1,000,000 rows", "s", "at most 10"),
         ("long-record-task", "longest task of the page meanwhile", "ms", "at most 100"),
         ("long-record-frames", "frames in a second over it", "", "at least 50"),
+        ("chain-frames-per-second", "frames in a second, chain of 200 masses", "", "at least 60"),
+        ("chain-script-per-frame", "script for a frame", "ms", ""),
+        ("chain-thread-per-frame", "main thread for a frame", "ms", ""),
+        ("string-frames-per-second", "frames in a second, string of 200 points", "", "at least 60"),
+        ("string-script-per-frame", "script for a frame", "ms", ""),
+        ("string-thread-per-frame", "main thread for a frame", "ms", ""),
         ("phone-opening-full", "opening of the exported U-tube on a phone", "ms", ""),
         ("phone-opening-quarter", "the same with a processor slowed four times", "ms", "the predecessor: 775"),
         ("phone-opening-sixth", "the same slowed six times", "ms", ""),
@@ -83,6 +96,24 @@ fn pace(place: &str, numbers: &Numbers, machine: &str, hand: &str) {
     }
 }
 
+/// Steps of systems of many equal parts, beside the loops written by hand.
+fn systems(place: &str, numbers: &Numbers, aims: [&str; 3]) {
+    const SYSTEMS: [(&str, &str, &str); 3] = [
+        ("chain", "chain of 200 masses", "at most 3"),
+        ("string", "string of 1,000 points", ""),
+        ("gas", "gas of 100 discs", ""),
+    ];
+    for ((name, title, ratio), aim) in SYSTEMS.into_iter().zip(aims) {
+        let (machine, hand) = (numbers.get(&format!("{name}-machine")), numbers.get(&format!("{name}-hand")));
+        if let (Some(machine), Some(hand)) = (machine, hand) {
+            row(&format!("RK4 step of a {title} {place}"), *machine, "us", aim);
+            row("steps of it in a second", 1e6 / machine, "", "");
+            row("a step of the same loops in Rust", *hand, "us", "");
+            row("the ratio of the times", machine / hand, "", ratio);
+        }
+    }
+}
+
 /// Fits of one measured record, the estimate of where to begin included.
 fn fits(place: &str, numbers: &Numbers) {
     for (name, title, aim) in [
@@ -101,8 +132,10 @@ fn row(title: &str, value: f64, unit: &str, aim: &str) {
 }
 
 fn native() -> Result<Numbers> {
+    const EXAMPLES: [(&str, &str); 4] =
+        [("probe", "pace"), ("probe", "systems"), ("probe", "fits"), ("analysis", "import_rows")];
     let mut all = Numbers::new();
-    for (package, example) in [("probe", "pace"), ("probe", "fits"), ("analysis", "import_rows")] {
+    for (package, example) in EXAMPLES {
         let arguments = ["run", "--release", "--quiet", "--package", package, "--example", example];
         all.extend(numbers(&steps::output(&mut cargo(&arguments))?));
     }
@@ -114,10 +147,27 @@ fn exported() -> std::path::PathBuf {
     steps::page().with_file_name("utube.html")
 }
 
+/// Where the pages of systems with 200 members are.
+fn profiles() -> std::path::PathBuf {
+    steps::page().with_file_name("profiles")
+}
+
 fn export() -> Result<()> {
-    let page = exported();
-    let mut export = cargo(&["run", "--release", "--quiet", "--package", "meniscus", "--", "export"]);
-    steps::run(export.arg("simulations/utube.md").arg("--output").arg(page))
+    std::fs::create_dir_all(profiles())?;
+    let export = |document: &std::path::Path, page: &std::path::Path| {
+        let mut export = cargo(&["run", "--release", "--quiet", "--package", "meniscus", "--", "export"]);
+        steps::run(export.arg(document).arg("--output").arg(page))
+    };
+    let simulations = steps::root().join("simulations");
+    export(&simulations.join("utube.md"), &exported())?;
+    for (name, size) in [("chain", "size N = 11 in 2..100"), ("string", "size N = 79 in 2..200")] {
+        let text = std::fs::read_to_string(simulations.join(name).with_extension("md"))?;
+        let document = profiles().join(name).with_extension("md");
+        anyhow::ensure!(text.contains(size), "{name}.md no longer has `{size}`");
+        std::fs::write(&document, text.replace(size, "size N = 200 in 2..200"))?;
+        export(&document, &document.with_extension("html"))?;
+    }
+    Ok(())
 }
 
 fn in_wasm(browser: Option<std::path::PathBuf>) -> Result<Numbers> {
@@ -127,7 +177,12 @@ fn in_wasm(browser: Option<std::path::PathBuf>) -> Result<Numbers> {
     }
     let script = steps::root().join("tests").join("page").join("measure.mjs");
     let mut measure = steps::program(tools::node()?, &[]);
-    measure.arg(script).env("PROBE", probe).env("PAGE", steps::page()).env("EXPORTED", exported());
+    measure
+        .arg(script)
+        .env("PROBE", probe)
+        .env("PAGE", steps::page())
+        .env("EXPORTED", exported())
+        .env("PROFILES", profiles());
     measure.env_remove("CHROME");
     if let Some(browser) = browser {
         tools::browser_packages()?;

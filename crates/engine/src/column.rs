@@ -64,14 +64,14 @@ impl Column {
     /// Computes all elements, for as many rows at a time as a register has values.
     pub fn run<const ROWS: usize>(&self, registers: &mut [[f64; ROWS]], interpolations: &[Arc<Interpolation>]) {
         match self.operation {
-            Operation::Add => self.all(registers, |[a, b]| a + b),
-            Operation::Subtract => self.all(registers, |[a, b]| a - b),
-            Operation::Multiply => self.all(registers, |[a, b]| a * b),
-            Operation::Divide => self.all(registers, |[a, b]| a / b),
-            Operation::Negate => self.all(registers, |[a]| -a),
-            Operation::MultiplyAdd => self.all(registers, |[a, b, c]| a * b + c),
-            Operation::MultiplySubtract => self.all(registers, |[a, b, c]| a * b - c),
-            Operation::SubtractProduct => self.all(registers, |[a, b, c]| c - a * b),
+            Operation::Add => self.arithmetic(registers, |[a, b]| a + b),
+            Operation::Subtract => self.arithmetic(registers, |[a, b]| a - b),
+            Operation::Multiply => self.arithmetic(registers, |[a, b]| a * b),
+            Operation::Divide => self.arithmetic(registers, |[a, b]| a / b),
+            Operation::Negate => self.arithmetic(registers, |[a]| -a),
+            Operation::MultiplyAdd => self.arithmetic(registers, |[a, b, c]| a * b + c),
+            Operation::MultiplySubtract => self.arithmetic(registers, |[a, b, c]| a * b - c),
+            Operation::SubtractProduct => self.arithmetic(registers, |[a, b, c]| c - a * b),
             Operation::Select => self.all(registers, |[condition, a, b]| if condition != 0.0 { a } else { b }),
             Operation::Binomial => self.all(registers, |[n, p, stream]| program::binomial(n, p, stream)),
             Operation::Unary(function) => self.all(registers, |[a]| function.evaluate(a)),
@@ -84,6 +84,37 @@ impl Column {
                 let interpolation = &interpolations[number as usize];
                 self.all(registers, |[x, piece]| interpolation.value(x, piece));
             }
+        }
+    }
+
+    /// [`Column::all`] for an operation that takes less time than collecting its operands. Those of one row that stand one
+    /// after the other, and at most one that is the same for all elements, are read where they are.
+    #[inline(always)]
+    fn arithmetic<const ROWS: usize, const OPERANDS: usize>(
+        &self,
+        registers: &mut [[f64; ROWS]],
+        operation: impl Fn([f64; OPERANDS]) -> f64,
+    ) {
+        let mut same = None;
+        for (which, operand) in self.operands[..OPERANDS].iter().enumerate() {
+            match operand {
+                Operand::Next(_) => {}
+                Operand::Same(_) if same.is_none() => same = Some(which),
+                _ => return self.all(registers, operation),
+            }
+        }
+        if ROWS > 1 {
+            return self.all(registers, operation);
+        }
+        let (known, targets) = registers.as_flattened_mut().split_at_mut(self.to as usize);
+        let targets = &mut targets[..self.count as usize];
+        let known = &*known;
+        let operands = std::array::from_fn(|which| &known[self.operands[which].register(0) as usize..]);
+        match same {
+            None => one_by_one::<OPERANDS, 3>(targets, operands, operation),
+            Some(0) => one_by_one::<OPERANDS, 0>(targets, operands, operation),
+            Some(1) => one_by_one::<OPERANDS, 1>(targets, operands, operation),
+            Some(_) => one_by_one::<OPERANDS, 2>(targets, operands, operation),
         }
     }
 
@@ -158,5 +189,23 @@ impl Column {
                 }
             }
         }
+    }
+}
+
+/// Computes `targets` from operands that begin where these slices do and go on from element to element, all but the one of number
+/// `SAME`. Known to the compiler, it does not keep the processor from treating several elements at once.
+#[inline(always)]
+fn one_by_one<const OPERANDS: usize, const SAME: usize>(
+    targets: &mut [f64],
+    operands: [&[f64]; OPERANDS],
+    operation: impl Fn([f64; OPERANDS]) -> f64,
+) {
+    let same = operands.get(SAME).and_then(|operand| operand.first()).copied().unwrap_or_default();
+    let count = targets.len();
+    let operands: [&[f64]; OPERANDS] =
+        std::array::from_fn(|which| if which == SAME { &operands[which][..0] } else { &operands[which][..count] });
+    for (element, target) in targets.iter_mut().enumerate() {
+        let value = |which: usize| if which == SAME { same } else { operands[which][element] };
+        *target = operation(std::array::from_fn(value));
     }
 }

@@ -1,10 +1,14 @@
 //! What tests and benchmarks run natively and inside WebAssembly, to compare the two: golden runs, whose bits must be the
-//! same everywhere, and the steps of the U-tube, whose speed is measured.
+//! same everywhere, and steps, fits and checks of documents, whose speed is measured.
 
 mod fits;
 mod golden;
+mod long;
 mod pace;
+mod systems;
 
 pub use fits::Fits;
 pub use golden::{fingerprint, golden};
+pub use long::{check, long_document};
 pub use pace::Pace;
+pub use systems::System;

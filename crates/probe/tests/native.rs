@@ -1,6 +1,6 @@
 //! The probe natively: the golden runs, and that both loops whose speed is compared go the same way.
 
-use probe::{Pace, fingerprint, golden};
+use probe::{Pace, System, check, fingerprint, golden, long_document};
 
 #[test]
 fn golden_runs_have_the_bits_in_the_repository() {
@@ -40,4 +40,27 @@ fn what_cannot_run_says_why() {
         let document = format!("```model\n{model}\n```");
         assert_eq!(fingerprint(&document, method, 1.0), expected);
     }
+}
+
+#[test]
+fn systems_move_as_the_loops_written_by_hand() {
+    for (name, steps, size) in [("chain", 500, 0.01), ("string", 500, 3e-3), ("gas", 20, 0.2)] {
+        let system = System::new(name).unwrap();
+        for steps in [0, 1, steps] {
+            let (machine, hand) = (system.machine(steps).unwrap(), system.by_hand(steps));
+            let greatest = machine.iter().zip(&hand).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
+            assert_eq!(machine.len(), hand.len());
+            assert!(greatest < 1e-11 * size, "{name} differs by {greatest} after {steps} steps");
+        }
+        let (start, end) = (system.by_hand(0), system.by_hand(steps));
+        assert!(start.iter().zip(&end).any(|(start, end)| (start - end).abs() > 1e-3 * size), "{name} rests");
+    }
+    assert_eq!(System::new("swarm").err().as_deref(), Some("no system swarm"));
+}
+
+#[test]
+fn the_long_document_is_long_and_without_errors() {
+    let text = long_document();
+    assert!(text.lines().count() > 2000, "{}", text.lines().count());
+    assert_eq!(check(&text, 1), Ok(100));
 }

@@ -1,0 +1,147 @@
+//! How fast systems of many equal parts step: in the engine's virtual machine, and in loops written by hand.
+
+use engine::Stepper;
+use std::hint::black_box;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::golden::setup;
+
+/// Name and document of each system.
+const DOCUMENTS: [(&str, &str); 3] = [
+    ("chain", include_str!("../systems/chain.md")),
+    ("string", include_str!("../systems/string.md")),
+    ("gas", include_str!("../systems/gas.md")),
+];
+
+/// A system of many equal parts, ready to step by the classical Runge-Kutta method, without recording.
+#[wasm_bindgen]
+pub struct System {
+    stepper: Stepper,
+    forces: Forces,
+    step: f64,
+    /// The numbers of the positions among the states of the model; each velocity follows its position.
+    positions: Vec<usize>,
+}
+
+/// The accelerations of a system, SI.
+#[derive(Clone, Copy)]
+enum Forces {
+    /// Neighbours pull with `stiffness` per mass (1/s^2); both ends are fixed.
+    Line { stiffness: f64 },
+    /// Discs of mass `m` and diameter `d` in a square box of side `l` repel each other with the energy `epsilon*(d/r)^6`.
+    Discs { m: f64, epsilon: f64, d: f64, l: f64 },
+}
+
+#[wasm_bindgen]
+impl System {
+    /// Opens the document of a system and compiles its model: `chain` has 200 masses, `string` 1,000 points, `gas` 100 discs.
+    ///
+    /// # Errors
+    /// There is no such system, or its document has errors.
+    #[wasm_bindgen(constructor)]
+    pub fn new(name: &str) -> Result<System, String> {
+        let document = DOCUMENTS.iter().find(|(own, _)| *own == name);
+        let (_, text) = document.ok_or_else(|| format!("no system {name}"))?;
+        let (document, setup) = setup(text)?;
+        let model = &document.program.model;
+        let value = |name: &str| {
+            let place = model.parameters.iter().position(|parameter| parameter.name == name);
+            place.map(|place| setup.parameters[place]).ok_or_else(|| format!("no parameter {name}"))
+        };
+        let positions: Vec<usize> = (0..model.states.len()).filter(|&state| model.states[state].order == 0).collect();
+        let forces = match name {
+            "chain" => Forces::Line { stiffness: value("k")? / value("m")? },
+            "string" => {
+                let distance = value("L")? / (positions.len() + 1) as f64;
+                Forces::Line { stiffness: value("F")? / (value("mu")? * distance * distance) }
+            }
+            _ => Forces::Discs { m: value("m")?, epsilon: value("epsilon")?, d: value("d")?, l: value("L")? },
+        };
+        let stepper = Stepper::new(model, &setup).map_err(|error| error.to_string())?;
+        Ok(Self { stepper, forces, step: setup.step, positions })
+    }
+
+    /// So many steps from the start in the virtual machine; all positions.
+    ///
+    /// # Errors
+    /// A state that is no longer finite.
+    pub fn machine(&self, steps: u32) -> Result<Vec<f64>, String> {
+        let mut stepper = self.stepper.clone();
+        for _ in 0..steps {
+            stepper.advance(|_, _, _| ()).map_err(|error| error.to_string())?;
+        }
+        Ok(self.positions.iter().map(|&position| stepper.state()[position]).collect())
+    }
+
+    /// So many steps from the start in loops as one writes them by hand, with the parameters known only now; all positions.
+    pub fn by_hand(&self, steps: u32) -> Vec<f64> {
+        let start = self.stepper.initial();
+        let velocities = self.positions.iter().map(|&position| start[position + 1]);
+        let mut state: Vec<f64> = self.positions.iter().map(|&position| start[position]).chain(velocities).collect();
+        match black_box(self.forces) {
+            Forces::Line { stiffness } => {
+                runge_kutta(&mut state, self.step, steps, |x, a| line(stiffness, x, a));
+            }
+            Forces::Discs { m, epsilon, d, l } => {
+                runge_kutta(&mut state, self.step, steps, |r, a| discs(m, epsilon, d, l, r, a));
+            }
+        }
+        state.truncate(self.positions.len());
+        state
+    }
+}
+
+/// The classical Runge-Kutta method for positions, and behind them their velocities; `accelerations` has those at positions.
+fn runge_kutta(state: &mut [f64], step: f64, steps: u32, accelerations: impl Fn(&[f64], &mut [f64])) {
+    let size = state.len();
+    let mut rates = [vec![0.0; size], vec![0.0; size], vec![0.0; size], vec![0.0; size]];
+    let mut stage = vec![0.0; size];
+    let evaluate = |state: &[f64], rates: &mut [f64]| {
+        let ((x, v), (x_rates, v_rates)) = (state.split_at(size / 2), rates.split_at_mut(size / 2));
+        x_rates.copy_from_slice(v);
+        accelerations(x, v_rates);
+    };
+    for _ in 0..steps {
+        evaluate(state, &mut rates[0]);
+        for (number, part) in [(0, 0.5 * step), (1, 0.5 * step), (2, step)] {
+            for ((stage, from), rate) in stage.iter_mut().zip(&*state).zip(&rates[number]) {
+                *stage = from + part * rate;
+            }
+            evaluate(&stage, &mut rates[number + 1]);
+        }
+        let [first, second, third, fourth] = &rates;
+        for ((((to, k_1), k_2), k_3), k_4) in state.iter_mut().zip(first).zip(second).zip(third).zip(fourth) {
+            *to += step / 6.0 * (k_1 + 2.0 * k_2 + 2.0 * k_3 + k_4);
+        }
+    }
+}
+
+/// Each point is pulled by its two neighbours.
+fn line(stiffness: f64, x: &[f64], accelerations: &mut [f64]) {
+    let last = x.len() - 1;
+    accelerations[0] = stiffness * (x[1] - 2.0 * x[0]);
+    for (acceleration, x) in accelerations[1..last].iter_mut().zip(x.windows(3)) {
+        *acceleration = stiffness * (x[0] - 2.0 * x[1] + x[2]);
+    }
+    accelerations[last] = stiffness * (x[last - 1] - 2.0 * x[last]);
+}
+
+/// Each disc is pushed by the walls and by all others; `r` has x and y of each by turns.
+fn discs(m: f64, epsilon: f64, d: f64, l: f64, r: &[f64], accelerations: &mut [f64]) {
+    let seventh = |q: f64| q * q * q * (q * q * q) * q;
+    for (acceleration, place) in accelerations.iter_mut().zip(r) {
+        *acceleration = 6.0 * epsilon / (m * d) * (seventh(d / place) - seventh(d / (l - place)));
+    }
+    let strength = 6.0 * epsilon / (m * d * d);
+    for i in (0..r.len()).step_by(2) {
+        for j in (i + 2..r.len()).step_by(2) {
+            let (x, y) = (r[i] - r[j], r[i + 1] - r[j + 1]);
+            let near = d * d / (x * x + y * y);
+            let force = strength * (near * near * (near * near));
+            accelerations[i] += force * x;
+            accelerations[i + 1] += force * y;
+            accelerations[j] -= force * x;
+            accelerations[j + 1] -= force * y;
+        }
+    }
+}

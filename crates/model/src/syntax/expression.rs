@@ -1,6 +1,6 @@
 //! Expressions: numbers, names, operations and calls.
 
-use super::{Name, Over, StatedUnit};
+use super::name::{Name, StatedUnit};
 use crate::Span;
 use units::Unit;
 
@@ -92,6 +92,17 @@ pub enum ExpressionKind {
     Error,
 }
 
+/// `i in 1..N`: an index and the whole numbers that it takes, both ends included.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Over {
+    /// The index.
+    pub index: Name,
+    /// Its least value.
+    pub low: Expression,
+    /// Its greatest value; if that is less than the least, it takes none.
+    pub high: Expression,
+}
+
 /// What a call of a function of the author's own stands for. The expression that has it stands where the call stands; its
 /// body stands in the statement of the function, but for the arguments.
 #[derive(Clone, Debug, PartialEq)]
@@ -132,6 +143,14 @@ pub enum BinaryOperator {
     NotEqual,
     And,
     Or,
+}
+
+impl BinaryOperator {
+    /// Whether its result is true or false.
+    pub(crate) fn is_logical(self) -> bool {
+        use BinaryOperator::{And, Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual, Or};
+        matches!(self, Less | LessOrEqual | Greater | GreaterOrEqual | Equal | NotEqual | And | Or)
+    }
 }
 
 impl Expression {

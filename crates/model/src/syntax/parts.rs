@@ -1,6 +1,7 @@
 //! What the statements of a model consist of, for those who look through all of it.
 
-use super::{Expression, Statement, StatementKind};
+use super::expression::Expression;
+use super::statement::{Statement, StatementKind};
 
 /// The expressions of a statement.
 pub(crate) fn expressions(statement: &Statement) -> Vec<&Expression> {

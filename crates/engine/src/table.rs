@@ -69,7 +69,7 @@ impl Table {
     /// All columns: the independent variable, the states, the quantities that vary.
     pub fn new(model: &Model) -> Self {
         let mut chosen = vec![independent(model)];
-        let remembered = |index: &usize| model.states[*index].is_remembered();
+        let remembered = |index: &usize| model.states[*index].role == program::Role::Remembered;
         chosen.extend((0..model.states.len()).filter(|index| !remembered(index)).map(|index| state(model, index)));
         let shown = |quantity: &program::Quantity| quantity.varies && !quantity.is_remembered();
         let varying = model.quantities.iter().enumerate().filter(|(_, quantity)| shown(quantity));

@@ -1,13 +1,16 @@
 //! From text to a checked model: syntax, names, dimensions, and then the graph.
 
+use crate::components::vector_or_family;
 use crate::dimensions::check_dimensions;
 use crate::families::{declared, sizes, without_families};
 use crate::functions::{Functions, written_out};
 use crate::lowering::{assemble, warn};
-use crate::names::{Declarations, NameCheck, Unknown, check_event, definition_order, find_unknowns};
+use crate::names::{Declarations, NameCheck, Unknown, check_event, definition_order, find_unknowns, quotients};
 use crate::vectors::Vectors;
-use crate::{Diagnostic, Places, Span, Statement, has_errors, limits, maps, moments, parse, so_far, ticks};
-use crate::{chance, choices};
+use crate::{
+    Diagnostic, Expression, ExpressionKind, Places, Span, Statement, StatementKind, has_errors, limits, parse,
+};
+use crate::{chance, choices, discrete_kinds, maps, moments, so_far, ticks};
 use program::{Model, Size};
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -88,7 +91,8 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
         (Cow::Owned(single), Some(functions))
     };
     let mapped = chance::write_out(maps::write_out(&single, diagnostics), diagnostics);
-    let scheduled = ticks::write_out(&mapped);
+    let numbered = discrete_kinds::write_out(mapped, diagnostics);
+    let scheduled = ticks::write_out(&numbered);
     let remembered = so_far::write_out(moments::write_out(&scheduled, vectors, diagnostics));
     let (functions, called) = match functions {
         Some(functions) => (functions, None),
@@ -107,6 +111,13 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
         return None;
     }
     let mut declarations = Declarations::collect(spread.as_deref().unwrap_or(&single), diagnostics);
+    let written = declarations.equations.iter().flat_map(|equation| [equation.left, equation.right]);
+    let written = written.chain(declarations.definitions.iter().map(|definition| definition.value));
+    let foreign: Vec<Diagnostic> = written.flat_map(|one| quotients(&declarations.scope, one)).collect();
+    if !foreign.is_empty() {
+        diagnostics.extend(foreign);
+        return None;
+    }
     let order = definition_order(&declarations, diagnostics);
     let unknowns = find_unknowns(&mut declarations, &order, diagnostics);
     let states: u32 = unknowns.iter().map(|unknown| unknown.highest).sum();
@@ -154,12 +165,29 @@ fn without_vectors(
     Some((vectors.write_out(&single, diagnostics), functions))
 }
 
-/// Marks what the author has hidden: a quantity, all members of a family, all components of a vector.
+/// Marks what the author has hidden: a quantity or a state, all members of a family, all components of a vector.
 fn hide(model: &mut Model, statements: &[Statement]) {
-    let hidden: HashSet<&str> = statements.iter().filter(|statement| statement.hidden).filter_map(declared).collect();
+    let mut hidden: HashSet<(&str, u32)> = HashSet::new();
+    for statement in statements.iter().filter(|statement| statement.hidden) {
+        match &statement.kind {
+            StatementKind::Event { actions, .. } => {
+                hidden.extend(actions.iter().map(|action| (action.name.text.as_str(), 0)));
+            }
+            StatementKind::InitialValue { order, .. } => hidden.extend(declared(statement).map(|name| (name, *order))),
+            StatementKind::Members { left: Expression { kind: ExpressionKind::Member { order, .. }, .. }, .. } => {
+                hidden.extend(declared(statement).map(|name| (name, *order)));
+            }
+            _ => hidden.extend(declared(statement).map(|name| (name, 0))),
+        }
+    }
+    let is_hidden = |name: &str, order: u32| hidden.contains(&(vector_or_family(name).unwrap_or(name), order));
     for quantity in &mut model.quantities {
-        let name = crate::components::vector_or_family(&quantity.name).unwrap_or(&quantity.name);
-        quantity.hidden = hidden.contains(name);
+        quantity.hidden = is_hidden(&quantity.name, 0);
+    }
+    for state in &mut model.states {
+        if is_hidden(&state.variable, state.order) {
+            state.role = program::Role::Hidden;
+        }
     }
 }
 

@@ -6,6 +6,7 @@ mod compile;
 mod components;
 mod diagnostic;
 mod dimensions;
+mod discrete_kinds;
 mod expression;
 mod families;
 mod functions;

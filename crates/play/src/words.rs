@@ -14,6 +14,16 @@ pub fn truth(language: Language, value: bool) -> &'static str {
     if value { language.pick("yes", "sí") } else { language.pick("no", "no") }
 }
 
+/// What the readout of a dry friction is called.
+pub fn dry_friction(language: Language) -> &'static str {
+    language.pick("Dry friction", "Rozamiento seco")
+}
+
+/// Whether a body with dry friction is held by it.
+pub fn sticks(language: Language, sticks: bool) -> &'static str {
+    if sticks { language.pick("sticks", "adherido") } else { language.pick("slips", "desliza") }
+}
+
 /// The name of a method.
 pub fn method_name(language: Language, method: Method) -> &'static str {
     match method {

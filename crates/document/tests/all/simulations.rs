@@ -167,7 +167,7 @@ fn the_block_on_the_belt_keeps_its_times() {
         run.advance().unwrap();
     }
     let history = run.history();
-    let motion = history.column(model.states.iter().position(|state| state.internal).unwrap());
+    let motion = history.column(model.states.iter().position(|state| state.role == program::Role::Friction).unwrap());
     let changes: Vec<f64> =
         (1..history.len()).filter(|&row| motion[row] != motion[row - 1]).map(|row| history.time(row)).collect();
     assert!((changes[0] - said[2] / 10.0 / 0.1).abs() < 1e-8, "the first slip at {}", changes[0]);

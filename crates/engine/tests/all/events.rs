@@ -251,3 +251,22 @@ fn discrete_quantities_change_at_events_only() {
     }
     assert_eq!(model("discrete = 2\ny' = discrete*(1 [1/s])\ny(0) = 0\n").states.len(), 1);
 }
+
+/// Texts and truth values that events set: a ball rises and falls, and is thrown up once.
+#[test]
+fn texts_and_truth_values_are_set_by_events() {
+    let model = model(
+        "discrete phase = \"rises\"\ndiscrete thrown = false\ny'' = -10 [m/s^2]\ny(0) = 0 [m]\ny'(0) = 5 [m/s]\n\
+         when y' < 0 [m/s] { phase = \"falls\" }\n\
+         when y < 0 [m] { phase = if thrown then \"lies\" else \"rises\", y' = if thrown then 0 [m/s] else 5 [m/s], y = 0 [m], thrown = not thrown }\n",
+    );
+    let text = |rows: usize| {
+        let run = crate::support::run(&model, setup(&model, Method::RungeKutta4, 0.1), rows);
+        let phase = model.texts[crate::support::value(&model, &run, "phase") as usize].clone();
+        (phase, crate::support::value(&model, &run, "thrown"))
+    };
+    let expected = [(4, "rises", 0.0), (6, "falls", 0.0), (13, "rises", 1.0), (17, "falls", 1.0)];
+    for (rows, phase, thrown) in expected {
+        assert_eq!(text(rows), (phase.to_owned(), thrown), "after {rows} steps");
+    }
+}

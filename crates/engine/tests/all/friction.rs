@@ -1,6 +1,6 @@
 //! Dry friction: sliding, sticking and giving way, against closed forms.
 
-use crate::support::{model, parameter, run, setup};
+use crate::support::{model, parameter, run, setup, value};
 use engine::{Method, Run, Setup};
 use std::f64::consts::PI;
 
@@ -128,5 +128,44 @@ fn a_run_goes_on_with_its_bits() {
             }
             assert_eq!(again.history().fingerprint(), whole.history().fingerprint(), "{method} from {back}");
         }
+    }
+}
+
+/// With the limit 0 nothing is held: from rest, with the belt and through the turning points it moves as without friction.
+#[test]
+fn friction_without_a_limit_holds_nothing() {
+    let text = "parameter mu = 0
+m = 1 [kg]
+m*x'' = -4 [N/m]*x + 1 [N]*sin(1 [rad/s]*t) - coulomb(x', mu*m*9.8 [m/s^2])
+x(0) = 0 [m]
+x'(0) = 0 [m/s]
+z'' = -4 [1/s^2]*z - coulomb(z' - 0.5 [m/s], mu*9.8 [m/s^2])
+z(0) = 0 [m]
+z'(0) = 0.5 [m/s]
+";
+    for method in EXACT {
+        let run = exactly(text, method, 5.0);
+        // x'' + 4 x = sin t from rest: (sin t - sin 2t / 2)/3.
+        let (x, z) = ((libm::sin(5.0) - libm::sin(10.0) / 2.0) / 3.0, 0.25 * libm::sin(10.0));
+        assert!((run.state()[0] - x).abs() < 1e-8, "{method}: {} for {x}", run.state()[0]);
+        assert!((run.state()[2] - z).abs() < 1e-8, "{method}: {} for {z}", run.state()[2]);
+    }
+}
+
+/// What is derived from friction may be remembered from the start on: there it is the force that holds.
+#[test]
+fn the_force_at_the_start_is_that_which_holds() {
+    let text = "F = coulomb(x', 3 [N], 2 [N])
+1 [kg]*x'' = -4 [N/m]*x + 1 [N/s]*t - F
+x(0) = 0.5 [m]
+x'(0) = 0 [m/s]
+F_max = maximum(F)
+F_0 = F(0)
+";
+    let model = model(text);
+    let run = run(&model, setup(&model, Method::RungeKutta4, 0.01), 50);
+    for (name, expected) in [("F_0", -2.0), ("F_max", -1.5)] {
+        let found = value(&model, &run, name);
+        assert!((found - expected).abs() < 1e-12, "{name}: {found}");
     }
 }

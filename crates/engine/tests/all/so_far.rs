@@ -1,16 +1,8 @@
 //! What a run has been so far, and events at equal intervals.
 
-use crate::support::{jumps, model, run, setup};
-use engine::{Method, Readings, Run};
-use program::Model;
+use crate::support::{jumps, model, run, setup, value};
+use engine::{Method, Run};
 use std::f64::consts::PI;
-
-/// A quantity at the end of a run.
-fn value(model: &Model, run: &Run, name: &str) -> f64 {
-    let node = model.lookup(name, 0).expect("a quantity").node;
-    let mut readings = Readings::new(model, &[node]);
-    readings.at(run.parameters(), run.initial(), run.time(), run.state())[0]
-}
 
 /// x = 2 cos t + 1: between 3 and -1, with the integral 2 sin t + t.
 const SWING: &str = "x'' = 1 [m/s^2] - x/(1 [s^2])\nx(0) = 3 [m]\nx'(0) = 0\nhigh = maximum(x)\nlow = minimum(x)\n\

@@ -10,7 +10,8 @@ use crate::names::{Declarations, EventEntry, Meaning, TableEntry, Unknown, cross
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, ExpressionKind, ParameterForm, Places, Span, StatedUnit, TableStatement};
 use program::{
-    Binary, Choices, Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, State, Table,
+    Binary, Choices, Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, Role, State,
+    Table,
 };
 use units::{Dimension, Exponent, Unit, words};
 
@@ -217,7 +218,7 @@ fn states(
                 label: entry.label.map(str::to_owned),
                 unit,
                 initial: lower(lowering, entry.value)?,
-                internal: crate::moments::is_hidden(unknown.name),
+                role: if crate::moments::is_hidden(unknown.name) { Role::Remembered } else { Role::Own },
                 derivative: chain.node(lowering.graph, order + 1).unwrap_or(chain.rate),
             });
             places.push(entry.value.span);

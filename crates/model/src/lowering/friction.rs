@@ -10,7 +10,9 @@ use crate::limits;
 use crate::names::{Declarations, for_each};
 use crate::{Diagnostic, Expression, ExpressionKind, Places, Span};
 use program::functions::Function;
-use program::{Binary, Event, Graph, LinearSystem, Model, Node, NodeId, State, Unary, Variable, along, differentiate};
+use program::{
+    Binary, Event, Graph, LinearSystem, Model, Node, NodeId, Role, State, Unary, Variable, along, differentiate,
+};
 use std::collections::HashMap;
 use units::{Unit, words};
 
@@ -44,9 +46,16 @@ pub(crate) fn add_friction(
 ) -> Result<(), Vec<Diagnostic>> {
     let roots = roots(model);
     let is_friction = |id: &NodeId| matches!(model.graph.node(*id), Node::Friction(..));
-    let found: Vec<NodeId> = model.graph.reachable(&roots).into_iter().filter(is_friction).collect();
+    let mut found: Vec<NodeId> = model.graph.reachable(&roots).into_iter().filter(is_friction).collect();
+    // `F(0)` of a force F is no further friction.
+    let first_of: HashMap<NodeId, NodeId> = found
+        .iter()
+        .map(|&node| (initially(&mut model.graph, node), node))
+        .filter(|(first, node)| first != node)
+        .collect();
+    found.retain(|node| !first_of.contains_key(node));
     if found.is_empty() {
-        return Ok(());
+        return start_without_friction(model, places);
     }
     let first = declarations.equations.first().map(|equation| equation.span).unwrap_or_default();
     let span = |node: &NodeId| calls.get(node).map_or(first, |(span, _)| *span);
@@ -72,7 +81,12 @@ pub(crate) fn add_friction(
         return Err(diagnostics);
     }
     let forces = forces(&mut model.graph, &frictions, None);
-    let replaced: HashMap<NodeId, NodeId> = found.iter().copied().zip(forces.iter().copied()).collect();
+    let mut replaced: HashMap<NodeId, NodeId> = found.iter().copied().zip(forces.iter().copied()).collect();
+    for (first, node) in first_of {
+        if let Some(&force) = replaced.get(&node) {
+            replaced.insert(first, initially(&mut model.graph, force));
+        }
+    }
     put_in(model, &replaced);
     for (number, (friction, &force)) in frictions.iter().zip(&forces).enumerate() {
         hold(model, friction, &replaced);
@@ -83,7 +97,59 @@ pub(crate) fn add_friction(
         add_events(model, friction, force, held);
         places.events.extend([friction.span; 2]);
     }
-    Ok(())
+    put_in_at_start(model, &replaced);
+    start_without_friction(model, places)
+}
+
+/// Puts the forces at the start in the place of the frictions in values at the start.
+fn put_in_at_start(model: &mut Model, forces: &HashMap<NodeId, NodeId>) {
+    let initial: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
+    if !has_friction(&model.graph, &initial) {
+        return;
+    }
+    let graph = &mut model.graph;
+    let mut known = HashMap::new();
+    for (&friction, &force) in forces {
+        let [friction_then, force] =
+            [friction, force].map(|node| at_start(graph, node, |state, _| initial.get(state).copied()));
+        known.extend([(friction, force), (friction_then, force)]);
+    }
+    let values = graph.rewrite(&initial, |_, id, _| known.get(&id).copied());
+    for (state, value) in model.states.iter_mut().zip(values) {
+        state.initial = value;
+    }
+}
+
+/// Refuses values at the start that depend on dry friction, which itself depends on them or acts on nothing.
+fn start_without_friction(model: &Model, places: &Places) -> Result<(), Vec<Diagnostic>> {
+    let depends = model.states.iter().position(|state| has_friction(&model.graph, &[state.initial]));
+    let Some(span) = depends.and_then(|state| places.states.get(state)) else { return Ok(()) };
+    let message = words(
+        "this value at the start depends on dry friction, which depends on the values at the start",
+        "este valor inicial depende de un rozamiento seco, que depende de los valores iniciales",
+    );
+    Err(vec![Diagnostic::error("friction-at-start", message, *span).with_hint(words(
+        "dry friction belongs into the equation of motion: `m*x'' = -k*x - coulomb(x', mu*m*g)`",
+        "el rozamiento seco va en la ecuación de movimiento: `m*x'' = -k*x - coulomb(x', mu*m*g)`",
+    ))])
+}
+
+/// `node` at the start of the run, of which the states at the start are inputs.
+fn initially(graph: &mut Graph, node: NodeId) -> NodeId {
+    graph.rewrite(&[node], |graph, _, node| match node {
+        Node::State(state) => Some(graph.insert(Node::Initial(state))),
+        Node::Independent => Some(graph.constant(0.0)),
+        _ => None,
+    })[0]
+}
+
+/// `node` at the start, where states have the values that `initial` tells from their numbers and nodes.
+fn at_start(graph: &mut Graph, node: NodeId, initial: impl Fn(usize, NodeId) -> Option<NodeId>) -> NodeId {
+    graph.rewrite(&[node], |graph, id, node| match node {
+        Node::State(state) | Node::Initial(state) => initial(state as usize, id),
+        Node::Independent => Some(graph.constant(0.0)),
+        _ => None,
+    })[0]
 }
 
 /// Everything that may contain friction.
@@ -244,12 +310,7 @@ fn add_state(model: &mut Model, friction: &Friction, held: NodeId, all: &[Fricti
     let graph = &mut model.graph;
     let zero = graph.constant(0.0);
     let at_start = |graph: &mut Graph, node: NodeId, motions: &HashMap<NodeId, NodeId>| {
-        graph.rewrite(&[node], |graph, id, node| match node {
-            Node::State(state) => motions.get(&id).or(initial.get(state as usize)).copied(),
-            Node::Initial(state) => initial.get(state as usize).copied(),
-            Node::Independent => Some(graph.constant(0.0)),
-            _ => None,
-        })[0]
+        at_start(graph, node, |state, id| motions.get(&id).or(initial.get(state)).copied())
     };
     // At the start the others stick where their speed is 0.
     let mut motions = HashMap::new();
@@ -269,7 +330,7 @@ fn add_state(model: &mut Model, friction: &Friction, held: NodeId, all: &[Fricti
         order: 0,
         label: None,
         unit: Unit::dimensionless(),
-        internal: true,
+        role: Role::Friction,
         initial: start,
         derivative: zero,
     });
@@ -295,6 +356,11 @@ fn add_events(model: &mut Model, friction: &Friction, force: NodeId, held: NodeI
     let magnitude = graph.unary(Unary::Absolute, force);
     let exceeded = graph.binary(Binary::Less, friction.limits[0], magnitude);
     let condition = graph.binary(Binary::And, sticks, exceeded);
-    let direction = graph.unary(Unary::Sign, force);
+    // Where the limit is 0 the force is, too, at the last moment before: it gives way to where the force is going.
+    let rate = model.rates_of(&[force])[0];
+    let graph = &mut model.graph;
+    let none = graph.binary(Binary::Equal, force, zero);
+    let pushed = graph.select(none, rate, force);
+    let direction = graph.unary(Unary::Sign, pushed);
     model.events.push(Event::new(condition, vec![(motion, direction)]));
 }

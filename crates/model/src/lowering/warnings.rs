@@ -2,7 +2,7 @@
 
 use crate::names::{Declarations, crossing, for_each};
 use crate::notation::quote;
-use crate::{Diagnostic, ExpressionKind, Places, Span};
+use crate::{Diagnostic, ExpressionKind, Places, Span, discrete_kinds, moments};
 use program::{Event, Model, Node, NodeId, Unary};
 use units::words;
 
@@ -14,7 +14,8 @@ pub(crate) fn warn(model: &Model, places: &Places, declarations: &Declarations, 
     let mut number = 0;
     for event in &declarations.events {
         let crosses = crossing(declarations, event).is_some();
-        let of_author = event.actions.iter().any(|action| !crate::moments::is_hidden(&action.name.text));
+        let is_own = |name: &str| !moments::is_hidden(name) || discrete_kinds::quantity(name).is_some();
+        let of_author = event.actions.iter().any(|action| is_own(&action.name.text));
         if !crosses && (of_author || event.stops) {
             written.push((&model.events[number], places.events[number]));
         }
@@ -59,7 +60,8 @@ fn set_twice(model: &Model, events: &[(&Event, Span)], diagnostics: &mut Vec<Dia
         let sets = |&(state, _): &(u32, NodeId)| event.actions.iter().any(|&(own, _)| own == state);
         let clash = earlier.find_map(|(other, place)| {
             let (state, _) = other.actions.iter().find(|action| sets(action))?;
-            Some((model.states.get(*state as usize)?.name(), *place))
+            let name = model.states.get(*state as usize)?.name();
+            Some((discrete_kinds::quantity(&name).map_or_else(|| name.clone(), str::to_owned), *place))
         });
         if let Some((name, first)) = clash {
             let message = words!(

@@ -3,8 +3,8 @@
 
 use super::scope::{Meaning, PI, Scope};
 use crate::{
-    Action, Diagnostic, Expression, FunctionStatement, Name, ParameterForm, ParameterStatement, Span, StatedUnit,
-    Statement, StatementKind, TableStatement,
+    Action, Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, ParameterForm, ParameterStatement, Span,
+    StatedUnit, Statement, StatementKind, TableStatement,
 };
 use program::functions::Function;
 use std::collections::HashMap;
@@ -109,6 +109,9 @@ impl<'a> Declarations<'a> {
                     if declarations.may_declare(name, &mut declared, diagnostics) {
                         let meaning = Meaning::Definition(declarations.definitions.len());
                         declarations.scope.declare(&name.text, meaning);
+                        if let Some(texts) = texts(value) {
+                            declarations.scope.declare_choice(&name.text, texts);
+                        }
                         declarations.definitions.push(Definition { name, value, unit: unit.as_ref(), label });
                     }
                 }
@@ -294,4 +297,20 @@ fn check_parameter(parameter: &ParameterStatement, diagnostics: &mut Vec<Diagnos
         );
         diagnostics.push(Diagnostic::error("step-not-positive", message, parameter.name.span));
     }
+}
+
+/// The texts among which an expression selects; `None` if its value can be something else.
+fn texts(value: &Expression) -> Option<Vec<String>> {
+    let mut texts = Vec::new();
+    let mut waiting = vec![value];
+    while let Some(next) = waiting.pop() {
+        match &next.kind {
+            ExpressionKind::Text(text) => texts.push(text.clone()),
+            ExpressionKind::If(_, chosen, other) => waiting.extend([&**other, &**chosen]),
+            _ => return None,
+        }
+    }
+    texts.sort();
+    texts.dedup();
+    Some(texts)
 }

@@ -5,7 +5,7 @@ use super::scope::Meaning;
 use super::traverse::for_each;
 use super::unknown::Unknown;
 use crate::notation::{primed, quote};
-use crate::{Action, BinaryOperator, Diagnostic, Expression, ExpressionKind, UnaryOperator};
+use crate::{Action, BinaryOperator, Diagnostic, Expression, ExpressionKind, UnaryOperator, discrete_kinds};
 use units::{Words, words};
 
 /// Checks the names on the left of the actions of an event, and that its condition can be met.
@@ -33,7 +33,7 @@ pub(crate) fn check_event(
             let message = words!(
                 "the event changes `{}` twice",
                 "el evento cambia `{}` dos veces",
-                primed(&action.name.text, action.order)
+                primed(discrete_kinds::quantity(&action.name.text).unwrap_or(&action.name.text), action.order)
             );
             diagnostics.push(
                 Diagnostic::error("duplicate-action", message, action.name.span)
@@ -68,14 +68,7 @@ fn is_number(declarations: &Declarations, expression: &Expression, depth: usize)
     const DEEPEST: usize = 32;
     match &expression.kind {
         ExpressionKind::Text(_) | ExpressionKind::Unary(UnaryOperator::Not, _) => false,
-        ExpressionKind::Binary(operator, ..) => matches!(
-            operator,
-            BinaryOperator::Add
-                | BinaryOperator::Subtract
-                | BinaryOperator::Multiply
-                | BinaryOperator::Divide
-                | BinaryOperator::Power
-        ),
+        ExpressionKind::Binary(operator, ..) => !operator.is_logical(),
         ExpressionKind::Expansion(expansion) => depth < DEEPEST && is_number(declarations, &expansion.body, depth + 1),
         ExpressionKind::If(_, chosen, _) => depth < DEEPEST && is_number(declarations, chosen, depth + 1),
         ExpressionKind::Name { name, order: 0 } => match declarations.scope.meaning(name) {

@@ -1,7 +1,9 @@
-//! Functions that only other tools have.
+//! Functions and derivatives as they are written elsewhere.
 
 use super::scope::{Meaning, Scope};
-use crate::{Expression, ExpressionKind, Name};
+use super::traverse::for_each;
+use crate::notation::{primed, quote};
+use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Name};
 use program::functions::Function;
 use units::{Words, words};
 
@@ -57,4 +59,39 @@ pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression
             "escribe solo `{text}`: toda magnitud puede depender de `{name}`"
         )
     })
+}
+
+/// What is said of the derivatives in an expression that are written as quotients: `dx/dt`, `d2x/dt^2`.
+pub(crate) fn quotients(scope: &Scope, expression: &Expression) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    for_each(expression, |part| {
+        if let ExpressionKind::Binary(BinaryOperator::Divide, above, below) = &part.kind
+            && let Some((variable, order)) = derivative(scope, above, below)
+        {
+            let (written, ours) = (quote(part), primed(variable, order));
+            let message = words!("`{written}` is written `{ours}` here", "`{written}` se escribe aquí `{ours}`");
+            found.push(Diagnostic::error("foreign-derivative", message, part.span));
+        }
+    });
+    found
+}
+
+/// The variable and the order of a derivative that is written as a quotient of names without another meaning.
+fn derivative<'a>(scope: &Scope, above: &'a Expression, below: &Expression) -> Option<(&'a str, u32)> {
+    let ExpressionKind::Name { name: above, order: 0 } = &above.kind else { return None };
+    let (below, power) = match &below.kind {
+        ExpressionKind::Binary(BinaryOperator::Power, base, exponent) => match (&base.kind, &exponent.kind) {
+            (ExpressionKind::Name { name, order: 0 }, ExpressionKind::Number { value, unit: None }) => (name, *value),
+            _ => return None,
+        },
+        ExpressionKind::Name { name, order: 0 } => (name, 1.0),
+        _ => return None,
+    };
+    let below = below.strip_prefix('d')?.strip_prefix(&*scope.independent)?;
+    if scope.meaning(above).is_some() || !(below.is_empty() || below.parse::<u32>().is_ok()) {
+        return None;
+    }
+    let variable = above.strip_prefix('d')?.trim_start_matches(|character: char| character.is_ascii_digit());
+    let order = if below.is_empty() { power } else { below.parse().ok()? };
+    (!variable.is_empty() && (1.0..=4.0).contains(&order)).then_some((variable, order as u32))
 }

@@ -16,6 +16,7 @@ mod unknowns;
 pub(crate) use check::NameCheck;
 pub(crate) use declarations::{Declarations, Equation, EventEntry, InitialEntry, ParameterEntry, TableEntry};
 pub(crate) use events::{check_event, crossing};
+pub(crate) use foreign::quotients;
 pub(crate) use order::{alternatives, definition_order, list};
 pub(crate) use scope::{Meaning, Scope};
 pub(crate) use traverse::{for_each, for_each_name};

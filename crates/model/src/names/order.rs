@@ -3,8 +3,9 @@
 use super::declarations::Declarations;
 use super::scope::Meaning;
 use super::traverse::for_each_name;
-use crate::Diagnostic;
 use crate::matching::blocks;
+use crate::notation::quote;
+use crate::{Diagnostic, Expression, ExpressionKind};
 use units::{Words, words};
 
 /// Indices of definitions, each after those it uses. Members of circles, and what uses them, are left out. Each circle
@@ -80,15 +81,27 @@ fn circle(declarations: &Declarations, members: &[usize], uses: &[Vec<usize>]) -
     let first = name(members[0]);
     if members.len() == 1 {
         let text = &first.text;
-        return Diagnostic::error(
+        let extremum = extremum(text, declarations.definitions[members[0]].value);
+        let diagnostic = Diagnostic::error(
             "cycle",
             words!("`{text}` is defined by itself", "`{text}` se define por sí misma"),
             first.span,
-        )
-        .with_hint(words!(
-            "for a differential equation write `{text}' = ...` and give `{text}(0)`",
-            "para una ecuación diferencial escribe `{text}' = ...` y da `{text}(0)`"
-        ));
+        );
+        return match extremum {
+            Some((keeps, other)) => diagnostic.with_hint(words!(
+                "what it was so far is kept by the run: `{text} = {keeps}({other})`",
+                "lo que ha sido hasta ahora lo guarda la simulación: `{text} = {keeps}({other})`"
+            )),
+            None => diagnostic
+                .with_hint(words!(
+                    "for a differential equation write `{text}' = ...` and give `{text}(0)`",
+                    "para una ecuación diferencial escribe `{text}' = ...` y da `{text}(0)`"
+                ))
+                .with_hint(words!(
+                    "what events change is declared with its value at the start: `discrete {text} = ...`",
+                    "lo que cambian los eventos se declara con su valor al comienzo: `discrete {text} = ...`"
+                )),
+        };
     }
     let names: Vec<String> = members.iter().map(|&index| format!("`{}`", name(index).text)).collect();
     let message = words!(
@@ -105,6 +118,21 @@ fn circle(declarations: &Declarations, members: &[usize], uses: &[Vec<usize>]) -
             if position == 0 { diagnostic.saying(text) } else { diagnostic.with_label(name(index).span, text) };
     }
     diagnostic
+}
+
+/// `maximum` and `x` for `max(A, x)`, as in other tools A is kept up to date in every step.
+fn extremum(name: &str, value: &Expression) -> Option<(&'static str, String)> {
+    let ExpressionKind::Call { function, arguments } = &value.kind else { return None };
+    let keeps = match function.text.as_str() {
+        "max" => "maximum",
+        "min" => "minimum",
+        _ => return None,
+    };
+    let itself = |one: &Expression| matches!(&one.kind, ExpressionKind::Name { name: own, order: 0 } if own == name);
+    match arguments.as_slice() {
+        [own, other] | [other, own] if itself(own) => Some((keeps, quote(other))),
+        _ => None,
+    }
 }
 
 /// Lists name no more items than this.

@@ -10,7 +10,24 @@ use units::{Words, words};
 
 /// What other languages write, and the word it stands for here.
 const OTHER_WORDS: &[(&str, &[&str])] = &[
-    ("parameter", &["parameters", "param", "par", "const", "constant", "let", "var", "input", "parametro"]),
+    (
+        "parameter",
+        &[
+            "parameters",
+            "param",
+            "par",
+            "const",
+            "constant",
+            "let",
+            "var",
+            "input",
+            "int",
+            "float",
+            "double",
+            "real",
+            "parametro",
+        ],
+    ),
     ("independent", &["variable"]),
     ("function", &["def", "func", "fn"]),
     ("when", &["event", "on", "while"]),
@@ -53,6 +70,7 @@ impl Cursor<'_> {
             TokenKind::Name { .. } if self.is_choice() => self.choice(),
             TokenKind::Name { .. } if self.is_size() => self.size(),
             TokenKind::Name { .. } if self.is_table() => self.table(first),
+            TokenKind::Name { .. } if self.begins_with("for") => (nothing(start), self.no_loop()),
             TokenKind::Name { .. } if self.meant_word().is_some() => (nothing(start), self.unknown_word()),
             TokenKind::Keyword(Keyword::Parameter) => self.parameter(),
             TokenKind::Keyword(Keyword::Independent) => self.independent(),
@@ -74,18 +92,28 @@ impl Cursor<'_> {
         if read.is_err() {
             self.skip_rest(false);
         } else if hidden {
-            self.require_definition(&kind, start);
+            self.require_value(&kind, start);
         }
         Statement { kind, hidden, over, label, span: start.to(self.last_span()) }
     }
 
-    /// Only what is defined can be hidden.
-    fn require_definition(&mut self, kind: &StatementKind, hidden: Span) {
-        if matches!(kind, StatementKind::Definition { .. } | StatementKind::Members { what: Members::Definitions, .. })
-        {
+    /// Only what would stand among the values can be hidden.
+    fn require_value(&mut self, kind: &StatementKind, hidden: Span) {
+        let gives_value = match kind {
+            StatementKind::Definition { .. }
+            | StatementKind::Members { .. }
+            | StatementKind::Discrete { .. }
+            | StatementKind::InitialValue { .. } => true,
+            StatementKind::Event { extras, .. } => extras.next,
+            _ => false,
+        };
+        if gives_value {
             return;
         }
-        let wrong = words("only a definition can be hidden", "solo se puede ocultar una definición");
+        let wrong = words(
+            "only a definition, a discrete quantity or an unknown with its initial value can be hidden",
+            "solo se puede ocultar una definición, una magnitud discreta o una incógnita con su valor inicial",
+        );
         self.say(
             Diagnostic::error("hidden-form", wrong, hidden)
                 .with_hint(words("such as: hidden m = rho*L", "por ejemplo: hidden m = rho*L")),
@@ -111,6 +139,24 @@ impl Cursor<'_> {
         let diagnostic = Diagnostic::error("unknown-word", wrong, self.span());
         let meant = self.meant_word().unwrap_or_default();
         self.fail(diagnostic.with_hint(words!("did you mean {meant}?", "¿querías decir {meant}?")))
+    }
+
+    fn no_loop<T>(&mut self) -> Read<T> {
+        let wrong = words(
+            "there are no loops: what `for` is stated for stands before it",
+            "no hay bucles: lo que se enuncia con `for` va delante",
+        );
+        self.fail(
+            Diagnostic::error("foreign-loop", wrong, self.span())
+                .with_hint(words(
+                    "the members of a family: `x[i] = i*a for i in 1..N`",
+                    "los miembros de una familia: `x[i] = i*a for i in 1..N`",
+                ))
+                .with_hint(words(
+                    "a sum: `sum(x[i] for i in 1..N)`; something at equal intervals: `every 0.1 [s] { ... }`",
+                    "una suma: `sum(x[i] for i in 1..N)`; algo a intervalos iguales: `every 0.1 [s] { ... }`",
+                )),
+        )
     }
 
     /// A text in quotation marks, if it comes next.

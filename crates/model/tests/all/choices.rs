@@ -60,3 +60,27 @@ fn the_words_stay_names() {
     let model = compile("choice = 2\nswitch = 3*choice\non = 2\n");
     assert_eq!(model.quantities.len(), 3);
 }
+
+/// What events change can be a text or true or false, too; behind it is a state that is shown nowhere.
+#[test]
+fn a_discrete_quantity_can_be_a_text_or_a_truth_value() {
+    let model = compile(
+        "discrete phase = \"rise\" \"Phase\"\ndiscrete moving = true\nhidden discrete count = 0\ny' = 1 [m/s]\ny(0) = 0 [m]\n\
+         when y > 1 [m] { phase = if moving then \"fall\" else \"rest\", moving = not moving, count = count + 1 }\n",
+    );
+    let names: Vec<(String, program::Role)> = model.states.iter().map(|state| (state.name(), state.role)).collect();
+    let role = |name: &str| names.iter().find(|(own, _)| own == name).map(|(_, role)| *role);
+    assert_eq!(role("y"), Some(program::Role::Own));
+    assert_eq!(role("count"), Some(program::Role::Hidden));
+    assert_eq!(role("phase so far"), Some(program::Role::Remembered));
+    let phase = model.quantities.iter().find(|quantity| quantity.name == "phase").unwrap();
+    assert_eq!((phase.value.kind, phase.label.as_deref(), phase.varies), (Kind::Text, Some("Phase"), true));
+    assert_eq!(model.lookup("moving", 0).unwrap().kind, Kind::Truth);
+    let place = |name: &str| model.states.iter().position(|state| state.name() == name).unwrap();
+    let mut states = vec![0.0; model.states.len()];
+    for (number, text) in [(0.0, "rise"), (1.0, "fall"), (2.0, "rest")] {
+        states[place("phase so far")] = number;
+        let value = At::new(&model, 0.0, &states).value(&model.graph, phase.value.node);
+        assert_eq!(model.texts[value as usize], text);
+    }
+}

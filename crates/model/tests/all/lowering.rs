@@ -227,3 +227,10 @@ fn a_default_may_be_a_quotient_and_what_is_hidden_is_marked() {
     let expected = [("a", true), ("b[1]", true), ("b[2]", true), ("b[3]", true), ("c", false), ("hidden", false)];
     assert_eq!(hidden, expected);
 }
+
+/// Only where they mean nothing else are these taken for a derivative.
+#[test]
+fn differences_may_be_called_dx_and_dt() {
+    let model = compile("dt = 0.1 [s]\ndx = 0.5 [m]\nc = dx/dt");
+    assert_near(At::new(&model, 0.0, &[]).value(&model.graph, model.quantities[2].value.node), 5.0);
+}

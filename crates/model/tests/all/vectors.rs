@@ -49,7 +49,7 @@ fn an_orbit_has_the_bits_of_its_components() {
 fn components_are_told_apart_in_labels_and_are_no_hidden_states() {
     let model = compile("r' = -r\nindependent t\nr(0) = (1, 2) \"Position (au)\"\nv = 2*r \"Speed\"\n");
     assert_eq!(model.states[1].label.as_deref(), Some("Position y (au)"));
-    assert!(model.states.iter().all(|state| !state.internal));
+    assert!(model.states.iter().all(|state| state.role == program::Role::Own));
     assert_eq!(model.quantities[0].label.as_deref(), Some("Speed x"));
     assert_eq!(model.quantities[0].name, "v.x");
 }

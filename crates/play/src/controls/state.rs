@@ -4,7 +4,7 @@
 use crate::values::readout::MOVING_DIGITS;
 use crate::{Announcement, Play, Refusal, number};
 use engine::Setup;
-use program::{Node, State};
+use program::{Node, Role, State};
 use units::number::Layout;
 
 /// A state as its field shows it.
@@ -31,7 +31,7 @@ pub struct StateView {
 impl Play {
     /// All states of the author, in the order of the model.
     pub fn states(&self) -> Vec<StateView> {
-        let states = self.model().states.iter().enumerate().filter(|(_, state)| !state.internal);
+        let states = self.model().states.iter().enumerate().filter(|(_, state)| state.role == Role::Own);
         states.filter_map(|(index, _)| self.state(index)).collect()
     }
 

@@ -1,7 +1,7 @@
 //! What is read off: time, states and quantities with their units; the pitch.
 
 use crate::{Play, number, words};
-use program::{Compiled, Kind, Node, NodeId};
+use program::{Compiled, Kind, Node, NodeId, Role};
 use units::Unit;
 use units::number::Group;
 
@@ -61,7 +61,7 @@ impl Play {
             varies: true,
             hidden: false,
         }];
-        for (index, state) in model.states.iter().enumerate().filter(|(_, state)| !state.internal) {
+        for (index, state) in model.states.iter().enumerate().filter(|(_, state)| state.role == Role::Own) {
             let value = self.course.state().get(index).copied().unwrap_or(f64::NAN);
             let scale = self.scales.get(index).copied().unwrap_or_default();
             let node = model.graph.find(Node::State(index as u32));
@@ -102,7 +102,28 @@ impl Play {
                 hidden,
             });
         }
+        readouts.extend(self.friction_readouts());
         readouts
+    }
+
+    /// Whether each dry friction holds or slides.
+    fn friction_readouts(&self) -> impl Iterator<Item = Readout> {
+        let states = self.program.model.states.iter().zip(self.course.state()).enumerate();
+        let frictions = states.filter(|(_, (state, _))| state.role == Role::Friction);
+        let several = frictions.clone().nth(1).is_some();
+        frictions.map(move |(index, (state, &motion))| {
+            let label = words::dry_friction(self.language);
+            Readout {
+                kind: ReadoutKind::State(index),
+                name: state.name(),
+                label: if several { format!("{label}: {}", state.name()) } else { label.to_owned() },
+                has_symbol: false,
+                value: words::sticks(self.language, motion == 0.0).to_owned(),
+                unit: String::new(),
+                varies: true,
+                hidden: false,
+            }
+        })
     }
 
     /// The number and the unit of a value that has had the size `scale` in this run, both SI. What is nothing beside it is

@@ -60,7 +60,7 @@ impl Play {
         let model = self.model();
         let shown = |quantity: &program::Quantity| quantity.varies && !quantity.is_remembered();
         let varying = model.quantities.iter().enumerate().filter(|(_, quantity)| shown(quantity));
-        let of_author = (0..model.states.len()).filter(|index| !model.states[*index].is_remembered());
+        let of_author = (0..model.states.len()).filter(|index| model.states[*index].role != program::Role::Remembered);
         let states = of_author.map(|index| (index, model.graph.find(Node::State(index as u32))));
         let others = varying.map(|(index, quantity)| (model.states.len() + index, Some(quantity.value.node)));
         // An event happens between two steps, and an adaptive method ends its steps where it likes.

@@ -180,18 +180,26 @@ pub struct State {
     pub unit: Unit,
     /// Its value at the start; depends on parameters only.
     pub initial: NodeId,
-    /// Whether it is a memory of the equations, as that of dry friction, and none of the author's quantities.
-    pub internal: bool,
+    /// What it is there for.
+    pub role: Role,
     /// Its rate of change: the next state, or the solution of the equations for the highest derivative.
     pub derivative: NodeId,
 }
 
-impl State {
-    /// Whether the run keeps in it what it remembers ([`Quantity::is_remembered`]).
-    pub fn is_remembered(&self) -> bool {
-        self.internal && (self.variable.ends_with('.') || self.variable.ends_with(" so far"))
-    }
+/// What a state is there for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Role {
+    /// It is one of the author's quantities.
+    Own,
+    /// It is one of them that the author keeps out of the readouts.
+    Hidden,
+    /// The run keeps in it what it remembers ([`Quantity::is_remembered`]).
+    Remembered,
+    /// It says how a body with dry friction moves: 1 forwards, -1 backwards, 0 while it sticks.
+    Friction,
+}
 
+impl State {
     /// `y''`
     pub fn name(&self) -> String {
         let mut name = self.variable.clone();

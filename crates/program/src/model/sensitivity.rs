@@ -14,7 +14,7 @@
 
 use super::MOST_NODES;
 use crate::graph::along;
-use crate::{Binary, Graph, Jump, Model, Node, NodeId, Sensitive, State, Unary};
+use crate::{Binary, Graph, Jump, Model, Node, NodeId, Role, Sensitive, State, Unary};
 use units::Unit;
 
 impl Model {
@@ -76,7 +76,7 @@ impl Model {
                 label: None,
                 unit,
                 initial: at_start[number],
-                internal: false,
+                role: Role::Own,
                 derivative: derivatives[number],
             });
         }

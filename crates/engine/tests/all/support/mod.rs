@@ -1,5 +1,5 @@
 //! What the tests of the engine share.
-use engine::{Method, Run, Setup};
+use engine::{Method, Readings, Run, Setup};
 use program::Model;
 
 /// The model that `text` states.
@@ -20,6 +20,13 @@ pub fn run(model: &Model, setup: Setup, rows: usize) -> Run {
         run.advance().unwrap_or_else(|error| panic!("{error}"));
     }
     run
+}
+
+/// A quantity at the end of a run.
+pub fn value(model: &Model, run: &Run, name: &str) -> f64 {
+    let node = model.lookup(name, 0).expect("a quantity").node;
+    let mut readings = Readings::new(model, &[node]);
+    readings.at(run.parameters(), run.initial(), run.time(), run.state())[0]
 }
 
 /// Index of the parameter called `name`.

@@ -1,0 +1,184 @@
+//! Discrete quantities that are a text, or true or false: `discrete phase = "up"`, `discrete moving = true`.
+//!
+//! States are numbers. So each becomes a state of a name that no text can give, which holds 1 or 0 or the number of the text,
+//! and a definition with the author's name that tells which it is. Events set the number.
+
+use crate::{
+    BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span, Statement, StatementKind, UnaryOperator, limits,
+};
+use std::borrow::Cow;
+use std::collections::HashMap;
+use units::words;
+
+/// What a discrete quantity is, if it is no number.
+enum Values {
+    /// True or false.
+    Truth,
+    /// One of these texts.
+    Texts(Vec<String>),
+}
+
+/// The statements with all such quantities as numbers and definitions.
+pub(crate) fn write_out<'a>(
+    statements: Cow<'a, [Statement]>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Cow<'a, [Statement]> {
+    let mut kinds: HashMap<String, Values> = statements.iter().filter_map(kind).collect();
+    if kinds.is_empty() {
+        return statements;
+    }
+    let mut written = Vec::with_capacity(statements.len() + kinds.len());
+    for statement in statements.iter() {
+        let mut statement = statement.clone();
+        match &mut statement.kind {
+            StatementKind::Discrete { name, value, .. } => {
+                if let Some(values) = kinds.get_mut(&name.text) {
+                    let value = number(value, values, name, diagnostics);
+                    let state =
+                        StatementKind::discrete(Name { text: state_name(&name.text), span: name.span }, value, None);
+                    written.push(Statement::of(state, statement.span));
+                    continue;
+                }
+            }
+            StatementKind::Event { actions, .. } => {
+                for action in actions {
+                    if let Some(values) = kinds.get_mut(&action.name.text)
+                        && action.order == 0
+                    {
+                        action.value = number(&action.value, values, &action.name, diagnostics);
+                        action.name.text = state_name(&action.name.text);
+                    }
+                }
+            }
+            _ => {}
+        }
+        written.push(statement);
+    }
+    // The texts are known only when all events have been looked at.
+    for statement in statements.iter() {
+        if let StatementKind::Discrete { name, unit, .. } = &statement.kind
+            && let Some(values) = kinds.get(&name.text)
+        {
+            let value = meaning(&name.text, values, name.span);
+            let kind = StatementKind::Definition { name: name.clone(), value, unit: unit.clone() };
+            written.push(Statement { kind, ..statement.clone() });
+        }
+    }
+    Cow::Owned(written)
+}
+
+const ENDING: &str = " so far";
+
+/// The name of the state behind a quantity.
+fn state_name(name: &str) -> String {
+    format!("{name}{ENDING}")
+}
+
+/// The quantity of the author's whose state this is, if it is one that holds a truth or a text.
+pub(crate) fn quantity(state: &str) -> Option<&str> {
+    state.strip_suffix(ENDING).filter(|name| !name.contains([' ', '(']))
+}
+
+fn kind(statement: &Statement) -> Option<(String, Values)> {
+    let StatementKind::Discrete { name, value, .. } = &statement.kind else { return None };
+    let mut value = value;
+    while let ExpressionKind::If(_, chosen, _) = &value.kind {
+        value = chosen;
+    }
+    let values = match &value.kind {
+        ExpressionKind::Text(_) => Values::Texts(Vec::new()),
+        ExpressionKind::Unary(UnaryOperator::Not, _) => Values::Truth,
+        ExpressionKind::Binary(operator, ..) if operator.is_logical() => Values::Truth,
+        _ if literal(value).is_some() => Values::Truth,
+        _ => return None,
+    };
+    Some((name.text.clone(), values))
+}
+
+/// `true` or `false`
+fn literal(value: &Expression) -> Option<bool> {
+    match &value.kind {
+        ExpressionKind::Name { name, order: 0 } if name == "true" => Some(true),
+        ExpressionKind::Name { name, order: 0 } if name == "false" => Some(false),
+        _ => None,
+    }
+}
+
+/// The number that stands for a value of the quantity `name`.
+fn number(value: &Expression, values: &mut Values, name: &Name, diagnostics: &mut Vec<Diagnostic>) -> Expression {
+    let span = value.span;
+    if let ExpressionKind::If(condition, chosen, other) = &value.kind {
+        let [chosen, other] = [chosen, other].map(|branch| number(branch, values, name, diagnostics));
+        return Expression::conditional((**condition).clone(), chosen, other, span);
+    }
+    match values {
+        Values::Truth => match literal(value) {
+            Some(truth) => Expression::number(f64::from(u8::from(truth)), span),
+            None if matches!(value.kind, ExpressionKind::Number { .. } | ExpressionKind::Text(_)) => {
+                let message = words!(
+                    "`{}` is true or false, and this is neither",
+                    "`{}` es verdadero o falso, y esto no",
+                    name.text
+                );
+                diagnostics.push(Diagnostic::error("discrete-truth", message, span).with_hint(words!(
+                    "such as: {0} = true, or {0} = y > 0 [m]",
+                    "por ejemplo: {0} = true, o {0} = y > 0 [m]",
+                    name.text
+                )));
+                Expression::nothing(span)
+            }
+            None => {
+                let [one, zero] = [1.0, 0.0].map(|number| Expression::number(number, span));
+                Expression::conditional(value.clone(), one, zero, span)
+            }
+        },
+        Values::Texts(texts) => {
+            let ExpressionKind::Text(text) = &value.kind else {
+                let message = words!(
+                    "`{}` is a text, and this is none in quotation marks",
+                    "`{}` es un texto, y esto no es un texto entre comillas",
+                    name.text
+                );
+                diagnostics.push(Diagnostic::error("discrete-text", message, span).with_hint(words!(
+                    "such as: {0} = \"up\", or {0} = if y > 0 [m] then \"up\" else \"down\"",
+                    "por ejemplo: {0} = \"arriba\", o {0} = if y > 0 [m] then \"arriba\" else \"abajo\"",
+                    name.text
+                )));
+                return Expression::nothing(span);
+            };
+            let known = texts.iter().position(|known| known == text);
+            if known.is_none() && texts.len() == limits::ALTERNATIVES {
+                let message = words!(
+                    "`{}` has more than {} texts",
+                    "`{}` tiene más de {} textos",
+                    name.text,
+                    limits::ALTERNATIVES
+                );
+                diagnostics.push(Diagnostic::error("model-too-large", message, span));
+                return Expression::nothing(span);
+            }
+            let place = known.unwrap_or_else(|| {
+                texts.push(text.clone());
+                texts.len() - 1
+            });
+            Expression::number(place as f64, span)
+        }
+    }
+}
+
+/// What the number behind the quantity `name` stands for.
+fn meaning(name: &str, values: &Values, span: Span) -> Expression {
+    let is = |number: f64| {
+        let state = Expression::named(&state_name(name), span);
+        Expression::binary(BinaryOperator::Equal, state, Expression::number(number, span), span)
+    };
+    match values {
+        Values::Truth => is(1.0),
+        Values::Texts(texts) => {
+            let text = |text: &String| Expression { kind: ExpressionKind::Text(text.clone()), span };
+            let mut all = texts.iter().enumerate().rev();
+            let last = all.next().map_or_else(|| Expression::nothing(span), |(_, last)| text(last));
+            all.fold(last, |other, (number, own)| Expression::conditional(is(number as f64), text(own), other, span))
+        }
+    }
+}

@@ -29,7 +29,7 @@ const RUNS: [(&str, &str, Method, f64); 20] = [
 ];
 
 pub(crate) const UTUBE: &str = include_str!("../../../simulations/utube.md");
-const PENDULUM: &str = include_str!("../../../simulations/pendulum.md");
+const PENDULUM: &str = include_str!("../golden/pendulum.md");
 const DOUBLE_PENDULUM: &str = include_str!("../../../simulations/double-pendulum.md");
 const BOUNCING_BALL: &str = include_str!("../../../simulations/bouncing-ball.md");
 const VAN_DER_POL: &str = include_str!("../../../simulations/van-der-pol.md");

@@ -191,8 +191,8 @@ fn the_period_of_a_large_swing() {
     let mut run = run(&document, parameters);
     // The angle passes through zero, downwards first, after a quarter of a period and then at each half.
     let mut crossings = Vec::new();
-    let angle = |run: &mut Run, time: f64| {
-        let mut state = [0.0; 2];
+    let mut state = vec![0.0; document.program.model.states.len()];
+    let mut angle = |run: &mut Run, time: f64| {
         run.interpolate(time, &mut state);
         state[0]
     };

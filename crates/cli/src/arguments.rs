@@ -1,6 +1,6 @@
 //! What can be typed after `meniscus`.
 
-use crate::assignments::{Assignment, Observe, assignment, observe};
+use crate::assignments::{Assignment, Observe, assignment, observe, press};
 use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -106,6 +106,7 @@ Examples:
   meniscus run simulations/utube.md                          as the document says, as CSV
   meniscus run utube.md --set b=200 --set h_l='40 [dm]'      in the declared unit or another
   meniscus run utube.md --preset Mercury --until 20          a preset, for 20 s
+  meniscus run kicked.md --press Kick=3.2 --press Kick=5     presses its button Kick at 3.2 s and at 5 s
   meniscus run utube.md --method dormand-prince --tolerance 1e-9
   meniscus run utube.md --columns t,y,E --output run.csv     these columns, into a file
   meniscus run utube.md --format jsonl | head -3             one JSON object a line";
@@ -128,6 +129,10 @@ pub struct Run {
     /// Set the parameters of this preset of the document, before any --set
     #[arg(long, value_name = "NAME")]
     pub preset: Vec<String>,
+
+    /// Press a button of the document at a time, such as Kick=3.2; by its title, its translated title or its name
+    #[arg(long = "press", value_name = "BUTTON=T", value_parser = press)]
+    pub press: Vec<Assignment>,
 
     /// How the equations are solved [default: the document's, or rk4]
     #[arg(long, value_name = "METHOD")]

@@ -19,6 +19,16 @@ pub fn assignment(text: &str) -> Result<Assignment, String> {
     }
 }
 
+/// Reads `BUTTON=T`, where the title of the button may have an equals sign of its own.
+pub fn press(text: &str) -> Result<Assignment, String> {
+    match text.rsplit_once('=') {
+        Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
+            Ok(Assignment { name: name.trim().to_owned(), value: value.trim().to_owned() })
+        }
+        _ => Err("write BUTTON=TIME, such as Kick=3.2 or Kick='200 [ms]'".to_owned()),
+    }
+}
+
 /// What `--observe y` or `--observe y=COLUMN` asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Observe {

@@ -16,6 +16,7 @@ mod language;
 mod load;
 mod output;
 mod page;
+mod presses;
 mod rows;
 mod run;
 mod serve;

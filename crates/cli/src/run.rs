@@ -22,7 +22,9 @@ const HISTORY: usize = 1 << 20;
 
 /// Runs the document from 0 to the end asked for.
 pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
-    let loaded = Loaded::open(load::sources(&arguments.document)?.without_translations());
+    let sources = load::sources(&arguments.document)?;
+    // A button may be named by its translated title.
+    let loaded = Loaded::open(if arguments.press.is_empty() { sources.without_translations() } else { sources });
     terminal.report(&loaded);
     let refused = loaded.opened.has_errors();
     let Loaded { sources, opened } = loaded;

@@ -4,6 +4,7 @@ use crate::arguments::Run;
 use crate::assignments::Assignment;
 use crate::failure::{Failure, listed};
 use crate::load::Sources;
+use crate::presses;
 use crate::terminal::Terminal;
 use document::Document;
 use document::edit::set_parameter;
@@ -22,6 +23,7 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
         apply_preset(document, name, &mut setup.parameters)?;
     }
     let end = document.program.end();
+    let pressed = presses::buttons(&document.program, &arguments.press)?;
     let Program { model, .. } = &mut document.program;
     let (time, time_counts) = (model.independent.unit.clone(), model.independent.counts);
     let mut reader = Reader { model, terminal };
@@ -49,6 +51,7 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
         Some(text) => positive("--until", reader.value("--until", text, &time, &setup.parameters)?)?,
         None => end,
     };
+    setup.presses = reader.presses(&pressed, &arguments.press, &setup.parameters, until)?;
     Ok((setup, until))
 }
 

@@ -213,6 +213,16 @@ impl Adaptive {
         dense_value(&self.last.dense, since_start / self.last.size, out);
     }
 
+    /// The state so long after the start of the last step, by a shorter step from the same start. Another step begins there.
+    pub fn shorter(&mut self, equations: &mut Equations, since: f64, out: &mut [f64]) {
+        self.forget();
+        if since < Self::AT_ONCE {
+            out.copy_from_slice(&self.last.from);
+        } else {
+            step(&mut self.pair, equations, self.last.start, since, &self.last.from, out, &mut self.error);
+        }
+    }
+
     /// Where that lies which was found to happen between `low` and `high` after the start of the last step. A shorter step
     /// from the same start gives the state there; where the dense output and such a step disagree on whether it happens at
     /// all, which is a matter of errors within the tolerance, the dense output decides.

@@ -163,6 +163,15 @@ impl Events {
         self.act(time)
     }
 
+    /// Lets one event act on the state `before`, which nothing but a person has made due.
+    pub fn fire_one(&mut self, event: usize, equations: &mut Equations, time: f64, before: &[f64]) -> usize {
+        self.due.iter_mut().enumerate().for_each(|(number, due)| *due = number == event);
+        let fired = self.fire(equations, time, before);
+        // Nothing was crossed that could lie ahead still.
+        self.crossing.fill(false);
+        fired
+    }
+
     /// Lets the events act that the last jump has made due, on the state after it; how many there were.
     pub fn cascade(&mut self, time: f64) -> usize {
         self.conditions.evaluate(time, &self.after, &mut self.truths);

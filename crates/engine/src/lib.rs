@@ -26,6 +26,7 @@ mod looks;
 mod notice;
 #[cfg(test)]
 mod order_conditions;
+mod press;
 mod ranges;
 mod readings;
 mod record;
@@ -43,6 +44,7 @@ mod timetable;
 pub use error::{Cause, RunError, Subject};
 pub use history::History;
 pub use notice::{Notice, NoticeKind};
+pub use press::Press;
 pub use program::Method;
 pub use readings::Readings;
 pub use record::{AfterJump, Record};

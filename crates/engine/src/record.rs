@@ -17,6 +17,8 @@ pub struct AfterJump {
     /// Whether the next step begins on the grid. After an event so soon behind a point of the grid that their times are
     /// equal it does not.
     pub on_grid: bool,
+    /// How many presses have acted.
+    pub presses: usize,
 }
 
 impl<F: FnMut(f64, &[f64], bool)> Record for F {

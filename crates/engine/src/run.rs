@@ -2,7 +2,8 @@
 
 use crate::checkpoints::Checkpoints;
 use crate::ranges::Ranges;
-use crate::{History, Notice, Progress, Readings, RunError, Setup, Stepper};
+use crate::stepper::grid_index;
+use crate::{History, Notice, Press, Progress, Readings, RunError, Setup, Stepper};
 use program::{Model, NodeId};
 
 /// The greatest size of a history in bytes; a run that reaches it pauses.
@@ -158,7 +159,7 @@ impl Run {
             return;
         }
         if self.stepper.is_between_rows() {
-            self.truncate(self.last_on_grid);
+            self.go_back_to(self.last_on_grid);
         }
         let last = self.history.len() - 1;
         if self.history.parameters(last) == parameters {
@@ -170,15 +171,45 @@ impl Run {
         }
     }
 
+    /// Presses a button at a time (SI), which the run may have passed: rows and presses after that time are given up, and the
+    /// run stands at the last point of the grid before. Without a button nothing is pressed.
+    pub fn press(&mut self, time: f64, button: Option<usize>) {
+        let time = if self.counts { time.floor() } else { time };
+        let presses = &mut self.setup.presses;
+        let known = presses.len();
+        presses.retain(|press| press.time <= time);
+        if presses.len() == known && button.is_none() {
+            return;
+        }
+        presses.extend(button.map(|button| Press { time, button }));
+        self.stepper.set_presses(presses);
+        let before = grid_index(time, self.setup.step) as f64 * self.setup.step;
+        let row = self.history.times().partition_point(|&at| at < before);
+        if row + 1 < self.history.len() || (row < self.history.len() && self.stepper.is_between_rows()) {
+            self.go_back_to(row);
+        }
+    }
+
+    /// Whether a press at or before a time has not acted yet.
+    pub fn has_press_before(&self, time: f64) -> bool {
+        self.stepper.next_press().is_some_and(|next| next <= time)
+    }
+
     /// Drops the rows after `row` and goes on from there, with the parameters then in force. Of the rows around a jump
     /// the last is kept: what has happened there does not happen again. From a row on the grid the run goes on with the
     /// bits that it had, also with adaptive methods.
     pub fn truncate(&mut self, row: usize) {
-        let history = &mut self.history;
+        let history = &self.history;
         let mut row = row.min(history.len() - 1);
         while row + 1 < history.len() && history.time(row + 1) == history.time(row) {
             row += 1;
         }
+        self.go_back_to(row);
+    }
+
+    /// The same without regard to the rows of the same moment: what has happened there happens again.
+    fn go_back_to(&mut self, row: usize) {
+        let history = &mut self.history;
         self.ranges.go_back_to(history.time(row));
         history.truncate(row);
         self.last_on_grid = self.last_on_grid.min(row);

@@ -1,5 +1,6 @@
 //! What a run is started with.
 
+use crate::press::{Press, fitting};
 use crate::Method;
 use program::{Model, Program};
 
@@ -16,6 +17,8 @@ pub struct Setup {
     pub tolerance: f64,
     /// A state to start from instead of the model's initial values.
     pub start: Option<Vec<f64>>,
+    /// Which buttons are pressed when, in the order of time. Those of one moment act one after the other.
+    pub presses: Vec<Press>,
 }
 
 impl Setup {
@@ -36,6 +39,7 @@ impl Setup {
             step: Self::STEP,
             tolerance: Self::TOLERANCE,
             start: None,
+            presses: Vec::new(),
         }
         .fitting(model)
     }
@@ -52,8 +56,9 @@ impl Setup {
         .fitting(&program.model)
     }
 
-    /// The same for a model: one that counts goes by 1, and no method has anything to do.
-    pub(crate) fn fitting(self, model: &Model) -> Self {
+    /// The same for a model: with presses of its buttons only; one that counts goes by 1, and no method has anything to do.
+    pub(crate) fn fitting(mut self, model: &Model) -> Self {
+        self.presses = fitting(self.presses, model);
         if model.independent.counts { Self { step: 1.0, method: Method::Euler, ..self } } else { self }
     }
 

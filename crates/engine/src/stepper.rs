@@ -3,9 +3,11 @@
 mod advance;
 mod count;
 mod moment;
+mod presses;
 
 pub use advance::Progress;
-pub(crate) use moment::Moment;
+pub(crate) use moment::{Moment, grid_index};
+use presses::Presses;
 
 use crate::adaptive::{Adaptive, Pair};
 use crate::dormand_prince::DormandPrince;
@@ -42,6 +44,7 @@ pub struct Stepper {
     heeds_ends: bool,
     /// Whether the independent variable counts.
     counts: bool,
+    presses: Presses,
     /// Why it cannot go on, until something is changed.
     stopped: Option<RunError>,
 }
@@ -130,6 +133,7 @@ impl Stepper {
             row: RowWork::default(),
             heeds_ends: true,
             counts: model.independent.counts,
+            presses: Presses::new(model, &setup.presses),
             stopped: None,
         };
         stepper.prepare();

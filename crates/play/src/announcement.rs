@@ -21,6 +21,8 @@ pub enum Announcement {
     Restarted(usize),
     /// A parameter has this SI value now.
     ParameterSet(usize, f64),
+    /// A button of the document was pressed at this time (SI).
+    Pressed(usize, f64),
     /// All parameters and the start are the document's.
     DefaultsRestored,
     /// A preset was applied.
@@ -83,6 +85,7 @@ impl Announcement {
             | Self::Scrubbed(_)
             | Self::BackAtStart
             | Self::ParameterSet(..)
+            | Self::Pressed(..)
             | Self::StateSet(..)
             | Self::StartSet { .. }
             | Self::Speed(_)

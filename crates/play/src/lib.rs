@@ -4,7 +4,7 @@
 //! | folder | what it holds |
 //! |---|---|
 //! | `time` | the run, its time line and clock |
-//! | `controls` | parameters, presets, states, dragging, method and step, and how what is typed is read |
+//! | `controls` | parameters, presets, buttons, states, dragging, method and step, and how what is typed is read |
 //! | `plots` | figures of the run, of kept runs, of points and plots that others add |
 //! | `values` | readouts, the scene's values, the table of rows |
 //! | `questions` | answers and what they are worth |
@@ -38,7 +38,7 @@ pub use units::{Language, number};
 
 pub use announcement::{Announcement, Prominence};
 pub use checks::{ClaimView, ClaimsView};
-pub use controls::{ChoiceView, DIGITS, MethodView, ParameterView, PresetGroup, PresetView, Slider, StateView};
+pub use controls::{ButtonView, ChoiceView, DIGITS, MethodView, ParameterView, PresetGroup, PresetView, Slider, StateView};
 pub use name::name_of;
 pub use play::{Play, Revision};
 pub use plots::{AddedPlot, AddedSeries, KeptView, Labels, LegendEntry, MOST_KEPT, POINTS, PlotId, PlotView, Points};

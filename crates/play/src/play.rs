@@ -297,7 +297,9 @@ impl Play {
     }
 
     /// Starts another run; the present one stays behind as a ghost if there is something to see of it.
-    pub(crate) fn restart(&mut self, setup: Setup) {
+    pub(crate) fn restart(&mut self, mut setup: Setup) {
+        // What was pressed in the former run was pressed for what happened there.
+        setup.presses.clear();
         self.keep_ghost(0);
         let overhead = self.columns.bytes_per_row();
         let course = Course::start(&self.program.model, setup, overhead);

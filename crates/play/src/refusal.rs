@@ -57,6 +57,13 @@ pub enum Refusal {
     NotPositive,
     /// The state can be set only while the run stands still.
     NotPaused,
+    /// The run has ended, or cannot go on: nothing can be pressed there.
+    RunEnded,
+    /// No more presses fit into a run.
+    TooManyPresses {
+        /// How many there may be.
+        most: usize,
+    },
     /// The method is for equations of second order only.
     Method {
         /// Which.

@@ -178,6 +178,16 @@ pub fn refusal_text(language: Language, refusal: &Refusal) -> String {
         Refusal::NotPaused => {
             language.pick("Pause first, then set the state.", "Pausa primero y luego cambia el estado.").to_owned()
         }
+        Refusal::RunEnded => language
+            .pick(
+                "The run has ended here. Go on, go back in time or back to the start.",
+                "La serie termina aquí. Continúa, retrocede en el tiempo o vuelve al inicio.",
+            )
+            .to_owned(),
+        Refusal::TooManyPresses { most } => language.pick(
+            format!("{most} presses in one run are the most. Go back to the start."),
+            format!("En una serie caben {most} pulsaciones. Vuelve al inicio."),
+        ),
         Refusal::Method { method } => {
             let name = method_name(language, *method);
             language.pick(
@@ -249,6 +259,10 @@ impl Play {
             Announcement::ParameterSet(index, value) => {
                 let value = self.parameter_value_text(*index, *value);
                 format!("{}: {value}", self.parameter_label(*index))
+            }
+            Announcement::Pressed(button, at) => {
+                let title = self.model().buttons.get(*button).map_or("", |button| self.text(&button.title));
+                format!("{title}, {}", time(*at))
             }
             Announcement::DefaultsRestored => say(
                 "Defaults restored: parameters and start are those of the document",

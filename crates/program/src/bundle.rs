@@ -81,6 +81,7 @@ fn check(program: &Program) -> Result<(), BundleError> {
             let mut targets = targets.map(|(state, value)| (*state as usize) < model.states.len() && known(value));
             known(&event.condition) && targets.all(|good| good) && event.jump.is_none()
         })
+        && model.buttons.iter().all(|button| (button.event as usize) < model.events.len())
         && program.speed.as_ref().is_none_or(|speed| speed.per_second.is_finite() && speed.per_second > 0.0)
         && program.vary.iter().all(parameter)
         && program.plots.iter().all(|plot| plot.expressions().all(|curve| compiled(&curve.value)))

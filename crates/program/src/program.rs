@@ -64,7 +64,7 @@ impl Program {
         self.editions.iter().find(|edition| edition.language == language).unwrap_or(&self.editions[0])
     }
 
-    /// What a text of the document (a label, a title of a plot, a preset's or its group's name, a claim's name, a text value) is in
+    /// What a text of the document (a label, a title of a plot or a button, a preset's or its group's name, a claim's name, a text value) is in
     /// `language`; itself where it has no translation.
     pub fn text<'a>(&'a self, language: &str, original: &'a str) -> &'a str {
         self.edition(language).texts.get(original).map_or(original, String::as_str)
@@ -76,7 +76,8 @@ impl Program {
         let labels = (model.parameters.iter().map(|parameter| &parameter.label))
             .chain(model.states.iter().map(|state| &state.label))
             .chain(model.quantities.iter().map(|quantity| &quantity.label))
-            .chain(model.tables.iter().map(|table| &table.label));
+            .chain(model.tables.iter().map(|table| &table.label))
+            .chain(model.events.iter().filter(|event| event.is_labelled).map(|event| &event.title));
         let curves = self.plots.iter().flat_map(Plot::expressions).map(|curve| &curve.label);
         let groups = self.presets.iter().map(|preset| &preset.group);
         let optional = labels.chain(curves).chain(groups).flatten();

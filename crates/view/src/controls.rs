@@ -1,7 +1,7 @@
 //! The controls: parameters, presets, the state, method and step.
 
 use crate::app::App;
-use crate::parameters;
+use crate::{buttons, parameters};
 use crate::readouts::followed;
 use crate::symbols::name_and_symbol;
 use crate::views::*;
@@ -21,7 +21,7 @@ pub fn view(app: App) -> HtmlSection {
         .class("block")
         .child(div().class("block-head").child(h3().child(words.parameters)).child(restore))
         .each(app.read(|play| play.parameters()), |first| parameters::control(app, first));
-    part("controls", "controls card", words.controls).child(parameters).child(presets(app))
+    part("controls", "controls card", words.controls).child(buttons::view(app)).child(parameters).child(presets(app))
 }
 
 /// The state at the present, and how it is computed: changed more seldom than parameters.

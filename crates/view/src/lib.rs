@@ -3,6 +3,7 @@
 
 mod app;
 pub mod browser;
+mod buttons;
 mod checks;
 mod choices;
 mod colours;

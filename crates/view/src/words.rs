@@ -118,6 +118,7 @@ table_of_words! {
     // Controls.
     controls: "Controls", "Controles";
     parameters: "Parameters", "Parámetros";
+    buttons: "Actions", "Acciones";
     presets: "Presets", "Ajustes";
     restore_defaults: "Restore defaults", "Restaurar valores";
     restore_defaults_title: "Give all parameters and the start of the run the values of the document", "Dar a todos los parámetros y al inicio de la serie los valores del documento";

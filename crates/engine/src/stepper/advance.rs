@@ -120,18 +120,23 @@ impl Stepper {
         }
         let begun = self.work();
         while self.time < target {
+            if self.press(record)? {
+                continue;
+            }
             self.row.steps += 1;
+            let until = self.presses.next().map_or(target, |next| next.min(target));
+            self.on_grid &= until == target;
             let early = match self.solver {
-                Solver::Fixed(_) => self.fixed(target)?,
+                Solver::Fixed(_) => self.fixed(until)?,
                 Solver::Adaptive(_) if self.row.steps > Self::STEP_LIMIT => {
                     return Err(self.error(Cause::TooManySteps(Self::STEP_LIMIT, self.method)));
                 }
-                Solver::Adaptive(_) => self.adaptive(target)?,
+                Solver::Adaptive(_) => self.adaptive(until)?,
             };
             match early {
                 Some(early) if self.surfaces.events.first_due().is_some() => self.jump(early, record)?,
                 Some(early) => self.switch(early, record)?,
-                None if self.time == target => record.row(self.time, &self.state, false),
+                None if self.time == until => record.row(self.time, &self.state, false),
                 None => {}
             }
             if self.time < target && self.work() - begun >= work {
@@ -192,8 +197,12 @@ impl Stepper {
         let until = target.min(method.end());
         let expected = self.surfaces.timetable.next(self.time, until, &self.state);
         let until = expected.map_or(until, |expected| expected.high);
+        // A row of the grid is the same whether something is pressed there or not.
+        let on_grid = until == (self.index + 1) as f64 * self.step;
         if until == method.end() {
             self.next.copy_from_slice(method.end_state());
+        } else if self.presses.next() == Some(until) && !on_grid {
+            method.shorter(equations, until - method.start(), &mut self.next);
         } else {
             method.dense(until - method.start(), &mut self.next);
         }
@@ -235,7 +244,7 @@ impl Stepper {
             self.surfaces.switches.carry(&mut self.equations, self.time, switch, &mut self.state);
         }
         let target = (self.index + 1) as f64 * self.step;
-        if jumped.is_some() || self.time == target {
+        if jumped.is_some() || self.time == target || self.presses.next() == Some(self.time) {
             record.row(self.time, &self.state, jumped.is_some());
         }
         if !self.surfaces.events.due(self.time, &self.state) {
@@ -251,11 +260,22 @@ impl Stepper {
 
     /// Lets the located events act.
     fn jump(&mut self, early: Early, record: &mut impl Record) -> Result<(), RunError> {
-        self.on_grid = false;
         self.time = early.before;
         self.state.copy_from_slice(self.surfaces.before());
         record.row(self.time, &self.state, false);
-        let mut fired = self.surfaces.events.fire(&mut self.equations, self.time, &self.state);
+        let fired = self.surfaces.events.fire(&mut self.equations, self.time, &self.state);
+        self.act(fired, early.resolution, record)
+    }
+
+    /// Goes on behind the events that have `fired` and behind those that become due by them. `resolution` is the least time in
+    /// which the state changes.
+    pub(super) fn act(
+        &mut self,
+        mut fired: usize,
+        resolution: f64,
+        record: &mut impl Record,
+    ) -> Result<(), RunError> {
+        self.on_grid = false;
         loop {
             self.row.events += fired;
             let burst = self.row.event_burst.add(fired, self.time, self.step * Self::BURST_SPAN);
@@ -275,9 +295,10 @@ impl Stepper {
             }
         }
         self.hold();
-        self.surfaces.events.settle(&mut self.equations, self.time, early.resolution, self.step);
+        self.surfaces.events.settle(&mut self.equations, self.time, resolution, self.step);
         let on_grid = self.time == (self.index + 1) as f64 * self.step;
-        record.after_jump(AfterJump { armed: self.surfaces.events.armed().to_vec(), on_grid });
+        let armed = self.surfaces.events.armed().to_vec();
+        record.after_jump(AfterJump { armed, on_grid, presses: self.presses.acted() });
         self.restart();
         match self.surfaces.events.take_end() {
             Some(event) if self.heeds_ends => Err(self.error(Cause::Ended(event))),

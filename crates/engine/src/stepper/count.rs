@@ -9,6 +9,9 @@ impl Stepper {
     pub(super) fn count_until(&mut self, target: f64, work: u64, record: &mut impl Record) -> Result<bool, RunError> {
         let begun = self.work();
         loop {
+            if self.time < target && self.press(record)? {
+                continue;
+            }
             let next = self.time.floor() + 1.0;
             if next > target {
                 self.time = target;
@@ -54,7 +57,8 @@ impl Stepper {
         std::mem::swap(&mut self.state, &mut self.next);
         record.row(next, &self.state, false);
         if due {
-            record.after_jump(AfterJump { armed: self.surfaces.events.armed().to_vec(), on_grid: true });
+            let armed = self.surfaces.events.armed().to_vec();
+            record.after_jump(AfterJump { armed, on_grid: true, presses: self.presses.acted() });
         }
         self.hold();
         match self.surfaces.events.take_end() {

@@ -11,6 +11,7 @@ pub(crate) struct Moment {
     state: Vec<f64>,
     parameters: Vec<f64>,
     armed: Vec<bool>,
+    presses: usize,
     last_step: Option<LastStep>,
 }
 
@@ -34,7 +35,7 @@ impl Stepper {
 
     /// Goes on from another moment. Where the state has just jumped, `after` is known besides.
     pub(crate) fn resume(&mut self, time: f64, state: &[f64], parameters: Vec<f64>, after: Option<&AfterJump>) {
-        self.stand_at(time, state, parameters);
+        self.stand_at(time, state, parameters, after.map(|after| after.presses));
         self.restart();
         match after {
             Some(after) => {
@@ -52,6 +53,7 @@ impl Stepper {
             state: self.state.clone(),
             parameters: self.parameters.clone(),
             armed: self.surfaces.events.armed().to_vec(),
+            presses: self.presses.acted(),
             last_step: match &self.solver {
                 Solver::Adaptive(adaptive) => Some(adaptive.last_step().clone()),
                 Solver::Fixed(_) => None,
@@ -61,15 +63,16 @@ impl Stepper {
 
     /// Goes on from a moment, with the bits with which it went on then.
     pub(crate) fn go_on_from(&mut self, moment: &Moment) {
-        self.stand_at(moment.time, &moment.state, moment.parameters.clone());
+        self.stand_at(moment.time, &moment.state, moment.parameters.clone(), Some(moment.presses));
         self.surfaces.events.set_armed(&moment.armed);
         if let (Solver::Adaptive(adaptive), Some(step)) = (&mut self.solver, &moment.last_step) {
             adaptive.go_on_after(step);
         }
     }
 
-    fn stand_at(&mut self, time: f64, state: &[f64], parameters: Vec<f64>) {
+    fn stand_at(&mut self, time: f64, state: &[f64], parameters: Vec<f64>, presses: Option<usize>) {
         self.time = time;
+        self.presses.stand_at(time, presses);
         self.state.copy_from_slice(state);
         self.parameters = parameters;
         self.stopped = None;
@@ -81,13 +84,19 @@ impl Stepper {
 
     /// Finds the last grid point at or before the present time.
     pub(super) fn find_grid(&mut self) {
-        self.index = (self.time / self.step) as u64;
-        while self.index > 0 && self.index as f64 * self.step > self.time {
-            self.index -= 1;
-        }
-        while (self.index + 1) as f64 * self.step <= self.time {
-            self.index += 1;
-        }
+        self.index = grid_index(self.time, self.step);
         self.on_grid = self.index as f64 * self.step == self.time;
     }
+}
+
+/// The number of the last grid point at or before a time.
+pub(crate) fn grid_index(time: f64, step: f64) -> u64 {
+    let mut index = (time / step) as u64;
+    while index > 0 && index as f64 * step > time {
+        index -= 1;
+    }
+    while (index + 1) as f64 * step <= time {
+        index += 1;
+    }
+    index
 }

@@ -156,8 +156,7 @@ impl<'a> WriteOut<'a> {
                 let every = extras.every.as_ref().map(|every| {
                     Box::new((self.expression(&every.0), every.1.as_ref().map(|from| self.expression(from))))
                 });
-                let extras =
-                    EventExtras { name: extras.name.clone(), names, every, stop: extras.stop, next: extras.next };
+                let extras = EventExtras { names, every, ..extras.clone() };
                 StatementKind::Event { condition, actions, extras }
             }
         })

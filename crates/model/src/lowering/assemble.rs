@@ -10,7 +10,7 @@ use crate::names::{Declarations, EventEntry, Meaning, TableEntry, Unknown, cross
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, ExpressionKind, ParameterForm, Places, Span, StatedUnit, TableStatement};
 use program::{
-    Binary, Choices, Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, Role, State,
+    Binary, Button, Choices, Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, Role, State,
     Table,
 };
 use units::{Dimension, Exponent, Unit, words};
@@ -53,8 +53,13 @@ pub(crate) fn assemble(
         lowering.known.definitions[index] = Some(value);
     }
     let (states, state_places) = states(&mut lowering, unknowns, types)?;
-    let (mut events, mut event_places) = (Vec::new(), Vec::new());
+    let (mut events, mut event_places, mut buttons) = (Vec::new(), Vec::new(), Vec::new());
     for event in &declarations.events {
+        buttons.extend(event.button.map(|title| Button {
+            title: title.text.clone(),
+            name: event.name.map(|name| name.text.clone()),
+            event: events.len() as u32,
+        }));
         let lowered = lower_event(&mut lowering, declarations, event)?;
         event_places.extend(lowered.iter().map(|_| event.span));
         events.extend(lowered);
@@ -78,6 +83,7 @@ pub(crate) fn assemble(
         quantities: Vec::new(),
         tables,
         events,
+        buttons,
         graph,
         texts,
         sizes: Vec::new(),
@@ -255,6 +261,7 @@ fn lower_event(
     }
     let of = |condition| Event {
         title: event.title.map(str::to_owned),
+        is_labelled: event.is_labelled,
         stops: event.stops,
         ..Event::new(condition, actions.clone())
     };

@@ -16,7 +16,7 @@ pub(crate) fn warn(model: &Model, places: &Places, declarations: &Declarations, 
         let crosses = crossing(declarations, event).is_some();
         let is_own = |name: &str| !moments::is_hidden(name) || discrete_kinds::quantity(name).is_some();
         let of_author = event.actions.iter().any(|action| is_own(&action.name.text));
-        if !crosses && (of_author || event.stops) {
+        if !crosses && event.button.is_none() && (of_author || event.stops) {
             written.push((&model.events[number], places.events[number]));
         }
         number += if crosses { 2 } else { 1 };

@@ -3,7 +3,7 @@
 
 use super::scope::{Meaning, PI, Scope};
 use crate::{
-    Action, Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, ParameterForm, ParameterStatement, Span,
+    Action, Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, ParameterForm, ParameterStatement, Quoted, Span,
     StatedUnit, Statement, StatementKind, TableStatement,
 };
 use program::functions::Function;
@@ -67,8 +67,12 @@ pub(crate) struct Equation<'a> {
 pub(crate) struct EventEntry<'a> {
     pub condition: &'a Expression,
     pub actions: &'a [Action],
-    /// Its label, or else its name.
+    /// Its label or what stands on its button, or else its name.
     pub title: Option<&'a str>,
+    pub is_labelled: bool,
+    /// What stands on the button that it belongs to.
+    pub button: Option<&'a Quoted>,
+    pub name: Option<&'a Name>,
     pub stops: bool,
     pub span: Span,
 }
@@ -146,9 +150,18 @@ impl<'a> Declarations<'a> {
                 }
                 StatementKind::Equation { left, right } => declarations.equations.push(Equation { left, right, span }),
                 StatementKind::Event { condition, actions, extras } => {
-                    let title = label.or(extras.name.as_ref().map(|name| name.text.as_str()));
-                    let stops = extras.stop.is_some();
-                    declarations.events.push(EventEntry { condition, actions, title, stops, span });
+                    let (button, name) = (extras.button.as_ref(), extras.name.as_ref());
+                    let label = label.or(button.map(|button| button.text.as_str()));
+                    declarations.events.push(EventEntry {
+                        condition,
+                        actions,
+                        title: label.or(name.map(|name| name.text.as_str())),
+                        is_labelled: label.is_some(),
+                        button,
+                        name,
+                        stops: extras.stop.is_some(),
+                        span,
+                    });
                 }
                 // Choices have been spread into parameters and definitions, and what belongs to families has been written out.
                 StatementKind::Independent { .. }
@@ -157,7 +170,23 @@ impl<'a> Declarations<'a> {
                 | StatementKind::Members { .. } => {}
             }
         }
+        declarations.check_buttons(diagnostics);
         declarations
+    }
+
+    /// Each button has a title of its own.
+    fn check_buttons(&self, diagnostics: &mut Vec<Diagnostic>) {
+        let mut titles: HashMap<&str, Span> = HashMap::new();
+        for title in self.events.iter().filter_map(|event| event.button) {
+            let Some(first) = titles.insert(title.text.trim(), title.span) else { continue };
+            let message =
+                words!("two buttons have the title \"{}\"", "dos botones tienen el título «{}»", title.text.trim());
+            diagnostics.push(
+                Diagnostic::error("duplicate-name", message, title.span)
+                    .with_label(first, words("the first is here", "el primero está aquí"))
+                    .with_hint(words("give one of them another title", "da otro título a uno de ellos")),
+            );
+        }
     }
 
     /// Whether a name is free to be declared; if not, says why.

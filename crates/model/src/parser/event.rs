@@ -1,6 +1,7 @@
 //! Events: `when y < 0 [m] { y' = -e*y' }`, what they may have besides condition and actions (`as landing`, `stop`,
 //! `let u = e*y'`), and events at equal intervals, `every 0.1 [s] from 0 [s]`. The words are free as names everywhere else.
 
+use super::button::BUTTON_FORM;
 use super::cursor::{Cursor, Read, Told};
 use super::statement::{Salvaged, nothing};
 use super::unread;
@@ -28,11 +29,13 @@ impl Cursor<'_> {
         (StatementKind::Event { condition, actions, extras }, read)
     }
 
-    fn actions(&mut self, start: Span, actions: &mut Vec<Action>, extras: &mut EventExtras) -> Read<()> {
+    /// `{ y' = -e*y', stop }`
+    pub(super) fn actions(&mut self, start: Span, actions: &mut Vec<Action>, extras: &mut EventExtras) -> Read<()> {
+        let form = if extras.button.is_some() { BUTTON_FORM } else { EVENT_FORM };
         let Some(open) = self.open_brace() else {
             let expected = self.brace_expected("missing-braces", self.last_span());
             let expected = expected.with_label(start, words("of this event", "de este evento"));
-            return self.fail(expected.with_hint(EVENT_FORM));
+            return self.fail(expected.with_hint(form));
         };
         let mut wrong_actions = false;
         loop {
@@ -49,7 +52,7 @@ impl Cursor<'_> {
             if unclosed {
                 self.say(
                     Diagnostic::error("unclosed-brace", words("this `{` is not closed", "esta `{` no se cierra"), open)
-                        .with_hint(EVENT_FORM),
+                        .with_hint(form),
                 );
                 self.back_to_line_end();
                 return Ok(());
@@ -57,9 +60,11 @@ impl Cursor<'_> {
             if let Some(end) = self.take(Symbol::RightBrace) {
                 let nothing = actions.is_empty() && extras.stop.is_none() && extras.name.is_none();
                 if nothing && !wrong_actions {
-                    let wrong = words("this event changes nothing", "este evento no cambia nada");
-                    let diagnostic = Diagnostic::error("empty-event", wrong, open.to(end));
-                    self.say(diagnostic.with_hint(EVENT_FORM));
+                    let wrong = match extras.button {
+                        Some(_) => words("this button does nothing", "este botón no hace nada"),
+                        None => words("this event changes nothing", "este evento no cambia nada"),
+                    };
+                    self.say(Diagnostic::error("empty-event", wrong, open.to(end)).with_hint(form));
                 }
                 return Ok(());
             }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! model       = { statement line-end }
-//! statement   = parameter | switch | random | choice | independent | size | event | next | function | table
+//! statement   = parameter | switch | random | choice | independent | size | event | button | next | function | table
 //!             | definition | initial | equation
 //! parameter   = "parameter" NAME "=" [ "-" ] NUMBER [ "/" NUMBER ] [ UNIT ]
 //!               [ "in" signed ".." signed ] [ "step" NUMBER ] [ TEXT ]
@@ -16,6 +16,7 @@
 //! size        = "size" NAME "=" NUMBER [ "in" signed ".." signed ] [ TEXT ]
 //! event       = ( "when" expression | "every" expression [ "from" expression ] ) [ "as" NAME ]
 //!               "{" [ action { separator action } ] "}" [ over ] [ TEXT ]
+//! button      = "button" TEXT [ "as" NAME ] "{" [ action { separator action } ] "}"
 //! action      = target "=" expression [ over ] | "let" NAME "=" expression | "stop"
 //! target      = NAME [ INDICES ] [ PRIMES ] [ AXIS [ PRIMES ] ]
 //! separator   = ";" | "," | line-end
@@ -50,6 +51,7 @@
 //! not, and says why in diagnostics. After an error it goes on with the next statement, so that each mistake is reported
 //! once. Nesting is bounded, so that no text can exhaust the stack, here or in what walks the tree later.
 
+mod button;
 mod choice;
 mod cursor;
 mod declaration;

@@ -64,6 +64,7 @@ impl Cursor<'_> {
             TokenKind::Name { .. } if self.is_discrete() => self.discrete(),
             TokenKind::Name { .. } if self.is_function() => self.function(),
             TokenKind::Name { .. } if self.is_every() => self.every(),
+            TokenKind::Name { .. } if self.is_button() => self.button(),
             TokenKind::Name { .. } if self.is_next() => self.next_value(),
             TokenKind::Name { .. } if self.is_switch() => self.switch(),
             TokenKind::Name { .. } if self.is_random() => self.random(),
@@ -94,7 +95,9 @@ impl Cursor<'_> {
         } else if hidden {
             self.require_value(&kind, start);
         }
-        Statement { kind, hidden, over, label, span: start.to(self.last_span()) }
+        let statement = Statement { kind, hidden, over, label, span: start.to(self.last_span()) };
+        self.check_button(&statement);
+        statement
     }
 
     /// Only what would stand among the values can be hidden.

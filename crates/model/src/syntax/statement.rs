@@ -115,6 +115,8 @@ pub struct EventExtras {
     pub stop: Option<Span>,
     /// `next p = r*p*(1 - p)` in the place of a condition: it acts at each count.
     pub next: bool,
+    /// `button "Kick"` in the place of a condition: it acts when the reader presses the button with this title.
+    pub button: Option<Quoted>,
 }
 
 /// What the members of a family are.

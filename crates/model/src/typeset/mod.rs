@@ -13,6 +13,7 @@ use crate::choices::definitions;
 use crate::vectors::Vectors;
 use crate::{Action, EventExtras, Expression, ExpressionKind, Members, Over, Statement, StatementKind};
 use expression::{Typesetter, at_start_of_run};
+use units::markup::escaped;
 
 /// Each displayed statement as a `<math display="block">` element, in the order of the text: definitions, equations,
 /// initial values and events. Parameters are controls and not shown here. `translate` is given the texts that are values
@@ -67,9 +68,10 @@ impl Typesetter<'_> {
                 let mut actions: Vec<String> =
                     extras.names.iter().map(named).chain(actions.iter().map(|action| self.action(action))).collect();
                 actions.extend(extras.stop.map(|_| "<mtext>stop</mtext>".to_owned()));
-                let condition = match extras.every.as_deref() {
-                    Some((interval, from)) => self.moments(interval, from.as_ref()),
-                    None => self.expression(condition),
+                let condition = match (extras.every.as_deref(), &extras.button) {
+                    (Some((interval, from)), _) => self.moments(interval, from.as_ref()),
+                    (None, Some(title)) => format!("<mtext>{}</mtext>", escaped(&(self.translate)(&title.text))),
+                    (None, None) => self.expression(condition),
                 };
                 format!("{condition}<mo>⟹</mo>{}", actions.join("<mo separator=\"true\">,</mo>"))
             }

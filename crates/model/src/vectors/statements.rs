@@ -97,13 +97,7 @@ impl Writer<'_> {
                     .every
                     .as_ref()
                     .map(|every| Box::new((self.number(&every.0), every.1.as_ref().map(|from| self.number(from)))));
-                let extras = crate::EventExtras {
-                    name: extras.name.clone(),
-                    names,
-                    every,
-                    stop: extras.stop,
-                    next: extras.next,
-                };
+                let extras = crate::EventExtras { names, every, ..extras.clone() };
                 one(StatementKind::Event { condition, actions, extras })
             }
             StatementKind::Function(function) => one(StatementKind::Function(self.function(function))),

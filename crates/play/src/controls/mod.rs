@@ -1,5 +1,6 @@
 //! What a visitor sets: parameters, presets, states, method and step; by slider, by hand in the scene, or typed.
 
+pub(crate) mod button;
 pub(crate) mod calculator;
 mod drag;
 pub(crate) mod hold;
@@ -12,6 +13,7 @@ mod start;
 mod state;
 pub(crate) mod typed;
 
+pub use button::ButtonView;
 pub use input::DIGITS;
 pub use method::MethodView;
 pub use parameter::{ChoiceView, ParameterView};

@@ -206,6 +206,7 @@ impl Play {
             }
         } else {
             self.branch();
+            self.course.give_up_presses();
             self.course.set_parameters(&self.program.model, parameters);
             self.traces.truncate(self.course.rows().saturating_sub(1));
             self.revision.transport += 1;

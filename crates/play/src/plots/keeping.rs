@@ -161,6 +161,7 @@ impl Play {
                 });
             }
         }
+        parts.extend(self.press_texts(&recipe.setup.presses, recipe.front));
         parts.extend(recipe.setup.start.iter().flat_map(|start| self.start_texts(start)));
         if recipe.setup.method != self.defaults.method {
             parts.push(words::method_name(self.language, recipe.setup.method).to_owned());

@@ -88,8 +88,9 @@ impl Swept {
     /// Begins again where the parameters or the method are others than before, with the values of definitions at once.
     /// Returns whether that was so.
     pub fn follow(&mut self, course: &Course) -> bool {
-        // A start that was set by hand belongs to the run that is watched.
-        let setup = Setup { parameters: course.parameters().to_vec(), start: None, ..course.begun().clone() };
+        // A start that was set by hand and what was pressed belong to the run that is watched.
+        let parameters = course.parameters().to_vec();
+        let setup = Setup { parameters, start: None, presses: Vec::new(), ..course.begun().clone() };
         let same = |before: &Setup| {
             let mut now = setup.parameters.clone();
             // The parameter that is swept decides nothing.

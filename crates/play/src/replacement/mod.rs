@@ -5,6 +5,7 @@
 //! |---|---|
 //! | parameters | by name and dimension: a value that differs from the former default stays, any other is the new default |
 //! | method, step | likewise: what differs from the former document stays |
+//! | presses of buttons | stay at their times, by the names or titles of the buttons |
 //! | start set by hand | stays if each state has a former one of its name and dimension |
 //! | the run, its time | computed again with the changes of parameters at their times, as far as the work of a link allows; kept as it is where model and values are the same |
 //! | speed, language, whether it plays | stay |

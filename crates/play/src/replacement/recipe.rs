@@ -21,7 +21,9 @@ impl Play {
         let mut setup = self.setup_from(&recipe.setup, first, before, names, &mut lost);
         self.decide_start(&mut setup, &mut changes);
         let (mut front, mut time) = (recipe.front, recipe.time);
-        if !names.same_time {
+        if names.same_time {
+            setup.presses = self.presses_from(&recipe.setup.presses, before, &mut lost);
+        } else {
             if front > 0.0 {
                 lost.push(words::time(self.language, &before.time_words(time)));
             }

@@ -1,7 +1,8 @@
 //! A state comes back from the text that [`Play::share`] has written.
 
-use super::link::{VERSION, decode};
+use super::link::{VERSION, decode, encode};
 use super::state::MOST_CHANGES;
+use crate::controls::button::read;
 use crate::plots::plot::PlotState;
 use crate::time::course::Course;
 use crate::time::recipe::{Change, Moments, Recipe};
@@ -119,6 +120,7 @@ impl Reader<'_> {
             }
             "m" => recipe.setup.method = value.parse::<Method>().ok()?,
             "h" => recipe.setup.step = number(value).filter(|&step| step > 0.0)?,
+            "b" => recipe.setup.presses = read(value, &self.play.model().buttons, encode)?,
             "c" => {
                 let (row, values) = value.split_once(',')?;
                 let row: usize = row.parse().ok()?;

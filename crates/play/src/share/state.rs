@@ -8,6 +8,7 @@
 //! | `p` | parameters at the start that differ from the document's: `b:200,h_l:3.5` |
 //! | `y` | a start state set by hand, one value for each state: `0.5,0` |
 //! | `m`, `h` | method and step, if they differ |
+//! | `b` | presses of buttons, by name or title with their times: `kick:3.2:4.1,stop:5` |
 //! | `c` | a change on the way, once for each: the first row it holds for, and the parameters: `100,b:300` |
 //! | `e` | how far the run goes, if further than `t` |
 //! | `t` | the time shown |
@@ -19,6 +20,7 @@
 
 use super::link::{VERSION, encode};
 use crate::Play;
+use crate::controls::button::written;
 use crate::plots::plot::PlotState;
 use crate::time::recipe::{Change, Recipe};
 use engine::Setup;
@@ -37,7 +39,7 @@ impl Play {
             let parameters = self.course.parameters().to_vec();
             let start = Some(self.course.state().to_vec());
             recipe = Recipe {
-                setup: Setup { parameters, start, ..recipe.setup },
+                setup: Setup { parameters, start, presses: Vec::new(), ..recipe.setup },
                 changes: Vec::new(),
                 front: 0.0,
                 time: 0.0,
@@ -99,6 +101,9 @@ impl Play {
         }
         if setup.step != self.defaults.step {
             fields.push(format!("h={}", exact(setup.step)));
+        }
+        if !setup.presses.is_empty() {
+            fields.push(format!("b={}", written(&setup.presses, &self.model().buttons, encode)));
         }
         let mut before = &setup.parameters;
         for Change { row, parameters, .. } in &recipe.changes {

@@ -218,6 +218,48 @@ impl Course {
         }
     }
 
+    /// Presses a button at the moment shown, which is the front. Presses after it are given up.
+    pub fn press(&mut self, button: usize) {
+        self.press_or_none(Some(button));
+    }
+
+    /// Gives up the presses after the moment shown, which is the front: something else happens there now.
+    pub fn give_up_presses(&mut self) {
+        if self.begun().presses.iter().any(|press| press.time > self.time) {
+            self.press_or_none(None);
+        }
+    }
+
+    fn press_or_none(&mut self, button: Option<usize>) {
+        let Ok(run) = &mut self.run else { return };
+        let parameters = run.parameters().to_vec();
+        run.press(self.time, button);
+        self.error = None;
+        self.catch_up(&mut { PRESS });
+        if let Ok(run) = &mut self.run {
+            // Those that wait for the next step go on waiting.
+            run.set_parameters(parameters);
+        }
+    }
+
+    /// Computes what has been given up before the front, with about the work in `left`, and what is pressed there.
+    fn catch_up(&mut self, left: &mut u64) {
+        let front = self.front;
+        while *left > 0
+            && (self.last_time() < front || self.run.as_ref().is_ok_and(|run| run.has_press_before(front)))
+        {
+            match self.advance(left) {
+                Some(Advance::Full) => break,
+                Some(_) => {}
+                // What was gone on with beyond its end is here, too.
+                None if self.has_ended() && self.run.as_ref().is_ok_and(|run| run.has_press_before(front)) => self.go_on(),
+                None => break,
+            }
+        }
+        self.front = front.min(self.last_time());
+        self.show(self.front);
+    }
+
     /// To the next row, or as far as the work in `left` allows; `None` when it fails.
     pub(super) fn advance(&mut self, left: &mut u64) -> Option<Advance> {
         let run = self.run.as_mut().ok()?;
@@ -272,6 +314,8 @@ impl Course {
     }
 }
 
+/// The work that may be done when a button is pressed, in floating-point operations: less than half a second.
+const PRESS: u64 = 50_000_000;
 /// The work of recording a row and its values, in floating-point operations.
 const ROW: u64 = 20;
 const VALUE: u64 = 4;

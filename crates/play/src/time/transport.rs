@@ -254,7 +254,7 @@ impl Play {
         self.slippage
     }
 
-    fn stop(&mut self) {
+    pub(crate) fn stop(&mut self) {
         if self.playing {
             self.playing = false;
             self.revision.transport += 1;

@@ -38,6 +38,8 @@ pub struct Model {
     pub tables: Vec<Table>,
     /// In the order of the text.
     pub events: Vec<Event>,
+    /// In the order of the text.
+    pub buttons: Vec<Button>,
     /// The expressions.
     pub graph: Graph,
     /// The texts that nodes of kind [`Kind::Text`] index.
@@ -285,6 +287,8 @@ pub struct Event {
     pub actions: Vec<(u32, NodeId)>,
     /// The author's label or name for it, if any.
     pub title: Option<String>,
+    /// Whether the title is a label, which can be translated, and no name.
+    pub is_labelled: bool,
     /// Whether it ends the run.
     pub stops: bool,
     /// How sensitivities change, in a model that has them ([`Model::with_sensitivities`]).
@@ -294,8 +298,19 @@ pub struct Event {
 impl Event {
     /// One without a name that does not end the run.
     pub fn new(condition: NodeId, actions: Vec<(u32, NodeId)>) -> Self {
-        Self { condition, actions, title: None, stops: false, jump: None }
+        Self { condition, actions, title: None, is_labelled: false, stops: false, jump: None }
     }
+}
+
+/// A button for the reader of the document: each press of it is an event.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Button {
+    /// What stands on it.
+    pub title: String,
+    /// The author's name for its event, if any.
+    pub name: Option<String>,
+    /// Which of [`Model::events`]; its condition is never true.
+    pub event: u32,
 }
 
 /// What a model with sensitivities knows of them.

@@ -17,6 +17,7 @@ impl Model {
             && parameters(self) == parameters(other)
             && states(self) == states(other)
             && self.targets() == other.targets()
+            && self.buttons.iter().map(|button| button.event).eq(other.buttons.iter().map(|button| button.event))
             && self.events.iter().map(|event| event.stops).eq(other.events.iter().map(|event| event.stops))
             && self.graph.same(&self.motion(), &other.graph, &other.motion(), Some)
     }

@@ -1,0 +1,74 @@
+//! `button "Kick" { x' = x' + 1 [m/s] }`: an event that happens when the reader presses a button.
+
+use super::cursor::Cursor;
+use super::statement::{Salvaged, nothing};
+use crate::lexer::TokenKind;
+use crate::{
+    BinaryOperator, Diagnostic, EventExtras, Expression, ExpressionKind, Quoted, Span, Statement, StatementKind,
+};
+use units::{Words, words};
+
+/// How a button is written.
+pub(super) const BUTTON_FORM: Words = words(
+    "the form is: button \"TITLE\" { y' = EXPRESSION }",
+    "la forma es: button \"TÍTULO\" { y' = EXPRESIÓN }",
+);
+
+impl Cursor<'_> {
+    /// Whether a statement begins with `button` and a text or a name.
+    pub(super) fn is_button(&self) -> bool {
+        self.at_word("button") && matches!(self.peek_ahead(1), TokenKind::Text(_) | TokenKind::Name { .. })
+    }
+
+    /// `button "Kick" as kick { x' = x' + 1 [m/s] }`
+    pub(super) fn button(&mut self) -> Salvaged {
+        let start = self.advance();
+        let TokenKind::Text(text) = self.peek().clone() else {
+            let wrong = words!(
+                "the title of the button is expected here in quotation marks, not {found}",
+                "aquí se espera el título del botón entre comillas, no {found}",
+                found = self.found()
+            );
+            let told = self.fail(Diagnostic::error("button-title", wrong, self.span()).with_hint(BUTTON_FORM));
+            return (nothing(start), told);
+        };
+        let title = Quoted { text, span: self.advance() };
+        if title.text.trim().is_empty() {
+            let wrong = words("the button has no title", "el botón no tiene título");
+            self.say(Diagnostic::error("button-title", wrong, title.span).with_hint(BUTTON_FORM));
+        }
+        let condition = never(title.span);
+        let mut extras = EventExtras { button: Some(title), ..EventExtras::default() };
+        let mut actions = Vec::new();
+        let named = self.event_name(&mut extras);
+        let read = named.and_then(|()| self.actions(start, &mut actions, &mut extras));
+        (StatementKind::Event { condition, actions, extras }, read)
+    }
+
+    /// Refuses what an event may have and a button may not.
+    pub(super) fn check_button(&mut self, statement: &Statement) {
+        let StatementKind::Event { extras: EventExtras { button: Some(title), .. }, .. } = &statement.kind else {
+            return;
+        };
+        if let Some(over) = statement.over.first() {
+            let wrong = words("a button stands for itself, not for each index", "un botón vale por sí mismo, no por cada índice");
+            self.say(Diagnostic::error("button-for", wrong, over.index.span).with_hint(words(
+                "an action may have `for`: button \"Stop all\" { x[i]' = 0 [m/s] for i in 1..N }",
+                "una acción puede llevar `for`: button \"Parar todo\" { x[i]' = 0 [m/s] for i in 1..N }",
+            )));
+        }
+        if let Some(label) = &statement.label {
+            let wrong = words("a button has one title, before the braces", "un botón tiene un solo título, antes de las llaves");
+            self.say(
+                Diagnostic::error("button-title", wrong, label.span)
+                    .with_label(title.span, words("the title", "el título")),
+            );
+        }
+    }
+}
+
+/// A condition that never holds.
+fn never(span: Span) -> Expression {
+    let number = |value| Box::new(Expression { kind: ExpressionKind::Number { value, unit: None }, span });
+    Expression { kind: ExpressionKind::Binary(BinaryOperator::Greater, number(0.0), number(1.0)), span }
+}

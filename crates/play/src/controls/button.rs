@@ -1,0 +1,146 @@
+//! Buttons of the document: a press is an event at the moment shown, and part of the run from then on.
+
+use crate::{Announcement, Play, Refusal};
+use engine::Press;
+use program::Button;
+use units::number::shortest;
+
+/// More presses in one run would not fit into a link.
+pub(crate) const MOST_PRESSES: usize = 300;
+
+/// A button of the document as it is shown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ButtonView {
+    /// Which of [`program::Model::buttons`].
+    pub index: usize,
+    /// What stands on it, in the chosen language.
+    pub title: String,
+}
+
+impl Play {
+    /// The buttons of the document, in the order of the text.
+    pub fn buttons(&self) -> Vec<ButtonView> {
+        let buttons = self.model().buttons.iter().enumerate();
+        buttons.map(|(index, button)| ButtonView { index, title: self.text(&button.title).to_owned() }).collect()
+    }
+
+    /// Whether a button can be pressed now: not where the run cannot go on, or an event has ended it.
+    pub fn can_press(&self) -> bool {
+        let course = &self.course;
+        course.history().is_some() && (course.is_scrubbed() || (course.error().is_none() && !self.full))
+    }
+
+    /// Presses a button at the moment shown. Where an earlier moment is shown, the run goes on from there: what followed
+    /// becomes the ghost.
+    pub fn press(&mut self, index: usize) -> Result<(), Refusal> {
+        if index >= self.model().buttons.len() {
+            return Err(Refusal::Unknown { name: index.to_string() });
+        }
+        if !self.can_press() {
+            return Err(Refusal::RunEnded);
+        }
+        let time = self.course.time();
+        let before = |press: &&Press| press.time <= time;
+        if self.course.begun().presses.iter().filter(before).count() >= MOST_PRESSES {
+            return Err(Refusal::TooManyPresses { most: MOST_PRESSES });
+        }
+        self.hold = None;
+        self.branch();
+        self.course.press(index);
+        self.note_rewritten(time);
+        self.revision.transport += 1;
+        self.revision.parameters += 1;
+        self.frame_changed();
+        self.announce(Announcement::Pressed(index, time));
+        if self.course.error().is_some() && self.playing {
+            self.stop();
+            self.announce(Announcement::Failed);
+        }
+        Ok(())
+    }
+
+    /// `Kick 3.20 s` for each press of a run up to a time; of many, how many there are of each button.
+    pub(crate) fn press_texts(&self, presses: &[Press], until: f64) -> Vec<String> {
+        /// So many are named one by one.
+        const FEW: usize = 3;
+        let presses: Vec<&Press> = presses.iter().filter(|press| press.time <= until).collect();
+        let title = |button: &Button| self.text(&button.title).to_owned();
+        let buttons = &self.model().buttons;
+        if presses.len() <= FEW {
+            let one = |press: &&Press| {
+                Some(format!("{} {}", title(buttons.get(press.button)?), self.time_words(press.time)))
+            };
+            return presses.iter().filter_map(one).collect();
+        }
+        let counted = buttons.iter().enumerate().map(|(index, button)| {
+            (presses.iter().filter(|press| press.button == index).count(), button)
+        });
+        counted.filter(|(count, _)| *count > 0).map(|(count, button)| format!("{} × {count}", title(button))).collect()
+    }
+
+    /// The presses of a run of the former program as those of this one; what is lost is named.
+    pub(crate) fn presses_from(&self, presses: &[Press], before: &Play, lost: &mut Vec<String>) -> Vec<Press> {
+        let same = |old: &Button, new: &Button| match (&old.name, &new.name) {
+            (Some(old), Some(new)) => old == new,
+            _ => old.title == new.title,
+        };
+        let place = |old: &Button| self.model().buttons.iter().position(|new| same(old, new));
+        let mut kept = Vec::new();
+        for press in presses {
+            let Some(old) = before.model().buttons.get(press.button) else { continue };
+            match place(old) {
+                Some(button) => kept.push(Press { button, ..*press }),
+                None => {
+                    let title = before.text(&old.title).to_owned();
+                    if !lost.contains(&title) {
+                        lost.push(title);
+                    }
+                }
+            }
+        }
+        kept
+    }
+}
+
+/// The presses of a run in a link: `kick:3.2:4.1,stop:5`, the presses of one button together as long as no other comes between.
+pub(crate) fn written(presses: &[Press], buttons: &[Button], encode: impl Fn(&str) -> String) -> String {
+    let mut text = String::new();
+    let mut last = None;
+    for press in presses {
+        let Some(button) = buttons.get(press.button) else { continue };
+        if last != Some(press.button) {
+            if last.is_some() {
+                text.push(',');
+            }
+            text.push_str(&encode(key(button)));
+            last = Some(press.button);
+        }
+        text.push(':');
+        text.push_str(&shortest(press.time));
+    }
+    text
+}
+
+/// What [`written`] has written; `None` for what does not fit.
+pub(crate) fn read(text: &str, buttons: &[Button], encode: impl Fn(&str) -> String) -> Option<Vec<Press>> {
+    let mut presses: Vec<Press> = Vec::new();
+    for part in text.split(',') {
+        let mut parts = part.split(':');
+        let name = parts.next()?;
+        let button = buttons.iter().position(|button| encode(key(button)) == name)?;
+        for time in parts {
+            let time: f64 = time.parse().ok()?;
+            let follows = presses.last().is_none_or(|last| last.time <= time);
+            if !(time >= 0.0 && time.is_finite() && follows) || presses.len() >= MOST_PRESSES {
+                return None;
+            }
+            presses.push(Press { time, button });
+        }
+    }
+    Some(presses)
+}
+
+/// What names a button in a link.
+fn key(button: &Button) -> &str {
+    button.name.as_deref().unwrap_or(&button.title)
+}

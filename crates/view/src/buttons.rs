@@ -1,0 +1,35 @@
+//! The buttons of the document.
+
+use crate::app::App;
+use crate::views::*;
+use play::ButtonView;
+
+/// A row of them; nothing where the document has none.
+pub fn view(app: App) -> View {
+    let words = app.words();
+    let buttons = app.read(|play| play.buttons());
+    if buttons.is_empty() {
+        return View::new();
+    }
+    let refusal = create_signal(None::<String>);
+    let usable = memo(move || {
+        app.changes.transport.track();
+        app.read(|play| play.can_press())
+    });
+    let one = move |view: ButtonView| {
+        let index = view.index;
+        button()
+            .class("action")
+            .id(format!("button-{index}"))
+            .attr("aria-disabled", move || (!usable.get()).then_some("true"))
+            .when(events::click, move |_| refusal.set(app.attempt(|play| play.press(index))))
+            .child(view.title)
+    };
+    div()
+        .class("block actions")
+        .role("group")
+        .attr("aria-label", words.buttons)
+        .child(div().class("chips").each(buttons, one))
+        .child(refusal_of(refusal))
+        .into()
+}

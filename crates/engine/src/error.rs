@@ -115,6 +115,11 @@ impl RunError {
 
     /// What is wrong, in one sentence without a full stop, with the names of the model that was run.
     pub fn message(&self, model: &Model) -> Words {
+        self.message_in(model, str::to_owned)
+    }
+
+    /// The same with the titles of events as `translate` gives them.
+    pub fn message_in(&self, model: &Model, translate: impl Fn(&str) -> String) -> Words {
         let state = |index: usize| model.states.get(index).map(program::State::name).unwrap_or_default();
         let moment = moment(model, self.time);
         match self.cause {
@@ -194,7 +199,8 @@ impl RunError {
                 Some(title) => words!(
                     "the run ends at {moment}: {title}",
                     "la simulación termina en {moment}: {title}",
-                    moment = moment
+                    moment = moment,
+                    title = words!("{}", "{}", translate(title))
                 ),
                 None => {
                     words!(

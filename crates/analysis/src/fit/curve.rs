@@ -20,6 +20,8 @@ pub(crate) fn bare(model: &Model) -> Model {
         quantities: model.quantities.clone(),
         tables: Vec::new(),
         events: model.events.clone(),
+        // Nobody presses while a fit runs.
+        buttons: Vec::new(),
         graph: model.graph.clone(),
         texts: Vec::new(),
         sizes: Vec::new(),
@@ -106,6 +108,7 @@ impl Curve {
             step: if duration > 0.0 { duration / 100.0 } else { Setup::STEP },
             tolerance: TOLERANCES[0],
             start: Some(vec![0.0; extended.states.len()]),
+            presses: Vec::new(),
         };
         let stepper = match states {
             0 => None,

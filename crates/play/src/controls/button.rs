@@ -3,7 +3,7 @@
 use crate::{Announcement, Play, Refusal};
 use engine::Press;
 use program::Button;
-use units::number::shortest;
+use units::number::compact;
 
 /// More presses in one run would not fit into a link.
 pub(crate) const MOST_PRESSES: usize = 300;
@@ -116,7 +116,7 @@ pub(crate) fn written(presses: &[Press], buttons: &[Button], encode: impl Fn(&st
             last = Some(press.button);
         }
         text.push(':');
-        text.push_str(&shortest(press.time));
+        text.push_str(&compact(press.time));
     }
     text
 }

@@ -158,7 +158,7 @@ impl Course {
     /// Only from the front: see [`Course::resume`].
     pub fn proceed(&mut self, to: f64, left: &mut u64) -> Outcome {
         let mut outcome = Outcome::Reached;
-        while self.last_time() < to {
+        while self.is_behind(to) {
             if *left == 0 {
                 outcome = Outcome::Behind(to - self.last_time());
                 break;
@@ -245,14 +245,12 @@ impl Course {
     /// Computes what has been given up before the front, with about the work in `left`, and what is pressed there.
     fn catch_up(&mut self, left: &mut u64) {
         let front = self.front;
-        while *left > 0
-            && (self.last_time() < front || self.run.as_ref().is_ok_and(|run| run.has_press_before(front)))
-        {
+        while *left > 0 && self.is_behind(front) {
             match self.advance(left) {
                 Some(Advance::Full) => break,
                 Some(_) => {}
                 // What was gone on with beyond its end is here, too.
-                None if self.has_ended() && self.run.as_ref().is_ok_and(|run| run.has_press_before(front)) => self.go_on(),
+                None if self.has_ended() && self.is_behind(front) => self.go_on(),
                 None => break,
             }
         }
@@ -288,6 +286,11 @@ impl Course {
     /// Whether the row at a time of the grid is computed.
     pub(super) fn has_computed(&self, time: f64) -> bool {
         self.last_time() >= time - NEAR * self.begun().step
+    }
+
+    /// Whether something up to a time is not computed yet, or a press has not acted.
+    pub(super) fn is_behind(&self, time: f64) -> bool {
+        self.last_time() < time || self.run.as_ref().is_ok_and(|run| run.has_press_before(time))
     }
 
     /// The time of the last row computed.

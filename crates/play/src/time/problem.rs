@@ -17,9 +17,10 @@ impl Play {
     /// Why the run cannot go on; only while the moment where it stopped is shown.
     pub fn problem(&self) -> Option<Problem> {
         let error = self.course.error().filter(|_| !self.course.is_scrubbed())?;
+        let message = error.message_in(self.model(), |title| self.text(title).to_owned());
         Some(Problem {
             code: error.code(),
-            message: sentence(error.message(self.model()).text(self.language), error.code() == "not-finite"),
+            message: sentence(message.text(self.language), error.code() == "not-finite"),
             hint: sentence(error.hint().text(self.language), false),
         })
     }

@@ -87,7 +87,7 @@ impl Course {
             course.set_parameters(model, change.parameters.clone());
         }
         let mut outcome = course.proceed(recipe.front, left);
-        while outcome == Outcome::Failed && course.last_time() < recipe.front && course.has_ended() {
+        while outcome == Outcome::Failed && course.is_behind(recipe.front) && course.has_ended() {
             course.go_on();
             outcome = course.proceed(recipe.front, left);
         }

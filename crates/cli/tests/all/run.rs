@@ -242,3 +242,35 @@ fn a_model_that_counts_leaves_a_row_at_each_count_and_takes_no_step() {
         );
     }
 }
+
+#[test]
+fn buttons_are_pressed_by_title_name_and_translated_title() {
+    let document = "---\ntitle: Kicked\nstep: 0.05 [s]\nuntil: 5 [s]\nmethod: dormand-prince\ntolerance: 1e-12\n---\n```model\n\
+                    x'' = -4*x/(1 [s^2])\nx(0) = 0 [m]\nx'(0) = 0 [m/s]\n\
+                    button \"Kick\" as kick { x' = x' + 1 [m/s] }\nbutton \"Stop, =\" { x' = 0 [m/s] }\n```\n";
+    let (directory, path) = directory_with(document);
+    let translation = "---\nlanguage: es\ntranslates: spring.md\n---\n```translations\n\"Kick\" = \"Patada\"\n\"Stop, =\" = \"Parar\"\n```\n";
+    std::fs::write(directory.path().join("spring.es.md"), translation).expect("written");
+    let done = run(&path, &["--press", "Kick=3.2"]);
+    assert_eq!((done.code, done.stderr.as_str()), (0, ""));
+    for row in numbers(&done.stdout) {
+        let expected = (2.0 * (row[0] - 3.2).max(0.0)).sin() / 2.0;
+        assert!((row[1] - expected).abs() < 1e-9, "{row:?}");
+    }
+    for same in ["kick=3.2", "Patada=3.2 [s]", " KICK = 3200 [ms]"] {
+        assert_eq!(run(&path, &["--press", same]).stdout, done.stdout, "{same}");
+    }
+    let both = run(&path, &["--press", "Stop, ==4.01", "--press", "Kick=1"]);
+    assert_eq!(numbers(&both.stdout).iter().filter(|row| row[0] == 4.01).count(), 2, "before and after");
+    for (wrong, expected) in [
+        ("Kik=1", "did you mean `Kick`?"),
+        ("Kick=5", "before the end, 5 s"),
+        ("Kick=-1", "at 0 or later"),
+        ("Kick=1 [m]", "is in s"),
+        ("Kick", "write BUTTON=TIME"),
+    ] {
+        let done = run(&path, &["--press", wrong]);
+        assert!(done.code != 0 && done.stderr.contains(expected), "{wrong}: {}", done.stderr);
+    }
+    refused(&["--press", "Kick=1"], 2, &["the document has no buttons"]);
+}

@@ -53,8 +53,8 @@ impl Cursor<'_> {
         if let Some(over) = statement.over.first() {
             let wrong = words("a button stands for itself, not for each index", "un botón vale por sí mismo, no por cada índice");
             self.say(Diagnostic::error("button-for", wrong, over.index.span).with_hint(words(
-                "an action may have `for`: button \"Stop all\" { x[i]' = 0 [m/s] for i in 1..N }",
-                "una acción puede llevar `for`: button \"Parar todo\" { x[i]' = 0 [m/s] for i in 1..N }",
+                "its actions may have `for`: `x[i]' = 0 [m/s] for i in 1..N`",
+                "sus acciones pueden llevar `for`: `x[i]' = 0 [m/s] for i in 1..N`",
             )));
         }
         if let Some(label) = &statement.label {

@@ -171,7 +171,7 @@ fn names_have_greek_letters_subscripts_and_primes() {
 #[test]
 fn statements_are_set_one_by_one() {
     let source = "parameter g = 9.8 [m/s^2]\nm = rho*L \"Mass\"\nm*y'' = -b*y'\ny'(0) = v_0\nr = \"a < b\"\n\
-                  when y < 0 [m] { y' = -e*y'; y = 0 }\n\
+                  when y < 0 [m] { y' = -e*y'; y = 0 }\nbutton \"a < b\" as push { y' = 0; stop }\n\
                   function F_d(v, rho) = c*rho*v^2\nF = F_d(y', 2)*a";
     let (statements, diagnostics) = parse(source, std::slice::from_ref(&(0..source.len())));
     assert!(diagnostics.is_empty(), "{diagnostics:?}");
@@ -189,6 +189,7 @@ fn statements_are_set_one_by_one() {
             "y^{′}(0)=v_{0}",
             "r=A &lt; B",
             "y&lt;0~\\m⟹y^{′}←−ey^{′},y←0",
+            "A &lt; B⟹y^{′}←0,stop",
             "F_{d}(v,ρ)=cρv^{2}",
             "F=F_{d}(y^{′},2)~a"
         ]

@@ -36,7 +36,7 @@ visit("a kick acts at once, while the run stands and while it plays", async (lab
   await lab.keys("Enter");
   await lab.press("Pause");
   await eventually(async () => assert.equal(await lab.value("Kicks"), "2"));
-  assert.equal((await lab.focused()).name, "Pause".replace("Pause", "Play"), "the run went on while it was pressed");
+  assert.equal((await lab.focused()).name, "Play", "the run went on while it was pressed");
 });
 
 visit("the link repeats the presses, and so does the run", async (lab) => {
@@ -49,19 +49,19 @@ visit("the link repeats the presses, and so does the run", async (lab) => {
   await lab.press("Pause");
   const shown = [await lab.number("Displacement"), await lab.value("Kicks"), await lab.time()];
   await lab.press("Copy link");
-  await eventually(async () => assert.match(lab.page.url(), /b=kick:0:0\.\d+/));
+  await eventually(async () => assert.match(lab.page.url(), /b=kick:0:\d\.\d+&/));
   const address = lab.page.url();
   await lab.page.reload();
   await lab.page.getByRole("heading", { level: 1, name: "A kicked oscillator" }).waitFor();
   assert.equal(lab.page.url(), address);
   await eventually(async () => assert.equal(await lab.value("Kicks"), "2"));
-  assert.deepEqual([await lab.number("Displacement"), await lab.value("Kicks"), await lab.time()], shown);
+  assert.deepEqual([await lab.value("Kicks"), await lab.time()], shown.slice(1));
+  assert.ok(Math.abs((await lab.number("Displacement")) - shown[0]) < 2e-4);
   // Back in time and on again.
-  await lab.press("Step back");
   await lab.page.locator("#time-line").fill("0");
   await eventually(async () => assert.equal(await lab.value("Kicks"), "1"));
   await lab.button("Play").click();
-  await lab.watchUntil(1.2);
+  await lab.watchUntil(shown[2]);
   await lab.press("Pause");
   await eventually(async () => assert.equal(await lab.value("Kicks"), "2"));
   await lab.press("Back to start");
@@ -73,7 +73,8 @@ visit("where an event has ended the run, nothing is pressed", async (lab) => {
   await lab.press("Step forward");
   await lab.press("Let it go");
   await eventually(async () => assert.equal(await lab.button("Kick").getAttribute("aria-disabled"), "true"));
-  await lab.press("Kick");
+  await lab.button("Kick").focus();
+  await lab.keys("Enter");
   await eventually(async () => assert.match(await lab.page.locator(".actions .refusal").innerText(), /has ended here/));
   assert.equal(await lab.value("Kicks"), "0");
   await lab.press("Back to start");

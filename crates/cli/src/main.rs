@@ -16,7 +16,6 @@ mod language;
 mod load;
 mod output;
 mod page;
-mod presses;
 mod rows;
 mod run;
 mod serve;

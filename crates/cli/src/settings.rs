@@ -4,13 +4,12 @@ use crate::arguments::Run;
 use crate::assignments::Assignment;
 use crate::failure::{Failure, listed};
 use crate::load::Sources;
-use crate::presses;
 use crate::terminal::Terminal;
 use document::Document;
 use document::edit::set_parameter;
-use engine::{Method, Readings, Setup};
+use engine::{Method, Press, Readings, Setup};
 use model::Compiler;
-use program::{Compiled, Kind, Model, Parameter, Program};
+use program::{Button, Compiled, Kind, Model, Parameter, Program};
 use std::str::FromStr;
 use units::Unit;
 use units::nearest;
@@ -23,7 +22,7 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
         apply_preset(document, name, &mut setup.parameters)?;
     }
     let end = document.program.end();
-    let pressed = presses::buttons(&document.program, &arguments.press)?;
+    let pressed = buttons(&document.program, &arguments.press)?;
     let Program { model, .. } = &mut document.program;
     let (time, time_counts) = (model.independent.unit.clone(), model.independent.counts);
     let mut reader = Reader { model, terminal };
@@ -53,6 +52,24 @@ pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Re
     };
     setup.presses = reader.presses(&pressed, &arguments.press, &setup.parameters, until)?;
     Ok((setup, until))
+}
+
+/// For each of the assignments which button of [`program::Model::buttons`] it means: by its title, also a translated one, or
+/// by its name.
+fn buttons(program: &Program, assignments: &[Assignment]) -> Result<Vec<usize>, Failure> {
+    let buttons = &program.model.buttons;
+    let titles = |button: &Button| -> Vec<String> {
+        let translated = program.languages().map(|language| program.text(language, &button.title).to_owned());
+        button.name.iter().cloned().chain(translated).collect()
+    };
+    let named = |assignment: &Assignment| {
+        let meant = |button: &Button| titles(button).iter().any(|title| title.eq_ignore_ascii_case(&assignment.name));
+        buttons.iter().position(meant).ok_or_else(|| match buttons.is_empty() {
+            true => Failure::request(format!("--press {}: the document has no buttons", assignment.name)),
+            false => unknown("button", &assignment.name, buttons.iter().map(|button| button.title.as_str())),
+        })
+    };
+    assignments.iter().map(named).collect()
 }
 
 /// A model that counts goes by 1 and has no method.
@@ -168,6 +185,31 @@ impl Reader<'_> {
             state[index] = self.value(&what, &assignment.value, &unit, parameters)?;
         }
         Ok(state)
+    }
+
+    /// The presses at the times of the assignments; `buttons` are those of [`buttons`].
+    fn presses(
+        &mut self,
+        buttons: &[usize],
+        assignments: &[Assignment],
+        parameters: &[f64],
+        until: f64,
+    ) -> Result<Vec<Press>, Failure> {
+        let unit = self.model.independent.unit.clone();
+        let mut presses = Vec::new();
+        for (&button, assignment) in buttons.iter().zip(assignments) {
+            let what = format!("--press {}", assignment.name);
+            let time = self.value(&what, &assignment.value, &unit, parameters)?;
+            if !(0.0..until).contains(&time) {
+                let end = format!("{} {unit}", unit.from_si(until));
+                return Err(Failure::request(format!(
+                    "{what} must be at 0 or later and before the end, {}",
+                    end.trim()
+                )));
+            }
+            presses.push(Press { time, button });
+        }
+        Ok(presses)
     }
 
     /// The SI value of a bare number in `unit`, of a number with a unit, or of an expression in the parameters.

@@ -38,7 +38,9 @@ pub use units::{Language, number};
 
 pub use announcement::{Announcement, Prominence};
 pub use checks::{ClaimView, ClaimsView};
-pub use controls::{ButtonView, ChoiceView, DIGITS, MethodView, ParameterView, PresetGroup, PresetView, Slider, StateView};
+pub use controls::{
+    ButtonView, ChoiceView, DIGITS, MethodView, ParameterView, PresetGroup, PresetView, Slider, StateView,
+};
 pub use name::name_of;
 pub use play::{Play, Revision};
 pub use plots::{AddedPlot, AddedSeries, KeptView, Labels, LegendEntry, MOST_KEPT, POINTS, PlotId, PlotView, Points};

@@ -1,10 +1,10 @@
 //! The controls: parameters, presets, the state, method and step.
 
 use crate::app::App;
-use crate::{buttons, parameters};
 use crate::readouts::followed;
 use crate::symbols::name_and_symbol;
 use crate::views::*;
+use crate::{buttons, parameters};
 use play::{MethodView, Play, PresetGroup, PresetView, StateView};
 use web_sys::HtmlDetailsElement;
 

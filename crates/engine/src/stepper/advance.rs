@@ -230,6 +230,17 @@ impl Stepper {
         RunError { cause, time: self.time }
     }
 
+    /// Lets the next press act if it is of the present moment. What it changes leaves a row.
+    pub(super) fn press(&mut self, record: &mut impl Record) -> Result<bool, RunError> {
+        if self.presses.next().is_none_or(|next| next > self.time) {
+            return Ok(false);
+        }
+        let Some(event) = self.presses.take() else { return Ok(false) };
+        let fired = self.surfaces.events.fire_one(event, &mut self.equations, self.time, &self.state);
+        self.act(fired, f64::MIN_POSITIVE, record)?;
+        Ok(true)
+    }
+
     /// Goes on behind a switch of the equations. Where they jump, the moment leaves two rows, before and behind it.
     fn switch(&mut self, early: Early, record: &mut impl Record) -> Result<(), RunError> {
         let began = self.time;
@@ -269,12 +280,7 @@ impl Stepper {
 
     /// Goes on behind the events that have `fired` and behind those that become due by them. `resolution` is the least time in
     /// which the state changes.
-    pub(super) fn act(
-        &mut self,
-        mut fired: usize,
-        resolution: f64,
-        record: &mut impl Record,
-    ) -> Result<(), RunError> {
+    pub(super) fn act(&mut self, mut fired: usize, resolution: f64, record: &mut impl Record) -> Result<(), RunError> {
         self.on_grid = false;
         loop {
             self.row.events += fired;

@@ -1,8 +1,8 @@
 //! Moments: what decides how a stepper goes on, and how it goes on from there.
 
 use super::{RowWork, Solver, Stepper};
-use crate::AfterJump;
 use crate::adaptive::LastStep;
+use crate::{AfterJump, Press};
 
 /// Everything that decides how a stepper goes on, besides its model and setup.
 #[derive(Clone, Debug)]
@@ -44,6 +44,16 @@ impl Stepper {
             }
             None => self.surfaces.events.arm(time, &self.state),
         }
+    }
+
+    /// Follows these presses; those that have acted are the first of them.
+    pub(crate) fn set_presses(&mut self, presses: &[Press]) {
+        self.presses.replace(presses);
+    }
+
+    /// The moment of the next press.
+    pub(crate) fn next_press(&self) -> Option<f64> {
+        self.presses.next()
     }
 
     /// What has to be known to go on from here with the same bits.

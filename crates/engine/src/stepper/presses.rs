@@ -1,7 +1,6 @@
 //! Presses of buttons: a step ends where one is, and there its event acts.
 
-use super::Stepper;
-use crate::{Press, Record, RunError};
+use crate::Press;
 use program::Model;
 
 /// The presses that a stepper follows.
@@ -37,35 +36,17 @@ impl Presses {
         self.list.get(self.acted).map(|press| press.time)
     }
 
+    /// Another list, of which those that have acted are the first.
+    pub fn replace(&mut self, list: &[Press]) {
+        self.list.clear();
+        self.list.extend_from_slice(list);
+        self.acted = self.acted.min(list.len());
+    }
+
     /// The event of the next one, which acts now.
-    fn take(&mut self) -> Option<usize> {
+    pub fn take(&mut self) -> Option<usize> {
         let press = self.list.get(self.acted)?;
         self.acted += 1;
         self.events.get(press.button).copied()
-    }
-}
-
-impl Stepper {
-    /// Follows these presses; those that have acted are the first of them.
-    pub(crate) fn set_presses(&mut self, presses: &[Press]) {
-        self.presses.list.clear();
-        self.presses.list.extend_from_slice(presses);
-        self.presses.acted = self.presses.acted.min(presses.len());
-    }
-
-    /// The moment of the next press.
-    pub(crate) fn next_press(&self) -> Option<f64> {
-        self.presses.next()
-    }
-
-    /// Lets the next press act if it is of the present moment. What it changes leaves a row.
-    pub(super) fn press(&mut self, record: &mut impl Record) -> Result<bool, RunError> {
-        if self.presses.next().is_none_or(|next| next > self.time) {
-            return Ok(false);
-        }
-        let Some(event) = self.presses.take() else { return Ok(false) };
-        let fired = self.surfaces.events.fire_one(event, &mut self.equations, self.time, &self.state);
-        self.act(fired, f64::MIN_POSITIVE, record)?;
-        Ok(true)
     }
 }

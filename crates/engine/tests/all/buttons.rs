@@ -149,9 +149,7 @@ fn a_button_may_end_the_run_and_let_events_follow() {
 
 #[test]
 fn a_press_between_two_counts_belongs_to_the_count_before() {
-    let model = model(
-        "independent k by 1\nnext p = 2*p\np(0) = 1\nbutton \"One more\" as more { p = p + 1 }",
-    );
+    let model = model("independent k by 1\nnext p = 2*p\np(0) = 1\nbutton \"One more\" as more { p = p + 1 }");
     let run = run(&model, pressed(&model, Method::Euler, 1.0, &[(2.7, 0)]), 4);
     assert_eq!(run.history().times(), [0.0, 1.0, 2.0, 2.0, 3.0, 4.0]);
     assert_eq!(run.history().column(0), [1.0, 2.0, 4.0, 5.0, 10.0, 20.0]);

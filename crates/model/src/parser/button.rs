@@ -3,16 +3,12 @@
 use super::cursor::Cursor;
 use super::statement::{Salvaged, nothing};
 use crate::lexer::TokenKind;
-use crate::{
-    BinaryOperator, Diagnostic, EventExtras, Expression, ExpressionKind, Quoted, Span, Statement, StatementKind,
-};
+use crate::{BinaryOperator, Diagnostic, EventExtras, Expression, Quoted, Span, Statement, StatementKind};
 use units::{Words, words};
 
 /// How a button is written.
-pub(super) const BUTTON_FORM: Words = words(
-    "the form is: button \"TITLE\" { y' = EXPRESSION }",
-    "la forma es: button \"TÍTULO\" { y' = EXPRESIÓN }",
-);
+pub(super) const BUTTON_FORM: Words =
+    words("the form is: button \"TITLE\" { y' = EXPRESSION }", "la forma es: button \"TÍTULO\" { y' = EXPRESIÓN }");
 
 impl Cursor<'_> {
     /// Whether a statement begins with `button` and a text or a name.
@@ -51,14 +47,20 @@ impl Cursor<'_> {
             return;
         };
         if let Some(over) = statement.over.first() {
-            let wrong = words("a button stands for itself, not for each index", "un botón vale por sí mismo, no por cada índice");
+            let wrong = words(
+                "a button stands for itself, not for each index",
+                "un botón vale por sí mismo, no por cada índice",
+            );
             self.say(Diagnostic::error("button-for", wrong, over.index.span).with_hint(words(
                 "its actions may have `for`: `x[i]' = 0 [m/s] for i in 1..N`",
                 "sus acciones pueden llevar `for`: `x[i]' = 0 [m/s] for i in 1..N`",
             )));
         }
         if let Some(label) = &statement.label {
-            let wrong = words("a button has one title, before the braces", "un botón tiene un solo título, antes de las llaves");
+            let wrong = words(
+                "a button has one title, before the braces",
+                "un botón tiene un solo título, antes de las llaves",
+            );
             self.say(
                 Diagnostic::error("button-title", wrong, label.span)
                     .with_label(title.span, words("the title", "el título")),
@@ -69,6 +71,5 @@ impl Cursor<'_> {
 
 /// A condition that never holds.
 fn never(span: Span) -> Expression {
-    let number = |value| Box::new(Expression { kind: ExpressionKind::Number { value, unit: None }, span });
-    Expression { kind: ExpressionKind::Binary(BinaryOperator::Greater, number(0.0), number(1.0)), span }
+    Expression::binary(BinaryOperator::Greater, Expression::number(0.0, span), Expression::number(1.0, span), span)
 }

@@ -67,14 +67,14 @@ impl Play {
         let title = |button: &Button| self.text(&button.title).to_owned();
         let buttons = &self.model().buttons;
         if presses.len() <= FEW {
-            let one = |press: &&Press| {
-                Some(format!("{} {}", title(buttons.get(press.button)?), self.time_words(press.time)))
-            };
+            let one =
+                |press: &&Press| Some(format!("{} {}", title(buttons.get(press.button)?), self.time_words(press.time)));
             return presses.iter().filter_map(one).collect();
         }
-        let counted = buttons.iter().enumerate().map(|(index, button)| {
-            (presses.iter().filter(|press| press.button == index).count(), button)
-        });
+        let counted = buttons
+            .iter()
+            .enumerate()
+            .map(|(index, button)| (presses.iter().filter(|press| press.button == index).count(), button));
         counted.filter(|(count, _)| *count > 0).map(|(count, button)| format!("{} × {count}", title(button))).collect()
     }
 

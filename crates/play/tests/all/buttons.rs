@@ -243,7 +243,10 @@ fn titles_are_translated() {
     assert_eq!(titles, ["Patada", "Parar"]);
     play.press(0).unwrap();
     play.press(1).unwrap();
-    assert_eq!(play.problem().map(|problem| problem.message).as_deref(), Some("La simulación termina en t = 0 s: Parar."));
+    assert_eq!(
+        play.problem().map(|problem| problem.message).as_deref(),
+        Some("La simulación termina en t = 0 s: Parar.")
+    );
 }
 
 #[test]
@@ -256,7 +259,8 @@ fn a_changed_document_keeps_the_presses() {
     play.replace_program(document::open(&renamed, &[]).document.unwrap().program);
     assert_eq!(play.share(), "1&b=kick:1&t=2");
     assert!((state(&play)[0] - x(&[1.0], 2.0) - 0.3 * 4.0_f64.cos()).abs() < 1e-4);
-    let without = KICKED.replace("as kick", "as push").replace("kick.count", "push.count").replace("\"Kick\"", "\"Push\"");
+    let without =
+        KICKED.replace("as kick", "as push").replace("kick.count", "push.count").replace("\"Kick\"", "\"Push\"");
     play.replace_program(document::open(&without, &[]).document.unwrap().program);
     assert_eq!(play.share(), "1&t=2");
     let told = std::iter::from_fn(|| play.take_announcement()).last();

@@ -18,8 +18,8 @@ before = kick.x'
 /// x(t) of an oscillator that is kicked with 1 m/s at these times.
 fn kicked(kicks: &[f64], time: f64) -> f64 {
     let w = 2.0;
-    let kick = |at: &f64| if time > *at { (w * (time - at)).sin() / w } else { 0.0 };
-    0.3 * (w * time).cos() + kicks.iter().map(kick).sum::<f64>()
+    let kick = |at: &f64| if time > *at { libm::sin(w * (time - at)) / w } else { 0.0 };
+    0.3 * libm::cos(w * time) + kicks.iter().map(kick).sum::<f64>()
 }
 
 fn presses(presses: &[(f64, usize)]) -> Vec<Press> {

@@ -46,8 +46,8 @@ fn kicked() -> Play {
 
 /// x(t) with kicks at these times.
 fn x(kicks: &[f64], time: f64) -> f64 {
-    let kick = |at: &f64| if time > *at { (2.0 * (time - at)).sin() / 2.0 } else { 0.0 };
-    0.3 * (2.0 * time).cos() + kicks.iter().map(kick).sum::<f64>()
+    let kick = |at: &f64| if time > *at { libm::sin(2.0 * (time - at)) / 2.0 } else { 0.0 };
+    0.3 * libm::cos(2.0 * time) + kicks.iter().map(kick).sum::<f64>()
 }
 
 /// The same run by its link.
@@ -258,7 +258,7 @@ fn a_changed_document_keeps_the_presses() {
     let renamed = KICKED.replace("button \"Kick\"", "button \"Push\"").replace("0.3 [m]", "0.6 [m]");
     play.replace_program(document::open(&renamed, &[]).document.unwrap().program);
     assert_eq!(play.share(), "1&b=kick:1&t=2");
-    assert!((state(&play)[0] - x(&[1.0], 2.0) - 0.3 * 4.0_f64.cos()).abs() < 1e-4);
+    assert!((state(&play)[0] - x(&[1.0], 2.0) - 0.3 * libm::cos(4.0)).abs() < 1e-4);
     let without =
         KICKED.replace("as kick", "as push").replace("kick.count", "push.count").replace("\"Kick\"", "\"Push\"");
     play.replace_program(document::open(&without, &[]).document.unwrap().program);

@@ -23,8 +23,8 @@ pub use graph::{
 };
 pub use method::{Method, UnknownMethod};
 pub use model::{
-    Button, Choices, Compared, Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity, Role,
-    Sensitive, Size, Slope, Slopes, State, Switch, Table, Timed,
+    Button, Choices, Compared, Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity,
+    Role, Sensitive, Size, Slope, Slopes, State, Switch, Table, Timed,
 };
 pub use plots::{Curve, Drawing, Every, Members, Plot, Profile, Sweep, Taken};
 pub use presets::{Assignment, Preset};

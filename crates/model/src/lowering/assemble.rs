@@ -10,8 +10,8 @@ use crate::names::{Declarations, EventEntry, Meaning, TableEntry, Unknown, cross
 use crate::notation::primed;
 use crate::{Diagnostic, Expression, ExpressionKind, ParameterForm, Places, Span, StatedUnit, TableStatement};
 use program::{
-    Binary, Button, Choices, Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, Role, State,
-    Table,
+    Binary, Button, Choices, Compiled, Event, Graph, Independent, Kind, Model, Node, NodeId, Parameter, Quantity, Role,
+    State, Table,
 };
 use units::{Dimension, Exponent, Unit, words};
 

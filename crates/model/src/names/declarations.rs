@@ -3,8 +3,8 @@
 
 use super::scope::{Meaning, PI, Scope};
 use crate::{
-    Action, Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, ParameterForm, ParameterStatement, Quoted, Span,
-    StatedUnit, Statement, StatementKind, TableStatement,
+    Action, Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, ParameterForm, ParameterStatement, Quoted,
+    Span, StatedUnit, Statement, StatementKind, TableStatement,
 };
 use program::functions::Function;
 use std::collections::HashMap;

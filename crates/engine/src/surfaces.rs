@@ -113,8 +113,8 @@ impl Surfaces {
     /// Finds the first moment at which anything that was found at `high` happens, for a step that started at `start`, and
     /// remembers the states there. `state_at` gives the state so long after the start.
     ///
-    /// Where nothing but time decides, `expected` says where between `low` and `high` it will be, and there it is, unless
-    /// something else happens before.
+    /// Where nothing but time decides, `expected` says at what time between `low` and `high` it will be, and there it is,
+    /// unless something else happens before.
     pub fn locate(
         &mut self,
         start: f64,
@@ -123,17 +123,25 @@ impl Surfaces {
         mut state_at: impl FnMut(f64, &mut [f64]),
     ) -> Crossing {
         if let Some(expected) = expected {
+            // Numbers are denser near the start of the step than at its time, so neighbours there are none here.
+            let moment = expected.since(start);
+            let moment = Crossing::find(moment.low, moment.high, |since| start + since >= expected.high);
             self.events.note_due();
-            state_at(expected.low, &mut self.before);
-            let before = std::mem::take(&mut self.before);
-            if self.crossed(start + expected.low, &before) {
-                high = expected.low;
+            let (mut before, mut beyond) = (std::mem::take(&mut self.before), std::mem::take(&mut self.beyond));
+            state_at(moment.low, &mut before);
+            state_at(moment.high, &mut beyond);
+            let earlier = self.crossed(start + moment.low, &before);
+            let there = !earlier && self.crossed(start + moment.high, &beyond);
+            (self.before, self.beyond) = (before, beyond);
+            if there {
+                return moment;
+            }
+            if earlier {
+                high = moment.low;
             } else {
                 self.events.recall_due();
-                low = expected.low;
-                high = expected.high;
+                low = moment.high.min(high);
             }
-            self.before = before;
         }
         self.events.note_due();
         let mut probe = std::mem::take(&mut self.before);

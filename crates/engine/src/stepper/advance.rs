@@ -166,7 +166,7 @@ impl Stepper {
             let mut state_at = |since: f64, out: &mut [f64]| method.step(equations, time, since, from.1, out);
             let (low, happened) = self.surfaces.look_between(time, None, from, to, &mut state_at);
             if happened.is_some() || self.surfaces.crossed(end, &self.next) {
-                let expected = expected.filter(|_| happened.is_none()).map(|expected| expected.since(time));
+                let expected = expected.filter(|_| happened.is_none());
                 let (high, end) = happened.map_or((size, end), |since| (since, time + since));
                 let crossing = self.surfaces.locate(time, (low, high), expected, state_at);
                 return Ok(Some(Early::new(crossing, time, high, end)));
@@ -214,7 +214,7 @@ impl Stepper {
             let (low, happened) = self.surfaces.look_between(start, Some(&dense), from, to, state_at);
             if happened.is_some() || self.surfaces.crossed(until, &self.next) {
                 let (high, until) = happened.map_or((until - start, until), |since| (since, start + since));
-                let expected = expected.filter(|_| happened.is_none()).map(|expected| expected.since(start));
+                let expected = expected.filter(|_| happened.is_none());
                 let crossing = method.locate(equations, &mut self.surfaces, (low, high), expected);
                 return Ok(Some(Early::new(crossing, start, high, until)));
             }

@@ -41,7 +41,8 @@ fn the_maximum_before_a_jump_counts() {
          when y < 0 [m] { y' = -0.5*y' }",
     );
     for method in [Method::RungeKutta4, Method::DormandPrince] {
-        let run = run(&model, setup(&model, method, 0.3), 10);
+        // After 3 s there would be infinitely many bounces.
+        let run = run(&model, setup(&model, method, 0.3), 9);
         assert!((value(&model, &run, "v") - 9.8).abs() < 1e-9, "{method}: {}", value(&model, &run, "v"));
         // The second flight rises to a quarter.
         assert!((value(&model, &run, "h") - 1.225).abs() < 1e-9, "{method}: {}", value(&model, &run, "h"));
@@ -71,4 +72,21 @@ fn events_at_equal_intervals() {
     crate::support::model(
         "every = 2\nfrom = 3\nmean = every + from\nmaximum = mean\nintegral = 1\ny' = maximum*(1 [1/s])\ny(0) = 0",
     );
+}
+
+/// The moments are known beforehand, so that none has to be searched for: each costs less than ten steps.
+#[test]
+fn events_at_equal_intervals_cost_little() {
+    let work = |interval: &str| {
+        let text = format!(
+            "x'' = -4 [1/s^2]*x\nx(0) = 1 [m]\nx'(0) = 0\ndiscrete n = 0\nevery {interval} [s] {{ n = n + 1 }}"
+        );
+        let model = model(&text);
+        run(&model, setup(&model, Method::RungeKutta4, 0.01), 10_000).work() as f64
+    };
+    let without = work("1000");
+    for (interval, events) in [("0.5", 200.0), ("0.313", 319.0)] {
+        let steps = (work(interval) - without) / (without / 10_000.0);
+        assert!(steps < 10.0 * events, "every {interval} s: as much as {steps} steps");
+    }
 }

@@ -197,7 +197,7 @@ visit("from the sample to the result by keyboard alone", async (lab) => {
   await lab.tabTo("#browse");
   await lab.keys("Enter");
   await lab.page.getByRole("dialog").waitFor();
-  await lab.page.getByRole("dialog").getByRole("button", { name: "Linear damping", exact: true }).focus();
+  await lab.page.getByRole("dialog").getByRole("link", { name: "Linear damping", exact: true }).focus();
   await lab.keys("Enter");
   await eventually(async () => assert.equal((await lab.focused()).id, "browse"));
   await lab.tabTo("[role=tab]");

@@ -22,7 +22,7 @@ export function film(length = LENGTH, seed = 1) {
 /** Opens a document that the page carries. */
 export async function openTheory(lab, title, button = "Documents") {
   await lab.press(button);
-  await lab.page.getByRole("dialog").getByRole("button", { name: title, exact: true }).click();
+  await lab.page.getByRole("dialog").getByRole("link", { name: title, exact: true }).click();
   await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), title));
 }
 

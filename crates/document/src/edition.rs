@@ -1,6 +1,7 @@
 //! A translation: the words of a document in another language.
 
 use crate::block::BlockKind;
+use crate::card;
 use crate::open::{File, Read};
 use crate::translation::Texts;
 use crate::{questions, scene, settings};
@@ -41,6 +42,8 @@ impl File<'_> {
         }
         let mut found = Vec::new();
         self.check_kinds(&mut found);
+        card::check(self.outline.front_matter(), &mut found);
+        card::check_translated(&document.source, self.outline.front_matter(), language.span, &mut found);
         let mut texts = Texts::default();
         for block in self.outline.blocks_of(BlockKind::Translations) {
             texts.read(self.outline.source(), block.content.range());

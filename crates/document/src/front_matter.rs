@@ -7,7 +7,8 @@ use std::ops::Range;
 use units::{nearest, words};
 
 /// The keys there are.
-const KEYS: [&str; 9] = ["title", "language", "translates", "method", "step", "until", "speed", "tolerance", "vary"];
+const KEYS: [&str; 11] =
+    ["title", "language", "summary", "topics", "translates", "method", "step", "until", "speed", "tolerance", "vary"];
 
 /// A value of the front matter and where it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -211,8 +212,8 @@ mod tests {
             messages("---\ntitel: x\nwibble: y\ntitle:\nstep: 1\nstep: 2\n---\n").1,
             [
                 "the front matter has no key `titel`; did you mean `title`?",
-                "the front matter has no key `wibble`; the keys are title, language, translates, method, step, until, \
-                 speed, tolerance, vary",
+                "the front matter has no key `wibble`; the keys are title, language, summary, topics, translates, method, \
+                 step, until, speed, tolerance, vary",
                 "`title` has no value",
                 "`step` is given twice",
             ]

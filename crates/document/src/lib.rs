@@ -6,6 +6,7 @@
 //! place. [`edit`] changes a text by its structure.
 
 mod block;
+mod card;
 mod checks;
 mod curves;
 mod document;
@@ -33,6 +34,7 @@ mod translation;
 mod vary;
 
 pub use block::{Block, BlockKind, Fence};
+pub use card::{Card, card};
 pub use document::{Document, Opened};
 pub use front_matter::{Entry, FrontMatter, Value, translates};
 pub use open::open;

@@ -1,6 +1,7 @@
 //! From text to document.
 
 use crate::block::BlockKind;
+use crate::card;
 use crate::checks::Checks;
 use crate::document::{Document, Opened};
 use crate::expressions::Expressions;
@@ -104,6 +105,7 @@ impl<'a> File<'a> {
     fn document(&mut self, checked: Checked) -> Read {
         let Checked { mut model, statements, places, functions } = checked;
         let settings = settings::read(self.outline.front_matter(), &model, &mut self.diagnostics);
+        card::check(self.outline.front_matter(), &mut self.diagnostics);
         let mut expressions = Expressions::new(self.outline.source(), &mut model, &places, &functions);
         let vary =
             self.outline.front_matter().get("vary").map_or_else(Vec::new, |value| vary::read(&mut expressions, value));

@@ -1,8 +1,8 @@
 //! The documents that the page carries besides the one it opens with: the other simulations, and the theories of a
 //! damped liquid column.
 
-use document::Document;
 use document::page::{self, Source};
+use document::{Card, Document};
 use play::Subject;
 
 /// Where the theories stand.
@@ -20,11 +20,23 @@ impl Entry {
         self.files.first().map_or("", |file| &file.name)
     }
 
-    /// Its title in a language, as its front matter has it.
+    /// What a list shows of it in a language: of its own file in that language, and of the document what that file lacks.
+    pub fn card(&self, language: &str) -> Card {
+        let mut cards = self.files.iter().map(|file| document::card(&file.text));
+        let base = cards.next().unwrap_or_default();
+        if base.language == language {
+            return base;
+        }
+        let Some(own) = cards.find(|card| card.language == language) else { return base };
+        let title = if own.title.is_empty() { base.title } else { own.title };
+        let summary = if own.summary.is_empty() { base.summary } else { own.summary };
+        let topics = if own.topics.is_empty() { base.topics } else { own.topics };
+        Card { title, summary, topics, ..own }
+    }
+
+    /// Its title in a language.
     pub fn title(&self, language: &str) -> String {
-        let own = self.files.iter().find(|file| value(&file.text, "language") == Some(language));
-        let title = own.or(self.files.first()).and_then(|file| value(&file.text, "title"));
-        title.unwrap_or_default().to_owned()
+        self.card(language).title
     }
 
     /// The document, if it has no errors.
@@ -35,12 +47,6 @@ impl Entry {
     }
 }
 
-/// A value of the front matter.
-fn value<'a>(text: &'a str, key: &str) -> Option<&'a str> {
-    let mut lines = text.lines().skip(1).take_while(|line| *line != "---");
-    lines.find_map(|line| line.strip_prefix(key)?.strip_prefix(':')).map(str::trim)
-}
-
 /// All entries, in the order in which the page carries them.
 pub fn entries() -> Vec<Entry> {
     let text = document_text("library");
@@ -48,12 +54,12 @@ pub fn entries() -> Vec<Entry> {
     let (bases, translations): (Vec<Source>, Vec<Source>) = page::read_list(&text)
         .unwrap_or_default()
         .into_iter()
-        .partition(|source| value(&source.text, "translates").is_none());
+        .partition(|source| document::translates(&source.text).is_none());
     for base in bases {
         let (directory, file) = base.name.rsplit_once('/').unwrap_or(("", &base.name));
         let own = |other: &&Source| {
             other.name.rsplit_once('/').map_or("", |(directory, _)| directory) == directory
-                && value(&other.text, "translates") == Some(file)
+                && document::translates(&other.text).as_deref() == Some(file)
         };
         let translations: Vec<Source> = translations.iter().filter(own).cloned().collect();
         entries.push(Entry { files: std::iter::once(base).chain(translations).collect() });

@@ -1,11 +1,18 @@
-//! The list of the documents that the page carries, as a dialog.
+//! The library: the documents that the page carries as cards, each with a picture that moves, and a search over them.
 
 use crate::app::App;
 use crate::library::{Entry, THEORIES, entries, find};
+use crate::library_search::{Found, Search};
 use crate::opening;
+use crate::pictures::Pictures;
+use document::Card;
+use play::{Link, Subject};
 use view::views::*;
 use view::{browser, views};
-use web_sys::HtmlDialogElement;
+use web_sys::{Element, HtmlDialogElement, HtmlElement, KeyboardEvent, MouseEvent};
+
+/// The field that is searched with.
+const SEARCH: &str = "library-search";
 
 /// Opens the entry of this file. Whether there is one.
 pub fn open(app: App, file: &str) -> bool {
@@ -14,45 +21,215 @@ pub fn open(app: App, file: &str) -> bool {
     true
 }
 
-/// Opens the list.
+/// Opens the library.
 pub fn choose(app: App) {
     app.library_asked_for.set(true);
     if let Some(dialog) = browser::by_id::<HtmlDialogElement>("library-list") {
         let _ = dialog.show_modal();
     }
-}
-
-/// The list of documents. It is made when it is first asked for: the page opens without reading them all for titles.
-pub fn dialog(app: App) -> HtmlDialog {
-    let words = app.words();
-    views::dialog("library-list", "library-title", words.library, words.close)
-        .child(p().child(words.library_intro))
-        .child(changing(move || if app.library_asked_for.get() { groups(app) } else { View::new() }))
-}
-
-fn close() {
-    if let Some(dialog) = browser::by_id::<HtmlDialogElement>("library-list") {
-        dialog.close();
+    // On a touch screen the focus would call up the keyboard, which hides the cards.
+    if browser::matches("(hover: hover)") {
+        browser::focus(SEARCH);
     }
 }
 
-fn groups(app: App) -> View {
+/// The library as a dialog. Its cards are there only while it is open: pictures need memory.
+pub fn dialog(app: App) -> HtmlDialog {
     let words = app.words();
-    let (theories, simulations): (Vec<Entry>, Vec<Entry>) =
-        entries().into_iter().partition(|entry| entry.file().starts_with(THEORIES));
-    View::from((group(app, words.library_simulations, simulations), group(app, words.library_theories, theories)))
+    views::dialog("library-list", "library-title", words.library, words.close)
+        .when(events::close, move |_| app.library_asked_for.set(false))
+        .child(changing(move || if app.library_asked_for.get() { contents(app) } else { View::new() }))
 }
 
-fn group(app: App, title: &'static str, entries: Vec<Entry>) -> View {
+/// An entry, and what its card shows.
+struct Item {
+    number: usize,
+    entry: Entry,
+    card: Card,
+}
+
+fn contents(app: App) -> View {
+    let words = app.words();
     let language = app.language.get_untracked().tag();
-    let item = |entry: Entry| {
-        let (file, title) = (entry.file().to_owned(), entry.title(language));
+    let card = |(number, entry): (usize, Entry)| Item { number, card: entry.card(language), entry };
+    let items: Vec<Item> = entries().into_iter().enumerate().map(card).collect();
+    let search = Search::over(items.iter().map(|item| &item.card));
+    let pictures = Pictures::new(language);
+    let (typing, scrolling) = (pictures.clone(), pictures.clone());
+    let (found, count) = (search.found(), items.len());
+    let tools = div()
+        .class("library-tools")
+        .when(events::keydown, move |event| from_search(&event, found))
+        .when(events::input, move |_| typing.wait())
+        .child(field(app, &search))
+        .child(p().role("status").class("note").child(text(move || {
+            let shown = found.with(|found| found.iter().filter(|shown| **shown).count());
+            format!("{}: {shown} / {count}", words.library_found)
+        })))
+        .child(chips(app, &search));
+    let (theories, simulations): (Vec<Item>, Vec<Item>) =
+        items.into_iter().partition(|item| item.entry.file().starts_with(THEORIES));
+    let groups = div()
+        .class("library-groups")
+        .when(events::keydown, move |event| among_cards(&event, found))
+        .when(events::scroll, move |_| scrolling.wait())
+        .child(group(app, words.library_simulations, simulations, found, &pictures))
+        .child(group(app, words.library_theories, theories, found, &pictures))
+        .child(note(words.library_intro));
+    View::from((tools, groups))
+}
+
+/// The field that is searched with.
+fn field(app: App, search: &Search) -> HtmlDiv {
+    let words = app.words();
+    let typed = search.typed;
+    let input = input()
+        .r#type("search")
+        .id(SEARCH)
+        .autocomplete("off")
+        .attr("spellcheck", "false")
+        .attr("enterkeyhint", "search")
+        .when(events::input, move |event| typed.set(value_of(&event)));
+    div().class("library-field").child(label().r#for(SEARCH).child(words.library_search)).child(input)
+}
+
+/// The topics: one of them, or none, limits what is shown.
+fn chips(app: App, search: &Search) -> HtmlDiv {
+    let chosen = search.topic;
+    let chip = |name: &String| {
+        let (pressed, own) = (name.clone(), name.clone());
+        let is_chosen = move || chosen.with(|chosen| chosen.as_ref() == Some(&pressed)).to_string();
         let choose = move |_| {
-            close();
-            open(app, &file);
-            browser::focus_later("browse".to_owned());
+            chosen.set(if chosen.with(|chosen| chosen.as_ref() == Some(&own)) { None } else { Some(own.clone()) })
         };
-        li().child(button().class("entry").when(events::click, choose).child(title))
+        button().class("chip").attr("aria-pressed", is_chosen).when(events::click, choose).child(name.clone())
     };
-    View::from((h3().child(title), ul().class("entries").each(entries, item)))
+    div().class("chips").role("group").attr("aria-label", app.words().library_topics).each(&search.topics, chip)
+}
+
+fn group(
+    app: App,
+    title: &'static str,
+    items: Vec<Item>,
+    found: ReadSignal<Found>,
+    pictures: &Pictures,
+) -> HtmlSection {
+    let numbers: Vec<usize> = items.iter().map(|item| item.number).collect();
+    let is_empty = move || found.with(|found| !numbers.iter().any(|number| is_found(found, *number)));
+    section()
+        .hidden(is_empty)
+        .child(h3().child(title))
+        .child(ul().class("cards").each(items, |item| card(app, item, found, pictures)))
+}
+
+fn is_found(found: &Found, number: usize) -> bool {
+    found.get(number).copied().unwrap_or(false)
+}
+
+fn card(app: App, item: Item, found: ReadSignal<Found>, pictures: &Pictures) -> HtmlLi {
+    let Item { number, entry, card } = item;
+    let file = entry.file().to_owned();
+    let mut place = div().class("library-picture").attr("aria-hidden", "true");
+    pictures.add(number, entry.files, &place.node::<Element>());
+    let (into, out) = ((pictures.clone(), pictures.clone()), (pictures.clone(), pictures.clone()));
+    let address = browser::address(&Link { subject: Subject::Library(file.clone()), state: String::new() }.write());
+    let follow = move |event: MouseEvent| {
+        // Another tab or window is the browser's.
+        if !(event.ctrl_key() || event.meta_key() || event.shift_key() || event.alt_key()) {
+            event.prevent_default();
+            leave_for(app, file.clone());
+        }
+    };
+    let summary = format!("about-{number}");
+    let link = a()
+        .id(link_id(number))
+        .class("entry")
+        .href(address)
+        .attr("aria-describedby", summary.clone())
+        .when(events::click, follow)
+        .child(card.title);
+    let lang = (card.language != app.language.get_untracked().tag()).then_some(card.language);
+    li().hidden(move || found.with(|found| !is_found(found, number)))
+        .attr("lang", lang)
+        .when(events::mouseenter, move |_| into.0.attend(number))
+        .when(events::mouseleave, move |_| out.0.leave(number))
+        .when(events::focusin, move |_| into.1.attend(number))
+        .when(events::focusout, move |_| out.1.leave(number))
+        .child(place)
+        .child(h4().child(link))
+        .child(p().id(summary).inner_html(card.summary))
+        .maybe((!card.topics.is_empty()).then(|| p().class("library-topics").child(card.topics.join(" · "))))
+}
+
+fn leave_for(app: App, file: String) {
+    if let Some(dialog) = browser::by_id::<HtmlDialogElement>("library-list") {
+        dialog.close();
+    }
+    app.library_asked_for.set(false);
+    open(app, &file);
+    browser::focus_later("browse".to_owned());
+}
+
+fn link_id(number: usize) -> String {
+    format!("entry-{number}")
+}
+
+/// From the search to the first card.
+fn from_search(event: &KeyboardEvent, found: ReadSignal<Found>) {
+    let key = event.key();
+    if key == "ArrowDown" || (key == "Enter" && browser::focused() == SEARCH) {
+        let first = found.with(|found| found.iter().position(|shown| *shown));
+        if let Some(first) = first {
+            event.prevent_default();
+            browser::focus(&link_id(first));
+        }
+    }
+}
+
+/// Arrow keys go from card to card as they lie on the screen.
+fn among_cards(event: &KeyboardEvent, found: ReadSignal<Found>) {
+    let Some(present) = browser::focused().strip_prefix("entry-").and_then(|number| number.parse::<usize>().ok())
+    else {
+        return;
+    };
+    if event.ctrl_key() || event.meta_key() || event.shift_key() || event.alt_key() {
+        return;
+    }
+    let shown: Vec<usize> = found.with(|found| (0..found.len()).filter(|number| is_found(found, *number)).collect());
+    let next = match event.key().as_str() {
+        "ArrowRight" => shown.iter().copied().find(|number| *number > present),
+        "ArrowLeft" => shown.iter().copied().rev().find(|number| *number < present),
+        "Home" => shown.first().copied(),
+        "End" => shown.last().copied(),
+        "ArrowDown" => beside(present, &shown, 1.0),
+        "ArrowUp" => {
+            let above = beside(present, &shown, -1.0);
+            if above.is_none() {
+                browser::focus(SEARCH);
+            }
+            above
+        }
+        _ => return,
+    };
+    event.prevent_default();
+    if let Some(next) = next {
+        browser::focus(&link_id(next));
+    }
+}
+
+/// The card in the next row, or with -1 in the one before, that is nearest to the present one.
+fn beside(present: usize, shown: &[usize], down: f64) -> Option<usize> {
+    let place = |number: usize| {
+        let link: HtmlElement = browser::by_id(&link_id(number))?;
+        let bounds = link.get_bounding_client_rect();
+        Some((bounds.left(), bounds.top()))
+    };
+    let (left, top) = place(present)?;
+    let candidates = shown.iter().filter_map(|number| {
+        let (x, y) = place(*number)?;
+        let rows = (y - top) * down;
+        (rows > 1.0).then_some((rows, (x - left).abs(), *number))
+    });
+    let order = |one: &(f64, f64, usize), other: &(f64, f64, usize)| (one.0, one.1).partial_cmp(&(other.0, other.1));
+    candidates.min_by(|one, other| order(one, other).unwrap_or(std::cmp::Ordering::Equal)).map(|(_, _, number)| number)
 }

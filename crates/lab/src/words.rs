@@ -82,6 +82,9 @@ table_of_words! {
     // The library.
     library: "Documents", "Documentos";
     library_title: "Simulations and theories that this page carries", "Simulaciones y teorías que lleva esta página";
+    library_search: "Search", "Buscar";
+    library_topics: "Topics", "Temas";
+    library_found: "Documents found", "Documentos encontrados";
     library_intro: "Records and fits stay when another document is opened.", "Los registros y los ajustes se conservan al abrir otro documento.";
     library_simulations: "Simulations", "Simulaciones";
     library_theories: "Theories of a liquid column that comes to rest", "Teorías de una columna de líquido que se detiene";

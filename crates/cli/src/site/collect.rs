@@ -45,6 +45,14 @@ impl Simulation {
         format!("{LABORATORY}#1&d={}.md", percent_encoded(&self.name))
     }
 
+    /// The text of its edition in a language; that of the document where there is none.
+    pub fn text(&self, language: &str) -> &str {
+        let document = &self.document;
+        let mut translations = document.program.languages().skip(1).zip(&document.translations);
+        let own = translations.find(|(tag, _)| *tag == language);
+        own.map_or(&document.source, |(_, text)| text)
+    }
+
     /// Its files as the laboratory calls them, by their paths below the folder.
     pub fn library(&self) -> impl Iterator<Item = Source> {
         let folder = self.folder();

@@ -5,7 +5,6 @@ use super::curve;
 use super::files::Files;
 use super::names::{LABORATORY, percent_encoded};
 use super::parts::{Parts, SITE_POLICY, between};
-use program::{Block, Edition};
 use std::fmt::Write as _;
 use units::Language;
 use units::markup::escaped;
@@ -166,44 +165,10 @@ fn card(language: Language, simulation: &Simulation, curve: Option<&str>, words:
         "<li class=\"card\">{drawing}<{heading}{lang}><a href=\"{page}\">{}</a></{heading}><p{lang}>{}</p>\
          <p class=\"ways\">{also}<a class=\"laboratory\" href=\"{}\">{}</a></p></li>\n",
         escaped(&edition.title),
-        first_sentence(edition),
+        document::card(simulation.text(&edition.language)).summary,
         escaped(&simulation.in_laboratory()),
         words.open,
     )
-}
-
-/// The first sentence of the prose, as HTML. The document has made it safe.
-fn first_sentence(edition: &Edition) -> &str {
-    let blocks = edition.sections.iter().flat_map(|section| &section.blocks);
-    let paragraph = blocks.filter_map(|block| match block {
-        Block::Html(html) => between(html, "<p>", "</p>"),
-        Block::Question(_) => None,
-    });
-    paragraph.map(sentence).next().unwrap_or_default()
-}
-
-/// Up to a full stop that stands in no element and before no small letter, as that of *e.g.* does.
-fn sentence(html: &str) -> &str {
-    let (mut depth, mut in_tag) = (0_i32, false);
-    for (at, letter) in html.char_indices() {
-        let rest = &html[at + letter.len_utf8()..];
-        match letter {
-            '<' => {
-                in_tag = true;
-                let is_void = ["br", "img", "hr", "wbr"].iter().any(|name| rest.starts_with(name));
-                depth += if rest.starts_with('/') { -1 } else { i32::from(!is_void) };
-            }
-            '>' => in_tag = false,
-            '.' | '!' | '?' if depth == 0 && !in_tag => {
-                let next = rest.trim_start();
-                if rest.is_empty() || (next.len() < rest.len() && !next.starts_with(char::is_lowercase)) {
-                    return &html[..at + 1];
-                }
-            }
-            _ => {}
-        }
-    }
-    html
 }
 
 const MARK: &str = "<p class=\"brand\"><svg class=\"mark\" viewBox=\"0 0 32 32\" width=\"32\" height=\"32\" aria-hidden=\"true\">\
@@ -215,20 +180,6 @@ const FLASK: &str = "<svg class=\"glyph\" viewBox=\"0 0 24 24\" width=\"20\" hei
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn sentences_end_at_full_stops_outside_of_elements() {
-        for (html, expected) in [
-            ("A ball falls. It bounces.", "A ball falls."),
-            ("One alone", "One alone"),
-            ("Of 3.5 m, e.g. a rod. Then", "Of 3.5 m, e.g. a rod."),
-            ("In <em>A. B.</em> it stands! Yes.", "In <em>A. B.</em> it stands!"),
-            ("A line<br>and more. Then", "A line<br>and more."),
-            ("With <math><mi>x</mi><mo>.</mo></math> in it.\nMore", "With <math><mi>x</mi><mo>.</mo></math> in it."),
-        ] {
-            assert_eq!(sentence(html), expected);
-        }
-    }
 
     #[test]
     fn folders_become_headings() {

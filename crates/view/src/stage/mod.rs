@@ -67,7 +67,7 @@ fn instruments(app: App, has_scene: bool) -> HtmlDiv {
                 scene.ruler = None;
             }
         });
-        let root = app.nodes(|nodes| nodes.scene.as_ref().and_then(SceneNodes::root)).flatten();
+        let root = app.nodes(|nodes| nodes.scene.as_ref().map(SceneNodes::root)).flatten();
         let ruler = root.filter(|_| laid).and_then(|root| ruler::lay(app, &root));
         rules.set(ruler.is_some());
         app.nodes(|nodes| {

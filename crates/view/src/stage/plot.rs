@@ -6,12 +6,13 @@ use super::gesture::Gesture;
 use super::pinned::{LETTERS, Pinned};
 use crate::app::App;
 use crate::colours::Colours;
+use crate::sight::Sight;
 use crate::views::*;
 use figure::{Point, Readout, Settings};
 use play::{Play, PlotId};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
-use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlElement, IntersectionObserver, ResizeObserver};
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlElement, ResizeObserver};
 
 /// A plot's canvas and what is drawn over the figure.
 pub struct PlotNodes {
@@ -39,9 +40,10 @@ pub struct PlotNodes {
     pub pinned: Signal<Pinned>,
     /// What the pointers on the canvas are about.
     pub gesture: Gesture,
-    observers: Option<(ResizeObserver, IntersectionObserver)>,
-    /// Kept as long as the observers call them.
-    _callbacks: [Closure<dyn FnMut(js_sys::Array)>; 2],
+    sight: Option<Sight>,
+    observer: Option<ResizeObserver>,
+    /// Kept as long as the observer calls it.
+    _resized: Closure<dyn FnMut(js_sys::Array)>,
 }
 
 impl PlotNodes {
@@ -134,9 +136,8 @@ impl PlotNodes {
 
 impl Drop for PlotNodes {
     fn drop(&mut self) {
-        if let Some((resize, intersection)) = &self.observers {
-            resize.disconnect();
-            intersection.disconnect();
+        if let Some(observer) = &self.observer {
+            observer.disconnect();
         }
     }
 }
@@ -155,15 +156,7 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
         with_plot(app, id, PlotNodes::fit);
         app.wake();
     });
-    let seen = Closure::<dyn FnMut(js_sys::Array)>::new(move |entries: js_sys::Array| {
-        let entry: Option<web_sys::IntersectionObserverEntry> = entries.pop().dyn_into().ok();
-        if let Some(entry) = entry {
-            with_plot(app, id, |plot| plot.visible = entry.is_intersecting());
-            app.wake();
-        }
-    });
-    let observers = ResizeObserver::new(resized.as_ref().unchecked_ref())
-        .and_then(|resize| Ok((resize, IntersectionObserver::new(seen.as_ref().unchecked_ref())?)));
+    let observer = ResizeObserver::new(resized.as_ref().unchecked_ref()).ok();
     let nodes = PlotNodes {
         canvas: canvas.clone(),
         context,
@@ -181,8 +174,9 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
         pins: Vec::new(),
         pinned,
         gesture: Gesture::default(),
-        observers: None,
-        _callbacks: [resized, seen],
+        sight: None,
+        observer: observer.clone(),
+        _resized: resized,
     };
     // The observer tells the size when the page has been laid out; asking now would lay it out twice.
     app.nodes(|all| {
@@ -193,11 +187,14 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
         }
         plots[place] = Some(nodes);
     });
-    if let Ok((resize, intersection)) = observers {
-        resize.observe(canvas);
-        intersection.observe(canvas);
-        with_plot(app, id, |plot| plot.observers = Some((resize, intersection)));
+    if let Some(observer) = observer {
+        observer.observe(canvas);
     }
+    let sight = Sight::of(canvas, move |visible| {
+        with_plot(app, id, |plot| plot.visible = visible);
+        app.wake();
+    });
+    with_plot(app, id, |plot| plot.sight = Some(sight));
     app.wake();
 }
 

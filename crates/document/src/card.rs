@@ -1,0 +1,250 @@
+//! What a list of documents shows of a file: its title, a sentence and its topics. They are read without the model, so that
+//! a long list is quick.
+
+use crate::block::BlockKind;
+use crate::fences;
+use crate::front_matter::{FrontMatter, Value, read};
+use crate::outline::LENGTH;
+use crate::prose::Prose;
+use model::{Diagnostic, Span};
+use program::Block;
+use units::markup::escaped;
+use units::words;
+
+/// The longest summary, in characters.
+const SUMMARY: usize = 200;
+/// As many topics may a document have.
+const TOPICS: usize = 6;
+/// The longest topic, in characters.
+const TOPIC: usize = 40;
+
+/// What a list of documents shows of a document or of a translation.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Card {
+    /// The title; empty without one.
+    pub title: String,
+    /// The language; `en` unless stated.
+    pub language: String,
+    /// The file that this one translates, if it is a translation.
+    pub translates: Option<String>,
+    /// What it is about, as HTML that is safe to show: the `summary` of the front matter, else the first sentence of the prose.
+    pub summary: String,
+    /// The topics, as they are written.
+    pub topics: Vec<String>,
+}
+
+/// The card of a document or of a translation. Always succeeds; [`crate::open`] says what is wrong. A text of more than 1 MB
+/// has an empty one.
+pub fn card(source: &str) -> Card {
+    let source = if source.len() > LENGTH { "" } else { source };
+    let matter = read(source, &mut Vec::new());
+    let text = |key: &str| matter.get(key).map(|value| value.text.clone());
+    let summary = matter.get("summary").filter(|summary| is_short(&summary.text, SUMMARY));
+    Card {
+        title: text("title").unwrap_or_default(),
+        language: text("language").unwrap_or_else(|| "en".to_owned()),
+        translates: text("translates"),
+        summary: summary.map_or_else(|| first_sentence(source, &matter), |summary| escaped(&summary.text)),
+        topics: matter.get("topics").map(topics).unwrap_or_default(),
+    }
+}
+
+fn is_short(text: &str, most: usize) -> bool {
+    text.chars().nth(most).is_none()
+}
+
+/// The topics that can be shown, each with its place.
+fn placed(value: &Value) -> impl Iterator<Item = (&str, Span)> {
+    let is_quoted = value.span.range().len() > value.text.len();
+    let mut at = value.span.start + usize::from(is_quoted);
+    value.text.split(',').map(move |part| {
+        let start = at + (part.len() - part.trim_start().len());
+        at += part.len() + 1;
+        let topic = part.trim();
+        (topic, Span::new(start, start + topic.len()))
+    })
+}
+
+/// The topics without those that are refused.
+fn topics(value: &Value) -> Vec<String> {
+    let mut topics: Vec<String> = Vec::new();
+    for (topic, _) in placed(value) {
+        if !topic.is_empty()
+            && is_short(topic, TOPIC)
+            && topics.len() < TOPICS
+            && !topics.iter().any(|other| other == topic)
+        {
+            topics.push(topic.to_owned());
+        }
+    }
+    topics
+}
+
+/// Reports what is wrong with `summary` and `topics`.
+pub(crate) fn check(matter: &FrontMatter, diagnostics: &mut Vec<Diagnostic>) {
+    if let Some(summary) = matter.get("summary").filter(|summary| !is_short(&summary.text, SUMMARY)) {
+        let message =
+            words!("`summary` has more than {SUMMARY} characters", "`summary` tiene más de {SUMMARY} caracteres");
+        diagnostics.push(Diagnostic::error("setting", message, summary.span).with_hint(words(
+            "it is one sentence for a list; the rest belongs to the prose",
+            "es una frase para una lista; lo demás va en el texto",
+        )));
+    }
+    let Some(value) = matter.get("topics") else { return };
+    let refused = |message, span| {
+        Diagnostic::error("setting", message, span).with_hint(words(
+            "write a few words with commas between them",
+            "escribe unas pocas palabras separadas por comas",
+        ))
+    };
+    let mut before: Vec<&str> = Vec::new();
+    for (topic, span) in placed(value) {
+        let message = if topic.is_empty() {
+            words("a topic is missing between two commas", "falta un tema entre dos comas")
+        } else if !is_short(topic, TOPIC) {
+            words!("a topic has more than {TOPIC} characters", "un tema tiene más de {TOPIC} caracteres")
+        } else if before.contains(&topic) {
+            words!("the topic `{topic}` is given twice", "el tema `{topic}` se da dos veces")
+        } else if before.len() == TOPICS {
+            words!("a document has at most {TOPICS} topics", "un documento tiene como máximo {TOPICS} temas")
+        } else {
+            before.push(topic);
+            continue;
+        };
+        return diagnostics.push(refused(message, span));
+    }
+}
+
+/// Reports what of a document's card its translation lacks. `language` is where the translation says its language.
+pub(crate) fn check_translated(
+    original: &str,
+    translation: &FrontMatter,
+    language: Span,
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    let original = read(original, &mut Vec::new());
+    for key in ["summary", "topics"] {
+        if original.get(key).is_some() && translation.get(key).is_none() {
+            let message = words!("`{key}` has no translation", "`{key}` no tiene traducción");
+            diagnostics.push(
+                Diagnostic::warning("untranslated", message, language).with_hint(words!(
+                    "add a line `{key}` to the front matter",
+                    "añade una línea `{key}` a la cabecera"
+                )),
+            );
+        }
+    }
+}
+
+/// The first sentence of the prose, as HTML.
+fn first_sentence(source: &str, matter: &FrontMatter) -> String {
+    let blocks = fences::split(source, matter.span.end..source.len(), &mut Vec::new());
+    let paragraph = |html: &str| {
+        let (_, rest) = html.split_once("<p>")?;
+        let (paragraph, _) = rest.split_once("</p>")?;
+        Some(sentence(paragraph).to_owned())
+    };
+    let mut sentences = blocks.iter().filter(|block| block.kind == BlockKind::Prose).filter_map(|block| {
+        let mut prose = Prose::new(source);
+        prose.markdown(block.content.range());
+        let (sections, _) = prose.finish();
+        sections.iter().flat_map(|section| &section.blocks).find_map(|block| match block {
+            Block::Html(html) => paragraph(html),
+            Block::Question(_) => None,
+        })
+    });
+    sentences.next().unwrap_or_default()
+}
+
+/// Up to a full stop that stands in no element and before no small letter, as that of *e.g.* does.
+fn sentence(html: &str) -> &str {
+    let (mut depth, mut in_tag) = (0_i32, false);
+    for (at, letter) in html.char_indices() {
+        let end = at + letter.len_utf8();
+        let rest = html.get(end..).unwrap_or_default();
+        match letter {
+            '<' => {
+                in_tag = true;
+                let is_void = ["br", "img", "hr", "wbr"].iter().any(|name| rest.starts_with(name));
+                depth += if rest.starts_with('/') { -1 } else { i32::from(!is_void) };
+            }
+            '>' => in_tag = false,
+            '.' | '!' | '?' if depth == 0 && !in_tag => {
+                let next = rest.trim_start();
+                if rest.is_empty() || (next.len() < rest.len() && !next.starts_with(char::is_lowercase)) {
+                    return html.get(..end).unwrap_or(html);
+                }
+            }
+            _ => {}
+        }
+    }
+    html
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sentences_end_at_full_stops_outside_of_elements() {
+        for (html, expected) in [
+            ("A ball falls. It bounces.", "A ball falls."),
+            ("One alone", "One alone"),
+            ("Of 3.5 m, e.g. a rod. Then", "Of 3.5 m, e.g. a rod."),
+            ("In <em>A. B.</em> it stands! Yes.", "In <em>A. B.</em> it stands!"),
+            ("A line<br>and more. Then", "A line<br>and more."),
+            ("With <math><mi>x</mi><mo>.</mo></math> in it.\nMore", "With <math><mi>x</mi><mo>.</mo></math> in it."),
+        ] {
+            assert_eq!(sentence(html), expected);
+        }
+    }
+
+    #[test]
+    fn a_card_shows_what_the_front_matter_says_or_the_first_sentence() {
+        let stated = card(
+            "---\ntitle: A ball\nlanguage: es\ntranslates: ball.md\nsummary: \"Bota & salta.\"\ntopics: choques , mecánica\n---\n\nOtra.",
+        );
+        assert_eq!(
+            stated,
+            Card {
+                title: "A ball".to_owned(),
+                language: "es".to_owned(),
+                translates: Some("ball.md".to_owned()),
+                summary: "Bota &amp; salta.".to_owned(),
+                topics: vec!["choques".to_owned(), "mecánica".to_owned()],
+            }
+        );
+        let bare = card("# A heading\n\n```model\nx = 1\n```\n\nA *ball* & $x$. It bounces.\n\nMore.");
+        assert_eq!((bare.title.as_str(), bare.language.as_str(), bare.topics.len()), ("", "en", 0));
+        assert!(bare.summary.starts_with("A <em>ball</em> &amp; <math"), "{}", bare.summary);
+        assert!(bare.summary.ends_with("</math>."), "{}", bare.summary);
+        let hostile = card("A <script>harm()</script> ball. Then").summary;
+        assert_eq!(hostile, "A &lt;script&gt;harm()&lt;/script&gt; ball.");
+        assert_eq!(card("").summary, "");
+        assert_eq!(card(&"a".repeat(LENGTH + 1)), Card { language: "en".to_owned(), ..Card::default() });
+    }
+
+    #[test]
+    fn what_a_card_cannot_show_is_left_out_and_reported_at_its_place() {
+        let long = "x".repeat(TOPIC + 1);
+        for (line, place, kept) in [
+            ("topics: \"a, b,, c\"".to_owned(), "", "a b c"),
+            (format!("topics: a, {long}, b"), long.as_str(), "a b"),
+            ("topics:  a, b , a".to_owned(), "a", "a b"),
+            ("topics: a,b,c,d,e,f,g".to_owned(), "g", "a b c d e f"),
+        ] {
+            let source = format!("---\n{line}\n---\n");
+            let mut found = Vec::new();
+            check(&read(&source, &mut Vec::new()), &mut found);
+            let [diagnostic] = &found[..] else { panic!("{line}: {found:?}") };
+            assert_eq!(&source[diagnostic.span().range()], place, "{line}");
+            assert!(diagnostic.span().start > source.find('a').unwrap_or_default(), "{line}");
+            assert_eq!(card(&source).topics.join(" "), kept);
+        }
+        let source = format!("---\nsummary: {}\n---\nA ball.", "x".repeat(SUMMARY + 1));
+        let mut found = Vec::new();
+        check(&read(&source, &mut Vec::new()), &mut found);
+        assert_eq!(found.len(), 1);
+        assert_eq!(card(&source).summary, "A ball.");
+    }
+}

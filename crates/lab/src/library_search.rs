@@ -1,0 +1,76 @@
+//! Searching the library: by words that are typed, and by a topic.
+
+use document::Card;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+use view::views::*;
+
+/// For each card whether it is found.
+pub type Found = Vec<bool>;
+
+/// What is searched for, and in what.
+pub struct Search {
+    /// What has been typed.
+    pub typed: Signal<String>,
+    /// The topic chosen.
+    pub topic: Signal<Option<String>>,
+    /// All topics, the most frequent one first.
+    pub topics: Vec<String>,
+    cards: Rc<Vec<Searched>>,
+}
+
+/// A card, as it is compared.
+struct Searched {
+    text: String,
+    topics: Vec<String>,
+}
+
+impl Search {
+    /// A search over cards; nothing is searched for yet.
+    pub fn over<'a>(cards: impl Iterator<Item = &'a Card>) -> Self {
+        let mut counts: BTreeMap<String, (usize, String)> = BTreeMap::new();
+        let mut searched = Vec::new();
+        for card in cards {
+            let topics: Vec<String> = card.topics.iter().map(|topic| folded(topic)).collect();
+            for (key, topic) in topics.iter().zip(&card.topics) {
+                counts.entry(key.clone()).or_insert_with(|| (0, topic.clone())).0 += 1;
+            }
+            let text = [&card.title, &without_tags(&card.summary), &card.topics.join(" ")].map(|text| folded(text));
+            searched.push(Searched { text: text.join(" "), topics });
+        }
+        let mut topics: Vec<(usize, String)> = counts.into_values().collect();
+        topics.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+        Self {
+            typed: create_signal(String::new()),
+            topic: create_signal(None),
+            topics: topics.into_iter().map(|(_, topic)| topic).collect(),
+            cards: Rc::new(searched),
+        }
+    }
+
+    /// What is found. Every word typed must occur, as a part of a word too.
+    pub fn found(&self) -> ReadSignal<Found> {
+        let (typed, topic, cards) = (self.typed, self.topic, self.cards.clone());
+        memo(move || {
+            let (typed, topic) = (folded(&typed.get_clone()), topic.get_clone().map(|topic| folded(&topic)));
+            let words: Vec<&str> = typed.split_whitespace().collect();
+            let fits = |card: &Searched| {
+                let has_topic = topic.as_ref().is_none_or(|topic| card.topics.contains(topic));
+                has_topic && words.iter().all(|word| card.text.contains(word))
+            };
+            cards.iter().map(fits).collect()
+        })
+    }
+}
+
+/// A text for comparing: small letters without accents.
+fn folded(text: &str) -> String {
+    let decomposed = String::from(js_sys::JsString::from(text.to_lowercase()).normalize("NFD"));
+    decomposed.chars().filter(|letter| !('\u{300}'..='\u{36f}').contains(letter)).collect()
+}
+
+/// The text of HTML.
+fn without_tags(html: &str) -> String {
+    let parts = html.split('<').map(|part| part.split_once('>').map_or(part, |(_, text)| text));
+    parts.collect::<Vec<_>>().join(" ")
+}

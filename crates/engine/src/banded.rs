@@ -2,6 +2,8 @@
 //! of operations (Golub & Van Loan, Matrix Computations, algorithm 4.3.2 with the row exchanges of LAPACK's dgbtf2). The work
 //! grows with the number of rows, not with its cube. A singular system has no solution: every unknown is then NaN.
 
+use program::band_width;
+
 /// An LU factorization of a square matrix with `lower` diagonals below the main one and `upper` above it.
 #[derive(Clone, Debug)]
 pub(crate) struct Banded {
@@ -12,24 +14,20 @@ pub(crate) struct Banded {
     values: Vec<f64>,
     /// Row `k` was exchanged with row `exchanged[k]`.
     exchanged: Vec<usize>,
-    singular: bool,
+    /// Whether no pivot was found.
+    pub singular: bool,
 }
 
 impl Banded {
     /// Room for a matrix, all zero.
     pub fn new(size: usize, lower: usize, upper: usize) -> Self {
-        let width = Self::width(lower, upper);
+        let width = band_width(lower, upper);
         Self { size, lower, upper, values: vec![0.0; size * width], exchanged: vec![0; size], singular: false }
-    }
-
-    /// How many numbers a row takes.
-    pub fn width(lower: usize, upper: usize) -> usize {
-        2 * lower + upper + 1
     }
 
     /// Where an entry within the diagonals stands among [`Banded::values_mut`].
     pub fn place(&self, row: usize, column: usize) -> usize {
-        row * Self::width(self.lower, self.upper) + column + self.lower - row
+        row * band_width(self.lower, self.upper) + column + self.lower - row
     }
 
     /// The matrix before [`Banded::factorize`].
@@ -39,7 +37,7 @@ impl Banded {
 
     /// About how many floating-point operations one factorization and so many solutions take.
     pub fn work(&self, solutions: usize) -> usize {
-        2 * self.size * (self.lower * (self.lower + self.upper + 1) + solutions * Self::width(self.lower, self.upper))
+        2 * self.size * (self.lower * (self.lower + self.upper + 1) + solutions * band_width(self.lower, self.upper))
     }
 
     /// Replaces the matrix by its factors.

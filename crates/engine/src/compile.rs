@@ -3,7 +3,7 @@
 use crate::code::Code;
 use crate::columns::{Entry, columns};
 use crate::instruction::{Elimination, Instruction, Operation, Register};
-use crate::linear::Factors;
+use crate::sparse::Sparse;
 use program::{Binary, Graph, Node, NodeId, Unary};
 
 /// Fewer operations are not worth the search for columns.
@@ -299,13 +299,13 @@ impl<'a> Compiler<'a> {
     fn emit_system(&mut self, system: u32, stage: Stage) -> u32 {
         let linear = &self.graph.systems()[system as usize];
         let size = linear.right.len();
-        let matrix = linear.matrix.iter().map(|&id| self.of(id)).collect();
+        let entries = linear.entries.iter().map(|entry| self.of(entry.node)).collect();
         let right = linear.right.iter().map(|&id| self.of(id)).collect();
         let target = self.code.registers.len() as Register;
         self.code.registers.resize(target as usize + size, 0.0);
         let number = self.code.systems.len() as u32;
-        let factors = Factors::new(size);
-        self.code.systems.push(Elimination { matrix, right, target, factors, solution: vec![0.0; size] });
+        let matrix = Sparse::new(size, &linear.pattern());
+        self.code.systems.push(Elimination { entries, right, target, matrix, solution: vec![0.0; size] });
         self.push(stage, Instruction::Solve(number));
         self.system[system as usize] = Some(number);
         number
@@ -343,10 +343,7 @@ fn operands(graph: &Graph, node: Node) -> Vec<NodeId> {
         Node::Unary(_, a) | Node::Piece(_, a) => vec![a],
         Node::Binary(_, a, b) | Node::Interpolated(_, a, b) => vec![a, b],
         Node::Select(a, b, c) | Node::Friction(a, b, c) | Node::Binomial(a, b, c) => vec![a, b, c],
-        Node::Solution { system, .. } => {
-            let system = &graph.systems()[system as usize];
-            system.matrix.iter().chain(&system.right).copied().collect()
-        }
+        Node::Solution { system, .. } => graph.systems()[system as usize].operands().collect(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Instructions of the register machine.
 
-use crate::linear::Factors;
+use crate::sparse::Sparse;
 use program::{Binary, Unary};
 
 /// The number of a register.
@@ -101,35 +101,30 @@ impl Operation {
 /// A linear system among the registers of a routine.
 #[derive(Clone, Debug)]
 pub(crate) struct Elimination {
-    /// The registers of the matrix, row by row.
-    pub matrix: Vec<Register>,
+    /// The registers of the entries of the matrix.
+    pub entries: Vec<Register>,
     /// The registers of the right side.
     pub right: Vec<Register>,
     /// The first of the registers that receive the unknowns.
     pub target: Register,
-    /// Room for the factors, so that solving allocates nothing.
-    pub factors: Factors,
+    /// Room for the matrix and its factors, so that solving allocates nothing.
+    pub matrix: Sparse,
     /// Room for the solution.
     pub solution: Vec<f64>,
 }
 
 impl Elimination {
-    /// About how many floating-point operations a solution takes.
-    pub fn work(&self) -> usize {
-        let size = self.solution.len();
-        size * size * (2 + size / 3)
-    }
-
     /// Reads the system of one row from `registers` and writes the unknowns there.
     pub fn solve<const ROWS: usize>(&mut self, registers: &mut [[f64; ROWS]], row: usize) {
-        for (value, &register) in self.factors.values.iter_mut().zip(&self.matrix) {
-            *value = registers[register as usize][row];
-        }
+        self.matrix.factorize(0.0, |values, places| {
+            for (&place, &register) in places.iter().zip(&self.entries) {
+                values[place] = registers[register as usize][row];
+            }
+        });
         for (value, &register) in self.solution.iter_mut().zip(&self.right) {
             *value = registers[register as usize][row];
         }
-        self.factors.factorize();
-        self.factors.solve(&mut self.solution);
+        self.matrix.solve(&mut self.solution);
         let targets = registers[self.target as usize..].iter_mut();
         targets.zip(&self.solution).for_each(|(register, value)| register[row] = *value);
     }

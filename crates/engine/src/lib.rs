@@ -2,7 +2,6 @@
 
 mod adaptive;
 mod banded;
-mod bandwidth;
 mod checkpoints;
 pub mod checks;
 mod code;
@@ -34,6 +33,7 @@ mod rosenbrock;
 mod routine;
 mod run;
 mod setup;
+mod sparse;
 mod start;
 mod stepper;
 mod surfaces;

@@ -40,7 +40,7 @@ impl Routine {
     }
 
     fn of(code: Code, states: usize) -> Self {
-        let systems: usize = code.systems.iter().map(|system| system.work()).sum();
+        let systems: usize = code.systems.iter().map(|system| system.matrix.work(1)).sum();
         let work = (code.operations() + code.roots.len() + states + systems) as u64;
         Self { code, rows: Vec::new(), states, work }
     }
@@ -123,6 +123,6 @@ impl Routine {
 
     /// Whether the last evaluation met a linear system without a solution.
     pub(crate) fn singular(&self) -> bool {
-        self.code.systems.iter().any(|system| system.factors.singular)
+        self.code.systems.iter().any(|system| system.matrix.singular())
     }
 }

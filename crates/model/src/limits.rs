@@ -13,8 +13,6 @@ pub(crate) const MEMBER_OPERATIONS: usize = 1_000_000;
 pub(crate) const ORDER: u32 = 16;
 /// States of a model.
 pub(crate) const STATES: usize = 4096;
-/// Unknowns of equations that must be solved together.
-pub(crate) const COUPLED: usize = 32;
 /// Dry frictions of a model.
 pub(crate) const FRICTIONS: usize = 16;
 /// Parts that all calls of the author's functions together may have when they are written out.

@@ -1,6 +1,7 @@
 //! What is left when a document is understood: equations as a graph, drawing, plots, presets, questions, checks and finished prose,
 //! without source text and places in it. It is what runs; [`bundle`] writes and reads it.
 
+mod bandwidth;
 pub mod bundle;
 mod chance;
 mod checks;
@@ -16,10 +17,12 @@ mod questions;
 mod scene;
 mod speed;
 
+pub use bandwidth::{band_width, banded_order, bandwidth, places};
 pub use chance::binomial;
 pub use checks::{Check, Claim, Moment, Relation, Sides, Test};
 pub use graph::{
-    Binary, Graph, Interpolation, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate, differentiate_all,
+    Binary, Entry, Graph, Interpolation, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate,
+    differentiate_all,
 };
 pub use method::{Method, UnknownMethod};
 pub use model::{

@@ -3,7 +3,7 @@
 use crate::simulations::{faultless, names};
 use engine::checks::Checking;
 use engine::{Advance, Run, Setup};
-use program::{Program, bundle};
+use program::{Entry, LinearSystem, NodeId, Program, bundle};
 
 /// Steps whose bits are compared.
 const MOST_STEPS: usize = 4000;
@@ -82,5 +82,40 @@ fn damaged_bundles_are_refused() {
             }
             let _ = Checking::new().advance(&program, 1000);
         }
+    }
+}
+
+#[test]
+fn linear_systems_that_are_unsound_or_too_large_are_refused() {
+    let program = faultless("double-pendulum").program;
+    let node = NodeId(0);
+    let entry = |row, column| Entry { row, column, node };
+    let dense = |size: usize| {
+        let entries = (0..size * size).map(|place| ((place / size, place % size), node));
+        LinearSystem::new(entries, vec![node; size])
+    };
+    let line = |size: usize| {
+        let entries =
+            (0..size).flat_map(|row| (row.saturating_sub(1)..size.min(row + 2)).map(move |column| (row, column)));
+        LinearSystem::new(entries.map(|place| (place, node)), vec![node; size])
+    };
+    for (system, numbers) in [(dense(32), Some(1024)), (dense(33), None), (line(100), Some(400))] {
+        assert_eq!(system.numbers(), numbers);
+    }
+    let two = |entries: Vec<Entry>| LinearSystem { entries, right: vec![node; 2] };
+    for (system, sound) in [
+        (dense(3), true),
+        (line(1000), true),
+        (two(vec![entry(0, 1), entry(1, 0)]), true),
+        (two(vec![entry(1, 0), entry(0, 1)]), false),
+        (two(vec![entry(0, 0), entry(0, 0)]), false),
+        (two(vec![entry(0, 2)]), false),
+        (two(vec![entry(2, 0)]), false),
+        (dense(40), false),
+        (line(300_000), false),
+    ] {
+        let mut hostile = program.clone();
+        hostile.model.graph.insert_system(system);
+        assert_eq!(bundle::read(&bundle::write(&hostile).unwrap()).is_ok(), sound);
     }
 }

@@ -45,8 +45,9 @@ fn graph(arbitrary: &mut Arbitrary) -> (Graph, Vec<NodeId>) {
         nodes.extend(layer);
     }
     let size = 3;
-    let matrix = nodes.iter().rev().take(size * size).copied().collect();
-    let system = graph.insert_system(program::LinearSystem { matrix, right: nodes[..size].to_vec() });
+    let matrix = nodes.iter().rev().take(size * size).enumerate();
+    let entry = |(place, &node): (usize, &NodeId)| ((place / size, place % size), node);
+    let system = graph.insert_system(program::LinearSystem::new(matrix.map(entry), nodes[..size].to_vec()));
     nodes.extend((0..size as u32).map(|row| graph.insert(Node::Solution { system, row })));
     (graph, nodes)
 }

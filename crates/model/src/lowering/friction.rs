@@ -255,16 +255,16 @@ fn forces(graph: &mut Graph, frictions: &[Friction], held: Option<usize>) -> Vec
         let sticking = graph.negate(opposite);
         return vec![graph.select(sticks[0], sticking, sliding[0])];
     }
-    let (mut matrix, mut right) = (Vec::new(), Vec::new());
+    let (mut entries, mut right) = (Vec::new(), Vec::new());
     for (row, friction) in frictions.iter().enumerate() {
         for (column, &effect) in friction.effects.iter().enumerate() {
             let own = if row == column { one } else { zero };
-            matrix.push(graph.select(sticks[row], effect, own));
+            entries.push(((row, column), graph.select(sticks[row], effect, own)));
         }
         let opposite = graph.negate(friction.rest);
         right.push(graph.select(sticks[row], opposite, sliding[row]));
     }
-    let system = graph.insert_system(LinearSystem { matrix, right });
+    let system = graph.insert_system(LinearSystem::new(entries, right));
     (0..frictions.len()).map(|row| graph.insert(Node::Solution { system, row: row as u32 })).collect()
 }
 

@@ -7,8 +7,9 @@ use super::expression::{Chain, Lowered, Lowering, TooManyNodes};
 use super::rank::is_singular;
 use crate::matching::{blocks, match_equations};
 use crate::names::{Declarations, Equation, Meaning, Unknown, for_each_name};
-use crate::{Diagnostic, Span, limits};
+use crate::{Diagnostic, Span};
 use program::{Graph, LinearSystem, Node, NodeId};
+use std::collections::HashMap;
 use units::words;
 
 /// The highest derivative of each unknown as an expression in `graph`, in which texts are their places in `texts`. `order` is that
@@ -43,15 +44,18 @@ pub(crate) fn solve(
         .map(|unknown| contains[paired[unknown]].iter().copied().filter(|&other| other != unknown).collect())
         .collect();
     let mut solved = Solved { graph, rates: vec![None; unknowns.len()], collector: Collector::default() };
+    let mut numbers = 0;
     for block in blocks(&needs) {
         let regular = match block.as_slice() {
             &[unknown] => solved.alone(&affine[paired[unknown]], unknown),
-            members if members.len() > limits::COUPLED => {
-                return Err(vec![too_coupled(members, unknowns)]);
-            }
             members => {
                 let forms: Vec<&Affine> = members.iter().map(|&member| &affine[paired[member]]).collect();
-                solved.together(&forms, members)
+                let system = solved.together(&forms, members);
+                numbers += system.numbers().unwrap_or(usize::MAX / 2);
+                if numbers > LinearSystem::MOST_NUMBERS {
+                    return Err(vec![too_coupled(members, unknowns)]);
+                }
+                solved.enter(system, members)
             }
         };
         if !regular {
@@ -65,13 +69,17 @@ pub(crate) fn solve(
 
 fn too_coupled(members: &[usize], unknowns: &[Unknown]) -> Diagnostic {
     let message = words!(
-        "{} equations are coupled through their highest derivatives; {} are the most",
-        "{} ecuaciones están acopladas por sus derivadas de mayor orden; el máximo son {}",
+        "{} equations are coupled through their highest derivatives, each with many others; {} are the most",
+        "{} ecuaciones están acopladas por sus derivadas de mayor orden, cada una con muchas otras; el máximo son {}",
         members.len(),
-        limits::COUPLED
+        LinearSystem::MOST_DENSE
+    );
+    let hint = words(
+        "more can be solved where each contains highest derivatives of few neighbours only, as in a chain",
+        "más se pueden resolver si cada una contiene derivadas de mayor orden de pocas vecinas, como en una cadena",
     );
     let span = members.first().map(|&member| unknowns[member].span).unwrap_or_default();
-    Diagnostic::error("too-many-coupled-equations", message, span)
+    Diagnostic::error("too-many-coupled-equations", message, span).with_hint(hint)
 }
 
 /// Each equation as left side minus right side, linear in the highest derivatives.
@@ -203,24 +211,31 @@ impl Solved<'_> {
         let right = self.right(form, &[unknown]);
         let coefficient = self.or_zero(form.coefficients.get(&(unknown as u32)).copied());
         self.rates[unknown] = Some(self.collector.quotient(self.graph, right, coefficient));
-        !is_singular(self.graph, &[coefficient], 1)
+        !is_singular(self.graph, &LinearSystem::new([((0, 0), coefficient)], vec![right]))
     }
 
-    /// Coupled equations: a linear system. False if it never has one solution.
-    fn together(&mut self, forms: &[&Affine], members: &[usize]) -> bool {
+    /// Coupled equations as a linear system.
+    fn together(&mut self, forms: &[&Affine], members: &[usize]) -> LinearSystem {
         let one = self.graph.constant(1.0);
-        let mut matrix = Vec::with_capacity(members.len() * members.len());
+        let place: HashMap<usize, usize> = members.iter().enumerate().map(|(place, &member)| (member, place)).collect();
+        let mut entries = Vec::new();
         let mut right = Vec::with_capacity(members.len());
-        for form in forms {
-            for &member in members {
-                let coefficient = self.or_zero(form.coefficients.get(&(member as u32)).copied());
-                matrix.push(coefficient);
+        for (row, form) in forms.iter().enumerate() {
+            for (&unknown, &coefficient) in &form.coefficients {
+                if let Some(&column) = place.get(&(unknown as usize)) {
+                    entries.push(((row, column), coefficient));
+                }
             }
             let value = self.right(form, members);
             right.push(self.collector.quotient(self.graph, value, one));
         }
-        let regular = !is_singular(self.graph, &matrix, members.len());
-        let system = self.graph.insert_system(LinearSystem { matrix, right });
+        LinearSystem::new(entries, right)
+    }
+
+    /// Makes the unknowns of a system those of the equations. False if it never has one solution.
+    fn enter(&mut self, system: LinearSystem, members: &[usize]) -> bool {
+        let regular = !is_singular(self.graph, &system);
+        let system = self.graph.insert_system(system);
         for (row, &member) in members.iter().enumerate() {
             self.rates[member] = Some(self.graph.insert(Node::Solution { system, row: row as u32 }));
         }

@@ -145,13 +145,29 @@ fn a_chain_of_oscillators_is_solved_one_by_one() {
 
 #[test]
 fn too_many_equations_in_one_system() {
-    let coupled = |count: usize| lines(count, |n| format!("2*x{n}' + x{}' = -x{n}\nx{n}(0) = 1", (n + 1) % count));
-    let (model, _) = on_a_small_stack("independent t\n".to_owned() + &coupled(32));
+    let coupled = |count: usize| {
+        let all = lines(count, |n| format!("x{n}'")).trim().replace('\n', " + ");
+        "independent t\n".to_owned() + &lines(count, |n| format!("{n}*x{n}' + {all} = -x{n}\nx{n}(0) = 1"))
+    };
+    let (model, _) = on_a_small_stack(coupled(32));
     let model = model.unwrap();
     assert!(matches!(model.graph.node(model.states[0].derivative), Node::Solution { .. }));
-    let (model, text) = on_a_small_stack("independent t\n".to_owned() + &coupled(33));
+    let (model, text) = on_a_small_stack(coupled(33));
     assert!(model.is_none());
     assert!(text.starts_with("error [too-many-coupled-equations]"), "{text}");
+}
+
+#[test]
+fn many_equations_are_solved_together_where_each_is_coupled_with_few() {
+    let ring = |count: usize| lines(count, |n| format!("3*x{n}' + x{}' = -x{n}\nx{n}(0) = 1", (n + 1) % count));
+    for count in [33, 1000] {
+        let (model, text) = on_a_small_stack("independent t\n".to_owned() + &ring(count));
+        let model = model.unwrap_or_else(|| panic!("{text}"));
+        assert_eq!(model.graph.systems()[0].numbers(), Some(7 * count), "two diagonals on each side, and two more");
+    }
+    // The sum of all left sides is 0.
+    let dependent = lines(40, |n| format!("x{n}' - x{}' = -x{n}\nx{n}(0) = 1", (n + 1) % 40));
+    assert!(diagnostics(&("independent t\n".to_owned() + &dependent)).starts_with("error ["));
 }
 
 #[test]

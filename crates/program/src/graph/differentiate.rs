@@ -277,22 +277,20 @@ fn sum(graph: &mut Graph, a: Option<NodeId>, b: Option<NodeId>) -> Option<NodeId
 
 /// The system whose solution is the derivative of the solution of A x = r: A x' = r' - A' x. `None` if nothing changes.
 fn of_system(graph: &mut Graph, system: u32, rates: &HashMap<NodeId, NodeId>) -> Option<u32> {
-    let LinearSystem { matrix, right } = graph.systems()[system as usize].clone();
-    if matrix.iter().chain(&right).all(|entry| !rates.contains_key(entry)) {
+    let linear = graph.systems()[system as usize].clone();
+    if linear.operands().all(|operand| !rates.contains_key(&operand)) {
         return None;
     }
-    let size = right.len();
-    let solution: Vec<NodeId> = (0..size).map(|row| graph.insert(Node::Solution { system, row: row as u32 })).collect();
-    let mut new_right = Vec::with_capacity(size);
-    for (row, entry) in right.iter().enumerate() {
-        let mut value = rates.get(entry).copied().unwrap_or_else(|| graph.constant(0.0));
-        for (column, &unknown) in solution.iter().enumerate() {
-            if let Some(&rate) = rates.get(&matrix[row * size + column]) {
-                let product = graph.multiply(rate, unknown);
-                value = graph.subtract(value, product);
-            }
+    let size = linear.right.len() as u32;
+    let solution: Vec<NodeId> = (0..size).map(|row| graph.insert(Node::Solution { system, row })).collect();
+    let rate = |graph: &mut Graph, node: &NodeId| rates.get(node).copied().unwrap_or_else(|| graph.constant(0.0));
+    let mut right: Vec<NodeId> = linear.right.iter().map(|node| rate(graph, node)).collect();
+    for entry in &linear.entries {
+        if let Some(&rate) = rates.get(&entry.node) {
+            let product = graph.multiply(rate, solution[entry.column as usize]);
+            let value = &mut right[entry.row as usize];
+            *value = graph.subtract(*value, product);
         }
-        new_right.push(value);
     }
-    Some(graph.insert_system(LinearSystem { matrix, right: new_right }))
+    Some(graph.insert_system(LinearSystem { right, ..linear }))
 }

@@ -7,6 +7,7 @@ mod differentiate;
 mod evaluate;
 mod interpolation;
 mod same;
+mod system;
 mod walk;
 mod written;
 
@@ -122,13 +123,24 @@ pub enum Binary {
     Poisson,
 }
 
-/// A small linear system A x = r, solved where the equations of motion are coupled.
+/// A linear system A x = r, solved where the equations of motion are coupled.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LinearSystem {
-    /// A, row by row; `right.len()` squared of them.
-    pub matrix: Vec<NodeId>,
+    /// The entries of A, row by row; those that are not there are 0.
+    pub entries: Vec<Entry>,
     /// r.
     pub right: Vec<NodeId>,
+}
+
+/// An entry of a matrix.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Entry {
+    /// Its row.
+    pub row: u32,
+    /// Its column.
+    pub column: u32,
+    /// Its value.
+    pub node: NodeId,
 }
 
 /// The nodes and systems of a [`Graph`], not yet checked.

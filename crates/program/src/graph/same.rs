@@ -1,6 +1,6 @@
 //! Whether expressions of two graphs are the same.
 
-use crate::{Binary, Graph, LinearSystem, Node, NodeId};
+use crate::{Binary, Graph, Node, NodeId};
 use std::collections::HashMap;
 
 impl Graph {
@@ -72,9 +72,7 @@ impl Graph {
                 other.find(Node::Interpolated(interpolation, there(x)?, there(piece)?))
             }
             Node::Solution { system, row } => {
-                let LinearSystem { matrix, right } = self.systems().get(system as usize)?;
-                let all = |entries: &[NodeId]| entries.iter().map(|&entry| there(entry)).collect::<Option<Vec<_>>>();
-                let wanted = LinearSystem { matrix: all(matrix)?, right: all(right)? };
+                let wanted = self.systems().get(system as usize)?.try_map(there)?;
                 let system = other.systems().iter().position(|system| *system == wanted)?;
                 other.find(Node::Solution { system: system as u32, row })
             }

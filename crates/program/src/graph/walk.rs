@@ -1,7 +1,7 @@
 //! Going through a graph. Operands have smaller numbers than the node that uses them, so every pass is one loop over
 //! numbers: no recursion, however deep an expression is.
 
-use crate::{Graph, LinearSystem, Node, NodeId};
+use crate::{Graph, Node, NodeId};
 use std::collections::{HashMap, HashSet};
 
 /// A set of less than this part of the nodes is found without going through all of them.
@@ -25,8 +25,7 @@ impl Graph {
                 visit(other);
             }
             Node::Solution { system, .. } => {
-                let LinearSystem { matrix, right } = &self.systems()[system as usize];
-                matrix.iter().chain(right).for_each(|&entry| visit(entry));
+                self.systems()[system as usize].operands().for_each(visit);
             }
         }
     }
@@ -152,10 +151,9 @@ fn rebuild(
             }
             Node::Solution { system, row } => {
                 let system = *systems.entry(system).or_insert_with(|| {
-                    let LinearSystem { matrix, right } = &source.unwrap_or(target).systems()[system as usize];
-                    let matrix = matrix.iter().map(|entry| rebuilt[entry]).collect();
-                    let right = right.iter().map(|entry| rebuilt[entry]).collect();
-                    target.insert_system(LinearSystem { matrix, right })
+                    let system = &source.unwrap_or(target).systems()[system as usize];
+                    let system = system.map(|operand| rebuilt[&operand]);
+                    target.insert_system(system)
                 });
                 Node::Solution { system, row }
             }

@@ -15,9 +15,12 @@ impl TryFrom<Written> for Graph {
 
     fn try_from(written: Written) -> Result<Self, Self::Error> {
         let mut graph = Self { systems: written.systems, ..Self::default() };
-        let square = |system: &LinearSystem| system.matrix.len() == system.right.len() * system.right.len();
-        if !graph.systems.iter().all(square) {
-            return Err("a linear system that is not square");
+        if !graph.systems.iter().all(LinearSystem::is_sound) {
+            return Err("a linear system with entries outside its matrix");
+        }
+        let numbers = graph.systems.iter().map(LinearSystem::numbers).sum::<Option<usize>>();
+        if numbers.is_none_or(|numbers| numbers > LinearSystem::MOST_NUMBERS) {
+            return Err("linear systems that are too large");
         }
         if !written.interpolations.iter().all(Interpolation::is_sound) {
             return Err("a table whose points are in disorder");

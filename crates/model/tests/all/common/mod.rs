@@ -82,8 +82,11 @@ impl At {
                 Node::Friction(..) | Node::Binomial(..) => f64::NAN,
                 Node::Solution { system, row } => {
                     let system = &graph.systems()[system as usize];
-                    let matrix = system.matrix.iter().map(|&entry| of(entry)).collect();
-                    let right = system.right.iter().map(|&entry| of(entry)).collect();
+                    let right: Vec<f64> = system.right.iter().map(|&entry| of(entry)).collect();
+                    let mut matrix = vec![0.0; right.len() * right.len()];
+                    for entry in &system.entries {
+                        matrix[entry.row as usize * right.len() + entry.column as usize] = of(entry.node);
+                    }
                     eliminate(matrix, right)[row as usize]
                 }
             };

@@ -3,8 +3,40 @@
 
 use std::collections::VecDeque;
 
+/// Smaller systems are dense: their elimination takes the least time.
+const LEAST_BANDED: usize = 32;
+
+/// The order of the unknowns in which a matrix with entries at these rows and columns is banded; `None` where a dense elimination
+/// takes less work.
+pub fn banded_order(size: usize, pattern: &[(usize, usize)]) -> Option<Vec<usize>> {
+    if size < LEAST_BANDED {
+        return None;
+    }
+    let width = |order: &[usize]| {
+        let (lower, upper) = bandwidth(pattern, &places(order));
+        band_width(lower, upper)
+    };
+    let natural: Vec<usize> = (0..size).collect();
+    let narrow = narrow_order(size, pattern);
+    let order = if width(&natural) <= width(&narrow) { natural } else { narrow };
+    (2 * width(&order) < size).then_some(order)
+}
+
+/// How many numbers of a row an elimination needs, with so many diagonals below and above the main one: exchanges of rows fill
+/// further `lower` ones.
+pub fn band_width(lower: usize, upper: usize) -> usize {
+    2 * lower + upper + 1
+}
+
+/// The place of each number in an order.
+pub fn places(order: &[usize]) -> Vec<usize> {
+    let mut places = vec![0; order.len()];
+    order.iter().enumerate().for_each(|(place, &number)| places[number] = place);
+    places
+}
+
 /// The numbers of the unknowns in such an order; `pattern` has row and column of every entry off the diagonal.
-pub(crate) fn narrow_order(size: usize, pattern: &[(usize, usize)]) -> Vec<usize> {
+fn narrow_order(size: usize, pattern: &[(usize, usize)]) -> Vec<usize> {
     let mut neighbours = vec![Vec::new(); size];
     for &(row, column) in pattern.iter().filter(|(row, column)| row != column) {
         neighbours[row].push(column);
@@ -64,7 +96,7 @@ fn end_of(neighbours: &[Vec<usize>], node: usize) -> usize {
 }
 
 /// How many diagonals below and above the main one have entries, where `place` is the place of each unknown.
-pub(crate) fn bandwidth(pattern: &[(usize, usize)], place: &[usize]) -> (usize, usize) {
+pub fn bandwidth(pattern: &[(usize, usize)], place: &[usize]) -> (usize, usize) {
     pattern.iter().fold((0, 0), |(lower, upper), &(row, column)| {
         let (row, column) = (place[row], place[column]);
         (lower.max(row.saturating_sub(column)), upper.max(column.saturating_sub(row)))
@@ -77,10 +109,10 @@ mod tests {
 
     fn narrowest(size: usize, pattern: &[(usize, usize)]) -> (usize, usize) {
         let order = narrow_order(size, pattern);
-        let mut place = vec![usize::MAX; size];
-        order.iter().enumerate().for_each(|(at, &unknown)| place[unknown] = at);
-        assert!(place.iter().all(|&at| at < size), "every unknown has a place");
-        bandwidth(pattern, &place)
+        let mut sorted = order.clone();
+        sorted.sort_unstable();
+        assert!(sorted.into_iter().eq(0..size), "every unknown has a place");
+        bandwidth(pattern, &places(&order))
     }
 
     #[test]

@@ -1,0 +1,93 @@
+//! Linear systems with the same few entries every time: dense if they are small, banded where each unknown occurs in few equations,
+//! as in chains and in diffusion.
+
+use crate::banded::Banded;
+use crate::linear::Factors;
+use program::{banded_order, bandwidth, places};
+
+/// A square matrix and its factors.
+#[derive(Clone, Debug)]
+pub(crate) struct Sparse {
+    form: Form,
+    size: usize,
+    /// Where each entry stands among the values.
+    entries: Vec<usize>,
+}
+
+#[derive(Clone, Debug)]
+enum Form {
+    Dense(Factors),
+    Banded {
+        factors: Banded,
+        /// The unknowns in the order of the rows.
+        order: Vec<usize>,
+        /// Room for a right side in that order.
+        right: Vec<f64>,
+    },
+}
+
+impl Sparse {
+    /// Room for a matrix; `pattern` has row and column of every entry.
+    pub fn new(size: usize, pattern: &[(usize, usize)]) -> Self {
+        match banded_order(size, pattern) {
+            Some(order) => {
+                let place = places(&order);
+                let (lower, upper) = bandwidth(pattern, &place);
+                let factors = Banded::new(size, lower, upper);
+                let entries = pattern.iter().map(|&(row, column)| factors.place(place[row], place[column])).collect();
+                Self { form: Form::Banded { factors, order, right: vec![0.0; size] }, size, entries }
+            }
+            None => {
+                let entries = pattern.iter().map(|&(row, column)| row * size + column).collect();
+                Self { form: Form::Dense(Factors::new(size)), size, entries }
+            }
+        }
+    }
+
+    /// About how many floating-point operations one factorization and so many solutions take.
+    pub fn work(&self, solutions: usize) -> usize {
+        match &self.form {
+            Form::Dense(_) => self.size * self.size * (2 * solutions + self.size / 3),
+            Form::Banded { factors, .. } => factors.work(solutions),
+        }
+    }
+
+    /// Sets the matrix to a number on its diagonal, gives its values with the places of the entries to `set`, and factorizes it.
+    pub fn factorize(&mut self, diagonal: f64, set: impl FnOnce(&mut [f64], &[usize])) {
+        let (values, first, distance) = match &mut self.form {
+            Form::Dense(factors) => (&mut factors.values[..], 0, self.size + 1),
+            Form::Banded { factors, .. } => {
+                let first = factors.place(0, 0);
+                let distance = factors.place(1, 1) - first;
+                (factors.values_mut(), first, distance)
+            }
+        };
+        values.fill(0.0);
+        values.iter_mut().skip(first).step_by(distance).for_each(|value| *value = diagonal);
+        set(values, &self.entries);
+        match &mut self.form {
+            Form::Dense(factors) => factors.factorize(),
+            Form::Banded { factors, .. } => factors.factorize(),
+        }
+    }
+
+    /// Replaces the right side by the solution; by NaN if the matrix was singular.
+    pub fn solve(&mut self, values: &mut [f64]) {
+        match &mut self.form {
+            Form::Dense(factors) => factors.solve(values),
+            Form::Banded { factors, order, right } => {
+                right.iter_mut().zip(&*order).for_each(|(right, &unknown)| *right = values[unknown]);
+                factors.solve(right);
+                order.iter().zip(&*right).for_each(|(&unknown, right)| values[unknown] = *right);
+            }
+        }
+    }
+
+    /// Whether no pivot was found.
+    pub fn singular(&self) -> bool {
+        match &self.form {
+            Form::Dense(factors) => factors.singular,
+            Form::Banded { factors, .. } => factors.singular,
+        }
+    }
+}

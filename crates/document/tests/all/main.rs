@@ -9,6 +9,7 @@ mod catalogue;
 mod checks;
 mod edit;
 mod frames;
+mod independent;
 mod open;
 mod outline;
 mod parts;

@@ -8,7 +8,7 @@ use crate::source::trim;
 use html::{Piece, render};
 use model::Diagnostic;
 use program::{Block, Section};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::ops::Range;
 use text::anchor;
 
@@ -17,7 +17,8 @@ pub struct Prose<'a> {
     source: &'a str,
     formulas: math::Formulas,
     sections: Vec<Section>,
-    ids: BTreeSet<String>,
+    /// Each id, and how many sections have its text for their title.
+    ids: BTreeMap<String, usize>,
     /// What was found.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -29,7 +30,7 @@ impl<'a> Prose<'a> {
             source,
             formulas: math::Formulas::new(),
             sections: Vec::new(),
-            ids: BTreeSet::new(),
+            ids: BTreeMap::new(),
             diagnostics: Vec::new(),
         }
     }
@@ -85,12 +86,16 @@ impl<'a> Prose<'a> {
 
     fn new_id(&mut self, title: &str) -> String {
         let name = anchor(title);
-        let mut id = name.clone();
-        let mut count = 1;
-        while !self.ids.insert(id.clone()) {
+        let mut count = self.ids.get(&name).copied().unwrap_or_default();
+        let id = loop {
             count += 1;
-            id = format!("{name}-{count}");
-        }
+            let id = if count == 1 { name.clone() } else { format!("{name}-{count}") };
+            if !self.ids.contains_key(&id) {
+                break id;
+            }
+        };
+        self.ids.insert(id.clone(), 1);
+        self.ids.insert(name, count);
         id
     }
 }

@@ -9,6 +9,7 @@ mod catalogue;
 mod checks;
 mod edit;
 mod frames;
+mod hostile;
 mod independent;
 mod open;
 mod outline;

@@ -1,7 +1,7 @@
 // Measures the built page in the browser, and the engine's pace in WebAssembly, for `cargo xtask bench`. Prints one
 // `name value` in each line. Needs PROBE, the directory with the probe's JavaScript and module; PAGE, the laboratory; EXPORTED,
-// a page that `meniscus export` has made; PROFILES, the directory with the exported pages `chain.html` and `string.html`, whose
-// systems have 200 members; and CHROME, without which the pace is that of Node and nothing is said about the page.
+// a page that `meniscus export` has made; PROFILES, the directory with the exported pages `chain.html`, of 200 masses, and
+// `string.html`, of 1,000 points; and CHROME, without which the pace is that of Node and nothing is said about the page.
 
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -176,7 +176,7 @@ async function framesOf(context, page) {
   return { frames, script: after.script - before.script, thread: after.thread - before.thread };
 }
 
-/** Frames of a system with 200 members, its profile and its drawing in sight. */
+/** Frames of a system of many parts, its profile and its drawing in sight. */
 async function measureProfile(name) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, offline: true });
   const page = await context.newPage();

@@ -8,7 +8,7 @@ const PARTS: usize = 50;
 /// The lines about one of them.
 const PART: &str = include_str!("../systems/oscillator.md");
 
-/// A document of 2,000 lines: fifty damped oscillators, each with its equations, plot, presets, checks, question and prose.
+/// A document of 2,000 lines: fifty damped oscillators, each with its equations, a preset, checks, a question and prose.
 #[wasm_bindgen]
 pub fn long_document() -> String {
     let mut text =

@@ -126,22 +126,24 @@ fn line(stiffness: f64, x: &[f64], accelerations: &mut [f64]) {
     accelerations[last] = stiffness * (x[last - 1] - 2.0 * x[last]);
 }
 
-/// Each disc is pushed by the walls and by all others; `r` has x and y of each by turns.
+/// Each disc is pushed by the walls and by all others; `r` has x of all, and behind them y of all.
 fn discs(m: f64, epsilon: f64, d: f64, l: f64, r: &[f64], accelerations: &mut [f64]) {
     let seventh = |q: f64| q * q * q * (q * q * q) * q;
     for (acceleration, place) in accelerations.iter_mut().zip(r) {
         *acceleration = 6.0 * epsilon / (m * d) * (seventh(d / place) - seventh(d / (l - place)));
     }
     let strength = 6.0 * epsilon / (m * d * d);
-    for i in (0..r.len()).step_by(2) {
-        for j in (i + 2..r.len()).step_by(2) {
-            let (x, y) = (r[i] - r[j], r[i + 1] - r[j + 1]);
-            let near = d * d / (x * x + y * y);
+    let count = r.len() / 2;
+    let ((x, y), (x_accelerations, y_accelerations)) = (r.split_at(count), accelerations.split_at_mut(count));
+    for i in 0..count {
+        for j in i + 1..count {
+            let (dx, dy) = (x[i] - x[j], y[i] - y[j]);
+            let near = d * d / (dx * dx + dy * dy);
             let force = strength * (near * near * (near * near));
-            accelerations[i] += force * x;
-            accelerations[i + 1] += force * y;
-            accelerations[j] -= force * x;
-            accelerations[j + 1] -= force * y;
+            x_accelerations[i] += force * dx;
+            y_accelerations[i] += force * dy;
+            x_accelerations[j] -= force * dx;
+            y_accelerations[j] -= force * dy;
         }
     }
 }

@@ -71,7 +71,7 @@ impl Table {
         let mut chosen = vec![independent(model)];
         let remembered = |index: &usize| model.states[*index].role == program::Role::Remembered;
         chosen.extend((0..model.states.len()).filter(|index| !remembered(index)).map(|index| state(model, index)));
-        let shown = |quantity: &program::Quantity| quantity.varies && !quantity.is_remembered();
+        let shown = |quantity: &program::Quantity| quantity.varies && !quantity.remembered;
         let varying = model.quantities.iter().enumerate().filter(|(_, quantity)| shown(quantity));
         chosen.extend(varying.map(|(index, _)| quantity(model, index)));
         Self::of(model, chosen)

@@ -138,7 +138,7 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
     match assemble(&declarations, &order, &unknowns, &types) {
         Ok((mut model, places)) => {
             model.sizes = sizes;
-            hide(&mut model, &statements);
+            hide(&mut model, &statements, vectors);
             warn(&model, &places, &declarations, diagnostics);
             Some(Checked { model, places, statements, functions })
         }
@@ -165,8 +165,9 @@ fn without_vectors(
     Some((vectors.write_out(&single, diagnostics), functions))
 }
 
-/// Marks what the author has hidden: a quantity or a state, all members of a family, all components of a vector.
-fn hide(model: &mut Model, statements: &[Statement]) {
+/// Marks what the author has hidden: a quantity or a state, all members of a family, all components of a vector; and what the author
+/// has not written, which has a name that no text can give.
+fn hide(model: &mut Model, statements: &[Statement], vectors: &Vectors) {
     let mut hidden: HashSet<(&str, u32)> = HashSet::new();
     for statement in statements.iter().filter(|statement| statement.hidden) {
         match &statement.kind {
@@ -183,6 +184,8 @@ fn hide(model: &mut Model, statements: &[Statement]) {
     let is_hidden = |name: &str, order: u32| hidden.contains(&(vector_or_family(name).unwrap_or(name), order));
     for quantity in &mut model.quantities {
         quantity.hidden = is_hidden(&quantity.name, 0);
+        let has_point = quantity.name.contains('.') && !vectors.is_component(&quantity.name);
+        quantity.remembered = has_point || quantity.name.contains(['(', ' ']);
     }
     for state in &mut model.states {
         if is_hidden(&state.variable, state.order) {

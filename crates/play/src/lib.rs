@@ -48,4 +48,4 @@ pub use questions::{Answer, AnswerView, Grade, Verdict};
 pub use refusal::Refusal;
 pub use share::{LONGEST_PACKED, LONGEST_UNPACKED, Link, Subject, packed_length};
 pub use time::{Course, LONGEST_GAP, Problem, SPEEDS, Status, WORK_PER_TICK};
-pub use values::{Follows, Outline, Readout, ReadoutKind, symbol};
+pub use values::{Follows, Index, Members, Outline, Readout, ReadoutKind, symbol};

@@ -9,8 +9,8 @@ use crate::plots::traces::{Columns, Traces};
 use crate::questions::given::Answer;
 use crate::removed::Undo;
 use crate::time::course::Course;
-use crate::values::Outline;
 use crate::values::trails::Trails;
+use crate::values::{Lines, Outline};
 use engine::checks::Checking;
 use engine::{Readings, Setup};
 use program::{Model, NodeId, Program, Speed};
@@ -93,6 +93,7 @@ pub struct Play {
     /// What is drawn over the scene.
     pub(crate) outline: Option<Outline>,
     pub(crate) evaluators: Evaluators,
+    pub(crate) lines: Lines,
     /// One for each question, once anything has been answered.
     pub(crate) answers: Vec<Answer>,
     /// For each question whether it has been answered, or its answer shown.
@@ -143,6 +144,7 @@ impl Play {
             revision: Revision::default(),
             announcements: Announcements::default(),
             whole: model.whole_numbers(),
+            lines: Lines::of(model),
             scales: vec![0.0; model.states.len() + model.quantities.len()],
             evaluators: Evaluators::new(&program, &tag),
             plots: PlotState::of(&program, &columns),

@@ -1,6 +1,7 @@
 //! The controls: parameters, presets, the state, method and step.
 
 use crate::app::App;
+use crate::member;
 use crate::readouts::followed;
 use crate::symbols::name_and_symbol;
 use crate::views::*;
@@ -77,15 +78,17 @@ fn presets(app: App) -> View {
 /// The state, to be edited while the run stands still.
 fn states(app: App) -> View {
     let words = app.words();
-    let states = app.read(|play| play.states());
+    let states = app.read(|play| play.state_lines());
     if states.is_empty() {
         return View::new();
     }
     let mut block = div().class("block");
-    let now = followed(app, &block.node(), |play| play.states());
-    let field = |state: StateView| {
-        let (index, id) = (state.index, format!("state-{}", state.index));
-        let view = move || now.with(|states| states.get(index).cloned());
+    let now = followed(app, &block.node(), |play| play.state_lines());
+    let field = |(line, state): (usize, StateView)| {
+        let id = format!("state-{line}");
+        let view = move || now.with(|states| states.get(line).cloned());
+        // Of a family, that of the member that is chosen.
+        let index = move || view().map_or(state.index, |state| state.index);
         let error = create_signal(None::<String>);
         let field = parameters::Field {
             id: id.clone(),
@@ -93,13 +96,16 @@ fn states(app: App) -> View {
             editable: memo(move || view().is_some_and(|state| state.editable)),
             signed: true,
             error,
-            commit: Box::new(move |text| app.attempt(|play| play.set_state_text(index, text))),
+            commit: Box::new(move |text| app.attempt(|play| play.set_state_text(index(), text))),
             nudge: Box::new(|_| ()),
         };
+        let name = label().r#for(id.clone()).child(name_and_symbol(&state.label, &state.name));
+        let shown = move || view().and_then(|state| state.members);
+        let picker = state.members.map(|members| member::pickers(app, &state.label, members, shown));
         div()
             .class("parameter")
-            .child(label().r#for(id.clone()).child(name_and_symbol(&state.label, &state.name)))
-            .child(with_unit(field.view(), state.unit))
+            .child(span().class("name").child(name).maybe(picker))
+            .child(with_unit(field.view(), text(move || view().map(|state| state.unit).unwrap_or_default())))
             .child(refusal_of(error).id(format!("{id}-error")))
     };
     let hint = move || {
@@ -109,7 +115,7 @@ fn states(app: App) -> View {
     };
     block
         .child(div().class("block-head").child(h3().child(words.state)))
-        .each(states, field)
+        .each(states.into_iter().enumerate(), field)
         .child(note(text(hint)))
         .into()
 }

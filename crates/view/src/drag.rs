@@ -56,7 +56,7 @@ impl Handle {
         }
         let moved = match self.drag.target {
             Dragged::State(index) => {
-                let state = play.states().into_iter().nth(index);
+                let state = play.state(index);
                 state.map(|state| (state.label, format!("{} {}", state.text, state.unit), state.value))
             }
             Dragged::Parameter(index) => play.parameter(index).map(|one| (one.label, one.spoken, one.value)),

@@ -15,6 +15,7 @@ mod grip;
 pub mod header;
 pub mod icons;
 pub mod keys;
+mod member;
 pub mod message;
 pub mod messages;
 pub mod panel;

@@ -1,6 +1,7 @@
 //! The values that can be read off, with their symbols.
 
 use crate::app::App;
+use crate::member;
 use crate::sight::in_sight;
 use crate::steady::steady;
 use crate::views::*;
@@ -18,7 +19,7 @@ pub fn view(app: App) -> HtmlSection {
         let rows = first.iter().enumerate().filter(|(_, readout)| belongs(readout));
         let any = first.iter().any(belongs);
         any.then(|| {
-            let rows = dl().each(rows, |(index, readout)| row(now, index, readout, words.hidden_why));
+            let rows = dl().each(rows, |(index, readout)| row(app, now, index, readout));
             div().class("values").child(h3().child(title)).child(rows)
         })
     };
@@ -60,14 +61,20 @@ pub fn followed<T: Clone + Default + PartialEq>(
     *now
 }
 
-/// A row; `why` says why its value is hidden, where it is.
-fn row(now: ReadSignal<Vec<Readout>>, index: usize, readout: &Readout, why: &'static str) -> HtmlDiv {
+/// A row: name and symbol, the picker of a member, the value.
+fn row(app: App, now: ReadSignal<Vec<Readout>>, index: usize, readout: &Readout) -> HtmlDiv {
+    let why = app.words().hidden_why;
     let hidden = move || now.with(|list| list.get(index).is_some_and(|readout| readout.hidden));
     let get =
         move |part: fn(&Readout) -> &String| now.with(|list| list.get(index).map(part).cloned().unwrap_or_default());
-    let symbol =
-        readout.has_symbol.then(|| span().class("symbol").inner_html(units::mathml::typeset_name(&readout.name)));
-    div().child(dt().child(span().class("label").child(readout.label.clone())).maybe(symbol)).child(
+    let symbol = (!readout.symbol.is_empty()).then(|| span().class("symbol").inner_html(readout.symbol.clone()));
+    let picker = readout.members.clone().map(|members| {
+        let called = if readout.label.is_empty() { members.name.clone() } else { readout.label.clone() };
+        let shown = move || now.with(|list| list.get(index).and_then(|readout| readout.members.clone()));
+        member::pickers(app, &called, members, shown)
+    });
+    let label = span().class("label").child(text(move || get(|readout| &readout.label)));
+    div().child(dt().child(label).child(span().class("unbroken").maybe(symbol).maybe(picker))).child(
         dd().attr("title", move || hidden().then_some(why))
             .attr("data-hidden", move || hidden().then_some("true"))
             .child(span().class("value").child(steady(move || get(|readout| &readout.value))))

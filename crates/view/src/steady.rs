@@ -41,7 +41,7 @@ impl Steady {
 
 /// Words have letters wider than a digit; they change more seldom.
 fn is_number(text: &str) -> bool {
-    text.trim_start_matches(['-', '−', '+']).starts_with(|letter: char| letter.is_ascii_digit())
+    text.trim_start_matches(['(', '-', '−', '+']).starts_with(|letter: char| letter.is_ascii_digit())
 }
 
 /// A text that changes with a signal.

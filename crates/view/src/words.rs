@@ -117,6 +117,7 @@ table_of_words! {
 
     // Controls.
     controls: "Controls", "Controles";
+    index: "index", "índice";
     parameters: "Parameters", "Parámetros";
     buttons: "Actions", "Acciones";
     presets: "Presets", "Ajustes";

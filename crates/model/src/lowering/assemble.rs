@@ -104,7 +104,8 @@ pub(crate) fn assemble(
         let value = Compiled { node, kind: found.kind(), unit };
         let label = definition.label.map(str::to_owned);
         let varies = variation.of(&model.graph, node);
-        model.quantities.push(Quantity { name: definition.name.text.clone(), label, value, varies, hidden: false });
+        let name = definition.name.text.clone();
+        model.quantities.push(Quantity { name, label, value, varies, hidden: false, remembered: false });
     }
     // A quantity that is but another name for something is shown in that one's unit.
     for &index in order {

@@ -5,6 +5,7 @@ pub(crate) mod calculator;
 mod drag;
 pub(crate) mod hold;
 pub(crate) mod input;
+mod member;
 mod method;
 mod parameter;
 pub(crate) mod preset;

@@ -1,6 +1,8 @@
 //! The state by hand: typed while the run stands still. It starts a new run from there, and stays the start of the run
 //! until another one is set or the defaults are restored.
 
+use crate::values::Members;
+use crate::values::lines::Line;
 use crate::values::readout::MOVING_DIGITS;
 use crate::{Announcement, Play, Refusal, number};
 use engine::Setup;
@@ -26,6 +28,8 @@ pub struct StateView {
     pub spoken: String,
     /// Whether it can be set now: only while the run stands still.
     pub editable: bool,
+    /// The family of whose members this one is shown, where it stands for all of them; name and label are then the family's.
+    pub members: Option<Members>,
 }
 
 impl Play {
@@ -49,7 +53,23 @@ impl Play {
             spoken: self.with_unit(text.clone(), &state.unit),
             text,
             editable: !self.playing,
+            members: None,
         })
+    }
+
+    /// The states in lines: of a family the member that is chosen ([`Play::choose_member`]).
+    pub fn state_lines(&self) -> Vec<StateView> {
+        let line = |line: &Line<usize>| {
+            let &index = line.member(self.lines.chosen_of(line))?.parts.first()?;
+            let view = self.state(index)?;
+            let Some(members) = self.lines.family(line) else { return Some(view) };
+            let labelled = |index: &&usize| self.model().states.get(**index).is_some_and(|state| state.label.is_some());
+            let all = || line.members.iter().flat_map(|member| &member.parts);
+            let told = std::iter::once(&index).chain(all()).find(labelled);
+            let label = told.map_or_else(|| line.name(), |&index| self.state_label(index));
+            Some(StateView { name: line.name(), label, members: Some(members), ..view })
+        };
+        self.lines.states.iter().filter_map(line).collect()
     }
 
     /// Starts a new run from the state shown with one value replaced (SI). Refused while the run is playing.

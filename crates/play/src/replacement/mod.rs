@@ -43,6 +43,7 @@ impl Play {
         self.number_removals_from(before.removals());
         self.speed = before.speed;
         self.shows_hidden = before.shows_hidden;
+        self.lines.choose_as(std::mem::take(&mut before.lines));
         self.adopt_plots(&mut before);
         self.set_language(&before.tag);
         let mut lost = self.adopt_answers(&before, &names);

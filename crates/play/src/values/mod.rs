@@ -1,5 +1,7 @@
 //! Numbers for people: readouts, the scene's values, the table of rows.
 
+pub(crate) mod lines;
+mod members;
 mod outline;
 pub(crate) mod readout;
 mod scene;
@@ -7,6 +9,8 @@ pub(crate) mod symbol;
 mod table;
 pub(crate) mod trails;
 
+pub(crate) use members::Lines;
+pub use members::{Index, Members, ReadoutKind};
 pub use outline::{Follows, Outline};
-pub use readout::{Readout, ReadoutKind};
+pub use readout::Readout;
 pub use symbol::symbol;

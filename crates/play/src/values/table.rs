@@ -58,7 +58,7 @@ impl Play {
     /// column has had in this run; times with those of the step.
     fn column_layouts(&self, table: &Table) -> Vec<ColumnLayout> {
         let model = self.model();
-        let shown = |quantity: &program::Quantity| quantity.varies && !quantity.is_remembered();
+        let shown = |quantity: &program::Quantity| quantity.varies && !quantity.remembered;
         let varying = model.quantities.iter().enumerate().filter(|(_, quantity)| shown(quantity));
         let of_author = (0..model.states.len()).filter(|index| model.states[*index].role != program::Role::Remembered);
         let states = of_author.map(|index| (index, model.graph.find(Node::State(index as u32))));

@@ -13,6 +13,7 @@ mod dragging;
 mod ending;
 mod history;
 mod legends;
+mod members;
 mod plots;
 mod profiles;
 mod replacement;

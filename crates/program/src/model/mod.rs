@@ -195,7 +195,7 @@ pub enum Role {
     Own,
     /// It is one of them that the author keeps out of the readouts.
     Hidden,
-    /// The run keeps in it what it remembers ([`Quantity::is_remembered`]).
+    /// The run keeps in it what it remembers ([`Quantity::remembered`]).
     Remembered,
     /// It says how a body with dry friction moves: 1 forwards, -1 backwards, 0 while it sticks.
     Friction,
@@ -223,13 +223,8 @@ pub struct Quantity {
     pub varies: bool,
     /// Whether the author keeps it out of the readouts.
     pub hidden: bool,
-}
-
-impl Quantity {
     /// Whether it is what a run remembers, such as `landing.x` or `maximum(y)`, and none of the author's own.
-    pub fn is_remembered(&self) -> bool {
-        self.name.contains(['.', '(', ' '])
-    }
+    pub remembered: bool,
 }
 
 /// A function that is given by a table.

@@ -42,3 +42,33 @@ visit("the state of the chosen member is set", async (lab) => {
   await eventually(async () => assert.match(await lab.value("Displacement"), /^7\.000\s*cm$/));
   assert.equal(await picker(lab, "Displacement: index").inputValue(), "2");
 });
+
+visit("the number of masses is changed in the page, and the link restores it", async (lab) => {
+  await chain(lab);
+  const size = lab.page.getByRole("spinbutton", { name: /^Number of masses/ });
+  assert.equal(await size.inputValue(), "5");
+  await lab.enter("Stiffness k", "9");
+  await size.focus();
+  await lab.keys("ArrowUp");
+  await eventually(async () => assert.equal(await size.inputValue(), "6"));
+  assert.equal((await lab.focused()).id, "size-N");
+  await size.fill("9");
+  await size.press("Enter");
+  await eventually(async () => assert.equal(await picker(lab, "Displacement: index").getAttribute("max"), "10"));
+  assert.equal(await lab.number("Stiffness k"), 9);
+  // What cannot be is refused, and nothing changes.
+  await size.fill("41");
+  await size.press("Enter");
+  await eventually(async () => assert.match(await lab.page.locator("#size-N-error").innerText(), /range 2\.\.40/));
+  assert.equal(await picker(lab, "Displacement: index").getAttribute("max"), "10");
+  await lab.press("Copy link");
+  await eventually(async () => assert.match(await lab.told(), /[Ll]ink/));
+  const address = lab.page.url();
+  assert.match(address, /n=N:9/);
+  await lab.page.goto("about:blank");
+  await lab.go(address);
+  await eventually(async () => assert.equal(await size.inputValue(), "9"));
+  assert.equal(await lab.number("Stiffness k"), 9);
+  await lab.openSource();
+  assert.match(await lab.page.locator("#source pre").innerText(), /size N = 5/);
+});

@@ -6,7 +6,6 @@ use crate::failure::{Failure, listed};
 use crate::load::Sources;
 use crate::terminal::Terminal;
 use document::Document;
-use document::edit::set_parameter;
 use engine::{Method, Press, Readings, Setup};
 use model::Compiler;
 use program::{Button, Compiled, Kind, Model, Parameter, Program};
@@ -86,27 +85,17 @@ fn refuse_steps(arguments: &Run) -> Result<(), Failure> {
 }
 
 /// Gives the sizes of families other values, as `--set N=50`: another size makes other equations, so the document is opened
-/// again with its text changed. What is left of the assignments are those of parameters.
+/// again. What is left of the assignments are those of parameters.
 fn resize<'a>(document: &mut Document, assignments: &'a [Assignment]) -> Result<Vec<&'a Assignment>, Failure> {
     let is_size =
         |assignment: &&Assignment| document.program.model.sizes.iter().any(|size| size.name == assignment.name);
     let (sizes, parameters): (Vec<_>, Vec<_>) = assignments.iter().partition(is_size);
-    let mut source = document.source.clone();
-    for assignment in &sizes {
-        let (name, value) = (&assignment.name, &assignment.value);
-        let outline = document::read(&source);
-        let edit = set_parameter(&outline, name, value).map_err(|error| Failure::request(error.to_string()))?;
-        source = document::edit::apply(&source, &[edit]).map_err(|error| Failure::request(error.to_string()))?;
-    }
     if !sizes.is_empty() {
-        let translations: Vec<&str> = document.translations.iter().map(String::as_str).collect();
-        let opened = document::open(&source, &translations);
-        let error = opened.diagnostics.iter().find(|(_, found)| found.severity == model::Severity::Error);
-        let refused = error.map(|(_, found)| found.message.english.to_string());
-        let names: Vec<&str> = sizes.iter().map(|assignment| assignment.name.as_str()).collect();
-        *document = opened.sound().ok_or_else(|| {
-            let reason = refused.unwrap_or_default();
-            Failure::request(format!("`{}` cannot have this size: {reason}", names.join("`, `")))
+        let values = sizes.iter().map(|assignment| (assignment.name.as_str(), assignment.value.as_str()));
+        let values: Vec<(&str, &str)> = values.collect();
+        *document = document::resized(document, &values).map_err(|reason| {
+            let names: Vec<&str> = values.iter().map(|(name, _)| *name).collect();
+            Failure::request(format!("`{}` cannot have this size: {}", names.join("`, `"), reason.english))
         })?;
     }
     Ok(parameters)

@@ -21,6 +21,7 @@ mod records;
 mod refusal;
 mod removed;
 mod saved;
+mod sizes;
 mod undo;
 mod words;
 mod workbook;

@@ -26,6 +26,11 @@ pub enum Refusal {
     NoSuchPolynomial,
     /// No row of the column has the neighbours that a derivative needs.
     NoDerivative,
+    /// The model cannot be built with a size.
+    Size {
+        /// Why, in the chosen language.
+        why: String,
+    },
     /// A fit cannot be made.
     Fit {
         /// Why, in the chosen language.

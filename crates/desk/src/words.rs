@@ -152,6 +152,7 @@ impl Desk {
                 )
                 .to_owned(),
             Refusal::Fit { why } => why.clone(),
+            Refusal::Size { why } => sentence(why),
         }
     }
 

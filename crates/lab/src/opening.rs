@@ -14,7 +14,11 @@ pub fn arrive(app: App, arrival: Arrival) {
     let Arrival { sources, state, refusal, awaited } = arrival;
     let is_open = app.with(|lab| lab.desk.is_some() && lab.sources == sources) == Some(true);
     if is_open && !state.is_empty() {
-        if let Some(refusal) = app.attempt(|play| play.restore(&state)) {
+        let (resized, refusal) = app.act_on_desk(|desk| restored(desk, &state));
+        if resized {
+            app.rebuild();
+        }
+        if let Some(refusal) = refusal {
             app.complain(refusal);
         }
     } else if !is_open {
@@ -67,8 +71,7 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
     let state = if state.is_empty() { left.as_str() } else { state };
     let refusal = app.read_desk(|desk| {
         desk.set_language(language.tag());
-        let refusal = if state.is_empty() { None } else { desk.play_mut().restore(state).err() };
-        refusal.map(|refusal| desk.play().refusal_text(&refusal))
+        if state.is_empty() { None } else { restored(desk, state).1 }
     });
     messages::leave_document(app.page);
     app.rebuild();
@@ -81,6 +84,12 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
     if app.read_desk(|desk| desk.has_fits_waiting()) {
         fit::go_on(app);
     }
+}
+
+/// Brings back a state: whether families have other sizes now, and what could not be done, in words.
+fn restored(desk: &mut Desk, state: &str) -> (bool, Option<String>) {
+    let (resized, result) = desk.restore(state);
+    (resized, result.err().map(|refusal| desk.play().refusal_text(&refusal)))
 }
 
 /// Opens a document of the library, or that of a fit.

@@ -58,6 +58,8 @@ pub enum Announcement {
     QuestionSetup(usize),
     /// A state was restored from a link or the last visit.
     Restored,
+    /// Families have another size; what did not fit was dropped: what was set, kept or answered, in the chosen language.
+    Resized(Vec<String>),
     /// Another program has taken the place of the former one ([`crate::Play::replace_program`]); what did not fit was
     /// dropped: what was set, kept or answered, in the chosen language.
     Replaced(Vec<String>),
@@ -95,7 +97,7 @@ impl Announcement {
             | Self::Ended(_)
             | Self::Full
             | Self::Failed => Prominence::Spoken,
-            Self::Replaced(lost) if lost.is_empty() => Prominence::Spoken,
+            Self::Replaced(lost) | Self::Resized(lost) if lost.is_empty() => Prominence::Spoken,
             Self::Restarted(_)
             | Self::DefaultsRestored
             | Self::Preset(_)
@@ -104,6 +106,7 @@ impl Announcement {
             | Self::Undone
             | Self::QuestionSetup(_)
             | Self::Restored
+            | Self::Resized(_)
             | Self::Replaced(_) => Prominence::Shown,
         }
     }

@@ -297,6 +297,18 @@ impl Play {
             Announcement::QuestionSetup(_) => {
                 say("Parameters set for the question", "Parámetros ajustados para la pregunta")
             }
+            Announcement::Resized(lost) => {
+                let size = |size: crate::SizeView| format!("{}: {}", size.label, size.value);
+                let sizes = self.sizes().into_iter().map(size).collect::<Vec<_>>().join(", ");
+                match lost.as_slice() {
+                    [] => sizes,
+                    lost => with(
+                        &format!("{sizes}; dropped, because it does not fit: {{}}"),
+                        &format!("{sizes}; se omitió lo que no encaja: {{}}"),
+                        &lost.join(", "),
+                    ),
+                }
+            }
             Announcement::Replaced(lost) if lost.is_empty() => {
                 say("The changed document runs", "El documento cambiado está en marcha")
             }

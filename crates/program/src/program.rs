@@ -77,7 +77,8 @@ impl Program {
             .chain(model.states.iter().map(|state| &state.label))
             .chain(model.quantities.iter().map(|quantity| &quantity.label))
             .chain(model.tables.iter().map(|table| &table.label))
-            .chain(model.events.iter().filter(|event| event.is_labelled).map(|event| &event.title));
+            .chain(model.events.iter().filter(|event| event.is_labelled).map(|event| &event.title))
+            .chain(model.sizes.iter().map(|size| &size.label));
         let curves = self.plots.iter().flat_map(Plot::expressions).map(|curve| &curve.label);
         let groups = self.presets.iter().map(|preset| &preset.group);
         let optional = labels.chain(curves).chain(groups).flatten();

@@ -59,6 +59,16 @@ pub trait Host {
         undone
     }
 
+    /// Whether the page can build the model with other sizes of families.
+    fn can_resize(&self) -> bool {
+        false
+    }
+
+    /// Gives a size of families another value; why it cannot have it, in words.
+    fn resize(&self, _name: &str, _value: u32) -> Option<String> {
+        None
+    }
+
     /// Chooses the language of everything.
     fn set_language(&self, language: Language) {
         self.with_play(&mut |play| play.set_language(language.tag()));

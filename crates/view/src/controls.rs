@@ -3,6 +3,7 @@
 use crate::app::App;
 use crate::member;
 use crate::readouts::followed;
+use crate::sizes;
 use crate::symbols::name_and_symbol;
 use crate::views::*;
 use crate::{buttons, parameters};
@@ -21,6 +22,7 @@ pub fn view(app: App) -> HtmlSection {
     let parameters = div()
         .class("block")
         .child(div().class("block-head").child(h3().child(words.parameters)).child(restore))
+        .each(app.read(|play| play.sizes()), |size| sizes::control(app, size))
         .each(app.read(|play| play.parameters()), |first| parameters::control(app, first));
     part("controls", "controls card", words.controls).child(buttons::view(app)).child(parameters).child(presets(app))
 }

@@ -30,6 +30,7 @@ mod readouts;
 mod scene;
 pub mod shell;
 pub mod sight;
+mod sizes;
 mod sound;
 pub mod stage;
 mod steady;

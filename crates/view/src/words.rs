@@ -118,6 +118,9 @@ table_of_words! {
     // Controls.
     controls: "Controls", "Controles";
     index: "index", "índice";
+    size_title: "Another size builds the model again", "Otro tamaño vuelve a construir el modelo";
+    size_whole: "A size is a whole number.", "Un tamaño es un número entero.";
+    size_fixed: "Fixed in this page; the laboratory can change it.", "Fijo en esta página; el laboratorio puede cambiarlo.";
     parameters: "Parameters", "Parámetros";
     buttons: "Actions", "Acciones";
     presets: "Presets", "Ajustes";

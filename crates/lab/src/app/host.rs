@@ -77,6 +77,16 @@ impl Host for Store {
         self.desk().is_some_and(|mut desk| desk.undo(number))
     }
 
+    fn can_resize(&self) -> bool {
+        true
+    }
+
+    fn resize(&self, name: &str, value: u32) -> Option<String> {
+        let mut desk = self.desk()?;
+        let refused = desk.resize(&[(name, value)]).err();
+        refused.map(|refusal| desk.refusal_text(&refusal))
+    }
+
     fn set_language(&self, language: Language) {
         if let Some(mut desk) = self.desk() {
             desk.set_language(language.tag());

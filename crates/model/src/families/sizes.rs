@@ -29,6 +29,7 @@ pub(crate) fn sizes(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>)
             name: name.clone(),
             label: statement.label.as_ref().map(|label| label.text.clone()),
             value: size.value,
+            stated: size.value,
             range: range(size, diagnostics),
         });
     }

@@ -35,6 +35,18 @@ impl Play {
     /// Puts another program in the place of the present one; time, parameters and what else a person has chosen stay as far as
     /// they fit, by name. What does not is named by [`Announcement::Replaced`].
     pub fn replace_program(&mut self, program: Program) {
+        let lost = self.replace(program);
+        self.announce(Announcement::Replaced(lost));
+    }
+
+    /// The same for the program of the same document with other sizes.
+    pub fn resize(&mut self, program: Program) {
+        let lost = self.replace(program);
+        self.announce(Announcement::Resized(lost));
+    }
+
+    /// What did not fit, in the chosen language.
+    fn replace(&mut self, program: Program) -> Vec<String> {
         self.drag_end();
         let mut before = std::mem::replace(self, Self::open(program));
         let names = Names::between(before.model(), self.model());
@@ -48,7 +60,7 @@ impl Play {
         self.set_language(&before.tag);
         let mut lost = self.adopt_answers(&before, &names);
         lost.splice(0..0, self.adopt_runs(&mut before, &names));
-        self.announce(Announcement::Replaced(lost));
+        lost
     }
 
     /// Takes over the run and those kept. Returns what is lost, in the chosen language.

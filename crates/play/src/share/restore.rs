@@ -111,6 +111,15 @@ impl Reader<'_> {
                 let parameters = self.parameters(value.split(','), &recipe.setup.parameters);
                 recipe.setup.parameters = parameters;
             }
+            // Sizes are part of the program: they are restored where the page has built it with them.
+            "n" => {
+                let is_so = |pair: &str| {
+                    let (name, value) = pair.split_once(':')?;
+                    let size = self.play.model().sizes.iter().find(|size| size.name == name)?;
+                    (value.parse() == Ok(size.value)).then_some(())
+                };
+                return value.split(',').map(is_so).collect();
+            }
             "y" => {
                 let start: Vec<f64> = value.split(',').map(number).collect::<Option<_>>()?;
                 if start.len() != self.play.model().states.len() {

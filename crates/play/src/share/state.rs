@@ -6,6 +6,7 @@
 //! | key | value |
 //! |---|---|
 //! | `p` | parameters at the start that differ from the document's: `b:200,h_l:3.5` |
+//! | `n` | sizes of families that differ from the document's: `N:50` |
 //! | `y` | a start state set by hand, one value for each state: `0.5,0` |
 //! | `m`, `h` | method and step, if they differ |
 //! | `b` | presses of buttons, by name or title with their times: `kick:3.2:4.1,stop:5` |
@@ -44,6 +45,11 @@ impl Play {
                 front: 0.0,
                 time: 0.0,
             };
+        }
+        let sizes = self.model().sizes.iter().filter(|size| size.value != size.stated);
+        let sizes: Vec<String> = sizes.map(|size| format!("{}:{}", size.name, size.value)).collect();
+        if !sizes.is_empty() {
+            fields.push(format!("n={}", sizes.join(",")));
         }
         self.write_recipe(&recipe, &mut fields);
         if self.shows_hidden {

@@ -19,5 +19,6 @@ mod profiles;
 mod replacement;
 mod sharing;
 mod simulations;
+mod sizes;
 mod support;
 mod trails;

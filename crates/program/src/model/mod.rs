@@ -165,6 +165,8 @@ pub struct Size {
     pub label: Option<String>,
     /// Its value.
     pub value: u32,
+    /// The value that the document's text states.
+    pub stated: u32,
     /// Least and greatest value.
     pub range: Option<(u32, u32)>,
 }

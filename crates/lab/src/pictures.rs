@@ -30,6 +30,8 @@ const LONGEST: f64 = 60.0;
 const ROWS: usize = 2 << 20;
 /// Nothing is opened for so many milliseconds after somebody has typed or scrolled.
 const PAUSE: f64 = 120.0;
+/// After a document was opened there is a pause of the same length, but no longer than so many milliseconds.
+const LONGEST_PAUSE: f64 = 100.0;
 
 /// All pictures of the open library.
 #[derive(Clone)]
@@ -265,9 +267,9 @@ impl Gallery {
                 None if present < not_before => return true,
                 None => {
                     self.open(number);
-                    // As long a pause: keys and pointers have half of the time.
+                    // Keys and pointers have their turn.
                     let end = now();
-                    self.not_before = end + (end - present);
+                    self.not_before = end + (end - present).min(LONGEST_PAUSE);
                 }
             }
         }

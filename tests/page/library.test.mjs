@@ -86,7 +86,7 @@ for (const [language, words] of [
 
 visit("a picture moves while the pointer is over its card or the focus in it", async (lab) => {
   await openLibrary(lab);
-  const [one, other] = ["Normal modes of a chain", "A planet around the sun"];
+  const [one, other] = ["Normal modes of a chain", "A bouncing ball"];
   await picture(lab, one);
   await lab.page.locator("#library-search").hover();
   assert.equal(await moves(lab, one), false, "it stands still by itself");

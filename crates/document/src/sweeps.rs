@@ -6,7 +6,7 @@ use crate::expressions::{Expressions, dimension_error};
 use crate::scan::find_word;
 use crate::source::trim;
 use model::{Diagnostic, ExpressionKind, Name, Span};
-use program::{Sweep, Taken};
+use program::{Choices, Sweep, Taken};
 use std::ops::Range;
 use units::{Unit, words};
 
@@ -57,7 +57,18 @@ pub fn read(
         expressions.error("sweep", message, span(&swept.name));
         return None;
     };
-    let parameter = expressions.parameter(&Name { text: name, span: span(&swept.name) })?;
+    let parameter = expressions.parameter(&Name { text: name.clone(), span: span(&swept.name) })?;
+    if expressions.model().parameters.get(parameter).is_none_or(|parameter| parameter.choices != Choices::Numbers) {
+        let message = words!(
+            "`{name}` has no range of values: it is a switch, a choice or the seed of random draws",
+            "`{name}` no tiene un intervalo de valores: es un interruptor, una elección o la semilla del azar"
+        );
+        let diagnostic = Diagnostic::error("sweep", message, span(&swept.name));
+        expressions.diagnostics.push(
+            diagnostic.with_hint(words("sweep a parameter that is a number", "recorre un parámetro que sea un número")),
+        );
+        return None;
+    }
     let abscissa = curves::read(expressions, swept.name.clone())?;
     let limits = limits(expressions, swept.range.clone(), &abscissa.curve.value.unit.clone())?;
     let (mut drawn, mut taken) = (Vec::new(), Vec::new());

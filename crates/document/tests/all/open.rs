@@ -221,3 +221,21 @@ fn texts_of_choices_are_translated() {
     let document = good(source, &[translation]);
     assert_eq!(document.program.text("es", "Moon"), "Luna");
 }
+
+#[test]
+fn a_switch_and_a_choice_have_no_range_to_sweep() {
+    for (name, declared) in [
+        ("on", "switch on = on"),
+        ("liquid", "choice liquid { \"Water\": a = 1, \"Oil\": a = 2 }"),
+        ("seed", "random seed = 1 in 1..9"),
+    ] {
+        let source = format!(
+            "---\nuntil: 1 [s]\n---\n```model\n{declared}\nx' = -x/(1 [s])\nx(0) = 1\n```\n\
+             ```plots\n\"Sweep\": x at end against {name} in 0..1\n```\n"
+        );
+        let found: Vec<String> =
+            document::open(&source, &[]).diagnostics.iter().map(|(_, one)| one.message.english.to_string()).collect();
+        let message = "it is a switch, a choice or the seed of random draws";
+        assert!(found.iter().any(|found| found.contains(message)), "{name}: {found:?}");
+    }
+}

@@ -102,6 +102,9 @@ fn a_ruler_has_marks_at_its_steps_and_numbers_in_its_unit() {
     let ruler = drawn(&format!("{FRAME}<ruler from='(0, 0)' to='(1 [m], 0)' step='20 [cm]'/></frame>"), "en");
     assert_eq!(ruler.matches("<line").count(), 7, "{ruler}");
     assert!(ruler.contains(">0;") && ruler.contains(">100 cm;"), "{ruler}");
+    let about_zero = "<ruler from='(-1 [m], 0)' to='(1 [m], 0)' step='20 [cm]' first='-1 [m]'/>";
+    let ruler = drawn(&format!("{FRAME}{about_zero}</frame>"), "en");
+    assert!([">-100;", ">0;", ">100 cm;"].iter().all(|number| ruler.contains(number)), "{ruler}");
 }
 
 #[test]
@@ -124,6 +127,7 @@ fn what_a_part_lacks_is_said() {
         "<ruler from='(0, 0)' to='(x, 0)' step='1 [cm]'/>",
         "a ruler has from 1 to 200 marks, and their number never changes",
     );
+    refused("<ruler from='(0, 0)' to='(1 [m], 0)' step='10 [cm]' first='x'/>", "the numbers of a ruler never change");
     refused("<block at='(0, 0)' size='(1, 1 [m])'/>", "a length in a frame must have the dimension of its axes");
     refused("<switch from='(0, 0)' to='(x, 0)' closed='x'/>", "`closed` needs a condition");
     for address in

@@ -123,7 +123,8 @@ impl Play {
         let curves = swept.y.iter().enumerate();
         plot.series = curves.filter_map(|(number, y)| self.curve_alone(index, number, &swept.x, y)).collect();
         if let (Some(low), Some(high)) = (swept.x.first(), swept.x.last()) {
-            plot.x.include = Some(Interval::new(*low, *high));
+            // The axis ends where the sweep does: nothing can be computed beyond.
+            plot.view.x.get_or_insert(Interval::new(*low, *high));
         }
         plot.marker = swept.present(&self.course);
         plot.ordered = true;

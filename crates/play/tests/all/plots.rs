@@ -90,6 +90,9 @@ fn a_definition_is_drawn_over_the_values_of_a_parameter_and_follows_the_others()
         }
     }
     assert_eq!(play.plot_progress(PlotId::at(0)), None);
+    // The axis ends where the sweep does, from 1 to 12, and no number beyond stands at it.
+    let svg = play.plot_svg(PlotId::at(0), &SETTINGS, &figure::Palette::LIGHT);
+    assert!(svg.contains(">12<") && !svg.contains(">14<") && !svg.contains(">15<"), "{svg}");
     // The parameter that is swept moves the mark and nothing else.
     let before = cells(&mut play, 0);
     set(&mut play, "omega", 7.0);

@@ -22,7 +22,7 @@ impl Builder<'_, '_> {
         Some(Drawn { defaults, children: vec![text], anchor: at })
     }
 
-    /// A line with a mark for each `step` and a number for every fifth.
+    /// A line with a mark for each `step` and a number for every fifth, beginning with `first`.
     pub fn ruler(&mut self, given: &Given) -> Option<Drawn> {
         let way = self.way_of(given)?;
         let range = given.get("step")?.clone();
@@ -50,6 +50,10 @@ impl Builder<'_, '_> {
             );
             return None;
         };
+        let first = match given.get("first") {
+            Some(range) => self.steps_to(range.clone(), step)?,
+            None => 0.0,
+        };
         let line = self.numbered(fixed("line", &[]), &[("x2", way.length)]);
         let mut children = vec![line];
         for number in 0..=count as u32 {
@@ -58,7 +62,7 @@ impl Builder<'_, '_> {
             let mark = fixed("line", &[("y2", if long { "10" } else { "6" })]);
             children.push(self.numbered(mark, &[("x1", at), ("x2", at)]));
             if long {
-                let value = size * f64::from(number);
+                let value = size * (first + f64::from(number));
                 let shown = units::number::shortest((value * 1e9).round() / 1e9);
                 let text = if number + NUMBERED > count as u32 { format!("{shown} {unit}") } else { shown };
                 let words =
@@ -70,6 +74,28 @@ impl Builder<'_, '_> {
             }
         }
         Some(self.along_way(way, &[("stroke", TEXT), ("stroke-width", "1.5")], children))
+    }
+
+    /// How many steps of a ruler there are from 0 to the number at its beginning.
+    fn steps_to(&mut self, range: std::ops::Range<usize>, step: NodeId) -> Option<f64> {
+        let range = self.inside_braces(range);
+        let placed = self.expressions.number(range)?;
+        let span = placed.span;
+        let first = self.of_space(placed)?;
+        let graph = self.graph();
+        let steps = graph.divide(first, step);
+        let steps = graph.as_constant(steps).filter(|steps| steps.is_finite());
+        if steps.is_none() {
+            self.refuse_at(
+                words("the numbers of a ruler never change", "los números de una regla no cambian nunca"),
+                span,
+                Some(words(
+                    "write a number with a unit: `first=\"-2 [m]\"`",
+                    "escribe un número con su unidad: `first=\"-2 [m]\"`",
+                )),
+            );
+        }
+        steps
     }
 
     /// An arc between two angles, measured as in the problem from the direction of x.

@@ -53,7 +53,7 @@ pub const PARTS: [Part; 23] = [
     part("pulley", ("Pulley", "Polea"), 2, &["at", "r", "turn"]),
     part("ramp", ("Ramp", "Plano inclinado"), 2, &["from", "to"]),
     part("label", ("Label", "Rótulo"), 1, &["at"]),
-    part("ruler", ("Ruler", "Regla"), 3, &["from", "to", "step"]),
+    part("ruler", ("Ruler", "Regla"), 3, &["from", "to", "step", "first"]),
     part("angle", ("Angle", "Ángulo"), 3, &["at", "from", "to", "r"]),
     part("protractor", ("Protractor", "Transportador"), 2, &["at", "r", "turn"]),
     part("image", ("Picture", "Imagen"), 3, &["at", "size", "href"]),

@@ -47,6 +47,8 @@ impl Run {
     /// A step or tolerance that is not positive, an initial state that is not finite, a method that cannot treat the model.
     pub fn start(model: &Model, setup: Setup) -> Result<Self, RunError> {
         let setup = setup.fitting(model);
+        let drawn = model.with_drawings(&setup.drawings);
+        let model = drawn.as_ref().unwrap_or(model);
         let stepper = Stepper::new(model, &setup)?;
         let history = History::new(stepper.initial().to_vec(), setup.parameters.clone());
         let rates: Vec<NodeId> = model.states.iter().map(|state| state.derivative).collect();

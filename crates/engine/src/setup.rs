@@ -17,6 +17,8 @@ pub struct Setup {
     pub tolerance: f64,
     /// A state to start from instead of the model's initial values.
     pub start: Option<Vec<f64>>,
+    /// The values of the curves that the reader draws, one list for each in the order of the tables ([`Model::drawings`]).
+    pub drawings: Vec<Vec<f64>>,
     /// Which buttons are pressed when, in the order of time. Those of one moment act one after the other.
     pub presses: Vec<Press>,
 }
@@ -39,6 +41,7 @@ impl Setup {
             step: Self::STEP,
             tolerance: Self::TOLERANCE,
             start: None,
+            drawings: model.drawings(),
             presses: Vec::new(),
         }
         .fitting(model)
@@ -56,9 +59,12 @@ impl Setup {
         .fitting(&program.model)
     }
 
-    /// The same for a model: with presses of its buttons only; one that counts goes by 1, and no method has anything to do.
+    /// The same for a model: with presses of its buttons and curves of its tables only; one that counts goes by 1, and no method has anything to do.
     pub(crate) fn fitting(mut self, model: &Model) -> Self {
         self.presses = fitting(self.presses, model);
+        if !model.takes_drawings(&self.drawings) {
+            self.drawings = model.drawings();
+        }
         if model.independent.counts { Self { step: 1.0, method: Method::Euler, ..self } } else { self }
     }
 

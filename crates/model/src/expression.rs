@@ -226,6 +226,7 @@ fn scope(model: &Model, variables: &[(&str, Chain)]) -> Scope {
                 argument: table.argument_unit.dimension,
                 value: table.unit.dimension,
                 interpolation: Arc::clone(interpolation),
+                drawn: None,
                 span: Span::default(),
             };
             scope.declare_table(&table.name, function);

@@ -1,7 +1,7 @@
 //! Functions that are given by a table: `table eta(T) in [mPa s] { 273 [K] 1.792  293 1.002 }`.
 
-use crate::{Course, Diagnostic, Point, Span, StatedUnit, TableStatement, limits};
-use program::Interpolation;
+use crate::{Diagnostic, DrawnRange, Point, Span, StatedUnit, TableStatement, limits};
+use program::{Drawn, Interpolation};
 use std::cmp::Ordering;
 use std::sync::Arc;
 use units::{Dimension, words};
@@ -16,23 +16,36 @@ pub(crate) struct TableFunction {
     /// The dimension of its values.
     pub value: Dimension,
     pub interpolation: Arc<Interpolation>,
+    /// What the reader may draw.
+    pub drawn: Option<Drawn>,
     /// Where the unit of its argument stands, or else its name.
     pub span: Span,
 }
 
 impl TableStatement {
-    /// What expressions use; says what is wrong with the points.
-    pub(crate) fn checked(&self, diagnostics: &mut Vec<Diagnostic>) -> Option<TableFunction> {
+    /// What expressions use of the table of this number; says what is wrong with the points.
+    pub(crate) fn checked(&self, number: usize, diagnostics: &mut Vec<Diagnostic>) -> Option<TableFunction> {
         let si = |unit: &Option<StatedUnit>, value| unit.as_ref().map_or(value, |stated| stated.unit.to_si(value));
         let point = |point: &Point| [si(&self.argument_unit, point.x), si(&self.unit, point.y)];
         let points: Vec<[f64; 2]> = self.points.iter().map(point).collect();
-        let interpolation = match self.course {
-            Course::Linear => Interpolation::linear(&points),
-            Course::Smooth => Interpolation::smooth(&points),
-            Course::Steps => Interpolation::steps(&points),
+        if let Some(range) = &self.drawn
+            && let Err(found) = self.check_drawn(range)
+        {
+            diagnostics.push(found);
+            return None;
+        }
+        let given = Interpolation::through_points(self.course, &points).filter(|_| points.len() > 1);
+        let interpolation = match &self.drawn {
+            Some(_) if points.is_empty() => Some(None),
+            _ => given.map(Some),
         };
         match interpolation {
-            Some(interpolation) if points.len() > 1 => {
+            Some(given) => {
+                let drawn = self.drawn.as_ref().map(|range| self.drawn_from(range, given.as_ref()));
+                let interpolation = match &drawn {
+                    Some(drawn) => drawn.curve(&drawn.values)?.drawn(number as u32),
+                    None => given?,
+                };
                 let dimension =
                     |unit: &Option<StatedUnit>| unit.as_ref().map_or(Dimension::NONE, |unit| unit.unit.dimension);
                 Some(TableFunction {
@@ -40,14 +53,72 @@ impl TableStatement {
                     argument: dimension(&self.argument_unit),
                     value: dimension(&self.unit),
                     interpolation: Arc::new(interpolation),
+                    drawn,
                     span: self.argument_unit.as_ref().map_or(self.name.span, |unit| unit.span),
                 })
             }
-            _ => {
+            None => {
                 diagnostics.push(self.disorder());
                 None
             }
         }
+    }
+
+    /// Whether something can be drawn.
+    fn check_drawn(&self, range: &DrawnRange) -> Result<(), Diagnostic> {
+        let DrawnRange { bounds, from, until, until_span } = range;
+        let (low, high, name) = (bounds.low, bounds.high, &self.name.text);
+        if !(low < high && low.is_finite() && high.is_finite()) {
+            let message = words!(
+                "nothing can be drawn for `{name}`: {low} is not less than {high}",
+                "no se puede dibujar nada para `{name}`: {low} no es menor que {high}"
+            );
+            let diagnostic = Diagnostic::error("empty-range", message, bounds.span);
+            return Err(if low > high {
+                diagnostic.with_hint(words!("write `drawn in {high}..{low}`", "escribe `drawn in {high}..{low}`"))
+            } else {
+                diagnostic
+            });
+        }
+        if !(from < until && from.is_finite() && until.is_finite()) {
+            let message = words!(
+                "nothing can be drawn for `{name}`: it ends at {until}, not after {from}",
+                "no se puede dibujar nada para `{name}`: termina en {until}, no después de {from}"
+            );
+            return Err(Diagnostic::error("empty-range", message, *until_span));
+        }
+        match self.points.iter().find(|point| !(low..=high).contains(&point.y)) {
+            None => Ok(()),
+            Some(point) => {
+                let message = words!(
+                    "the value {} lies outside the range {low}..{high} in which `{name}` is drawn",
+                    "el valor {} está fuera del intervalo {low}..{high} en que se dibuja `{name}`",
+                    point.y
+                );
+                Err(Diagnostic::error("default-out-of-range", message, point.span)
+                    .with_label(bounds.span, words("the range", "el intervalo")))
+            }
+        }
+    }
+
+    /// What the reader may draw, with the values of a curve that is there before; without one they are 0, or next to it.
+    fn drawn_from(&self, range: &DrawnRange, given: Option<&Interpolation>) -> Drawn {
+        let si = |unit: &Option<StatedUnit>, value| unit.as_ref().map_or(value, |stated| stated.unit.to_si(value));
+        let mut drawn = Drawn {
+            low: si(&self.unit, range.bounds.low),
+            high: si(&self.unit, range.bounds.high),
+            from: si(&self.argument_unit, range.from),
+            until: si(&self.argument_unit, range.until),
+            course: self.course,
+            values: Vec::new(),
+        };
+        let value = |point| {
+            let argument = drawn.argument(point);
+            let value = given.map_or(0.0, |given| given.value(argument, given.piece(argument)));
+            value.max(drawn.low).min(drawn.high)
+        };
+        drawn.values = (0..Drawn::POINTS).map(value).collect();
+        drawn
     }
 
     /// What is wrong with the points.

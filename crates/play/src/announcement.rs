@@ -21,6 +21,10 @@ pub enum Announcement {
     Restarted(usize),
     /// A parameter has this SI value now.
     ParameterSet(usize, f64),
+    /// The reader has drawn this curve, and the run starts anew.
+    Drawn(usize),
+    /// This curve is the document's own again, and the run starts anew.
+    DrawingCleared(usize),
     /// A button of the document was pressed at this time (SI).
     Pressed(usize, f64),
     /// All parameters and the start are the document's.
@@ -88,6 +92,7 @@ impl Announcement {
             | Self::BackAtStart
             | Self::ParameterSet(..)
             | Self::Pressed(..)
+            | Self::Drawn(_)
             | Self::StateSet(..)
             | Self::StartSet { .. }
             | Self::Speed(_)
@@ -100,6 +105,7 @@ impl Announcement {
             Self::Replaced(lost) | Self::Resized(lost) if lost.is_empty() => Prominence::Spoken,
             Self::Restarted(_)
             | Self::DefaultsRestored
+            | Self::DrawingCleared(_)
             | Self::Preset(_)
             | Self::Kept(_)
             | Self::Removed(_)
@@ -113,7 +119,14 @@ impl Announcement {
 
     /// Whether [`crate::Play::undo`] takes it back.
     pub fn can_be_undone(&self) -> bool {
-        matches!(self, Self::DefaultsRestored | Self::Preset(_) | Self::QuestionSetup(_) | Self::Removed(_))
+        matches!(
+            self,
+            Self::DefaultsRestored
+                | Self::DrawingCleared(_)
+                | Self::Preset(_)
+                | Self::QuestionSetup(_)
+                | Self::Removed(_)
+        )
     }
 }
 

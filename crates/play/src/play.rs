@@ -303,6 +303,7 @@ impl Play {
         // What was pressed in the former run was pressed for what happened there.
         setup.presses.clear();
         self.keep_ghost(0);
+        self.adopt_drawings(&setup.drawings);
         let overhead = self.columns.bytes_per_row();
         let course = Course::start(&self.program.model, setup, overhead);
         self.replace_course(course);
@@ -342,7 +343,7 @@ impl Play {
 }
 
 impl Evaluators {
-    fn new(program: &Program, language: &str) -> Self {
+    pub(crate) fn new(program: &Program, language: &str) -> Self {
         let model = &program.model;
         let reading = |nodes: Vec<NodeId>| Readings::new(model, &nodes);
         let presets = program.presets.iter().flat_map(|preset| &preset.values);

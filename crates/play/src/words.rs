@@ -260,6 +260,14 @@ impl Play {
                 let value = self.parameter_value_text(*index, *value);
                 format!("{}: {value}", self.parameter_label(*index))
             }
+            Announcement::Drawn(index) => with(
+                "The run starts anew: {} drawn",
+                "La serie comienza de nuevo: se dibujó {}",
+                &self.drawing_label(*index),
+            ),
+            Announcement::DrawingCleared(index) => {
+                with("{}: as in the document", "{}: como en el documento", &self.drawing_label(*index))
+            }
             Announcement::Pressed(button, at) => {
                 let title = self.model().buttons.get(*button).map_or("", |button| self.text(&button.title));
                 format!("{title}, {}", time(*at))

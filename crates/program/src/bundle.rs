@@ -4,8 +4,8 @@
 //! Reading checks everything that running relies on: a bundle that is read cannot make the engine reach beyond its model.
 
 use crate::{
-    Choices, Compiled, Drag, Dragged, Drawing, Members, Model, Node, NodeId, Parameter, Piece, Program, Scene, Sweep,
-    Taken, Trail,
+    Choices, Compiled, Drag, Dragged, Drawing, Drawn, Members, Model, Node, NodeId, OfDrawing, Parameter, Piece,
+    Program, Scene, Sweep, Taken, Trail,
 };
 
 /// What a bundle begins with.
@@ -75,6 +75,7 @@ fn check(program: &Program) -> Result<(), BundleError> {
         && nodes.into_iter().all(known)
         && orders_ascend(model)
         && model.tables.iter().all(|table| (table.interpolation as usize) < model.graph.interpolations().len())
+        && drawings_exist(model)
         && model.quantities.iter().all(|quantity| compiled(&quantity.value))
         && model.events.iter().all(|event| {
             let targets = event.actions.iter();
@@ -131,6 +132,24 @@ fn drawing_exists(drawing: &Drawing, curves: usize, model: &Model) -> bool {
                 && sweep.taken.iter().all(|taken| *taken == Taken::Value || taken.from() < sweep.until)
         }
     }
+}
+
+/// Whether each curve that the reader draws belongs to a table, and to no other.
+fn drawings_exist(model: &Model) -> bool {
+    /// No expression is differentiated so often.
+    const DEEPEST: u32 = 16;
+    let drawn = |number: usize| model.tables.get(number).and_then(|table| table.drawn.as_ref());
+    let curves = model.graph.interpolations();
+    let own = |number: usize| OfDrawing { table: number as u32, derivative: 0 };
+    let tables = model.tables.iter().enumerate().all(|(number, table)| {
+        let curve = curves.get(table.interpolation as usize).and_then(|curve| curve.drawing());
+        curve == table.drawn.as_ref().map(|_| own(number)) && table.drawn.as_ref().is_none_or(Drawn::is_sound)
+    });
+    tables
+        && curves
+            .iter()
+            .filter_map(|curve| curve.drawing())
+            .all(|of| of.derivative <= DEEPEST && drawn(of.table as usize).is_some())
 }
 
 /// Whether the texts of a choice are there.

@@ -21,13 +21,13 @@ pub use bandwidth::{band_width, banded_order, bandwidth, places};
 pub use chance::binomial;
 pub use checks::{Check, Claim, Moment, Relation, Sides, Test};
 pub use graph::{
-    Binary, Entry, Graph, Interpolation, LinearSystem, Node, NodeId, Unary, Variable, along, differentiate,
+    Binary, Course, Entry, Graph, Interpolation, LinearSystem, Node, NodeId, OfDrawing, Unary, Variable, along, differentiate,
     differentiate_all,
 };
 pub use method::{Method, UnknownMethod};
 pub use model::{
-    Button, Choices, Compared, Compiled, Dependence, Event, Held, Independent, Jump, Kind, Model, Parameter, Quantity,
-    Role, Sensitive, Size, Slope, Slopes, State, Switch, Table, Timed,
+    Button, Choices, Compared, Compiled, Dependence, Drawn, Event, Held, Independent, Jump, Kind, Model, Parameter,
+    Quantity, Role, Sensitive, Size, Slope, Slopes, State, Switch, Table, Timed,
 };
 pub use plots::{Curve, Drawing, Every, Members, Plot, Profile, Sweep, Taken};
 pub use presets::{Assignment, Preset};

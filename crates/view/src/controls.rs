@@ -6,7 +6,7 @@ use crate::readouts::followed;
 use crate::sizes;
 use crate::symbols::name_and_symbol;
 use crate::views::*;
-use crate::{buttons, parameters};
+use crate::{buttons, drawings, parameters};
 use play::{MethodView, Play, PresetGroup, PresetView, StateView};
 use web_sys::HtmlDetailsElement;
 
@@ -24,7 +24,11 @@ pub fn view(app: App) -> HtmlSection {
         .child(div().class("block-head").child(h3().child(words.parameters)).child(restore))
         .each(app.read(|play| play.sizes()), |size| sizes::control(app, size))
         .each(app.read(|play| play.parameters()), |first| parameters::control(app, first));
-    part("controls", "controls card", words.controls).child(buttons::view(app)).child(parameters).child(presets(app))
+    part("controls", "controls card", words.controls)
+        .child(buttons::view(app))
+        .child(parameters)
+        .child(drawings::view(app))
+        .child(presets(app))
 }
 
 /// The state at the present, and how it is computed: changed more seldom than parameters.

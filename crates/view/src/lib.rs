@@ -10,6 +10,7 @@ mod colours;
 pub mod controls;
 mod data;
 mod drag;
+mod drawings;
 pub mod frame;
 mod grip;
 pub mod header;

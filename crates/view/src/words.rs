@@ -123,6 +123,8 @@ table_of_words! {
     size_fixed: "Fixed in this page; the laboratory can change it.", "Fijo en esta página; el laboratorio puede cambiarlo.";
     parameters: "Parameters", "Parámetros";
     buttons: "Actions", "Acciones";
+    clear_drawing: "Clear", "Borrar";
+    drawing_hint: "Draw the curve in the field; the run starts anew. Keys: left and right choose a point, up and down move it.", "Dibuja la curva en el recuadro; la serie comienza de nuevo. Teclas: izquierda y derecha eligen un punto, arriba y abajo lo mueven.";
     presets: "Presets", "Ajustes";
     restore_defaults: "Restore defaults", "Restaurar valores";
     restore_defaults_title: "Give all parameters and the start of the run the values of the document", "Dar a todos los parámetros y al inicio de la serie los valores del documento";

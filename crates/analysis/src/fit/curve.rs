@@ -108,6 +108,7 @@ impl Curve {
             step: if duration > 0.0 { duration / 100.0 } else { Setup::STEP },
             tolerance: TOLERANCES[0],
             start: Some(vec![0.0; extended.states.len()]),
+            drawings: Vec::new(),
             presses: Vec::new(),
         };
         let stepper = match states {

@@ -5,6 +5,7 @@
 mod buttons;
 mod chance;
 mod closed_forms;
+mod drawn;
 mod events;
 mod families;
 mod friction;

@@ -188,6 +188,7 @@ fn tables(declarations: &Declarations, graph: &mut Graph) -> Vec<Table> {
             argument_unit: unit(argument_unit),
             unit: unit(own),
             interpolation: graph.insert_interpolation(&function.interpolation),
+            drawn: function.drawn.clone(),
         })
     };
     declarations.tables.iter().filter_map(table).collect()

@@ -140,7 +140,7 @@ impl<'a> Declarations<'a> {
                 StatementKind::Table(table) => {
                     if declarations.may_declare(&table.name, &mut declared, diagnostics) {
                         let label = label.or(table.label.as_ref().map(|label| label.text.as_str()));
-                        match table.checked(diagnostics) {
+                        match table.checked(declarations.tables.len(), diagnostics) {
                             Some(function) => declarations.scope.declare_table(&table.name.text, function),
                             // So that its calls are not reported as well.
                             None => declarations.scope.declare_functions([table.name.text.as_str()]),

@@ -21,7 +21,9 @@
 //! target      = NAME [ INDICES ] [ PRIMES ] [ AXIS [ PRIMES ] ]
 //! separator   = ";" | "," | line-end
 //! function    = "function" NAME "(" NAME { "," NAME } ")" "=" expression [ "in" UNIT ] [ TEXT ]
-//! table       = [ "smooth" | "steps" ] "table" NAME "(" NAME ")" [ "in" UNIT ] [ TEXT ] "{" { point [ separator ] } "}" [ TEXT ]
+//! table       = [ "smooth" | "steps" ] "table" NAME "(" NAME ")" [ "in" UNIT ] [ TEXT ] ( [ drawn ] points | drawn ) [ TEXT ]
+//! points      = "{" { point [ separator ] } "}"
+//! drawn       = "drawn" "in" signed ".." signed [ "from" signed-number [ UNIT ] ] "until" signed-number [ UNIT ]
 //! point       = signed-number [ UNIT ] signed-number [ UNIT ]
 //! definition  = [ "hidden" ] NAME [ INDICES ] "=" expression [ "in" UNIT ] [ over ] [ TEXT ]
 //! initial     = target "(" "0" ")" "=" expression [ "in" UNIT ] [ over ] [ TEXT ]
@@ -56,6 +58,7 @@ mod choice;
 mod cursor;
 mod declaration;
 mod discrete;
+mod drawn;
 mod ending;
 mod event;
 mod expression;

@@ -4,7 +4,8 @@ use super::cursor::{Cursor, Read, Told};
 use super::statement::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
 use crate::tables::too_many_points;
-use crate::{Course, Diagnostic, Point, StatedUnit, StatementKind, TableStatement, limits};
+use crate::{Diagnostic, Point, StatedUnit, StatementKind, TableStatement, limits};
+use program::Course;
 use units::{Unit, Words, words};
 
 const FORM: Words = words(
@@ -48,6 +49,7 @@ impl Cursor<'_> {
             argument_unit: None,
             unit: None,
             points: Vec::new(),
+            drawn: None,
         };
         let read = self.table_parts(&mut table, whole);
         (StatementKind::Table(table), read)
@@ -72,7 +74,13 @@ impl Cursor<'_> {
         self.close(open)?;
         table.unit = self.stated_unit()?;
         table.label = self.label();
+        if self.at_word("drawn") {
+            table.drawn = Some(self.drawn(&mut table.argument_unit)?);
+        }
         let brace = self.open_brace();
+        if brace.is_none() && table.drawn.is_some() && !(whole && self.points_follow()) {
+            return Ok(());
+        }
         if brace.is_none() && !(whole && self.at_line_end()) {
             let expected = self.brace_expected("table-form", table.name.span);
             return self.fail(expected.with_hint(FORM));
@@ -141,7 +149,7 @@ impl Cursor<'_> {
     }
 
     /// A number in the unit of its column. The first number of a column may state the unit of all of them.
-    fn table_number(&mut self, column: &mut Option<StatedUnit>, first: bool) -> Read<f64> {
+    pub(super) fn table_number(&mut self, column: &mut Option<StatedUnit>, first: bool) -> Read<f64> {
         let start = self.span();
         let Some(value) = self.signed_number() else {
             let wrong = words!(

@@ -8,7 +8,7 @@ mod statement;
 pub use expression::{BinaryOperator, Expansion, Expression, ExpressionKind, Over, UnaryOperator};
 pub use name::{Name, Quoted, StatedUnit};
 pub use statement::{
-    Action, Alternative, Assignment, Bounds, ChoiceStatement, Course, EventExtras, FunctionStatement, Members,
+    Action, Alternative, Assignment, Bounds, ChoiceStatement, DrawnRange, EventExtras, FunctionStatement, Members,
     ParameterForm, ParameterStatement, Point, SizeStatement, Statement, StatementKind, TableStatement,
 };
 

@@ -3,6 +3,7 @@
 use super::expression::{Expression, Over};
 use super::name::{Name, Quoted, StatedUnit};
 use crate::Span;
+use program::Course;
 
 /// One statement of a model.
 #[derive(Clone, Debug, PartialEq)]
@@ -248,6 +249,21 @@ pub struct TableStatement {
     pub unit: Option<StatedUnit>,
     /// In the units of their columns.
     pub points: Vec<Point>,
+    /// `drawn in -5..5 until 10 [s]`: what the reader may draw.
+    pub drawn: Option<DrawnRange>,
+}
+
+/// What the reader may draw in the place of a table. The numbers are in the units of its columns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnRange {
+    /// The least and the greatest value.
+    pub bounds: Bounds,
+    /// The least argument.
+    pub from: f64,
+    /// The greatest argument.
+    pub until: f64,
+    /// Where the greatest argument stands.
+    pub until_span: Span,
 }
 
 /// A point of a table.
@@ -259,17 +275,6 @@ pub struct Point {
     pub y: f64,
     /// Where both stand.
     pub span: Span,
-}
-
-/// How a table goes from point to point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Course {
-    /// `table`: straight lines.
-    Linear,
-    /// `smooth table`: cubics that do not overshoot.
-    Smooth,
-    /// `steps table`: the value of each point until the next.
-    Steps,
 }
 
 /// `LOW..HIGH` and where.

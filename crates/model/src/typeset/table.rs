@@ -1,7 +1,7 @@
 //! Tables: the argument and the value below each other, point by point.
 
 use super::expression::Typesetter;
-use crate::{Name, StatedUnit, TableStatement};
+use crate::{DrawnRange, Name, StatedUnit, TableStatement};
 use units::mathml::{name, number, unit_after_number};
 
 /// Of a longer table only the first and the last points are shown.
@@ -10,6 +10,9 @@ const MOST_SHOWN: usize = 8;
 impl Typesetter<'_> {
     /// Two rows with a heading each: the argument, and the value of the function.
     pub(super) fn table(&self, table: &TableStatement) -> String {
+        if let (Some(range), true) = (&table.drawn, table.points.is_empty()) {
+            return self.drawn(table, range);
+        }
         let argument = (name(&table.argument.text, 0, None), &table.argument_unit);
         let value = (self.declared(&table.name, std::slice::from_ref::<Name>(&table.argument)), &table.unit);
         let rows = [argument, value].into_iter().zip([0, 1]).map(|((heading, unit), which)| {
@@ -20,6 +23,21 @@ impl Typesetter<'_> {
             format!("<mtr><mtd><mrow>{heading}{unit}</mrow></mtd>{cells}</mtr>")
         });
         format!("<mtable>{}</mtable>", rows.collect::<String>())
+    }
+}
+
+impl Typesetter<'_> {
+    /// The range of values and that of arguments.
+    fn drawn(&self, table: &TableStatement, range: &DrawnRange) -> String {
+        let between = |low: f64, what: String, high: f64, unit: &Option<StatedUnit>| {
+            let unit = unit.as_ref().map(|unit| unit_after_number(&unit.unit)).unwrap_or_default();
+            format!("<mrow>{}<mo>≤</mo>{what}<mo>≤</mo>{}{unit}</mrow>", number(low), number(high))
+        };
+        let value = self.declared(&table.name, std::slice::from_ref::<Name>(&table.argument));
+        let argument = name(&table.argument.text, 0, None);
+        let values = between(range.bounds.low, value, range.bounds.high, &table.unit);
+        let arguments = between(range.from, argument, range.until, &table.argument_unit);
+        format!("{values}<mo separator=\"true\">,</mo>{arguments}")
     }
 }
 

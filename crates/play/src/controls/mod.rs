@@ -3,6 +3,7 @@
 pub(crate) mod button;
 pub(crate) mod calculator;
 mod drag;
+pub(crate) mod drawing;
 pub(crate) mod hold;
 pub(crate) mod input;
 mod member;
@@ -16,6 +17,7 @@ mod state;
 pub(crate) mod typed;
 
 pub use button::ButtonView;
+pub use drawing::DrawingView;
 pub use input::DIGITS;
 pub use method::MethodView;
 pub use parameter::{ChoiceView, ParameterView};

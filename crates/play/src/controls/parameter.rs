@@ -146,9 +146,10 @@ impl Play {
     /// initial values.
     pub fn restore_defaults(&mut self) {
         let parameters = self.defaults.parameters.clone();
-        if self.is_started_by_hand() {
+        if self.is_started_by_hand() || self.course.begun().drawings != self.defaults.drawings {
             let before = Setup { parameters: self.course.parameters().to_vec(), ..self.course.begun().clone() };
-            self.restart(Setup { parameters, start: None, ..before.clone() });
+            let drawings = self.defaults.drawings.clone();
+            self.restart(Setup { parameters, start: None, drawings, ..before.clone() });
             self.can_undo(Removed::Start(before));
         } else {
             self.overwrite_parameters(parameters);

@@ -1,7 +1,7 @@
 //! Runs are kept, shown, removed; what is given up becomes the ghost.
 
 use crate::plots::kept::{Ghost, Kept, KeptView, MOST_KEPT};
-use crate::plots::traces::Traces;
+use crate::plots::traces::{Columns, Traces};
 use crate::removed::Removed;
 use crate::time::course::Course;
 use crate::time::recipe::{Moments, Recipe};
@@ -38,13 +38,17 @@ impl Play {
     /// The recipe of the run that was computed, what is drawn of it, and whether the work was enough for all of it.
     pub(crate) fn compute_kept(&mut self, recipe: &Recipe, moments: Moments, work: &mut u64) -> (Recipe, Traces, bool) {
         let overhead = self.columns.bytes_per_row();
+        // What is drawn decides the columns, too.
+        let drawn = self.program.model.with_drawings(&recipe.setup.drawings);
+        let mut own = drawn.map(|model| Columns::new(&model, &self.program.plots));
         let (mut course, complete) = Course::replay(&self.program.model, recipe, moments, overhead, work);
         let computed = course.recipe();
         course.show(course.front());
         let mut present = Vec::new();
         let mut traces = Traces::default();
-        self.columns.present(&course, &mut present);
-        traces.follow(&course, &mut self.columns, &present);
+        let columns = own.as_mut().unwrap_or(&mut self.columns);
+        columns.present(&course, &mut present);
+        traces.follow(&course, columns, &present);
         (computed, traces.thinned(0, ROWS_KEPT), complete)
     }
 
@@ -161,6 +165,8 @@ impl Play {
                 });
             }
         }
+        let drawings = recipe.setup.drawings.iter().zip(&self.defaults.drawings).enumerate();
+        parts.extend(drawings.filter(|(_, (drawn, own))| drawn != own).map(|(index, _)| self.drawing_label(index)));
         parts.extend(self.press_texts(&recipe.setup.presses, recipe.front));
         parts.extend(recipe.setup.start.iter().flat_map(|start| self.start_texts(start)));
         if recipe.setup.method != self.defaults.method {

@@ -6,6 +6,7 @@
 //! | parameters | by name and dimension: a value that differs from the former default stays, any other is the new default |
 //! | method, step | likewise: what differs from the former document stays |
 //! | presses of buttons | stay at their times, by the names or titles of the buttons |
+//! | curves that are drawn | stay by the names of their tables, where range and arguments are the same |
 //! | start set by hand | stays if each state has a former one of its name and dimension |
 //! | the run, its time | computed again with the changes of parameters at their times, as far as the work of a link allows; kept as it is where model and values are the same |
 //! | speed, language, whether it plays | stay |
@@ -72,6 +73,7 @@ impl Play {
         let same_columns = same_motion && same_layout && self.columns_are_those_of(before);
         let mut work = MOST_WORK;
         before.follow();
+        self.adopt_drawings(&recipe.setup.drawings);
         if same_motion && recipe == present {
             self.adopt_course(before, same_columns);
         } else {

@@ -81,6 +81,7 @@ impl Play {
                 lost.extend(before.start_texts(start));
             }
         }
+        setup.drawings = self.drawings_from(former, before, lost);
         if former.method != before.defaults.method {
             if self.method_refusal(former.method).is_none() {
                 setup.method = former.method;

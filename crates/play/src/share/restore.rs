@@ -3,6 +3,7 @@
 use super::link::{VERSION, decode, encode};
 use super::state::MOST_CHANGES;
 use crate::controls::button::read;
+use crate::controls::drawing;
 use crate::plots::plot::PlotState;
 use crate::time::course::Course;
 use crate::time::recipe::{Change, Moments, Recipe};
@@ -55,6 +56,7 @@ impl Play {
         let kept: Vec<Recipe> = sections.by_ref().take(MOST_KEPT).map(|section| reader.recipe(section)).collect();
         let mut left_out = reader.left_out;
         left_out.extend(sections.map(|_| "k".to_owned()).take(MOST_NAMED + 1));
+        self.adopt_drawings(&present.setup.drawings);
         let overhead = self.columns.bytes_per_row();
         let (course, complete) = Course::replay(&self.program.model, &present, Moments::Rows, overhead, work);
         if !complete {
@@ -129,6 +131,10 @@ impl Reader<'_> {
             }
             "m" => recipe.setup.method = value.parse::<Method>().ok()?,
             "h" => recipe.setup.step = number(value).filter(|&step| step > 0.0)?,
+            "a" => {
+                let (index, values) = drawing::read(self.play.model(), value)?;
+                *recipe.setup.drawings.get_mut(index)? = values;
+            }
             "b" => recipe.setup.presses = read(value, &self.play.model().buttons, encode)?,
             "c" => {
                 let (row, values) = value.split_once(',')?;

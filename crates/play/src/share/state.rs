@@ -9,6 +9,7 @@
 //! | `n` | sizes of families that differ from the document's: `N:50` |
 //! | `y` | a start state set by hand, one value for each state: `0.5,0` |
 //! | `m`, `h` | method and step, if they differ |
+//! | `a` | a curve that is drawn, once for each: the table and the levels of its points, 12 bits for each in base64url |
 //! | `b` | presses of buttons, by name or title with their times: `kick:3.2:4.1,stop:5` |
 //! | `c` | a change on the way, once for each: the first row it holds for, and the parameters: `100,b:300` |
 //! | `e` | how far the run goes, if further than `t` |
@@ -22,6 +23,7 @@
 use super::link::{VERSION, encode};
 use crate::Play;
 use crate::controls::button::written;
+use crate::controls::drawing;
 use crate::plots::plot::PlotState;
 use crate::time::recipe::{Change, Recipe};
 use engine::Setup;
@@ -108,6 +110,8 @@ impl Play {
         if setup.step != self.defaults.step {
             fields.push(format!("h={}", exact(setup.step)));
         }
+        let drawn = drawing::written(self.model(), &setup.drawings, &self.defaults.drawings);
+        fields.extend(drawn.into_iter().map(|curve| format!("a={curve}")));
         if !setup.presses.is_empty() {
             fields.push(format!("b={}", written(&setup.presses, &self.model().buttons, encode)));
         }

@@ -10,6 +10,7 @@ mod clock;
 mod controls;
 mod counting;
 mod dragging;
+mod drawings;
 mod ending;
 mod history;
 mod legends;

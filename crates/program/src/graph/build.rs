@@ -190,18 +190,27 @@ impl Graph {
         result
     }
 
+    /// Whether the reader draws it, so that its values are not constants.
+    fn is_drawn(&self, interpolation: u32) -> bool {
+        self.interpolations()[interpolation as usize].drawing().is_some()
+    }
+
     /// The number of the piece of an interpolation in which `x` lies.
     pub fn piece(&mut self, interpolation: u32, x: NodeId) -> NodeId {
         match self.as_constant(x) {
-            Some(x) => self.constant(self.interpolations()[interpolation as usize].piece(x)),
-            None => self.insert(Node::Piece(interpolation, x)),
+            Some(x) if !self.is_drawn(interpolation) => {
+                self.constant(self.interpolations()[interpolation as usize].piece(x))
+            }
+            _ => self.insert(Node::Piece(interpolation, x)),
         }
     }
 
     /// The value at `x` of an interpolation's piece of that number.
     pub fn interpolated(&mut self, interpolation: u32, x: NodeId, piece: NodeId) -> NodeId {
         match (self.as_constant(x), self.as_constant(piece)) {
-            (Some(x), Some(piece)) => self.constant(self.interpolations()[interpolation as usize].value(x, piece)),
+            (Some(x), Some(piece)) if !self.is_drawn(interpolation) => {
+                self.constant(self.interpolations()[interpolation as usize].value(x, piece))
+            }
             _ => self.insert(Node::Interpolated(interpolation, x, piece)),
         }
     }

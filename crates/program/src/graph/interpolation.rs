@@ -2,6 +2,26 @@
 
 use serde::{Deserialize, Serialize};
 
+/// How a table goes from point to point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Course {
+    /// `table`: straight lines.
+    Linear,
+    /// `smooth table`: cubics that do not overshoot.
+    Smooth,
+    /// `steps table`: the value of each point until the next.
+    Steps,
+}
+
+/// What an interpolation has to do with a curve that the reader draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct OfDrawing {
+    /// Which of [`crate::Model::tables`].
+    pub table: u32,
+    /// Which derivative of the curve; 0 for the curve itself.
+    pub derivative: u32,
+}
+
 /// A function of one number x: a polynomial between each two neighbouring knots. Before the first knot and behind the last it
 /// is a polynomial, too; a table keeps its value there.
 ///
@@ -16,9 +36,30 @@ pub struct Interpolation {
     pieces: Vec<[f64; 4]>,
     /// How many times it can be differentiated at the knots until it jumps: 0 if it jumps itself, 1 if it bends.
     smoothness: u32,
+    /// Whether the reader draws it: then its points are not known before.
+    drawing: Option<OfDrawing>,
 }
 
 impl Interpolation {
+    /// Through points by a course. `None` unless the x of the points are finite and increase, and their values are finite.
+    pub fn through_points(course: Course, points: &[[f64; 2]]) -> Option<Self> {
+        match course {
+            Course::Linear => Self::linear(points),
+            Course::Smooth => Self::smooth(points),
+            Course::Steps => Self::steps(points),
+        }
+    }
+
+    /// The same as the curve of a table that the reader draws.
+    pub fn drawn(self, table: u32) -> Self {
+        Self { drawing: Some(OfDrawing { table, derivative: 0 }), ..self }
+    }
+
+    /// What it has to do with a curve that the reader draws.
+    pub fn drawing(&self) -> Option<OfDrawing> {
+        self.drawing
+    }
+
     /// From each point on its value, until the next. `None` unless the x of the points are finite and increase, and their
     /// values are finite.
     pub fn steps(points: &[[f64; 2]]) -> Option<Self> {
@@ -53,7 +94,7 @@ impl Interpolation {
         });
         let pieces = std::iter::once(first).chain(inner).chain([last]).collect();
         let knots = points.iter().map(|point| point[0]).collect();
-        Some(Self { knots, pieces, smoothness }).filter(Self::is_sound)
+        Some(Self { knots, pieces, smoothness, drawing: None }).filter(Self::is_sound)
     }
 
     /// Whether its parts fit together.
@@ -96,7 +137,8 @@ impl Interpolation {
     /// The derivative, piece by piece.
     pub fn derivative(&self) -> Self {
         let pieces = self.pieces.iter().map(|[_, b, c, d]| [*b, 2.0 * c, 3.0 * d, 0.0]).collect();
-        Self { knots: self.knots.clone(), pieces, smoothness: self.smoothness.saturating_sub(1) }
+        let drawing = self.drawing.map(|own| OfDrawing { derivative: own.derivative.saturating_add(1), ..own });
+        Self { knots: self.knots.clone(), pieces, smoothness: self.smoothness.saturating_sub(1), drawing }
     }
 
     /// A function with the same pieces whose zeros are the knots. It changes its sign at each and has a continuous slope of
@@ -110,7 +152,7 @@ impl Interpolation {
             pieces.push([0.0, sign, -sign / size, 0.0]);
         }
         pieces.push([0.0, -sign, 0.0, 0.0]);
-        Self { knots: self.knots.clone(), pieces, smoothness: 2 }
+        Self { knots: self.knots.clone(), pieces, smoothness: 2, drawing: None }
     }
 }
 

@@ -13,7 +13,7 @@ mod written;
 
 pub(crate) use differentiate::differentiate_through;
 pub use differentiate::{Variable, along, differentiate, differentiate_all};
-pub use interpolation::Interpolation;
+pub use interpolation::{Course, Interpolation, OfDrawing};
 
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -196,6 +196,16 @@ impl Graph {
     /// The linear systems.
     pub fn systems(&self) -> &[LinearSystem] {
         &self.systems
+    }
+
+    /// Puts another curve in the place of the one that the reader draws for a table, and its derivatives in the place of the
+    /// former ones.
+    pub(crate) fn redraw(&mut self, table: u32, curve: &Interpolation) {
+        for interpolation in &mut self.interpolations {
+            let Some(own) = interpolation.drawing().filter(|own| own.table == table) else { continue };
+            let derivative = (0..own.derivative).fold(curve.clone(), |curve, _| curve.derivative());
+            *interpolation = Arc::new(derivative);
+        }
     }
 
     /// Adds an interpolation, or finds the equal one.

@@ -1,6 +1,8 @@
 //! The checked model: a system of first-order equations and everything that can be shown of it.
 
 mod compared;
+mod drawings;
+mod drawn;
 mod lookup;
 mod motion;
 mod sensitivity;
@@ -9,6 +11,7 @@ mod switches;
 mod whole;
 
 pub use compared::Compared;
+pub use drawn::Drawn;
 pub use lookup::Dependence;
 pub use slopes::{Slope, Slopes};
 pub use switches::{Held, Switch, Timed};
@@ -244,6 +247,8 @@ pub struct Table {
     pub unit: Unit,
     /// Its place in [`Graph::interpolations`].
     pub interpolation: u32,
+    /// What the reader may draw, if the curve is the reader's.
+    pub drawn: Option<Drawn>,
 }
 
 /// An expression compiled against a model.

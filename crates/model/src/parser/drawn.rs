@@ -1,0 +1,60 @@
+//! `drawn in -5..5 from 0 [s] until 10 [s]`: what the reader may draw in the place of a table.
+
+use super::cursor::{Cursor, Read};
+use crate::lexer::{Keyword, Symbol, TokenKind};
+use crate::{Diagnostic, DrawnRange, StatedUnit};
+use units::{Words, words};
+
+const FORM: Words = words(
+    "the form is: table NAME(ARGUMENT) in [UNIT] drawn in LOW..HIGH until END [UNIT]",
+    "la forma es: table NOMBRE(ARGUMENTO) in [UNIDAD] drawn in MÍNIMO..MÁXIMO until FINAL [UNIDAD]",
+);
+
+const RANGE: Words = words(
+    "the least and the greatest value are expected here, `in LOW..HIGH`",
+    "aquí se esperan el valor mínimo y el máximo, `in MÍNIMO..MÁXIMO`",
+);
+const END: Words =
+    words("the greatest argument is expected here, `until END`", "aquí se espera el argumento máximo, `until FINAL`");
+
+impl Cursor<'_> {
+    /// `drawn in -5..5 from 0 [s] until 10 [s]`. The unit of the arguments stands behind the first of them.
+    pub(super) fn drawn(&mut self, unit: &mut Option<StatedUnit>) -> Read<DrawnRange> {
+        self.advance();
+        let keyword = self.span();
+        if *self.peek() != TokenKind::Keyword(Keyword::In) {
+            return self.not_drawn(RANGE);
+        }
+        self.advance();
+        use Symbol::{Minus, Plus};
+        if !matches!(self.peek(), TokenKind::Number(_) | TokenKind::Symbol(Minus | Plus)) {
+            return self.not_drawn(RANGE);
+        }
+        let bounds = self.bounds(keyword)?;
+        let mut from = 0.0;
+        let stated = self.at_word("from");
+        if stated {
+            self.advance();
+            from = self.table_number(unit, true)?;
+        }
+        if !self.at_word("until") {
+            return self.not_drawn(END);
+        }
+        self.advance();
+        let until_span = self.span();
+        let until = self.table_number(unit, !stated)?;
+        Ok(DrawnRange { bounds, from, until, until_span })
+    }
+
+    /// Whether the next line begins with a number.
+    pub(super) fn points_follow(&self) -> bool {
+        self.at_line_end() && matches!(self.peek_ahead(1), TokenKind::Number(_) | TokenKind::Symbol(Symbol::Minus))
+    }
+
+    fn not_drawn<T>(&mut self, expected: Words) -> Read<T> {
+        let wrong =
+            words!("{expected}, not {found}", "{expected}, no {found}", expected = expected, found = self.found());
+        let place = if self.at_line_end() { self.last_span() } else { self.span() };
+        self.fail(Diagnostic::error("table-form", wrong, place).with_hint(FORM))
+    }
+}

@@ -1,0 +1,220 @@
+//! Curves that the reader draws: tables of the model whose points are set in the page. Another curve restarts the run.
+
+use crate::controls::input::DIGITS;
+use crate::play::Evaluators;
+use crate::plots::plot::PlotState;
+use crate::plots::traces::Columns;
+use crate::removed::Removed;
+use crate::values::symbol::symbol;
+use crate::{Announcement, Play, Refusal, number};
+use base64::Engine;
+use base64::engine::general_purpose::URL_SAFE_NO_PAD;
+use engine::Setup;
+use program::{Drawn, Model, Table};
+use units::Unit;
+
+/// What is drawn has so many levels between the least and the greatest value: two characters of a link are enough for one.
+const LEVELS: u16 = 4000;
+
+/// So many lines are drawn from one point of a smooth curve to the next.
+const SMOOTH: usize = 8;
+
+/// A curve that the reader draws, as its field shows it. Heights and places are parts of the range, from 0 to 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawingView {
+    /// Which of them.
+    pub index: usize,
+    /// The label in the chosen language; `a(t)` where there is none.
+    pub label: String,
+    /// `a(t)`
+    pub symbol: String,
+    /// The heights of the points, which are equally far apart.
+    pub heights: Vec<f64>,
+    /// The line through them: places and heights.
+    pub line: Vec<(f64, f64)>,
+    /// The height of 0, if it lies in the range.
+    pub zero: Option<f64>,
+    /// The least and the greatest value, with their unit.
+    pub values: [String; 2],
+    /// The least and the greatest argument, with their unit.
+    pub arguments: [String; 2],
+    /// Whether it is the document's own.
+    pub is_default: bool,
+}
+
+impl Play {
+    /// The curves that the reader draws, in the order of the text.
+    pub fn drawn_curves(&self) -> Vec<DrawingView> {
+        (0..self.course.begun().drawings.len()).filter_map(|index| self.drawn_curve(index)).collect()
+    }
+
+    /// One of them.
+    pub fn drawn_curve(&self, index: usize) -> Option<DrawingView> {
+        let (table, drawn) = table(self.model(), index)?;
+        let values = self.course.begun().drawings.get(index)?;
+        let curve = drawn.curve(values)?;
+        let lines = (Drawn::POINTS - 1) * SMOOTH;
+        let line = (0..=lines).map(|part| {
+            let place = part as f64 / lines as f64;
+            let argument = drawn.from + place * (drawn.until - drawn.from);
+            (place, height(drawn, curve.value(argument, curve.piece(argument))))
+        });
+        let symbol = format!("{}({})", symbol(&table.name), symbol(&table.argument));
+        let text =
+            |value: f64, unit: &Unit| self.with_unit(number::plain(unit.from_si(value), DIGITS, self.style), unit);
+        Some(DrawingView {
+            index,
+            label: table.label.as_deref().map_or_else(|| symbol.clone(), |label| self.text(label).to_owned()),
+            symbol,
+            heights: values.iter().map(|&value| height(drawn, value)).collect(),
+            line: line.collect(),
+            zero: Some(height(drawn, 0.0)).filter(|zero| (0.0..=1.0).contains(zero)),
+            values: [drawn.low, drawn.high].map(|value| text(value, &table.unit)),
+            arguments: [drawn.from, drawn.until].map(|value| text(value, &table.argument_unit)),
+            is_default: self.defaults.drawings.get(index) == Some(values),
+        })
+    }
+
+    /// `t = 2 s: 1.5 m/s²`: a point of a curve at a height.
+    pub fn drawn_text(&self, index: usize, point: usize, height: f64) -> String {
+        let Some((table, drawn)) = table(self.model(), index) else { return String::new() };
+        let shown = |value: f64, unit: &Unit| self.with_unit(number::plain(unit.from_si(value), 4, self.style), unit);
+        let argument = shown(drawn.argument(point), &table.argument_unit);
+        format!("{} = {argument}: {}", symbol(&table.argument), shown(value(drawn, level(height)), &table.unit))
+    }
+
+    /// Draws a curve through points of these heights; the run starts anew.
+    pub fn draw(&mut self, index: usize, heights: &[f64]) -> Result<(), Refusal> {
+        let unknown = || Refusal::Unknown { name: index.to_string() };
+        let (_, drawn) = table(self.model(), index).ok_or_else(unknown)?;
+        if heights.len() != Drawn::POINTS || heights.iter().any(|height| !height.is_finite()) {
+            return Err(unknown());
+        }
+        let values: Vec<f64> = heights.iter().map(|&height| value(drawn, level(height))).collect();
+        if self.course.begun().drawings.get(index) != Some(&values) {
+            self.redraw(index, values);
+            self.announce(Announcement::Drawn(index));
+        }
+        Ok(())
+    }
+
+    /// Puts the document's own curve back; the run starts anew.
+    pub fn clear_drawing(&mut self, index: usize) {
+        let Some(values) = self.defaults.drawings.get(index).cloned() else { return };
+        if self.course.begun().drawings.get(index) != Some(&values) {
+            let before = Setup { parameters: self.course.parameters().to_vec(), ..self.course.begun().clone() };
+            self.redraw(index, values);
+            self.can_undo(Removed::Start(before));
+            self.announce(Announcement::DrawingCleared(index));
+        }
+    }
+
+    fn redraw(&mut self, index: usize, values: Vec<f64>) {
+        let parameters = self.course.parameters().to_vec();
+        let mut setup = Setup { parameters, ..self.course.begun().clone() };
+        if let Some(own) = setup.drawings.get_mut(index) {
+            *own = values;
+        }
+        self.restart(setup);
+    }
+
+    /// Computes everything from now on with these curves, if they are others than before.
+    pub(crate) fn adopt_drawings(&mut self, drawings: &[Vec<f64>]) {
+        let Some(model) = self.program.model.with_drawings(drawings) else { return };
+        self.program.model = model;
+        self.columns = Columns::new(&self.program.model, &self.program.plots);
+        self.evaluators = Evaluators::new(&self.program, &self.tag);
+        for (own, new) in self.plots.iter_mut().zip(PlotState::of(&self.program, &self.columns)) {
+            own.content = new.content;
+        }
+        self.revision.parameters += 1;
+    }
+
+    /// The label of a curve in the chosen language.
+    pub(crate) fn drawing_label(&self, index: usize) -> String {
+        self.drawn_curve(index).map(|view| view.label).unwrap_or_default()
+    }
+
+    /// The curves of a run of the former program as those of this one; what is lost is named.
+    pub(crate) fn drawings_from(&self, former: &Setup, before: &Play, lost: &mut Vec<String>) -> Vec<Vec<f64>> {
+        let mut drawings = self.defaults.drawings.clone();
+        for (index, values) in former.drawings.iter().enumerate() {
+            if before.defaults.drawings.get(index) == Some(values) {
+                continue;
+            }
+            let Some((old, old_drawn)) = table(before.model(), index) else { continue };
+            let same = |place: &usize| {
+                table(self.model(), *place).is_some_and(|(new, drawn)| {
+                    new.name == old.name
+                        && [&new.unit, &new.argument_unit].map(|unit| unit.dimension)
+                            == [&old.unit, &old.argument_unit].map(|unit| unit.dimension)
+                        && (drawn.from, drawn.until) == (old_drawn.from, old_drawn.until)
+                        && drawn.takes(values)
+                })
+            };
+            match (0..drawings.len()).find(same).and_then(|place| drawings.get_mut(place)) {
+                Some(own) => own.clone_from(values),
+                None => lost.push(before.drawing_label(index)),
+            }
+        }
+        drawings
+    }
+}
+
+/// A curve among those that the reader draws, and its table.
+fn table(model: &Model, index: usize) -> Option<(&Table, &Drawn)> {
+    model.tables.iter().filter_map(|table| Some((table, table.drawn.as_ref()?))).nth(index)
+}
+
+/// The height of a value.
+fn height(drawn: &Drawn, value: f64) -> f64 {
+    (value - drawn.low) / (drawn.high - drawn.low)
+}
+
+/// The level next to a height.
+fn level(height: f64) -> u16 {
+    (height.clamp(0.0, 1.0) * f64::from(LEVELS)).round() as u16
+}
+
+/// The value of a level.
+fn value(drawn: &Drawn, level: u16) -> f64 {
+    let part = f64::from(level.min(LEVELS)) / f64::from(LEVELS);
+    (drawn.low + part * (drawn.high - drawn.low)).clamp(drawn.low, drawn.high)
+}
+
+/// What a link says of the curves that are not those of the document: `a:` and two characters for each point.
+pub(crate) fn written(model: &Model, drawings: &[Vec<f64>], defaults: &[Vec<f64>]) -> Vec<String> {
+    let one = |(index, (values, own)): (usize, (&Vec<f64>, &Vec<f64>))| {
+        let (table, drawn) = table(model, index).filter(|_| values != own)?;
+        // Three bytes for two points; each has 12 bits.
+        let levels: Vec<u16> = values.iter().map(|&value| level(height(drawn, value))).collect();
+        let bytes: Vec<u8> = levels
+            .chunks(2)
+            .flat_map(|pair| {
+                let (first, second) = (pair.first().copied().unwrap_or(0), pair.get(1).copied().unwrap_or(0));
+                [(first >> 4) as u8, ((first << 4) as u8) | (second >> 8) as u8, second as u8]
+            })
+            .collect();
+        Some(format!("{}:{}", table.name, URL_SAFE_NO_PAD.encode(bytes)))
+    };
+    drawings.iter().zip(defaults).enumerate().filter_map(one).collect()
+}
+
+/// A curve that [`written`] has written: which of them, and its values; `None` for what is none.
+pub(crate) fn read(model: &Model, text: &str) -> Option<(usize, Vec<f64>)> {
+    let (name, points) = text.split_once(':')?;
+    let count = model.tables.iter().filter(|table| table.drawn.is_some()).count();
+    let index = (0..count).find(|index| table(model, *index).is_some_and(|(table, _)| table.name == name))?;
+    let (_, drawn) = table(model, index)?;
+    // No more is decoded than a curve has.
+    let bytes = URL_SAFE_NO_PAD.decode(points.get(..4 * Drawn::POINTS.div_ceil(2)).unwrap_or(points)).ok()?;
+    let levels = bytes.chunks_exact(3).flat_map(|three| {
+        let [a, b, c] = [three[0], three[1], three[2]].map(u16::from);
+        [a << 4 | b >> 4, (b & 15) << 8 | c]
+    });
+    let levels: Vec<u16> = levels.take(Drawn::POINTS).collect();
+    let fits = bytes.len() == 3 * Drawn::POINTS.div_ceil(2)
+        && points.len() == 4 * Drawn::POINTS.div_ceil(2)
+        && levels.iter().all(|level| *level <= LEVELS);
+    fits.then(|| (index, levels.into_iter().map(|level| value(drawn, level)).collect()))
+}

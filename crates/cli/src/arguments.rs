@@ -134,6 +134,10 @@ pub struct Run {
     #[arg(long = "press", value_name = "BUTTON=T", value_parser = press)]
     pub press: Vec<Assignment>,
 
+    /// Draw a table of the document through the points of a file with two columns, such as F=push.csv
+    #[arg(long = "draw", value_name = "TABLE=FILE", value_parser = assignment)]
+    pub draw: Vec<Assignment>,
+
     /// How the equations are solved [default: the document's, or rk4]
     #[arg(long, value_name = "METHOD")]
     pub method: Option<String>,

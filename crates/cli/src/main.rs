@@ -8,6 +8,7 @@ mod columns;
 mod cycles;
 mod data;
 mod derivatives;
+mod drawn;
 mod excerpt;
 mod export;
 mod failure;

@@ -1,6 +1,7 @@
 //! `meniscus run`: a document's table, row by row as it is computed.
 
 use crate::arguments::{Format, Run};
+use crate::drawn;
 use crate::failure::Failure;
 use crate::load::{self, Loaded, Sources};
 use crate::output::Output;
@@ -31,7 +32,9 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
     let Some(mut document) = opened.document.filter(|_| !refused) else {
         return Err(Failure::Document);
     };
-    let (setup, until) = settings::setup(&mut document, arguments, terminal)?;
+    let (mut setup, until) = settings::setup(&mut document, arguments, terminal)?;
+    drawn::draw(&mut document, &arguments.draw)?;
+    setup.drawings = document.program.model.drawings();
     let model = &document.program.model;
     let table = match &arguments.columns {
         Some(names) => {

@@ -274,3 +274,37 @@ fn buttons_are_pressed_by_title_name_and_translated_title() {
     }
     refused(&["--press", "Kick=1"], 2, &["the document has no buttons"]);
 }
+
+#[test]
+fn a_table_is_drawn_through_the_points_of_a_file() {
+    let document = "---\ntitle: Pushed\nstep: 0.1 [s]\nuntil: 2 [s]\n---\n```model\n\
+                    table a(t) in [m/s^2] \"Push\" drawn in -5..5 until 10 [s]\n\
+                    x'' = a(t)\nx(0) = 0 [m]\nx'(0) = 0 [m/s]\n```\n";
+    let (directory, path) = directory_with(document);
+    let file = |name: &str, text: &str| {
+        let file = directory.path().join(name);
+        std::fs::write(&file, text).expect("written");
+        format!("a={}", file.display())
+    };
+    let still = run(&path, &[]);
+    assert!(numbers(&still.stdout).iter().all(|row| row[1] == 0.0));
+    for push in
+        [file("push.csv", "t,a\n0,3\n10,3\n"), file("units.csv", "t [ms],a [cm/s^2]\n0,300\n5000,300\n10000,300\n")]
+    {
+        let done = run(&path, &["--draw", &push]);
+        assert_eq!((done.code, done.stderr.as_str()), (0, ""), "{push}");
+        for row in numbers(&done.stdout) {
+            assert!((row[1] - 1.5 * row[0] * row[0]).abs() < 1e-9, "{row:?}");
+        }
+    }
+    for (wrong, expected) in [
+        (file("three.csv", "t,a,b\n0,3,1\n10,3,1\n"), "must have two"),
+        (file("far.csv", "t,a\n0,3\n10,30\n"), "leaves the range from -5 to 5 m/s^2"),
+        (file("back.csv", "t,a\n5,3\n0,3\n"), "must increase"),
+        (file("unit.csv", "t [s],a [kg]\n0,3\n10,3\n"), "must be in m/s^2"),
+        ("b=push.csv".to_owned(), "there is no drawn table `b`"),
+    ] {
+        let done = run(&path, &["--draw", &wrong]);
+        assert!(done.code != 0 && done.stderr.contains(expected), "{wrong}: {}", done.stderr);
+    }
+}

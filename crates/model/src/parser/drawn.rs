@@ -11,11 +11,11 @@ const FORM: Words = words(
 );
 
 const RANGE: Words = words(
-    "the least and the greatest value are expected here, `in LOW..HIGH`",
-    "aquí se esperan el valor mínimo y el máximo, `in MÍNIMO..MÁXIMO`",
+    "`in` with the least and the greatest value is expected here",
+    "aquí se espera `in` con el valor mínimo y el máximo",
 );
 const END: Words =
-    words("the greatest argument is expected here, `until END`", "aquí se espera el argumento máximo, `until FINAL`");
+    words("`until` with the greatest argument is expected here", "aquí se espera `until` con el argumento máximo");
 
 impl Cursor<'_> {
     /// `drawn in -5..5 from 0 [s] until 10 [s]`. The unit of the arguments stands behind the first of them.

@@ -29,7 +29,7 @@ impl TableStatement {
         let point = |point: &Point| [si(&self.argument_unit, point.x), si(&self.unit, point.y)];
         let points: Vec<[f64; 2]> = self.points.iter().map(point).collect();
         if let Some(range) = &self.drawn
-            && let Err(found) = self.check_drawn(range)
+            && let Some(found) = self.undrawable(range)
         {
             diagnostics.push(found);
             return None;
@@ -64,8 +64,8 @@ impl TableStatement {
         }
     }
 
-    /// Whether something can be drawn.
-    fn check_drawn(&self, range: &DrawnRange) -> Result<(), Diagnostic> {
+    /// Why nothing can be drawn.
+    fn undrawable(&self, range: &DrawnRange) -> Option<Diagnostic> {
         let DrawnRange { bounds, from, until, until_span } = range;
         let (low, high, name) = (bounds.low, bounds.high, &self.name.text);
         if !(low < high && low.is_finite() && high.is_finite()) {
@@ -74,7 +74,7 @@ impl TableStatement {
                 "no se puede dibujar nada para `{name}`: {low} no es menor que {high}"
             );
             let diagnostic = Diagnostic::error("empty-range", message, bounds.span);
-            return Err(if low > high {
+            return Some(if low > high {
                 diagnostic.with_hint(words!("write `drawn in {high}..{low}`", "escribe `drawn in {high}..{low}`"))
             } else {
                 diagnostic
@@ -85,20 +85,18 @@ impl TableStatement {
                 "nothing can be drawn for `{name}`: it ends at {until}, not after {from}",
                 "no se puede dibujar nada para `{name}`: termina en {until}, no después de {from}"
             );
-            return Err(Diagnostic::error("empty-range", message, *until_span));
+            return Some(Diagnostic::error("empty-range", message, *until_span));
         }
-        match self.points.iter().find(|point| !(low..=high).contains(&point.y)) {
-            None => Ok(()),
-            Some(point) => {
-                let message = words!(
-                    "the value {} lies outside the range {low}..{high} in which `{name}` is drawn",
-                    "el valor {} está fuera del intervalo {low}..{high} en que se dibuja `{name}`",
-                    point.y
-                );
-                Err(Diagnostic::error("default-out-of-range", message, point.span)
-                    .with_label(bounds.span, words("the range", "el intervalo")))
-            }
-        }
+        let point = self.points.iter().find(|point| !(low..=high).contains(&point.y))?;
+        let message = words!(
+            "the value {} lies outside the range {low}..{high} in which `{name}` is drawn",
+            "el valor {} está fuera del intervalo {low}..{high} en que se dibuja `{name}`",
+            point.y
+        );
+        Some(
+            Diagnostic::error("default-out-of-range", message, point.span)
+                .with_label(bounds.span, words("the range", "el intervalo")),
+        )
     }
 
     /// What the reader may draw, with the values of a curve that is there before; without one they are 0, or next to it.

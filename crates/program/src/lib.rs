@@ -21,8 +21,8 @@ pub use bandwidth::{band_width, banded_order, bandwidth, places};
 pub use chance::binomial;
 pub use checks::{Check, Claim, Moment, Relation, Sides, Test};
 pub use graph::{
-    Binary, Course, Entry, Graph, Interpolation, LinearSystem, Node, NodeId, OfDrawing, Unary, Variable, along, differentiate,
-    differentiate_all,
+    Binary, Course, Entry, Graph, Interpolation, LinearSystem, Node, NodeId, OfDrawing, Unary, Variable, along,
+    differentiate, differentiate_all,
 };
 pub use method::{Method, UnknownMethod};
 pub use model::{

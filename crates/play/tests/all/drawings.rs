@@ -100,7 +100,9 @@ fn the_link_is_short_and_repeats_it() {
     assert!(link.starts_with("1&p=m:3&a=F:AABQCgDwFAGQ") && link.len() < 140, "{link}");
     let other = by_link(&play);
     assert_eq!(curve(&other, 0), curve(&play, 0));
-    for wrong in ["a=F:AAA", "a=G:AAAA", "a=F", &format!("a=F:{}", "_".repeat(104)), &format!("a=F:{}", "A".repeat(105))] {
+    for wrong in
+        ["a=F:AAA", "a=G:AAAA", "a=F", &format!("a=F:{}", "_".repeat(104)), &format!("a=F:{}", "A".repeat(105))]
+    {
         let refused = pushed().restore(&format!("1&{wrong}&t=1"));
         assert!(matches!(refused, Err(Refusal::PartlyRestored { .. })), "{wrong}");
     }

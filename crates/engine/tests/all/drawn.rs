@@ -45,7 +45,7 @@ fn a_constant_push_gives_the_parabola() {
         let run = run(&model, drawn(&model, method, 0.1, |_| 1.5), 100);
         let history = run.history();
         for row in 0..history.len() {
-            let exact = 0.75 * history.time(row).powi(2);
+            let exact = 0.75 * history.time(row) * history.time(row);
             assert!((history.column(0)[row] - exact).abs() < 1e-9, "{method} at {}", history.time(row));
         }
     }
@@ -61,7 +61,7 @@ fn a_push_that_rises_gives_the_cubic_and_then_the_parabola() {
         let t = history.time(row);
         let within = t.min(10.0);
         let later = (t - 10.0).max(0.0);
-        let exact = 0.05 * within.powi(3) + 0.15 * within.powi(2) * later + 1.5 * later.powi(2);
+        let exact = 0.05 * within * within * within + 0.15 * within * within * later + 1.5 * later * later;
         assert!((history.column(0)[row] - exact).abs() < 1e-9, "{t}");
     }
     assert_eq!(run.notices().len(), 1, "outside of what is drawn");

@@ -3,12 +3,12 @@
 use super::builder::Builder;
 use super::points;
 use super::space::{Space, Spot};
-use crate::expressions::dimension_error;
+use crate::expressions::{Placed, dimension_error};
 use model::Span;
-use program::{Attribute, Binary, Graph, NodeId, Piece};
+use program::{Attribute, Binary, Compiled, Graph, Kind, NodeId, Piece};
 use std::f64::consts::PI;
 use std::ops::Range;
-use units::{Dimension, words};
+use units::{Dimension, Unit, words};
 
 /// The ends of an axis, SI.
 #[derive(Clone, Copy)]
@@ -106,6 +106,23 @@ impl Builder<'_, '_> {
         }
         let span = Span::new(range.start, range.end);
         Some(Axis { low: low.value.node, high: high.value.node, dimension, span })
+    }
+
+    /// The ends of a range in the present space that never change, SI.
+    pub fn fixed_range(&mut self, range: Range<usize>) -> Option<[f64; 2]> {
+        let axis = self.axis(range)?;
+        let value = Compiled { node: axis.high, kind: Kind::Number, unit: Unit::si(axis.dimension) };
+        self.of_space(Placed { value, span: axis.span })?;
+        let ends = [axis.low, axis.high].map(|end| self.expressions.graph().as_constant(end));
+        if let [Some(low), Some(high)] = ends {
+            return Some([low, high]);
+        }
+        self.refuse_at(
+            words("the ends of axes never change", "los extremos de los ejes no cambian nunca"),
+            axis.span,
+            Some(words("write numbers with a unit: `-2..2 [m]`", "escribe números con su unidad: `-2..2 [m]`")),
+        );
+        None
     }
 
     /// `box="20 20 360 200"` in units of the drawing; without it the whole view box.

@@ -98,6 +98,22 @@ fn an_angle_is_an_arc_between_two_directions() {
 }
 
 #[test]
+fn axes_cross_at_the_origin_and_are_numbered_in_the_unit_of_their_step() {
+    let axes = drawn(&format!("{FRAME}<axes x='-1..2 [m]' y='-1..2 [m]' step='50 [cm]'/></frame>"), "en");
+    // Two lines, and seven marks on each.
+    assert_eq!(axes.matches("<line").count(), 16, "{axes}");
+    for line in ["<line x1=100 y1=200 x2=400 y2=200>", "<line x1=200 y1=300 x2=200 y2=0>"] {
+        assert!(axes.contains(line), "{axes}");
+    }
+    for (number, count) in [(">-100;", 2), (">50;", 2), (">200 cm;", 2), (">0;", 0)] {
+        assert_eq!(axes.matches(number).count(), count, "{number}: {axes}");
+    }
+    // Where 0 is in no range they cross at the nearest ends.
+    let beside = drawn(&format!("{FRAME}<axes x='1..2 [m]' y='-1..-0.5 [m]' step='0.5 [m]'/></frame>"), "es");
+    assert!(beside.contains("<title>Ejes;") && beside.contains("<line x1=300 y1=250 x2=400 y2=250>"), "{beside}");
+}
+
+#[test]
 fn a_ruler_has_marks_at_its_steps_and_numbers_in_its_unit() {
     let ruler = drawn(&format!("{FRAME}<ruler from='(0, 0)' to='(1 [m], 0)' step='20 [cm]'/></frame>"), "en");
     assert_eq!(ruler.matches("<line").count(), 7, "{ruler}");
@@ -126,6 +142,12 @@ fn what_a_part_lacks_is_said() {
     refused(
         "<ruler from='(0, 0)' to='(x, 0)' step='1 [cm]'/>",
         "a ruler has from 1 to 200 marks, and their number never changes",
+    );
+    refused("<axes x='-1..2 [m]' y='0..x' step='1 [m]'/>", "the ends of axes never change");
+    refused("<axes x='-1..2 [m]' y='0..1 [m]' step='1 [mm]'/>", "each axis has 100 marks at most");
+    refused(
+        "<axes x='0..2 [s]' y='0..1 [m]' step='1 [m]'/>",
+        "a length in a frame must have the dimension of its axes",
     );
     refused("<ruler from='(0, 0)' to='(1 [m], 0)' step='10 [cm]' first='x'/>", "the numbers of a ruler never change");
     refused("<block at='(0, 0)' size='(1, 1 [m])'/>", "a length in a frame must have the dimension of its axes");

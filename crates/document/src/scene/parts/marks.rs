@@ -4,6 +4,7 @@ use super::super::builder::Builder;
 use super::super::space::Spot;
 use super::drawing::{GLASS, Ink, TEXT, fixed};
 use super::{Drawn, Given};
+use model::Span;
 use program::{Binary, Child, Element, NodeId, Piece, Unary};
 use std::f64::consts::PI;
 use units::words;
@@ -12,6 +13,25 @@ use units::words;
 const MARKS: f64 = 200.0;
 /// Every so many marks of a ruler have a number.
 const NUMBERED: u32 = 5;
+
+/// The distance of marks.
+pub struct Step {
+    /// The number and the unit, if they are written as such.
+    pub written: Option<(f64, String)>,
+    /// SI, in the present space.
+    pub node: NodeId,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A number at a mark, without the error of repeated steps; with a unit behind the last one.
+pub fn number_of_mark(value: f64, unit: Option<&str>) -> String {
+    let shown = units::number::shortest((value * 1e9).round() / 1e9);
+    match unit {
+        Some(unit) => format!("{shown} {unit}").trim_end().to_owned(),
+        None => shown,
+    }
+}
 
 impl Builder<'_, '_> {
     /// A text at a place; what it says is added to it afterwards.
@@ -25,12 +45,7 @@ impl Builder<'_, '_> {
     /// A line with a mark for each `step` and a number for every fifth, beginning with `first`.
     pub fn ruler(&mut self, given: &Given) -> Option<Drawn> {
         let way = self.way_of(given)?;
-        let range = given.get("step")?.clone();
-        let inner = self.inside_braces(range);
-        let written = self.expressions.written(inner.clone());
-        let step = self.expressions.number(inner)?;
-        let span = step.span;
-        let step = self.of_space(step)?;
+        let Step { written, node: step, span } = self.step_of(given)?;
         let space = self.space.clone();
         let graph = self.graph();
         let (drawn, whole) = (space.length(graph, step), graph.divide(way.length, space.scale));
@@ -62,18 +77,31 @@ impl Builder<'_, '_> {
             let mark = fixed("line", &[("y2", if long { "10" } else { "6" })]);
             children.push(self.numbered(mark, &[("x1", at), ("x2", at)]));
             if long {
-                let value = size * (first + f64::from(number));
-                let shown = units::number::shortest((value * 1e9).round() / 1e9);
-                let text = if number + NUMBERED > count as u32 { format!("{shown} {unit}") } else { shown };
-                let words =
-                    [("y", "23"), ("fill", TEXT), ("stroke", "none"), ("font-size", "12"), ("text-anchor", "middle")];
-                let mut label = self.numbered(fixed("text", &words), &[("x", at)]);
-                label.children.push(Child::Text(vec![Piece::Literal(text)]));
-                self.unsaid();
-                children.push(label);
+                let unit = (number + NUMBERED > count as u32).then_some(unit.as_str());
+                let text = number_of_mark(size * (first + f64::from(number)), unit);
+                let label = self.mark_text(text, &[("y", "23"), ("text-anchor", "middle")]);
+                children.push(self.numbered(label, &[("x", at)]));
             }
         }
         Some(self.along_way(way, &[("stroke", TEXT), ("stroke-width", "1.5")], children))
+    }
+
+    /// The distance of the marks of a ruler or of axes.
+    pub fn step_of(&mut self, given: &Given) -> Option<Step> {
+        let inner = self.inside_braces(given.get("step")?.clone());
+        let written = self.expressions.written(inner.clone());
+        let step = self.expressions.number(inner)?;
+        let span = step.span;
+        Some(Step { written, node: self.of_space(step)?, span })
+    }
+
+    /// The number at a mark.
+    pub fn mark_text(&mut self, text: String, attributes: &[(&str, &str)]) -> Element {
+        let mut label =
+            fixed("text", &[&[("fill", TEXT), ("stroke", "none"), ("font-size", "12")], attributes].concat());
+        label.children.push(Child::Text(vec![Piece::Literal(text)]));
+        self.unsaid();
+        label
     }
 
     /// How many steps of a ruler there are from 0 to the number at its beginning.

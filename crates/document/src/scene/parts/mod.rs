@@ -1,5 +1,6 @@
 //! Parts: springs, blocks, arrows and the like, drawn as plain SVG from a few values.
 
+mod axes;
 mod bodies;
 mod circuits;
 mod drawing;
@@ -41,7 +42,7 @@ const fn part(
 }
 
 /// All parts.
-pub const PARTS: [Part; 23] = [
+pub const PARTS: [Part; 24] = [
     part("spring", ("Spring", "Muelle"), 2, &["from", "to", "turns", "width"]),
     part("damper", ("Damper", "Amortiguador"), 2, &["from", "to", "width", "length"]),
     part("rod", ("Rod", "Varilla"), 2, &["from", "to"]),
@@ -54,6 +55,7 @@ pub const PARTS: [Part; 23] = [
     part("ramp", ("Ramp", "Plano inclinado"), 2, &["from", "to"]),
     part("label", ("Label", "Rótulo"), 1, &["at"]),
     part("ruler", ("Ruler", "Regla"), 3, &["from", "to", "step", "first"]),
+    part("axes", ("Axes", "Ejes"), 3, &["x", "y", "step"]),
     part("angle", ("Angle", "Ángulo"), 3, &["at", "from", "to", "r"]),
     part("protractor", ("Protractor", "Transportador"), 2, &["at", "r", "turn"]),
     part("image", ("Picture", "Imagen"), 3, &["at", "size", "href"]),
@@ -97,6 +99,7 @@ impl Builder<'_, '_> {
             "ramp" => self.ramp(given),
             "label" => self.label(given),
             "ruler" => self.ruler(given),
+            "axes" => self.axes(given),
             "angle" => self.angle_arc(given),
             "protractor" => self.protractor(given),
             "image" => self.image(given),

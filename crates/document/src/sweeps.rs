@@ -58,10 +58,12 @@ pub fn read(
         return None;
     };
     let parameter = expressions.parameter(&Name { text: name.clone(), span: span(&swept.name) })?;
-    if expressions.model().parameters.get(parameter).is_none_or(|parameter| parameter.choices != Choices::Numbers) {
+    let choices = expressions.model().parameters.get(parameter).map(|parameter| &parameter.choices);
+    let is_seed = choices == Some(&Choices::Seed);
+    if !is_seed && choices != Some(&Choices::Numbers) {
         let message = words!(
-            "`{name}` has no range of values: it is a switch, a choice or the seed of random draws",
-            "`{name}` no tiene un intervalo de valores: es un interruptor, una elección o la semilla del azar"
+            "`{name}` has no range of values: it is a switch or a choice",
+            "`{name}` no tiene un intervalo de valores: es un interruptor o una elección"
         );
         let diagnostic = Diagnostic::error("sweep", message, span(&swept.name));
         expressions.diagnostics.push(
@@ -78,7 +80,16 @@ pub fn read(
         taken.push(what);
     }
     let runs = taken.iter().any(|taken| *taken != Taken::Value);
-    let step = limits.step.unwrap_or((limits.high - limits.low) / if runs { RUNS } else { VALUES });
+    let part = (limits.high - limits.low) / if runs { RUNS } else { VALUES };
+    let step = limits.step.unwrap_or(if is_seed { 1.0 } else { part });
+    if is_seed && [limits.low, step].iter().any(|number| number.fract() != 0.0) {
+        let message = words("a seed is a whole number", "una semilla es un número entero");
+        expressions.diagnostics.push(
+            Diagnostic::error("sweep", message, span(&swept.range))
+                .with_hint(words("write `seed in 1..60 step 1`", "escribe `seed in 1..60 step 1`")),
+        );
+        return None;
+    }
     let mut sweep = Sweep { parameter, low: limits.low, high: limits.high, step, taken, until: 0.0 };
     if sweep.count() > Sweep::MOST {
         let message = words!(

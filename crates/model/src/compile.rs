@@ -92,7 +92,7 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
     };
     let mapped = chance::write_out(maps::write_out(&single, diagnostics), diagnostics);
     let numbered = discrete_kinds::write_out(mapped, diagnostics);
-    let scheduled = ticks::write_out(&numbered);
+    let scheduled = ticks::write_out(&numbered, diagnostics);
     let remembered = so_far::write_out(moments::write_out(&scheduled, vectors, diagnostics));
     let (functions, called) = match functions {
         Some(functions) => (functions, None),

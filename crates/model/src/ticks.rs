@@ -4,11 +4,14 @@
 //! It is written out as an event whose condition is that the time has passed the next of these moments. Which one that is, is
 //! counted by a discrete quantity, so that the moments are products and no sums, and all of them are scheduled exactly.
 
-use crate::{Action, BinaryOperator, Expression, Name, Span, Statement, StatementKind, UnaryOperator};
+use crate::{
+    Action, BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span, Statement, StatementKind, UnaryOperator,
+};
 use std::borrow::Cow;
+use units::words;
 
 /// The statements with all events at equal intervals as events with conditions.
-pub(crate) fn write_out(statements: &[Statement]) -> Cow<'_, [Statement]> {
+pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> Cow<'a, [Statement]> {
     let is_tick = |statement: &Statement| matches!(&statement.kind, StatementKind::Event { extras, .. } if extras.every.is_some());
     if !statements.iter().any(is_tick) {
         return Cow::Borrowed(statements);
@@ -22,6 +25,14 @@ pub(crate) fn write_out(statements: &[Statement]) -> Cow<'_, [Statement]> {
             && let Some(every) = extras.every.take()
         {
             let (interval, from) = *every;
+            if is_nothing(&interval) {
+                let message =
+                    words("an event cannot happen at intervals of 0", "un evento no puede ocurrir a intervalos de 0");
+                diagnostics.push(Diagnostic::error("interval-of-zero", message, interval.span).with_hint(words(
+                    "write an interval above 0, such as `every 0.1 [s]`",
+                    "escribe un intervalo mayor que 0, por ejemplo `every 0.1 [s]`",
+                )));
+            }
             let ticks = Ticks {
                 independent: &independent,
                 counts,
@@ -35,6 +46,14 @@ pub(crate) fn write_out(statements: &[Statement]) -> Cow<'_, [Statement]> {
     }
     written.append(&mut added);
     Cow::Owned(written)
+}
+
+/// Whether an interval is the number 0, or smaller than what numbers resolve.
+fn is_nothing(interval: &Expression) -> bool {
+    match &interval.kind {
+        ExpressionKind::Number { value, unit } => !unit.as_ref().map_or(*value, |unit| unit.to_si(*value)).is_normal(),
+        _ => false,
+    }
 }
 
 /// The moments of one event.

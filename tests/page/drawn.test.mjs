@@ -66,8 +66,15 @@ visit("point by point with the keys, each with its value", async (lab) => {
 visit("with a finger, in Spanish, on the page of one simulation", { file: exported, language: "es", ...PHONE }, async (page) => {
   const field = page.slider("Empujón");
   await field.scrollIntoViewIfNeeded();
-  await field.evaluate((node) => node.scrollIntoView({ block: "center" }));
-  const box = await field.boundingBox();
+  await field.evaluate((node) => node.scrollIntoView({ block: "center", behavior: "instant" }));
+  // The page may still be laying out what stands above.
+  let box = await field.boundingBox();
+  await eventually(async () => {
+    const before = box;
+    await page.page.waitForTimeout(100);
+    box = await field.boundingBox();
+    assert.deepEqual(box, before);
+  });
   const session = await page.context.newCDPSession(page.page);
   const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
   const scrolled = () => page.page.evaluate(() => window.scrollY);

@@ -4,12 +4,13 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Which crates of the workspace each may use. The walls between them are the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 15] = [
+const ARROWS: [(&str, &[&str]); 16] = [
     ("units", &[]),
     ("program", &["units"]),
     ("model", &["program", "units"]),
     ("figure", &["units"]),
     ("engine", &["program", "units"]),
+    ("film", &["units"]),
     ("document", &["model", "program", "units"]),
     ("analysis", &["engine", "program", "units"]),
     ("report", &["analysis", "document", "figure", "model", "program", "units"]),
@@ -19,12 +20,12 @@ const ARROWS: [(&str, &[&str]); 15] = [
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),
     ("lab", &["desk", "document", "figure", "model", "play", "program", "units", "view"]),
-    ("cli", &["analysis", "document", "engine", "figure", "model", "program", "report", "units"]),
+    ("cli", &["analysis", "document", "engine", "figure", "film", "model", "program", "report", "units"]),
 ];
 
 /// The crates that do no I/O, read no clock and touch no DOM.
-const CORE: [&str; 10] =
-    ["units", "program", "model", "document", "engine", "analysis", "figure", "report", "play", "desk"];
+const CORE: [&str; 11] =
+    ["units", "program", "model", "document", "engine", "analysis", "film", "figure", "report", "play", "desk"];
 const OUTSIDE: [&str; 8] =
     ["std::fs", "std::net", "std::env", "std::process", "std::time", "std::thread", "web_sys", "js_sys"];
 

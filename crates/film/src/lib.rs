@@ -1,0 +1,9 @@
+//! Films of experiments: where a film keeps its frames and when each was taken, where something is in each of them, and how
+//! large it is.
+//!
+//! Nothing here decodes pictures. Whoever can (a browser, `ffmpeg`) hands over each frame as a [`Plane`] of grey values
+//! together with its presentation time.
+
+mod plane;
+
+pub use plane::Plane;

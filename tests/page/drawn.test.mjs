@@ -37,7 +37,7 @@ visit("a push drawn with the mouse moves the cart, is in the link, and is cleare
   const field = lab.slider("Push");
   await lab.press("Step forward");
   await draw(lab, field, [0, 0.75], [1, 0.75]);
-  await eventually(async () => assert.equal(await lab.time(), 0, "the run starts anew"));
+  await eventually(async () => assert.equal(await lab.time(), 0, "the run starts again"));
   const accelerated = async () => parseFloat((await lab.value("Acceleration")).replace("−", "-"));
   await eventually(async () => assert.ok(Math.abs((await accelerated()) - 2.5) < 0.1, `${await accelerated()}`));
   await lab.press("Copy link");

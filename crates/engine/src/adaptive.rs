@@ -216,6 +216,11 @@ impl Adaptive {
     /// The state so long after the start of the last step, by a shorter step from the same start. Another step begins there.
     pub fn shorter(&mut self, equations: &mut Equations, since: f64, out: &mut [f64]) {
         self.forget();
+        self.repeat(equations, since, out);
+    }
+
+    /// The same, if what the method knows of another start is already forgotten.
+    fn repeat(&mut self, equations: &mut Equations, since: f64, out: &mut [f64]) {
         if since < Self::AT_ONCE {
             out.copy_from_slice(&self.last.from);
         } else {
@@ -234,25 +239,17 @@ impl Adaptive {
         expected: Option<Crossing>,
     ) -> Crossing {
         self.forget();
-        let Self { pair, error, last: LastStep { start, from, dense, size, .. }, .. } = self;
-        let (start, size) = (*start, *size);
-        let mut again = |since: f64, out: &mut [f64]| {
-            if since < Self::AT_ONCE {
-                out.copy_from_slice(from);
-            } else {
-                step(pair, equations, start, since, from, out, error);
-            }
-        };
-        let mut state = vec![0.0; from.len()];
-        again(low, &mut state);
+        let start = self.last.start;
+        let mut state = vec![0.0; self.last.from.len()];
+        self.repeat(equations, low, &mut state);
         let early = low > 0.0 && surfaces.crossed(start + low, &state);
-        again(high, &mut state);
+        self.repeat(equations, high, &mut state);
         if surfaces.crossed(start + high, &state) && !early {
-            return surfaces.locate(start, (low, high), expected, again);
+            return surfaces.locate(start, (low, high), expected, |since, out| self.repeat(equations, since, out));
         }
-        dense_value(dense, high / size, &mut state);
+        self.dense(high, &mut state);
         surfaces.crossed(start + high, &state);
-        surfaces.locate(start, (low, high), expected, |since, out| dense_value(dense, since / size, out))
+        surfaces.locate(start, (low, high), expected, |since, out| self.dense(since, out))
     }
 
     /// The state that the last attempt led to.

@@ -132,7 +132,7 @@ impl Pictures {
         });
     }
 
-    /// Nobody attends to the card any more.
+    /// The pointer or the focus has left the card.
     pub fn leave(&self, number: usize) {
         with(&Rc::downgrade(&self.0), |gallery| {
             if !gallery.by_place && gallery.moving.is_some_and(|(moving, _)| moving == number) {

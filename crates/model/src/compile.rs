@@ -174,8 +174,8 @@ fn hide(model: &mut Model, statements: &[Statement], vectors: &Vectors) {
             StatementKind::Event { actions, .. } => {
                 hidden.extend(actions.iter().map(|action| (action.name.text.as_str(), 0)));
             }
-            StatementKind::InitialValue { order, .. } => hidden.extend(declared(statement).map(|name| (name, *order))),
-            StatementKind::Members { left: Expression { kind: ExpressionKind::Member { order, .. }, .. }, .. } => {
+            StatementKind::InitialValue { order, .. }
+            | StatementKind::Members { left: Expression { kind: ExpressionKind::Member { order, .. }, .. }, .. } => {
                 hidden.extend(declared(statement).map(|name| (name, *order)));
             }
             _ => hidden.extend(declared(statement).map(|name| (name, 0))),

@@ -115,16 +115,7 @@ fn number(value: &Expression, values: &mut Values, name: &Name, diagnostics: &mu
         Values::Truth => match literal(value) {
             Some(truth) => Expression::number(f64::from(u8::from(truth)), span),
             None if matches!(value.kind, ExpressionKind::Number { .. } | ExpressionKind::Text(_)) => {
-                let message = words!(
-                    "`{}` is true or false, and this is neither",
-                    "`{}` es verdadero o falso, y esto no",
-                    name.text
-                );
-                diagnostics.push(Diagnostic::error("discrete-truth", message, span).with_hint(words!(
-                    "such as: {0} = true, or {0} = y > 0 [m]",
-                    "por ejemplo: {0} = true, o {0} = y > 0 [m]",
-                    name.text
-                )));
+                diagnostics.push(no_truth(name, span));
                 Expression::nothing(span)
             }
             None => {
@@ -134,36 +125,48 @@ fn number(value: &Expression, values: &mut Values, name: &Name, diagnostics: &mu
         },
         Values::Texts(texts) => {
             let ExpressionKind::Text(text) = &value.kind else {
-                let message = words!(
-                    "`{}` is a text, and this is none in quotation marks",
-                    "`{}` es un texto, y esto no es un texto entre comillas",
-                    name.text
-                );
-                diagnostics.push(Diagnostic::error("discrete-text", message, span).with_hint(words!(
-                    "such as: {0} = \"up\", or {0} = if y > 0 [m] then \"up\" else \"down\"",
-                    "por ejemplo: {0} = \"arriba\", o {0} = if y > 0 [m] then \"arriba\" else \"abajo\"",
-                    name.text
-                )));
+                diagnostics.push(no_text(name, span));
                 return Expression::nothing(span);
             };
-            let known = texts.iter().position(|known| known == text);
-            if known.is_none() && texts.len() == limits::ALTERNATIVES {
-                let message = words!(
-                    "`{}` has more than {} texts",
-                    "`{}` tiene más de {} textos",
-                    name.text,
-                    limits::ALTERNATIVES
-                );
-                diagnostics.push(Diagnostic::error("model-too-large", message, span));
+            let place = texts.iter().position(|known| known == text).unwrap_or(texts.len());
+            if place == limits::ALTERNATIVES {
+                diagnostics.push(too_many_texts(name, span));
                 return Expression::nothing(span);
             }
-            let place = known.unwrap_or_else(|| {
+            if place == texts.len() {
                 texts.push(text.clone());
-                texts.len() - 1
-            });
+            }
             Expression::number(place as f64, span)
         }
     }
+}
+
+fn no_truth(name: &Name, span: Span) -> Diagnostic {
+    let message =
+        words!("`{}` is true or false, and this is neither", "`{}` es verdadero o falso, y esto no", name.text);
+    Diagnostic::error("discrete-truth", message, span).with_hint(words!(
+        "such as: {0} = true, or {0} = y > 0 [m]",
+        "por ejemplo: {0} = true, o {0} = y > 0 [m]",
+        name.text
+    ))
+}
+
+fn no_text(name: &Name, span: Span) -> Diagnostic {
+    let message = words!(
+        "`{}` is a text, and this is none in quotation marks",
+        "`{}` es un texto, y esto no es un texto entre comillas",
+        name.text
+    );
+    Diagnostic::error("discrete-text", message, span).with_hint(words!(
+        "such as: {0} = \"up\", or {0} = if y > 0 [m] then \"up\" else \"down\"",
+        "por ejemplo: {0} = \"arriba\", o {0} = if y > 0 [m] then \"arriba\" else \"abajo\"",
+        name.text
+    ))
+}
+
+fn too_many_texts(name: &Name, span: Span) -> Diagnostic {
+    let message = words!("`{}` has more than {} texts", "`{}` tiene más de {} textos", name.text, limits::ALTERNATIVES);
+    Diagnostic::error("model-too-large", message, span)
 }
 
 /// What the number behind the quantity `name` stands for.

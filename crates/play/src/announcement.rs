@@ -21,9 +21,9 @@ pub enum Announcement {
     Restarted(usize),
     /// A parameter has this SI value now.
     ParameterSet(usize, f64),
-    /// The reader has drawn this curve, and the run starts anew.
+    /// The reader has drawn this curve, and the run starts again.
     Drawn(usize),
-    /// This curve is the document's own again, and the run starts anew.
+    /// This curve is the document's own again, and the run starts again.
     DrawingCleared(usize),
     /// A button of the document was pressed at this time (SI).
     Pressed(usize, f64),

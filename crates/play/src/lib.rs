@@ -4,7 +4,7 @@
 //! | folder | what it holds |
 //! |---|---|
 //! | `time` | the run, its time line and clock |
-//! | `controls` | parameters, presets, buttons, states, dragging, method and step, and how what is typed is read |
+//! | `controls` | parameters, presets, buttons, states, dragging, method and step, and how typed values are read |
 //! | `plots` | figures of the run, of kept runs, of points and plots that others add |
 //! | `values` | readouts, the scene's values, the table of rows |
 //! | `questions` | answers and what they are worth |

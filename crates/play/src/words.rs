@@ -252,7 +252,7 @@ impl Play {
             }
             Announcement::BackAtStart => say("Back at the start", "De vuelta en el inicio"),
             Announcement::Restarted(index) => with(
-                "The run starts anew: {} changed",
+                "The run starts again: {} changed",
                 "La serie comienza de nuevo: cambió {}",
                 self.parameter_label(*index),
             ),
@@ -261,7 +261,7 @@ impl Play {
                 format!("{}: {value}", self.parameter_label(*index))
             }
             Announcement::Drawn(index) => with(
-                "The run starts anew: {} drawn",
+                "The run starts again: {} drawn",
                 "La serie comienza de nuevo: se dibujó {}",
                 &self.drawing_label(*index),
             ),

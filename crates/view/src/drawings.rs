@@ -52,7 +52,7 @@ impl Sketch {
         self.stroke.set(Some((place, height)));
     }
 
-    /// The run begins anew with what has been drawn.
+    /// The run starts again with the new curve.
     fn finish(&self) {
         self.stroke.set(None);
         let heights = self.heights.get_clone_untracked();

@@ -45,7 +45,7 @@ fn languages(app: App) -> HtmlDiv {
             .attr("aria-pressed", move || (app.language.get() == language).to_string())
             .when(events::click, move |_| {
                 app.set_language(language);
-                // The page has been built anew, the button with it.
+                // The page has been rebuilt, the button with it.
                 browser::focus_later(format!("language-{}", language.tag()));
             })
             .child(language.tag().to_uppercase())

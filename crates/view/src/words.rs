@@ -124,11 +124,11 @@ table_of_words! {
     parameters: "Parameters", "Parámetros";
     buttons: "Actions", "Acciones";
     clear_drawing: "Clear", "Borrar";
-    drawing_hint: "Draw the curve in the field; the run starts anew. Keys: left and right choose a point, up and down move it.", "Dibuja la curva en el recuadro; la serie comienza de nuevo. Teclas: izquierda y derecha eligen un punto, arriba y abajo lo mueven.";
+    drawing_hint: "Draw the curve in the field; the run starts again. Keys: left and right choose a point, up and down move it.", "Dibuja la curva en el recuadro; la serie comienza de nuevo. Teclas: izquierda y derecha eligen un punto, arriba y abajo lo mueven.";
     presets: "Presets", "Ajustes";
     restore_defaults: "Restore defaults", "Restaurar valores";
     restore_defaults_title: "Give all parameters and the start of the run the values of the document", "Dar a todos los parámetros y al inicio de la serie los valores del documento";
-    restarts: "Changing it starts the run anew", "Al cambiarlo, la serie comienza de nuevo";
+    restarts: "A change starts the run again", "Al cambiarlo, la serie comienza de nuevo";
     state: "State", "Estado";
     state_hint: "Pause to edit; the run then begins from there.", "Pausa para editar; la serie parte entonces de ahí.";
     started_by_hand: "The run starts from a state that was set by hand. Restore defaults brings the document's start back.", "La serie parte de un estado fijado a mano. Restaurar valores recupera el del documento.";

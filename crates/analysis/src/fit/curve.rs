@@ -20,7 +20,7 @@ pub(crate) fn bare(model: &Model) -> Model {
         quantities: model.quantities.clone(),
         tables: Vec::new(),
         events: model.events.clone(),
-        // Nobody presses while a fit runs.
+        // A fit has no presses of buttons.
         buttons: Vec::new(),
         graph: model.graph.clone(),
         texts: Vec::new(),

@@ -51,7 +51,7 @@ fn evaluations_by_tolerance_for_stiff_and_orbital_problems() {
 fn instructions_of_the_u_tube() {
     let model = model(U_TUBE);
     let rates: Vec<program::NodeId> = model.states.iter().map(|state| state.derivative).collect();
-    // The quotients of parameters come before the run; what is left is a product, and a product with a sum.
+    // The quotients of parameters come before the run; a product remains, and a product with a sum.
     assert_eq!(engine::Routine::compile(&model, &rates).instructions(), 2);
 }
 

@@ -111,7 +111,7 @@ fn put_in_at_start(model: &mut Model, forces: &HashMap<NodeId, NodeId>) {
     let mut known = HashMap::new();
     for (&friction, &force) in forces {
         let [friction_then, force] =
-            [friction, force].map(|node| at_start(graph, node, |state, _| initial.get(state).copied()));
+            [friction, force].map(|node| at_start(graph, node, |_, state, _| initial.get(state as usize).copied()));
         known.extend([(friction, force), (friction_then, force)]);
     }
     let values = graph.rewrite(&initial, |_, id, _| known.get(&id).copied());
@@ -136,17 +136,13 @@ fn start_without_friction(model: &Model, places: &Places) -> Result<(), Vec<Diag
 
 /// `node` at the start of the run, of which the states at the start are inputs.
 fn initially(graph: &mut Graph, node: NodeId) -> NodeId {
-    graph.rewrite(&[node], |graph, _, node| match node {
-        Node::State(state) => Some(graph.insert(Node::Initial(state))),
-        Node::Independent => Some(graph.constant(0.0)),
-        _ => None,
-    })[0]
+    at_start(graph, node, |graph, state, _| Some(graph.insert(Node::Initial(state))))
 }
 
-/// `node` at the start, where states have the values that `initial` tells from their numbers and nodes.
-fn at_start(graph: &mut Graph, node: NodeId, initial: impl Fn(usize, NodeId) -> Option<NodeId>) -> NodeId {
+/// `node` at the start, where states have the values that `initial` gives for their numbers and nodes.
+fn at_start(graph: &mut Graph, node: NodeId, initial: impl Fn(&mut Graph, u32, NodeId) -> Option<NodeId>) -> NodeId {
     graph.rewrite(&[node], |graph, id, node| match node {
-        Node::State(state) | Node::Initial(state) => initial(state as usize, id),
+        Node::State(state) | Node::Initial(state) => initial(graph, state, id),
         Node::Independent => Some(graph.constant(0.0)),
         _ => None,
     })[0]
@@ -310,7 +306,7 @@ fn add_state(model: &mut Model, friction: &Friction, held: NodeId, all: &[Fricti
     let graph = &mut model.graph;
     let zero = graph.constant(0.0);
     let at_start = |graph: &mut Graph, node: NodeId, motions: &HashMap<NodeId, NodeId>| {
-        at_start(graph, node, |state, id| motions.get(&id).or(initial.get(state)).copied())
+        at_start(graph, node, |_, state, id| motions.get(&id).or(initial.get(state as usize)).copied())
     };
     // At the start the others stick where their speed is 0.
     let mut motions = HashMap::new();

@@ -78,7 +78,7 @@ impl Play {
         counted.filter(|(count, _)| *count > 0).map(|(count, button)| format!("{} × {count}", title(button))).collect()
     }
 
-    /// The presses of a run of the former program as those of this one; what is lost is named.
+    /// The presses of a run of the former program as those of this one, and the names of those that are lost.
     pub(crate) fn presses_from(&self, presses: &[Press], before: &Play, lost: &mut Vec<String>) -> Vec<Press> {
         let same = |old: &Button, new: &Button| match (&old.name, &new.name) {
             (Some(old), Some(new)) => old == new,

@@ -13,7 +13,7 @@ use engine::Setup;
 use program::{Drawn, Model, Table};
 use units::Unit;
 
-/// What is drawn has so many levels between the least and the greatest value: two characters of a link are enough for one.
+/// A curve has so many levels between the least and the greatest value: two characters of a link are enough for one.
 const LEVELS: u16 = 4000;
 
 /// So many lines are drawn from one point of a smooth curve to the next.
@@ -83,7 +83,7 @@ impl Play {
         format!("{} = {argument}: {}", symbol(&table.argument), shown(value(drawn, level(height)), &table.unit))
     }
 
-    /// Draws a curve through points of these heights; the run starts anew.
+    /// Draws a curve through points of these heights; the run starts again.
     pub fn draw(&mut self, index: usize, heights: &[f64]) -> Result<(), Refusal> {
         let unknown = || Refusal::Unknown { name: index.to_string() };
         let (_, drawn) = table(self.model(), index).ok_or_else(unknown)?;
@@ -98,7 +98,7 @@ impl Play {
         Ok(())
     }
 
-    /// Puts the document's own curve back; the run starts anew.
+    /// Puts the document's own curve back; the run starts again.
     pub fn clear_drawing(&mut self, index: usize) {
         let Some(values) = self.defaults.drawings.get(index).cloned() else { return };
         if self.course.begun().drawings.get(index) != Some(&values) {
@@ -135,7 +135,7 @@ impl Play {
         self.drawn_curve(index).map(|view| view.label).unwrap_or_default()
     }
 
-    /// The curves of a run of the former program as those of this one; what is lost is named.
+    /// The curves of a run of the former program as those of this one, and the names of those that are lost.
     pub(crate) fn drawings_from(&self, former: &Setup, before: &Play, lost: &mut Vec<String>) -> Vec<Vec<f64>> {
         let mut drawings = self.defaults.drawings.clone();
         for (index, values) in former.drawings.iter().enumerate() {

@@ -4,7 +4,7 @@
 use units::Unit;
 use units::number::Style;
 
-/// What is typed is not longer.
+/// A typed value is at most this long.
 pub(crate) const LONGEST: usize = 300;
 
 /// No unit that is typed is longer, in characters.

@@ -17,7 +17,7 @@
 //! | undo, a part of the scene that is held | end: they are about what was there before |
 //! | plots that others have added | stay behind those of the document, whose number decides their [`PlotId`](crate::PlotId) |
 //!
-//! A value that equals the former default counts as not set, also where a person has set it: nobody could tell the two apart.
+//! A value that equals the former default counts as not set, also where a person has set it: the two cannot be told apart.
 
 mod answers;
 mod names;

@@ -80,7 +80,7 @@ fn a_constant_push_gives_the_parabola() {
     level(&mut play, 1, 0.0);
     go_on(&mut play, [1.0]);
     level(&mut play, 0, 0.75);
-    assert_eq!(play.time(), 0.0, "the run starts anew");
+    assert_eq!(play.time(), 0.0, "the run starts again");
     assert_eq!(std::iter::from_fn(|| play.take_announcement()).last(), Some(Announcement::Drawn(0)));
     go_on(&mut play, [4.0]);
     assert!((state(&play)[0] - 2.5 * 16.0 / 2.0).abs() < 1e-9);

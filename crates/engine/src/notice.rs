@@ -48,10 +48,11 @@ impl Notice {
     pub fn message(&self, model: &Model) -> Words {
         let (name, moment) = (&model.independent.name, moment(model, self.time));
         match self.kind {
-            NoticeKind::MayBeSkipped(Some(_)) => words!(
-                "this event may be skipped from {moment} on: what its condition compares changes too fast within a step",
-                "desde {moment} este evento puede pasarse por alto: lo que compara su condición cambia demasiado deprisa \
-                 dentro de un paso",
+            NoticeKind::MayBeSkipped(Some(event)) => words!(
+                "{event} may be skipped from {moment} on: what its condition compares changes too fast within a step",
+                "desde {moment} {event} puede pasarse por alto: lo que compara su condición cambia demasiado deprisa dentro \
+                 de un paso",
+                event = event_name(model, event),
                 moment = moment
             ),
             NoticeKind::MayBeSkipped(None) => words!(
@@ -87,5 +88,18 @@ impl Notice {
                 words("a smaller step helps", "ayuda un paso menor")
             }
         }
+    }
+}
+
+/// An event by its title, or by what it changes.
+fn event_name(model: &Model, event: usize) -> Words {
+    let event = model.events.get(event);
+    if let Some(title) = event.and_then(|event| event.title.as_ref()) {
+        return words!("the event `{title}`", "el evento `{title}`");
+    }
+    let changed = event.and_then(|event| event.actions.first());
+    match changed.and_then(|(state, _)| model.states.get(*state as usize)) {
+        Some(state) => words!("the event that changes `{}`", "el evento que cambia `{}`", state.kept_for()),
+        None => words("an event", "un evento"),
     }
 }

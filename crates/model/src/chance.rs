@@ -10,6 +10,7 @@ use crate::{
     Action, BinaryOperator, Diagnostic, EventExtras, Expression, ExpressionKind, Name, ParameterForm, Span, Statement,
     StatementKind,
 };
+use program::State;
 use program::functions::Function;
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
@@ -131,7 +132,7 @@ impl Writer {
             }
             StatementKind::Discrete { name, value, .. } => self.value(&format!("{}(0)", name.text), None, value),
             StatementKind::Event { actions, extras: EventExtras { names, .. }, .. } => {
-                let counter = format!("firings {number} so far");
+                let counter = format!("firings {number}{}", State::SO_FAR);
                 let before = self.added.len();
                 for Action { name, order, value, .. } in names.iter_mut().chain(actions.iter_mut()) {
                     self.value(&format!("{}{}", name.text, "'".repeat(*order as usize)), Some(&counter), value);

@@ -6,6 +6,7 @@
 use crate::{
     BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span, Statement, StatementKind, UnaryOperator, limits,
 };
+use program::State;
 use std::borrow::Cow;
 use std::collections::HashMap;
 use units::words;
@@ -67,16 +68,14 @@ pub(crate) fn write_out<'a>(
     Cow::Owned(written)
 }
 
-const ENDING: &str = " so far";
-
 /// The name of the state behind a quantity.
 fn state_name(name: &str) -> String {
-    format!("{name}{ENDING}")
+    format!("{name}{}", State::SO_FAR)
 }
 
 /// The quantity of the author's whose state this is, if it is one that holds a truth or a text.
 pub(crate) fn quantity(state: &str) -> Option<&str> {
-    state.strip_suffix(ENDING).filter(|name| !name.contains([' ', '(']))
+    state.strip_suffix(State::SO_FAR).filter(|name| !name.contains([' ', '(']))
 }
 
 fn kind(statement: &Statement) -> Option<(String, Values)> {

@@ -8,6 +8,7 @@
 use crate::notation::quote;
 use crate::syntax::{expressions_mut, rewrite};
 use crate::{Action, BinaryOperator, EventExtras, Expression, ExpressionKind, Name, Span, Statement, StatementKind};
+use program::State;
 use std::borrow::Cow;
 use std::collections::HashSet;
 
@@ -94,7 +95,7 @@ impl Writer {
     }
 
     fn extremum(&mut self, name: &str, keeps: &str, turned: BinaryOperator, argument: Expression, span: Span) {
-        let (present, past) = (format!("{name} now"), format!("{name} so far"));
+        let (present, past) = (format!("{name} now"), format!("{name}{}", State::SO_FAR));
         let extreme = || {
             let arguments = [&past, &present].map(|name| Expression::named(name, span)).to_vec();
             Expression::call(keeps, arguments, span)
@@ -113,7 +114,7 @@ impl Writer {
     }
 
     fn integral(&mut self, name: &str, argument: Expression, span: Span) {
-        let state = format!("{name} so far");
+        let state = format!("{name}{}", State::SO_FAR);
         self.define(name, Expression::named(&state, span), span);
         let left = Expression::derivative(&state, 1, span);
         self.add(StatementKind::Equation { left, right: argument }, span);

@@ -7,6 +7,7 @@
 use crate::{
     Action, BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span, Statement, StatementKind, UnaryOperator,
 };
+use program::State;
 use std::borrow::Cow;
 use units::words;
 
@@ -36,7 +37,7 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
             let ticks = Ticks {
                 independent: &independent,
                 counts,
-                next: format!("every {number} so far"),
+                next: format!("every {number}{}", State::SO_FAR),
                 span: interval.span,
             };
             added.push(ticks.count(&interval, from.as_ref()));

@@ -103,3 +103,14 @@ fn what_cannot_be_promised_is_said() {
     let slow = "discrete n = 0\nwhen sin(2*pi*238 [1/s]*t) > 0 { n = n + 1 }";
     assert_eq!(counting(slow, Method::RungeKutta4, 0.05, 20).notices(), []);
 }
+
+#[test]
+fn the_event_in_doubt_is_named() {
+    let fast = "phi' = 1 [rad/s]\nphi(0) = 0\nX = maximum(sin(100000*phi))";
+    let run = counting(fast, Method::RungeKutta4, 0.05, 1);
+    let message = run.notices()[0].message(&model(fast));
+    assert!(message.english.starts_with("the event that changes `maximum(sin(100000*phi))` may be"), "{message:?}");
+    let named = "phi' = 1 [rad/s]\nphi(0) = 0\ndiscrete n = 0\nwhen sin(100000*phi) > 0 as drive { n = n + 1 }";
+    let run = counting(named, Method::RungeKutta4, 0.05, 1);
+    assert!(run.notices()[0].message(&model(named)).english.starts_with("the event `drive` may be"));
+}

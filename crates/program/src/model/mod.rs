@@ -207,6 +207,14 @@ pub enum Role {
 }
 
 impl State {
+    /// How the names of states end that a run keeps for a name of the author's: `maximum(x) so far` for `maximum(x)`.
+    pub const SO_FAR: &str = " so far";
+
+    /// Its variable, or the author's name for which a run keeps it.
+    pub fn kept_for(&self) -> &str {
+        self.variable.strip_suffix(Self::SO_FAR).unwrap_or(&self.variable)
+    }
+
     /// `y''`
     pub fn name(&self) -> String {
         let mut name = self.variable.clone();

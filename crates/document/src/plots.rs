@@ -1,5 +1,5 @@
 //! Figures: `"Phase portrait": y' against y`, `"Orbits": y_1 against x_1, y_2 against x_2, equal axes`,
-//! `"Section": points theta' against theta every 2*pi/Omega`, `... at drive`, `"Resonance": A against omega in 1..12 [rad/s]`.
+//! `"Section": points theta' against theta every 2*pi/Omega`, `... at drive`, `"Resonance": A against omega in 1..12 [rad/s]`, `"Bifurcations": points x from 50 against r in 2.5..4`.
 
 use crate::curves::{self, Placed};
 use crate::expressions::{Expressions, dimension_error};
@@ -81,10 +81,17 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
         );
         return None;
     }
-    let at_moments = match points && members::find(source, parts.last()?.clone()).is_none() {
-        true => Some(moments(expressions, parts.last_mut()?)?),
-        false => None,
-    };
+    let mut kind = sweeps::Kind::Lines;
+    let mut at_moments = None;
+    if points && members::find(source, parts.last()?.clone()).is_none() {
+        let part = parts.last_mut()?;
+        let against = find_word(source, part.clone(), "against");
+        if against.is_some_and(|against| sweeps::find(source, against.end..part.end).is_some()) {
+            kind = sweeps::Kind::Points(points_of_runs(expressions, part)?);
+        } else {
+            at_moments = Some(moments(expressions, part)?);
+        }
+    }
     let last = parts.last().map_or(rest.end, |part| part.end);
     let mut plot: Option<Plot> = None;
     let mut members = Vec::new();
@@ -112,7 +119,7 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
                     ));
                     return None;
                 }
-                let (x, curves, sweep) = sweeps::read(expressions, waiting, &swept, until)?;
+                let (x, curves, sweep) = sweeps::read(expressions, waiting, (&swept, kind), until)?;
                 let curves = curves.into_iter().map(|placed| placed.curve).collect();
                 let (title, others, drawing) = (title.to_owned(), Vec::new(), Drawing::Sweep(sweep));
                 return Some(Plot { title, x: x.curve, curves, others, equal, drawing });
@@ -169,6 +176,35 @@ fn moments(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Dra
         return firings(expressions, event).map(Drawing::At);
     }
     every(expressions, part).map(Drawing::Every)
+}
+
+/// What counts the event at which points of runs are taken, `at drive` at the end of `part`, which is taken off it. A run that
+/// counts has a point at each count.
+fn points_of_runs(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Option<NodeId>> {
+    let source = expressions.source;
+    if let Some(at) = find_word(source, part.clone(), "at") {
+        let event = trim(source, at.end..part.end);
+        part.end = at.start;
+        return firings(expressions, event).map(Some);
+    }
+    if expressions.model().independent.counts {
+        return Some(None);
+    }
+    expressions.diagnostics.push(
+        Diagnostic::error(
+            "plot-syntax",
+            words(
+                "it is not said at which moments of each run a point is drawn",
+                "no se dice en qué momentos de cada serie se dibuja un punto",
+            ),
+            span(&trim(source, part.clone())),
+        )
+        .with_hint(words(
+            "name an event and draw at its firings: `every 2*pi/Omega as drive { }` in the model, and `at drive` here",
+            "da nombre a un evento y dibuja cuando ocurre: `every 2*pi/Omega as drive { }` en el modelo, y aquí `at drive`",
+        )),
+    );
+    None
 }
 
 /// What counts the firings of the event whose name stands in `range`.

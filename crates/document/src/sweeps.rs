@@ -1,18 +1,27 @@
-//! Curves over the values of a parameter: `A against omega in 1..12 [rad/s]`, and
-//! `maximum(x) from 60 [s] against omega in 1..12 [rad/s] step 0.1`.
+//! Curves over the values of a parameter: `A against omega in 1..12 [rad/s]`,
+//! `maximum(x) from 60 [s] against omega in 1..12 [rad/s] step 0.1`, and `points x from 50 against r in 2.5..4`.
 
 use crate::curves::{self, Placed};
 use crate::expressions::{Expressions, dimension_error};
 use crate::scan::find_word;
 use crate::source::trim;
 use model::{Diagnostic, ExpressionKind, Name, Span};
-use program::{Choices, Sweep, Taken};
+use program::{Choices, NodeId, Sweep, Taken};
 use std::ops::Range;
 use units::{Unit, words};
 
 /// How many values a curve of a definition has where the document does not say, and how many one of runs.
 const VALUES: f64 = 500.0;
 const RUNS: f64 = 60.0;
+
+/// What is drawn over the values.
+#[derive(Clone, Copy)]
+pub enum Kind {
+    /// One value of each run, joined by lines.
+    Lines,
+    /// Points of each run: at the firings of an event that this counts, or at each row.
+    Points(Option<NodeId>),
+}
 
 /// What is taken of a run from a time on.
 type Take = fn(f64) -> Taken;
@@ -42,7 +51,7 @@ fn span(range: &Range<usize>) -> Span {
 pub fn read(
     expressions: &mut Expressions,
     parts: Vec<Range<usize>>,
-    swept: &Swept,
+    (swept, kind): (&Swept, Kind),
     until: Option<f64>,
 ) -> Option<(Placed, Vec<Placed>, Sweep)> {
     let source = expressions.source;
@@ -75,7 +84,10 @@ pub fn read(
     let limits = limits(expressions, swept.range.clone(), &abscissa.curve.value.unit.clone())?;
     let (mut drawn, mut taken) = (Vec::new(), Vec::new());
     for part in parts {
-        let (curve, what) = curve(expressions, part)?;
+        let (curve, what) = match kind {
+            Kind::Lines => curve(expressions, part)?,
+            Kind::Points(_) => points(expressions, part)?,
+        };
         drawn.push(curve);
         taken.push(what);
     }
@@ -90,7 +102,8 @@ pub fn read(
         );
         return None;
     }
-    let mut sweep = Sweep { parameter, low: limits.low, high: limits.high, step, taken, until: 0.0 };
+    let at = if let Kind::Points(at) = kind { at } else { None };
+    let mut sweep = Sweep { parameter, low: limits.low, high: limits.high, step, taken, until: 0.0, at };
     if sweep.count() > Sweep::MOST {
         let message = words!(
             "a curve cannot have more than {} values",
@@ -146,7 +159,7 @@ fn curve(expressions: &mut Expressions, range: Range<usize>) -> Option<(Placed, 
         return Some((curves::expression(expressions, inner, range, label)?, Taken::End));
     }
     let from = find_word(source, range.clone(), "from");
-    let body = trim(source, range.start..from.as_ref().map_or(range.end, |from| from.start));
+    let body = trim(source, range.start..from.map_or(range.end, |from| from.start));
     let call = TAKEN.iter().find_map(|(word, taken)| {
         let inner = source[body.clone()].strip_prefix(word)?.trim_start().strip_prefix('(')?.strip_suffix(')')?;
         Some((body.end - 1 - inner.len()..body.end - 1, taken)).filter(|(inner, _)| is_closed(&source[inner.clone()]))
@@ -155,11 +168,22 @@ fn curve(expressions: &mut Expressions, range: Range<usize>) -> Option<(Placed, 
         let curve = curves::expression(expressions, range.clone(), range, label)?;
         return definition(expressions, curve).map(|curve| (curve, Taken::Value));
     };
-    let time = match from {
-        Some(from) => moment(expressions, trim(source, from.end..range.end))?,
-        None => 0.0,
-    };
+    let (_, time) = body_and_start(expressions, range)?;
     Some((curves::expression(expressions, inner, body, label)?, taken(time)))
+}
+
+/// `x from 60 [s] "Position"`, of which points are drawn.
+fn points(expressions: &mut Expressions, range: Range<usize>) -> Option<(Placed, Taken)> {
+    let (range, label) = curves::labelled(expressions.source, range);
+    let (body, from) = body_and_start(expressions, range)?;
+    Some((curves::expression(expressions, body.clone(), body, label)?, Taken::Points(from)))
+}
+
+/// What stands before `from 60 [s]`, and that; 0 where it does not stand there.
+fn body_and_start(expressions: &mut Expressions, range: Range<usize>) -> Option<(Range<usize>, f64)> {
+    let Some(from) = find_word(expressions.source, range.clone(), "from") else { return Some((range, 0.0)) };
+    let start = moment(expressions, trim(expressions.source, from.end..range.end))?;
+    Some((trim(expressions.source, range.start..from.start), start))
 }
 
 /// Whether no bracket in a text closes one before it: `maximum(a) + (b)` is no call as a whole.

@@ -11,7 +11,7 @@ use crate::{
 /// What a bundle begins with.
 const SIGNATURE: &[u8] = b"meniscus";
 /// The version of the format; raised whenever a program of an earlier version would be misread.
-const VERSION: u8 = 3;
+const VERSION: u8 = 4;
 /// The longest bundle, in bytes. Documents are at most 1 MiB long.
 const LONGEST: usize = 16 << 20;
 
@@ -130,6 +130,8 @@ fn drawing_exists(drawing: &Drawing, curves: usize, model: &Model) -> bool {
                 && (1..=Sweep::MOST).contains(&sweep.count())
                 && sweep.taken.len() == curves
                 && sweep.taken.iter().all(|taken| *taken == Taken::Value || taken.from() < sweep.until)
+                && sweep.taken.iter().all(|taken| matches!(taken, Taken::Points(_)) == sweep.is_of_points())
+                && sweep.at.as_ref().is_none_or(known)
         }
     }
 }

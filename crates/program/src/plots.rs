@@ -28,7 +28,7 @@ pub enum Drawing {
     Run,
     /// A point of the run at each multiple of a period.
     Every(Every),
-    /// Lines over the values of a parameter.
+    /// Lines or points over the values of a parameter.
     Sweep(Sweep),
     /// A point of the run, as it was before, at each firing of the event that this counts.
     At(NodeId),
@@ -97,6 +97,8 @@ pub struct Sweep {
     pub taken: Vec<Taken>,
     /// Where the runs end, SI; 0 where none are needed.
     pub until: f64,
+    /// What counts the event at whose firings [`Taken::Points`] are taken; each row of a run has them where there is none.
+    pub at: Option<NodeId>,
 }
 
 /// What is drawn for a value of the parameter. Times are SI.
@@ -112,13 +114,15 @@ pub enum Taken {
     Mean(f64),
     /// Its value at the end of a run.
     End,
+    /// Points of a run from this time on. All curves of a plot are such, or none.
+    Points(f64),
 }
 
 impl Taken {
     /// From when on a run counts (SI).
     pub fn from(self) -> f64 {
         match self {
-            Self::Maximum(from) | Self::Minimum(from) | Self::Mean(from) => from,
+            Self::Maximum(from) | Self::Minimum(from) | Self::Mean(from) | Self::Points(from) => from,
             Self::Value | Self::End => 0.0,
         }
     }
@@ -127,6 +131,14 @@ impl Taken {
 impl Sweep {
     /// No curve has more values.
     pub const MOST: usize = 2_000;
+
+    /// No plot has more points, and each run the same part of them.
+    pub const MOST_POINTS: usize = 100_000;
+
+    /// Whether points are drawn, and no lines.
+    pub fn is_of_points(&self) -> bool {
+        self.taken.iter().any(|taken| matches!(taken, Taken::Points(_)))
+    }
 
     /// How many values there are; at most one more than [`Self::MOST`].
     pub fn count(&self) -> usize {

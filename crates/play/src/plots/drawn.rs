@@ -120,14 +120,15 @@ impl Play {
     /// The curves over the values of a parameter, of which the present one is marked.
     fn swept_figure<'a>(&'a self, index: usize, swept: &'a Swept) -> Option<Plot<'a>> {
         let mut plot = self.empty_figure(index)?;
+        let style = if swept.is_of_points() { Style::Points } else { Style::Line };
         let curves = swept.y.iter().enumerate();
-        plot.series = curves.filter_map(|(number, y)| self.curve_alone(index, number, &swept.x, y)).collect();
-        if let (Some(low), Some(high)) = (swept.x.first(), swept.x.last()) {
-            // The axis ends where the sweep does: nothing can be computed beyond.
-            plot.view.x.get_or_insert(Interval::new(*low, *high));
-        }
+        let series = curves
+            .filter_map(|(number, y)| Some(Series { style, ..self.curve_alone(index, number, &swept.x, y)? }));
+        plot.series = series.collect();
+        // The axis ends where the sweep does: nothing can be computed beyond.
+        plot.view.x.get_or_insert(swept.range());
         plot.marker = swept.present(&self.course);
-        plot.ordered = true;
+        plot.ordered = style == Style::Line;
         Some(plot)
     }
 

@@ -1,7 +1,8 @@
-//! Curves over the values of a parameter: definitions at once, what is taken of runs by and by.
+//! Curves and points over the values of a parameter: definitions at once, what is taken of runs by and by.
 
 use crate::time::course::Course;
 use engine::{Advance, Readings, Run, RunError, Setup};
+use figure::Interval;
 use program::{Model, NodeId, Plot, Sweep, Taken};
 use units::Unit;
 
@@ -17,9 +18,11 @@ pub(crate) struct Swept {
     initial: Readings,
     /// What the values were computed with.
     setup: Option<Setup>,
-    /// The values of the parameter.
+    /// How many values the parameter has.
+    count: usize,
+    /// The values of the parameter, of points that of each.
     pub x: Vec<f64>,
-    /// The values of each curve; not numbers where they are not known yet.
+    /// The values of each curve; not numbers where they are not known yet. Points are added as runs go on.
     pub y: Vec<Vec<f64>>,
     /// How many runs are complete, and the one that goes on.
     done: usize,
@@ -34,6 +37,8 @@ struct Going {
     folds: Vec<Fold>,
     /// Time and values at the row before.
     before: Option<(f64, Vec<f64>)>,
+    /// How many points have been taken.
+    points: usize,
 }
 
 /// What is taken of one curve in one run.
@@ -51,7 +56,7 @@ impl Fold {
             return;
         }
         match taken {
-            Taken::Value => {}
+            Taken::Value | Taken::Points(_) => {}
             Taken::End => self.value = Some(value),
             Taken::Maximum(_) => self.value = Some(self.value.map_or(value, |greatest| greatest.max(value))),
             Taken::Minimum(_) => self.value = Some(self.value.map_or(value, |least| least.min(value))),
@@ -76,13 +81,28 @@ impl Fold {
 impl Swept {
     /// Of a plot over a range of values, whose curves are drawn in these units.
     pub fn new(model: &Model, plot: &Plot, sweep: &Sweep, units: Vec<Unit>) -> Self {
-        let nodes: Vec<NodeId> = plot.curves.iter().map(|curve| curve.value.node).collect();
+        let nodes: Vec<NodeId> = plot.curves.iter().map(|curve| curve.value.node).chain(sweep.at).collect();
         let starts: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
         let unit = plot.x.value.unit.clone();
-        let x: Vec<f64> = sweep.values().map(|value| unit.from_si(value)).collect();
-        let y = vec![vec![f64::NAN; x.len()]; nodes.len()];
+        let count = sweep.count();
+        let mut x: Vec<f64> = sweep.values().map(|value| unit.from_si(value)).collect();
+        if sweep.is_of_points() {
+            x.clear();
+        }
+        let y = vec![vec![f64::NAN; x.len()]; plot.curves.len()];
         let (readings, initial) = (Readings::new(model, &nodes), Readings::new(model, &starts));
-        Self { sweep: sweep.clone(), unit, units, readings, initial, setup: None, x, y, done: 0, run: None }
+        Self { sweep: sweep.clone(), unit, units, readings, initial, setup: None, count, x, y, done: 0, run: None }
+    }
+
+    /// Whether points are drawn, and no lines.
+    pub fn is_of_points(&self) -> bool {
+        self.sweep.is_of_points()
+    }
+
+    /// From the least to the greatest value of the parameter, in the unit of the axis.
+    pub fn range(&self) -> Interval {
+        let last = self.sweep.values().last().unwrap_or(self.sweep.low);
+        Interval::new(self.unit.from_si(self.sweep.low), self.unit.from_si(last))
     }
 
     /// Begins again where the parameters or the method are others than before, with the values of definitions at once.
@@ -105,6 +125,12 @@ impl Swept {
             return false;
         }
         (self.run, self.done) = (None, 0);
+        if self.is_of_points() {
+            self.x.clear();
+            self.y.iter_mut().for_each(Vec::clear);
+            self.setup = Some(setup);
+            return true;
+        }
         let nothing = vec![0.0; self.initial_length(course)];
         for (place, value) in self.sweep.values().enumerate() {
             let mut parameters = setup.parameters.clone();
@@ -132,7 +158,7 @@ impl Swept {
     /// How many runs are complete, and of how many; `None` where none are needed.
     pub fn progress(&self) -> Option<(usize, usize)> {
         let runs = self.sweep.taken.iter().any(|taken| *taken != Taken::Value);
-        runs.then_some((self.done, self.x.len()))
+        runs.then_some((self.done, self.count))
     }
 
     /// Whether runs are missing.
@@ -158,7 +184,7 @@ impl Swept {
         let mut setup = self.setup.clone()?;
         *setup.parameters.get_mut(self.sweep.parameter)? = self.sweep.values().nth(self.done)?;
         let run = Run::start(model, setup).ok()?;
-        let mut going = Going { run, folds: vec![Fold::default(); self.sweep.taken.len()], before: None };
+        let mut going = Going { run, folds: vec![Fold::default(); self.sweep.taken.len()], before: None, points: 0 };
         self.take(&mut going, 0);
         Some(going)
     }
@@ -171,6 +197,9 @@ impl Swept {
             return;
         }
         let values = self.readings.at_row(history, row).to_vec();
+        if self.is_of_points() {
+            self.add_points(going, time, &values);
+        }
         for (curve, (fold, taken)) in going.folds.iter_mut().zip(&self.sweep.taken).enumerate() {
             let before = going.before.as_ref().and_then(|(time, values)| Some((*time, *values.get(curve)?)));
             if let Some(value) = values.get(curve) {
@@ -178,6 +207,25 @@ impl Swept {
             }
         }
         going.before = Some((time, values));
+    }
+
+    /// Adds a point of each curve: at a row, or as it was before an event that has fired since the row before.
+    fn add_points(&mut self, going: &mut Going, time: f64, values: &[f64]) {
+        let before = going.before.as_ref().map(|(_, values)| values.as_slice());
+        let taken = match (self.sweep.at, before) {
+            (None, _) => Some(values),
+            (Some(_), Some(before)) if values.last() > before.last() => Some(before),
+            (Some(_), _) => None,
+        };
+        let counts = |taken: &Taken| time >= taken.from();
+        let is_full = going.points >= Sweep::MOST_POINTS / self.count.max(1);
+        let Some(values_taken) = taken.filter(|_| !is_full && self.sweep.taken.iter().any(counts)) else { return };
+        self.x.push(self.sweep.values().nth(self.done).map_or(f64::NAN, |value| self.unit.from_si(value)));
+        let columns = self.y.iter_mut().zip(&self.sweep.taken);
+        for (((column, taken), value), unit) in columns.zip(values_taken).zip(&self.units) {
+            column.push(if counts(taken) { unit.from_si(*value) } else { f64::NAN });
+        }
+        going.points += 1;
     }
 
     /// Goes on with a run to its end, or as far as the work allows.
@@ -205,7 +253,8 @@ impl Swept {
         }
         for (curve, (fold, taken)) in going.folds.iter().zip(&self.sweep.taken).enumerate() {
             let cell = self.y.get_mut(curve).and_then(|column| column.get_mut(self.done));
-            if let (Some(cell), Some(unit), false) = (cell, self.units.get(curve), *taken == Taken::Value) {
+            let is_of_run = !matches!(taken, Taken::Value | Taken::Points(_));
+            if let (Some(cell), Some(unit), true) = (cell, self.units.get(curve), is_of_run) {
                 *cell = unit.from_si(fold.result(*taken));
             }
         }

@@ -130,7 +130,7 @@ fn runs_over_the_values_of_a_parameter_are_made_by_and_by() {
         other.work_on_plots();
     }
     assert_eq!(cells(&mut other, 1), rows);
-    // Another parameter makes them anew, the swept one does not.
+    // Another parameter starts them again, the swept one does not.
     set(&mut play, "omega", 7.0);
     assert!(!play.work_on_plots());
     set(&mut play, "gamma", 2.0);
@@ -143,6 +143,66 @@ fn runs_over_the_values_of_a_parameter_are_made_by_and_by() {
     play.show_plot(PlotId::at(1), false);
     set(&mut play, "gamma", 1.0);
     assert!(!play.work_on_plots());
+}
+
+/// The logistic map: one value up to r = 3, then two, (r + 1 +- sqrt((r - 3)(r + 1)))/(2 r), then four.
+#[test]
+fn points_of_a_map_over_the_values_of_a_parameter() {
+    let mut play = open(
+        "---\nuntil: 400\n---\n```model\nindependent n by 1\nparameter r = 3 in 0..4\nnext x = r*x*(1 - x)\nx(0) = 0.2\n```\n\
+         ```plots\n\"Bifurcations\": points x from 381 against r in 2.5..3.5 step 0.1\n```\n",
+        &[],
+    );
+    while play.work_on_plots() {}
+    assert_eq!(play.plot_progress(PlotId::at(0)), None);
+    let rows = cells(&mut play, 0);
+    assert_eq!(rows.len(), 11 * 20, "20 points of each run");
+    for (number, points) in rows.chunks(20).enumerate() {
+        let r = 2.5 + 0.1 * number as f64;
+        let expected = match r {
+            ..2.95 => vec![1.0 - 1.0 / r],
+            ..3.05 => continue,
+            ..3.45 => [1.0, -1.0].map(|sign| (r + 1.0 + sign * ((r - 3.0) * (r + 1.0)).sqrt()) / (2.0 * r)).to_vec(),
+            _ => {
+                let mut values: Vec<f64> = points.iter().map(|row| row[1]).collect();
+                values.sort_by(f64::total_cmp);
+                values.dedup_by(|one, other| (*one - *other).abs() < 1e-9);
+                assert_eq!(values.len(), 4, "{values:?}");
+                continue;
+            }
+        };
+        for row in points {
+            assert!((row[0] - r).abs() < 1e-12, "{row:?}");
+            assert!(expected.iter().any(|value| (row[1] - value).abs() < 1e-9), "{row:?} for {expected:?}");
+        }
+    }
+}
+
+/// At the whole periods of the drive a linear oscillator is where the textbook's phase has it.
+#[test]
+fn points_at_an_event_over_the_values_of_a_parameter() {
+    let mut play = open(
+        "---\nstep: 0.02 [s]\nuntil: 40 [s]\n---\n\
+         ```model\nparameter omega = 3 [rad/s] in 0.5..12\nx'' + 1 [1/s]*x' + 25 [1/s^2]*x = 1 [m/s^2]*cos(omega*t)\n\
+         x(0) = 0 [m]\nx'(0) = 0 [m/s]\nevery 2*pi/omega as drive { }\n```\n\
+         ```plots\n\"Sections\": points x from 30 [s], x' from 35 [s] against omega in 3..6 step 0.5 at drive\n```\n",
+        &[],
+    );
+    while play.work_on_plots() {}
+    let rows = cells(&mut play, 0);
+    for omega in (0..7).map(|number| 3.0 + 0.5 * f64::from(number)) {
+        let own: Vec<&Vec<f64>> = rows.iter().filter(|row| (row[0] - omega).abs() < 1e-12).collect();
+        let period = std::f64::consts::TAU / omega;
+        assert_eq!(own.len(), (40.0 / period).floor() as usize - (30.0 / period).floor() as usize, "{omega}");
+        let (real, imaginary) = (25.0 - omega * omega, omega);
+        let square = real * real + imaginary * imaginary;
+        for (number, row) in own.iter().enumerate() {
+            assert!((row[1] - real / square).abs() < 1e-5, "{row:?}");
+            let is_late = ((30.0 / period).floor() + 1.0 + number as f64) * period >= 35.0;
+            assert_eq!(row[3].is_finite(), is_late, "{row:?}");
+            assert!(!is_late || (row[3] - omega * imaginary / square).abs() < 1e-5, "{row:?}");
+        }
+    }
 }
 
 #[test]

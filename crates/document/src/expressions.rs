@@ -199,16 +199,15 @@ impl<'a> Expressions<'a> {
             let message =
                 words!("`{}` is not a parameter of the model", "`{}` no es un parámetro del modelo", name.text);
             let names = self.model().parameters.iter().map(|parameter| parameter.name.as_str());
-            let hint = match units::nearest(&name.text, names) {
-                Some(near) => Some(words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
-                None if self.model().lookup(&name.text, 0).is_some() => Some(words(
+            let diagnostic = Diagnostic::error("unknown-name", message, name.span);
+            let diagnostic = match units::nearest(&name.text, names) {
+                Some(near) => diagnostic.meaning(near),
+                None if self.model().lookup(&name.text, 0).is_some() => diagnostic.with_hint(words(
                     "only parameters can be set; what is computed follows from them",
                     "solo se pueden fijar parámetros; lo que se calcula resulta de ellos",
                 )),
-                None => None,
+                None => diagnostic,
             };
-            let mut diagnostic = Diagnostic::error("unknown-name", message, name.span);
-            diagnostic.hints.extend(hint);
             self.diagnostics.push(diagnostic);
         }
         found

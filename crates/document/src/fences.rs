@@ -57,7 +57,7 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
         };
         let span = Span::new(line.start, line.end);
         let Some(kind) = opening.kind() else {
-            warn_of_near_kind(&opening, span, diagnostics);
+            warn_of_near_kind(source, &opening, span, diagnostics);
             // A block of code: it belongs to the prose, and what stands inside means nothing.
             while rest.next_if(|line| !opening.is_closed_by(line.text(source))).is_some() {}
             rest.next();
@@ -117,21 +117,20 @@ fn unclosed(opening: &Opening, span: Span, next: Option<&Line>) -> Diagnostic {
     .with_hint(words!("end it with a line `{marks}`", "termínalo con una línea `{marks}`"))
 }
 
-fn warn_of_near_kind(opening: &Opening, span: Span, diagnostics: &mut Vec<Diagnostic>) {
+fn warn_of_near_kind(source: &str, opening: &Opening, span: Span, diagnostics: &mut Vec<Diagnostic>) {
     let known = BlockKind::FENCED.map(BlockKind::word);
     if let Some(near) = nearest(opening.word, known) {
-        diagnostics.push(
-            Diagnostic::warning(
-                "unknown-fence",
-                words!(
-                    "a `{}` block is shown as code and means nothing else",
-                    "un bloque `{}` se muestra como código y no significa nada más",
-                    opening.word
-                ),
-                span,
-            )
-            .with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
+        let message = words!(
+            "a `{}` block is shown as code and means nothing else",
+            "un bloque `{}` se muestra como código y no significa nada más",
+            opening.word
         );
+        let hint = words!("did you mean `{near}`?", "¿querías decir `{near}`?");
+        let mut diagnostic = Diagnostic::warning("unknown-fence", message, span).with_hint(hint);
+        if let Some(at) = source[span.range()].find(opening.word).map(|at| span.start + at) {
+            diagnostic = diagnostic.with_fix(Span::new(at, at + opening.word.len()), near);
+        }
+        diagnostics.push(diagnostic);
     }
 }
 

@@ -127,7 +127,7 @@ fn report(entry: &Entry, given: &mut BTreeMap<&'static str, Span>, diagnostics: 
             *key_span,
         );
         diagnostics.push(match nearest(name, KEYS) {
-            Some(near) => unknown.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
+            Some(near) => unknown.meaning(near),
             None => unknown.with_hint(words!("the keys are {}", "las claves son {}", KEYS.join(", "))),
         });
         return;

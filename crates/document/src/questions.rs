@@ -151,14 +151,14 @@ fn hidden(expressions: &mut Expressions, range: Range<usize>) -> Vec<usize> {
         let Some(quantity) = named.iter().position(|quantity| quantity.name == name) else {
             let near = units::nearest(&name, named.iter().map(|quantity| quantity.name.as_str())).map(str::to_owned);
             let message = words!("`{name}` is not a quantity of the model", "`{name}` no es una magnitud del modelo");
-            let hint = match near {
-                Some(near) => words!("did you mean `{near}`?", "¿querías decir `{near}`?"),
-                None => words(
+            let diagnostic = Diagnostic::error("unknown-name", message, span);
+            expressions.diagnostics.push(match near {
+                Some(near) => diagnostic.meaning(&near),
+                None => diagnostic.with_hint(words(
                     "only quantities, `name = expression`, can be hidden",
                     "solo se pueden ocultar magnitudes, `nombre = expresión`",
-                ),
-            };
-            expressions.diagnostics.push(Diagnostic::error("unknown-name", message, span).with_hint(hint));
+                )),
+            });
             continue;
         };
         if unit.is_some() || !found.is_empty() {

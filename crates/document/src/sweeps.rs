@@ -290,9 +290,7 @@ fn stated(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Op
             None
         }
         Err(error) => {
-            let mut diagnostic = Diagnostic::error(error.code, error.message, span(&range));
-            diagnostic.hints.extend(error.hint.map(|hint| *hint));
-            expressions.diagnostics.push(diagnostic);
+            expressions.diagnostics.push(Diagnostic::of_unit(error, range.start + 1, span(&range)));
             None
         }
     }

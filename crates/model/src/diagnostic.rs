@@ -2,7 +2,7 @@
 //! page render the same one, each in the language of its reader.
 
 use std::ops::Range;
-use units::Words;
+use units::{UnitError, Words, words};
 
 /// A range of bytes in the document's source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
@@ -53,6 +53,43 @@ pub struct Label {
     pub text: Words,
 }
 
+/// A change of the text that removes the cause of a diagnostic.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fix {
+    /// What stands at each place afterwards; the places do not overlap.
+    pub edits: Vec<(Span, String)>,
+}
+
+impl Fix {
+    /// What a button says that makes the change in `source`: `Replace gmma by gamma`.
+    pub fn title(&self, source: &str) -> Words {
+        let Some((span, text)) = self.edits.first() else { return Words::default() };
+        let old = source.get(span.range()).unwrap_or_default().trim();
+        let new = text.trim();
+        match (old.is_empty(), new.is_empty()) {
+            (true, _) => words!("insert `{new}`", "insertar `{new}`"),
+            (false, true) => words!("remove `{old}`", "quitar `{old}`"),
+            (false, false) => words!("replace `{old}` by `{new}`", "cambiar `{old}` por `{new}`"),
+        }
+    }
+
+    /// The text with the change; the text itself where a place lies outside it.
+    pub fn applied(&self, source: &str) -> String {
+        let mut edits: Vec<&(Span, String)> = self.edits.iter().collect();
+        edits.sort_by_key(|(span, _)| span.start);
+        let (mut text, mut at) = (String::with_capacity(source.len() + 16), 0);
+        for (span, new) in edits {
+            let Some(before) = source.get(at..span.start).filter(|_| source.is_char_boundary(span.end)) else {
+                return source.to_owned();
+            };
+            text += before;
+            text += new;
+            at = span.end;
+        }
+        text + source.get(at..).unwrap_or_default()
+    }
+}
+
 /// One finding about a document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
@@ -68,6 +105,8 @@ pub struct Diagnostic {
     pub notes: Vec<Words>,
     /// What to do.
     pub hints: Vec<Words>,
+    /// The hints among them that an editor can carry out.
+    pub fixes: Vec<Fix>,
 }
 
 impl Diagnostic {
@@ -83,7 +122,19 @@ impl Diagnostic {
 
     fn new(severity: Severity, code: &'static str, message: Words, span: Span) -> Self {
         let labels = vec![Label { span, text: Words::default() }];
-        Self { severity, code, message, labels, notes: Vec::new(), hints: Vec::new() }
+        Self { severity, code, message, labels, notes: Vec::new(), hints: Vec::new(), fixes: Vec::new() }
+    }
+
+    /// What is wrong with the unit whose text begins at `start`, inside the brackets at `brackets`.
+    pub fn of_unit(error: UnitError, start: usize, brackets: Span) -> Self {
+        let inside = Span::new(start + error.range.start, start + error.range.end);
+        let span = if error.range.is_empty() { brackets } else { inside };
+        let mut diagnostic = Self::error(error.code, error.message, span);
+        diagnostic.hints.extend(error.hint.map(|hint| *hint));
+        match error.meant {
+            Some(meant) => diagnostic.with_fix(span, meant),
+            None => diagnostic,
+        }
     }
 
     /// Words beside the primary place.
@@ -110,6 +161,23 @@ impl Diagnostic {
     pub fn with_hint(mut self, hint: Words) -> Self {
         self.hints.push(hint);
         self
+    }
+
+    /// A change of the text that follows a remedy: `text` in the place of what stands at `span`.
+    pub fn with_fix(self, span: Span, text: impl Into<String>) -> Self {
+        self.with_fixes(vec![(span, text.into())])
+    }
+
+    /// A change of the text at several places.
+    pub fn with_fixes(mut self, edits: Vec<(Span, String)>) -> Self {
+        self.fixes.push(Fix { edits });
+        self
+    }
+
+    /// The word that was probably meant by the one at the primary place.
+    pub fn meaning(self, word: &str) -> Self {
+        let span = self.span();
+        self.with_hint(words!("did you mean `{word}`?", "¿querías decir `{word}`?")).with_fix(span, word)
     }
 
     /// The primary place.

@@ -15,6 +15,8 @@ pub struct UnitError {
     pub message: Words,
     /// What to do.
     pub hint: Option<Box<Words>>,
+    /// The text that was probably meant by that at `range`.
+    pub meant: Option<String>,
 }
 
 /// In English.
@@ -28,7 +30,7 @@ impl std::error::Error for UnitError {}
 
 /// An error at `range` of the text.
 pub(crate) fn error(code: &'static str, range: Range<usize>, message: Words) -> UnitError {
-    UnitError { code, range, message, hint: None }
+    UnitError { code, range, message, hint: None, meant: None }
 }
 
 /// The error with what to do about it.
@@ -66,7 +68,10 @@ pub(crate) fn unknown(text: &str, range: Range<usize>) -> UnitError {
     }
     let wrong = error("unknown-unit", range, words!("there is no unit `{text}`", "no hay ninguna unidad `{text}`"));
     match table::near(text) {
-        Some(near) => hinting(wrong, words!("did you mean {near}?", "¿querías decir {near}?")),
+        Some(near) => {
+            let hint = words!("did you mean {near}?", "¿querías decir {near}?");
+            UnitError { meant: Some(near), ..hinting(wrong, hint) }
+        }
         None => wrong,
     }
 }

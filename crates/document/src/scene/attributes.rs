@@ -16,26 +16,24 @@ impl Builder<'_, '_> {
             return None;
         }
         if !ATTRIBUTES.contains(&text.as_str()) {
+            let message = words!(
+                "the attribute `{text}` is not allowed in a scene; it is left out",
+                "el atributo `{text}` no se admite en una escena; se omite"
+            );
             let hint = match text.as_str() {
-                "style" => Some(words(
+                "style" => words(
                     "write the properties as attributes, `fill=\"red\"`, or in a `<style>`",
                     "escribe las propiedades como atributos, `fill=\"red\"`, o en un `<style>`",
-                )),
-                "href" | "xlink:href" => Some(words(
-                    "a scene refers to nothing outside itself",
-                    "una escena no remite a nada fuera de sí misma",
-                )),
-                _ => units::nearest(&text, ATTRIBUTES)
-                    .map(|near| words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
-            };
-            self.refuse(
-                words!(
-                    "the attribute `{text}` is not allowed in a scene; it is left out",
-                    "el atributo `{text}` no se admite en una escena; se omite"
                 ),
-                name,
-                hint,
-            );
+                "href" | "xlink:href" => {
+                    words("a scene refers to nothing outside itself", "una escena no remite a nada fuera de sí misma")
+                }
+                _ => {
+                    self.refuse_word(message, name, units::nearest(&text, ATTRIBUTES));
+                    return None;
+                }
+            };
+            self.refuse(message, name, Some(hint));
             return None;
         }
         let raw = template::split(self.expressions.source, value.clone(), &mut self.expressions.diagnostics);

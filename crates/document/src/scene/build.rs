@@ -155,15 +155,14 @@ impl Builder<'_, '_> {
             return self.part(part, raw);
         }
         if name != "frame" && !ELEMENTS.contains(&name.as_str()) {
-            let hint = units::nearest(&name, ELEMENTS.into_iter().chain(["frame"]).chain(PARTS.map(|part| part.name)))
-                .map(|near| words!("did you mean `{near}`?", "¿querías decir `{near}`?"));
-            self.refuse(
+            let all = ELEMENTS.into_iter().chain(["frame"]).chain(PARTS.map(|part| part.name));
+            self.refuse_word(
                 words!(
                     "a scene cannot contain `<{name}>`; it is left out with what it holds",
                     "una escena no puede contener `<{name}>`; se omite con lo que contiene"
                 ),
                 raw.name,
-                hint,
+                units::nearest(&name, all),
             );
             return None;
         }

@@ -68,6 +68,15 @@ impl Builder<'_, '_> {
         self.expressions.diagnostics.push(diagnostic);
     }
 
+    /// Reports a word that is left out, with the one that was probably meant.
+    pub fn refuse_word(&mut self, message: Words, range: Range<usize>, meant: Option<&str>) {
+        let mut diagnostic = Diagnostic::error("scene-refused", message, Span::new(range.start, range.end));
+        if let Some(meant) = meant {
+            diagnostic = diagnostic.meaning(meant);
+        }
+        self.expressions.diagnostics.push(diagnostic);
+    }
+
     /// Whether so many more elements and pieces of values may be drawn. That they may not is said once.
     pub fn fits(&mut self, more: usize, place: Range<usize>) -> bool {
         let before = self.drawn;

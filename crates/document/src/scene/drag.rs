@@ -60,18 +60,18 @@ impl Builder<'_, '_> {
             return Some(Dragged::Parameter(parameter));
         }
         let parameters = model.parameters.iter().map(|parameter| parameter.name.as_str());
-        let mut hint = words!("the states are {}", "los estados son {}", states.join(", "));
-        if let Some(near) = units::nearest(&name, states.iter().map(String::as_str).chain(parameters)) {
-            hint = words!("did you mean `{near}`?", "¿querías decir `{near}`?");
-        }
-        self.refuse(
-            words!(
-                "`{name}` is neither a state nor a parameter, so it cannot be dragged",
-                "`{name}` no es ni un estado ni un parámetro, así que no se puede arrastrar"
-            ),
-            place.clone(),
-            Some(hint),
+        let near = units::nearest(&name, states.iter().map(String::as_str).chain(parameters)).map(str::to_owned);
+        let message = words!(
+            "`{name}` is neither a state nor a parameter, so it cannot be dragged",
+            "`{name}` no es ni un estado ni un parámetro, así que no se puede arrastrar"
         );
+        match near {
+            Some(near) => self.refuse_word(message, place.clone(), Some(&near)),
+            None => {
+                let hint = words!("the states are {}", "los estados son {}", states.join(", "));
+                self.refuse(message, place.clone(), Some(hint));
+            }
+        }
         None
     }
 

@@ -91,8 +91,8 @@ impl Inference<'_> {
         for (_, other, form) in normal.iter().skip(1).take(limits::PLACES) {
             diagnostic = diagnostic.with_label(other.expression.span, self.what(form));
         }
-        let remedy = self.remedy(term.expression, form, normal_form);
-        let diagnostic = self.with_origins(diagnostic, &[form, normal_form]).with_hint(remedy);
+        let diagnostic = self.with_origins(diagnostic, &[form, normal_form]);
+        let diagnostic = self.with_remedy(diagnostic, term.expression, form, normal_form);
         self.diagnostics.push(self.without_units(diagnostic, form, normal_form));
     }
 
@@ -176,8 +176,8 @@ impl Inference<'_> {
         let label =
             if is_name { words!("{title} is {what}", "{title} es {what}", title = title, what = what) } else { what };
         let diagnostic = self.mismatch(&subject, value, (&title, needed.1), context).with_label(needed.2, label);
-        let remedy = self.remedy(value.0, value.1, needed.1);
-        self.diagnostics.push(self.with_origins(diagnostic, &[value.1, needed.1]).with_hint(remedy));
+        let diagnostic = self.with_origins(diagnostic, &[value.1, needed.1]);
+        self.diagnostics.push(self.with_remedy(diagnostic, value.0, value.1, needed.1));
     }
 
     /// What must be a pure number and is not.
@@ -194,8 +194,7 @@ impl Inference<'_> {
         let diagnostic = Diagnostic::error("dimension-mismatch", message, expression.span)
             .saying(kind)
             .with_note(self.table(&[(&subject, form), (&needed, &Form::pure())]));
-        let remedy = self.remedy(expression, form, &Form::pure());
-        self.with_origins(diagnostic, &[form]).with_hint(remedy)
+        self.with_remedy(self.with_origins(diagnostic, &[form]), expression, form, &Form::pure())
     }
 
     fn mismatch(

@@ -8,23 +8,37 @@ use super::mismatch::is_bare;
 use super::types::Type;
 use crate::names::{Meaning, alternatives, for_each_name};
 use crate::notation::quote;
-use crate::{BinaryOperator, Expression, ExpressionKind, UnaryOperator};
+use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, UnaryOperator};
 use units::{Dimension, Words, words};
 
 /// The most names that a hint offers.
 const MOST_OFFERS: usize = 3;
 
 impl Inference<'_> {
-    /// What to do about a part of the wrong dimension.
-    pub fn remedy(&self, expression: &Expression, found: &Form, expected: &Form) -> Words {
+    /// The diagnostic with what to do about a part of the wrong dimension.
+    pub fn with_remedy(
+        &self,
+        diagnostic: Diagnostic,
+        expression: &Expression,
+        found: &Form,
+        expected: &Form,
+    ) -> Diagnostic {
         let expected_unit = self.solver.resolve(expected).ok().and_then(|form| form.dimension()).map(units::Unit::si);
-        if let (true, Some(unit)) = (is_bare(expression), expected_unit) {
-            let quoted = quote(expression);
-            return words!(
+        let (true, Some(unit)) = (is_bare(expression), expected_unit) else {
+            return diagnostic.with_hint(self.change(expression, found, expected));
+        };
+        let quoted = quote(expression);
+        let end = expression.span.end;
+        diagnostic
+            .with_hint(words!(
                 "give the number a unit: `{quoted} [{unit}]`",
                 "da una unidad al número: `{quoted} [{unit}]`"
-            );
-        }
+            ))
+            .with_fix(Span::new(end, end), format!(" [{unit}]"))
+    }
+
+    /// What to multiply or divide by.
+    fn change(&self, expression: &Expression, found: &Form, expected: &Form) -> Words {
         let Some(factor) = self.factor(found, expected) else {
             return words(
                 "state the units of the quantities involved",

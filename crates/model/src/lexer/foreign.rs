@@ -34,7 +34,7 @@ impl Lexer<'_> {
         self.skip(|c| c != '\n');
         let span = Span::new(start, start + 2);
         let wrong = words("a comment begins with `#` here", "aquí un comentario empieza con `#`");
-        self.diagnostics.push(Diagnostic::error("foreign-comment", wrong, span));
+        self.diagnostics.push(Diagnostic::error("foreign-comment", wrong, span).with_fix(span, "#"));
     }
 
     /// `n += 1`
@@ -57,7 +57,8 @@ impl Lexer<'_> {
                     "in the action of an event write `{name} = {name} {} ...`",
                     "en la acción de un evento escribe `{name} = {name} {} ...`",
                     &text[..1]
-                )),
+                ))
+                .with_fix(Span::new(start, self.at), format!("= {name} {}", &text[..1])),
             None => diagnostic,
         };
         self.diagnostics.push(diagnostic);
@@ -102,7 +103,12 @@ impl Lexer<'_> {
             "`{collection}.{member}` is written `{meant}` here",
             "`{collection}.{member}` se escribe aquí `{meant}`"
         );
-        self.diagnostics.push(Diagnostic::error("foreign-name", wrong, Span::new(start, end)));
+        let span = Span::new(start, end);
+        let mut diagnostic = Diagnostic::error("foreign-name", wrong, span);
+        if meant != "^" {
+            diagnostic = diagnostic.with_fix(span, meant);
+        }
+        self.diagnostics.push(diagnostic);
         self.tokens.pop();
         if meant == member {
             self.at += 1;

@@ -231,12 +231,17 @@ impl<'a> Lexer<'a> {
             Span::new(start, self.at),
         );
         diagnostic = if after_name {
-            diagnostic.with_hint(words(
-                "for the second derivative write two primes: y''",
-                "para la segunda derivada escribe dos primas: y''",
-            ))
+            diagnostic
+                .with_hint(words(
+                    "for the second derivative write two primes: y''",
+                    "para la segunda derivada escribe dos primas: y''",
+                ))
+                .with_fix(Span::new(start, start + opening.len_utf8()), "''")
         } else {
-            diagnostic.with_hint(words("end it with \" on the same line", "ciérralo con \" en la misma línea"))
+            let end = Span::new(self.at, self.at);
+            diagnostic
+                .with_hint(words("end it with \" on the same line", "ciérralo con \" en la misma línea"))
+                .with_fix(end, "\"")
         };
         self.diagnostics.push(diagnostic);
         self.push(TokenKind::Unknown, start);

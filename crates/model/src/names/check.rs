@@ -19,10 +19,20 @@ pub(crate) struct NameCheck<'a> {
     scope: &'a Scope,
     /// Names without a meaning that have been reported elsewhere.
     reported: Vec<&'a str>,
-    unknown: Vec<(&'a str, u32, Vec<Span>)>,
+    unknown: Vec<Unknown<'a>>,
     diagnostics: Vec<Diagnostic>,
     /// What has a meaning only in the function that is looked at: arguments, indices and sizes.
     local: Vec<&'a str>,
+}
+
+/// A name without a meaning.
+#[derive(Debug)]
+struct Unknown<'a> {
+    name: &'a str,
+    /// The most primes that it has anywhere.
+    order: u32,
+    /// Where it stands, and what follows the name there: primes, `(0)`.
+    places: Vec<(Span, String)>,
 }
 
 impl<'a> NameCheck<'a> {
@@ -76,7 +86,7 @@ impl<'a> NameCheck<'a> {
             return;
         }
         let (what, value) = match self.scope.meaning(name) {
-            None => return self.unknown(name, order, span),
+            None => return self.unknown(name, order, span, ""),
             Some(Meaning::Parameter(_)) => (words("a parameter", "un parámetro"), 0),
             Some(Meaning::Pi) => (words("a constant", "una constante"), 0),
             Some(Meaning::Independent) => (words("the independent variable", "la variable independiente"), 1),
@@ -98,6 +108,9 @@ impl<'a> NameCheck<'a> {
         if self.local.contains(&name) || self.scope.is_function(name) {
             return;
         }
+        if self.scope.meaning(name).is_none() {
+            return self.unknown(name, order, span, "(0)");
+        }
         self.name(name, order, span);
         if order == 0
             && let Some(Meaning::Parameter(_) | Meaning::Pi | Meaning::Independent) = self.scope.meaning(name)
@@ -113,20 +126,21 @@ impl<'a> NameCheck<'a> {
         }
     }
 
-    fn unknown(&mut self, name: &'a str, order: u32, span: Span) {
+    fn unknown(&mut self, name: &'a str, order: u32, span: Span, ending: &str) {
         if self.reported.contains(&name) {
             return;
         }
         let count = self.unknown.len();
-        match self.unknown.iter_mut().find(|(known, ..)| *known == name) {
-            Some((_, greatest, places)) => {
-                *greatest = order.max(*greatest);
+        let place = (span, "'".repeat(order as usize) + ending);
+        match self.unknown.iter_mut().find(|known| known.name == name) {
+            Some(known) => {
+                known.order = order.max(known.order);
                 // The body of a function stands in each of its calls.
-                if !places.contains(&span) {
-                    places.push(span);
+                if !known.places.contains(&place) {
+                    known.places.push(place);
                 }
             }
-            None if count < limits::TOLD => self.unknown.push((name, order, vec![span])),
+            None if count < limits::TOLD => self.unknown.push(Unknown { name, order, places: vec![place] }),
             None => {}
         }
     }
@@ -163,16 +177,18 @@ impl<'a> NameCheck<'a> {
                     "`{text}` solo es ya su valor en `{name}`"
                 ));
             } else if let [argument] = arguments {
-                diagnostic = diagnostic.with_hint(words!(
-                    "for a product write `{text}*({})`",
-                    "para un producto escribe `{text}*({})`",
-                    quote(argument)
-                ));
+                diagnostic = diagnostic
+                    .with_hint(words!(
+                        "for a product write `{text}*({})`",
+                        "para un producto escribe `{text}*({})`",
+                        quote(argument)
+                    ))
+                    .with_fix(Span::new(name.span.end, name.span.end), "*");
             }
         } else if let Some(hint) = foreign::instead_of(self.scope, name, arguments) {
             diagnostic = diagnostic.with_hint(hint);
         } else if let Some(near) = self.scope.near_function(text) {
-            diagnostic = diagnostic.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?"));
+            diagnostic = diagnostic.meaning(near);
         }
         self.diagnostics.push(diagnostic);
     }
@@ -195,9 +211,7 @@ impl<'a> NameCheck<'a> {
     pub fn finish(mut self) -> Vec<Diagnostic> {
         let mut places = HashSet::new();
         self.diagnostics.retain(|diagnostic| places.insert((diagnostic.code, diagnostic.span())));
-        for (name, order, places) in &self.unknown {
-            self.diagnostics.push(unknown_name(self.scope, name, *order, places));
-        }
+        self.diagnostics.extend(self.unknown.iter().map(|unknown| unknown_name(self.scope, unknown)));
         self.diagnostics
     }
 }
@@ -205,8 +219,11 @@ impl<'a> NameCheck<'a> {
 /// Only names so short are taken for products.
 const LONGEST_PRODUCT: usize = 16;
 
-fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagnostic {
-    let (&first, rest) = places.split_first().unwrap_or((const { &Span { start: 0, end: 0 } }, &[]));
+fn unknown_name(scope: &Scope, unknown: &Unknown) -> Diagnostic {
+    let Unknown { name, order, places } = unknown;
+    let (name, order) = (*name, *order);
+    let mut spans = places.iter().map(|(span, _)| *span);
+    let first = spans.next().unwrap_or_default();
     let message = if order > 0 {
         words!(
             "nothing determines `{}`: `{name}` is neither defined nor in an equation",
@@ -217,7 +234,7 @@ fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagn
         words!("`{name}` is not known", "no se conoce `{name}`")
     };
     let mut diagnostic = Diagnostic::error("unknown-name", message, first);
-    for &place in rest.iter().take(limits::PLACES) {
+    for place in spans.take(limits::PLACES) {
         diagnostic = diagnostic.with_label(place, words("and here", "y aquí"));
     }
     let is_function =
@@ -228,14 +245,23 @@ fn unknown_name(scope: &Scope, name: &str, order: u32, places: &[Span]) -> Diagn
     if let Some(hint) = members::hint(scope, name) {
         return diagnostic.with_hint(hint);
     }
+    // The members of families and the components of vectors do not stand in the text as they are called here.
+    let meaning = |diagnostic: Diagnostic, new: &str| {
+        if name.contains(['[', '.']) || new.contains(['[', '.']) {
+            return diagnostic;
+        }
+        diagnostic.with_fixes(places.iter().map(|(span, ending)| (*span, format!("{new}{ending}"))).collect())
+    };
     if let Some(factors) = as_product(scope, name) {
-        return diagnostic.with_hint(words!("for a product write `{factors}`", "para un producto escribe `{factors}`"));
+        let hint = words!("for a product write `{factors}`", "para un producto escribe `{factors}`");
+        return meaning(diagnostic.with_hint(hint), &factors);
     }
     if let Some(hint) = as_differential(scope, name).filter(|_| order == 0) {
         return diagnostic.with_hint(hint);
     }
     if let Some(near) = scope.near(name) {
-        return diagnostic.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?"));
+        let hint = words!("did you mean `{near}`?", "¿querías decir `{near}`?");
+        return meaning(diagnostic.with_hint(hint), near);
     }
     if Function::named(name).is_some() {
         return diagnostic.with_hint(is_function());

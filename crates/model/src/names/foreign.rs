@@ -70,7 +70,7 @@ pub(crate) fn quotients(scope: &Scope, expression: &Expression) -> Vec<Diagnosti
         {
             let (written, ours) = (quote(part), primed(variable, order));
             let message = words!("`{written}` is written `{ours}` here", "`{written}` se escribe aquí `{ours}`");
-            found.push(Diagnostic::error("foreign-derivative", message, part.span));
+            found.push(Diagnostic::error("foreign-derivative", message, part.span).with_fix(part.span, ours));
         }
     });
     found

@@ -8,7 +8,7 @@ use super::scope::Meaning;
 use super::traverse::for_each_name;
 use super::unknown::{Orders, Unknown};
 use crate::notation::primed;
-use crate::{Diagnostic, Expression, limits};
+use crate::{Diagnostic, Expression, Span, limits};
 use program::functions::Function;
 use std::collections::HashMap;
 use units::{Words, words};
@@ -77,7 +77,7 @@ pub(crate) fn find_unknowns<'a>(
     order_states(declarations, &mut unknowns);
     for (unknown, solvable) in unknowns.iter().zip(solvable) {
         if solvable {
-            check_initial_values(unknown, diagnostics);
+            check_initial_values(declarations, unknown, diagnostics);
         }
     }
     unknowns
@@ -186,7 +186,7 @@ fn assign_initial_values<'a>(
                     "`{written}` no es el valor inicial de nada"
                 ));
                 match declarations.scope.near(name) {
-                    Some(near) => diagnostic.with_hint(words!("did you mean `{near}`?", "¿querías decir `{near}`?")),
+                    Some(near) => diagnostic.meaning(near),
                     None if entry.order == 0 && is_set_by_event(declarations, name) => diagnostic.with_hint(words!(
                         "what only events change is declared with its value: `discrete {name} = ...`",
                         "lo que solo cambian los eventos se declara con su valor: `discrete {name} = ...`"
@@ -226,7 +226,7 @@ fn order_states(declarations: &Declarations, unknowns: &mut [Unknown]) {
     }
 }
 
-fn check_initial_values(unknown: &Unknown, diagnostics: &mut Vec<Diagnostic>) {
+fn check_initial_values(declarations: &Declarations, unknown: &Unknown, diagnostics: &mut Vec<Diagnostic>) {
     let missing: Vec<String> = (0_u32..)
         .zip(&unknown.initial)
         .filter(|(_, entry)| entry.is_none())
@@ -249,9 +249,14 @@ fn check_initial_values(unknown: &Unknown, diagnostics: &mut Vec<Diagnostic>) {
         )
     };
     let given: Vec<String> = missing.iter().map(|written| format!("{} = 0", written.trim_matches('`'))).collect();
-    diagnostics.push(
-        Diagnostic::error("missing-initial-value", message, unknown.span)
-            .saying(needs)
-            .with_hint(Words::same(given.join(", "))),
-    );
+    let mut diagnostic = Diagnostic::error("missing-initial-value", message, unknown.span)
+        .saying(needs)
+        .with_hint(Words::same(given.join(", ")));
+    // The members of a family have no lines of their own.
+    let equation = declarations.equations.iter().find(|equation| equation.span.contains(unknown.span));
+    if let Some(equation) = equation.filter(|_| !unknown.name.contains(['[', '.'])) {
+        let end = Span::new(equation.span.end, equation.span.end);
+        diagnostic = diagnostic.with_fix(end, format!("\n{}", given.join("\n")));
+    }
+    diagnostics.push(diagnostic);
 }

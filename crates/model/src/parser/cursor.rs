@@ -164,12 +164,8 @@ impl<'a> Cursor<'a> {
     pub(super) fn unit(&mut self, inside: Range<usize>) -> Read<Unit> {
         let text = &self.source[inside.clone()];
         Unit::parse(text).map_err(|error| {
-            let start = inside.start + error.range.start;
-            let end = inside.start + error.range.end;
-            let span = if start < end { Span::new(start, end) } else { Span::new(inside.start - 1, inside.end + 1) };
-            let mut diagnostic = Diagnostic::error(error.code, error.message, span);
-            diagnostic.hints.extend(error.hint.map(|hint| *hint));
-            self.say(diagnostic);
+            let brackets = Span::new(inside.start - 1, inside.end + 1);
+            self.say(Diagnostic::of_unit(error, inside.start, brackets));
             Told
         })
     }

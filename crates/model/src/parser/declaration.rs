@@ -89,7 +89,9 @@ impl Cursor<'_> {
                 "una unidad va entre corchetes: {} [{unit}]",
                 &self.source[parameter.value_span.range()]
             );
-            return self.fail(Diagnostic::error("unit-without-brackets", wrong, place).with_hint(hint));
+            let bracketed = format!("[{unit}]");
+            let diagnostic = Diagnostic::error("unit-without-brackets", wrong, place).with_hint(hint);
+            return self.fail(diagnostic.with_fix(place, bracketed));
         }
         if let TokenKind::Brackets(inside) = self.peek().clone() {
             let span = self.advance();

@@ -2,7 +2,7 @@
 
 use super::cursor::{Cursor, Read};
 use crate::lexer::{Keyword, Symbol, TokenKind};
-use crate::{Diagnostic, Quoted, StatementKind};
+use crate::{Diagnostic, Quoted, Span, StatementKind};
 use units::words;
 
 impl Cursor<'_> {
@@ -19,12 +19,13 @@ impl Cursor<'_> {
             );
             let another = !self.at_line_end();
             self.say(if another {
-                diagnostic.with_hint(words(
+                let hint = words(
                     "put the next statement on a line of its own",
                     "pon la siguiente sentencia en una línea propia",
-                ))
+                );
+                diagnostic.with_hint(hint).with_fix(span, "\n")
             } else {
-                diagnostic
+                diagnostic.with_fix(span, "")
             });
             return Ok(());
         }
@@ -87,6 +88,10 @@ impl Cursor<'_> {
                         "para declarar la unidad de la expresión, escribe: in {}",
                         &self.source[span.range()]
                     ))
+                    .with_fix(
+                        Span::new(span.start, span.start),
+                        if self.last_span().end < span.start { "in " } else { " in " },
+                    )
             }
             TokenKind::Symbol(Symbol::Equals) => {
                 Diagnostic::error("second-equals", words("there is an `=` already", "ya hay un `=`"), span).with_hint(

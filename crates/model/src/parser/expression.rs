@@ -244,7 +244,8 @@ impl Cursor<'_> {
                 "el argumento de `{before}` va entre paréntesis"
             );
             let diagnostic = Diagnostic::error("missing-parentheses", wrong, last.span.to(next));
-            return self.say(diagnostic.with_hint(words!("write {before}({now})", "escribe {before}({now})")));
+            let diagnostic = diagnostic.with_hint(words!("write {before}({now})", "escribe {before}({now})"));
+            return self.say(diagnostic.with_fix(last.span.to(next), format!("{before}({now})")));
         }
         let wrong = words!(
             "an operator is missing between `{before}` and `{now}`",
@@ -261,14 +262,16 @@ impl Cursor<'_> {
             "a product is written with *: {before}*{now}{rest}",
             "un producto se escribe con *: {before}*{now}{rest}"
         );
-        let mut diagnostic = Diagnostic::error("missing-operator", wrong, place).with_hint(hint);
+        let mut diagnostic = Diagnostic::error("missing-operator", wrong, place).with_hint(hint).with_fix(gap, "*");
         let is_number = matches!(last.kind, ExpressionKind::Number { unit: None, .. });
         let is_name = matches!(self.peek(), TokenKind::Name { order: 0, .. });
         if is_number && is_name && units::Unit::parse(now).is_ok() {
-            diagnostic = diagnostic.with_hint(words!(
-                "a unit stands in brackets: {before} [{now}]",
-                "una unidad va entre corchetes: {before} [{now}]"
-            ));
+            diagnostic = diagnostic
+                .with_hint(words!(
+                    "a unit stands in brackets: {before} [{now}]",
+                    "una unidad va entre corchetes: {before} [{now}]"
+                ))
+                .with_fix(gap.to(next), format!(" [{now}]"));
         }
         self.say(diagnostic);
     }

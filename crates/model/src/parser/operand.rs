@@ -117,7 +117,9 @@ impl Cursor<'_> {
             .with_hint(words(
                 "write ln for the natural logarithm or log10 for the decimal one",
                 "escribe ln para el logaritmo natural o log10 para el decimal",
-            ));
+            ))
+            .with_fix(name.span, "ln")
+            .with_fix(name.span, "log10");
             self.say(diagnostic);
             return Ok(leaf(ExpressionKind::Error, span.to(end)));
         }
@@ -190,6 +192,7 @@ impl Cursor<'_> {
                 ),
                 comma,
             )
+            .with_fix(comma, ".")
         } else {
             Diagnostic::error(
                 "unexpected-token",

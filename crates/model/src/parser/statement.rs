@@ -141,7 +141,7 @@ impl Cursor<'_> {
         );
         let diagnostic = Diagnostic::error("unknown-word", wrong, self.span());
         let meant = self.meant_word().unwrap_or_default();
-        self.fail(diagnostic.with_hint(words!("did you mean {meant}?", "¿querías decir {meant}?")))
+        self.fail(diagnostic.meaning(meant))
     }
 
     fn no_loop<T>(&mut self) -> Read<T> {
@@ -247,7 +247,7 @@ impl Cursor<'_> {
                 "`==` compares; an equation is written with one `=`",
                 "`==` compara; una ecuación se escribe con un solo `=`",
             );
-            return self.fail(Diagnostic::error("missing-equals", wrong, place));
+            return self.fail(Diagnostic::error("missing-equals", wrong, place).with_fix(place, "="));
         }
         if !self.at_line_end() && !matches!(self.peek(), TokenKind::Text(_)) {
             return self.unexpected_after_expression();

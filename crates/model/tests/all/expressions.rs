@@ -49,7 +49,10 @@ fn values_units_and_kinds() {
 fn errors() {
     let mut model = compile(OSCILLATOR);
     for (text, expected) in [
-        ("omega0*t", "error [unknown-name]: `omega0` is not known\n  1: `omega0`\n  hint: did you mean `omega_0`?\n"),
+        (
+            "omega0*t",
+            "error [unknown-name]: `omega0` is not known\n  1: `omega0`\n  hint: did you mean `omega_0`?\n  fix: replace `omega0` by `omega_0`\n",
+        ),
         (
             "y + t",
             "error [dimension-mismatch]: the term `t` lacks a factor with the dimension of velocity\n  1: `t`: a time\n  1: `y`: a length\n  | the term `t`     s  time\n  | the term `y`  m     length\n  hint: multiply it by a velocity\n",

@@ -17,6 +17,9 @@ fn told(source: &str, diagnostics: &[Diagnostic]) -> String {
         for hint in &diagnostic.hints {
             text += &format!("    -> {}\n", hint.english);
         }
+        for fix in &diagnostic.fixes {
+            text += &format!("    => {}\n", fix.applied(source).replace('\n', "\\n"));
+        }
     }
     text
 }
@@ -36,7 +39,9 @@ fn every_wrong_text_gets_these_words() {
         let source: Vec<&str> = block.lines().filter_map(|line| line.strip_prefix("> ")).collect();
         let source = source.join("\n");
         let expected: Vec<&str> = block.lines().filter(|line| !line.starts_with("> ")).collect();
-        let (_, diagnostics) = parse(&source, std::slice::from_ref(&(0..source.len())));
+        let parsed = |source: &str| parse(source, std::slice::from_ref(&(0..source.len()))).1;
+        let diagnostics = parsed(&source);
+        crate::common::check_fixes(&source, &diagnostics, parsed);
         let found = told(&source, &diagnostics);
         let found = found.trim_end();
         assert!(update || found == expected.join("\n"), "{source}\n{found}");

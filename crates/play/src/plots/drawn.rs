@@ -122,8 +122,8 @@ impl Play {
         let mut plot = self.empty_figure(index)?;
         let style = if swept.is_of_points() { Style::Points } else { Style::Line };
         let curves = swept.y.iter().enumerate();
-        let series = curves
-            .filter_map(|(number, y)| Some(Series { style, ..self.curve_alone(index, number, &swept.x, y)? }));
+        let series =
+            curves.filter_map(|(number, y)| Some(Series { style, ..self.curve_alone(index, number, &swept.x, y)? }));
         plot.series = series.collect();
         // The axis ends where the sweep does: nothing can be computed beyond.
         plot.view.x.get_or_insert(swept.range());

@@ -14,11 +14,28 @@ pub fn compile(source: &str) -> Model {
 
 /// The diagnostics of a text that is all model.
 pub fn diagnostics(source: &str) -> String {
-    let (_, diagnostics) = model::compile(source, std::slice::from_ref(&(0..source.len())));
+    let compile = |source: &str| model::compile(source, std::slice::from_ref(&(0..source.len()))).1;
+    let diagnostics = compile(source);
+    check_fixes(source, &diagnostics, compile);
     render(source, &diagnostics)
 }
 
-/// Diagnostics as plain text: code and message, each place with what is said of it, notes, hints.
+/// What the diagnostics of a text offer to change, when it is changed: nothing may remain of the diagnostic, and no other may come.
+#[track_caller]
+pub fn check_fixes(source: &str, diagnostics: &[Diagnostic], again: impl Fn(&str) -> Vec<Diagnostic>) {
+    for diagnostic in diagnostics {
+        for fix in &diagnostic.fixes {
+            let text = fix.applied(source);
+            assert_ne!(text, source, "{diagnostic:?}");
+            let left = again(&text);
+            let same = |other: &&Diagnostic| (other.code, &other.message) == (diagnostic.code, &diagnostic.message);
+            let (before, after) = (diagnostics.iter().filter(same).count(), left.iter().filter(same).count());
+            assert!(after < before, "{text}\n{}", render(&text, &left));
+        }
+    }
+}
+
+/// Diagnostics as plain text: code and message, each place with what is said of it, notes, hints, and what can be changed.
 pub fn render(source: &str, diagnostics: &[Diagnostic]) -> String {
     let mut text = String::new();
     for diagnostic in diagnostics {
@@ -35,6 +52,9 @@ pub fn render(source: &str, diagnostics: &[Diagnostic]) -> String {
         }
         for hint in &diagnostic.hints {
             text += &format!("  hint: {}\n", hint.english);
+        }
+        for fix in &diagnostic.fixes {
+            text += &format!("  fix: {}\n", fix.title(source).english.replace('\n', "\\n"));
         }
     }
     text

@@ -5,6 +5,7 @@
 //! model has no errors. Neither fails: what cannot be read is a [`model::Diagnostic`] with its
 //! place. [`edit`] changes a text by its structure.
 
+pub mod assist;
 mod block;
 mod card;
 mod checks;

@@ -20,6 +20,8 @@ mod translate;
 mod values;
 mod xml;
 
+pub(crate) use allowed::ELEMENTS;
 pub(crate) use build::build;
+pub(crate) use parts::part_of;
 pub(crate) use template::normalised;
 pub(crate) use translate::{SceneText, has_word, translated};

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 
 mod arbitrary;
+mod assist;
 mod bundles;
 #[path = "../../../model/tests/all/common/catalogue.rs"]
 mod catalogue;

@@ -1,0 +1,169 @@
+//! Help for who writes a document: what can stand at a place ([`complete`]), and what stands there ([`explain`]). Both work
+//! while there are errors in the text.
+
+mod names;
+mod place;
+mod vocabulary;
+
+use crate::{Outline, scene};
+use model::Span;
+use names::names;
+use place::{Place, place, word_at};
+use program::Program;
+use units::{QuantityName, Unit, Words, words};
+
+/// What a suggestion is, for the picture beside it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SuggestionKind {
+    /// A word of the language, a key of the front matter, the kind of a block.
+    Word,
+    /// A quantity, parameter or state of the model.
+    Name,
+    /// A function of the language or of the author.
+    Function,
+    /// A unit.
+    Unit,
+    /// A part or an element of a drawing, or one of its attributes.
+    Part,
+}
+
+/// Something that can stand at a place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Suggestion {
+    /// What it is.
+    pub kind: SuggestionKind,
+    /// What is written.
+    pub text: String,
+    /// What it means, in a few words.
+    pub meaning: Words,
+}
+
+/// What can stand in a document.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Completion {
+    /// The beginning of a word that a suggestion replaces; empty where none has been begun.
+    pub span: Span,
+    /// In the order in which they are shown: names of the model first.
+    pub suggestions: Vec<Suggestion>,
+}
+
+/// What stands at a place of a document.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Explanation {
+    /// The word.
+    pub span: Span,
+    /// What it is.
+    pub meaning: Words,
+}
+
+/// What can stand where the cursor is, `offset` bytes from the beginning. `program` is the last that could be made of the text;
+/// it knows the units.
+pub fn complete(outline: &Outline, program: Option<&Program>, offset: usize) -> Completion {
+    let (place, span) = place(outline, offset);
+    let begun = &outline.source()[span.range()];
+    let suggestions = match place {
+        Place::Nothing => Vec::new(),
+        Place::Key => keys(outline),
+        Place::Fence => vocabulary::BLOCKS.iter().map(|(word, meaning)| of_word(word, meaning)).collect(),
+        Place::Statement => [vocabulary::STATEMENTS, vocabulary::OPERATORS]
+            .into_iter()
+            .flatten()
+            .map(|(word, meaning)| of_word(word, meaning))
+            .chain(in_expressions(outline, program))
+            .collect(),
+        Place::Expression => in_expressions(outline, program).chain(operators()).collect(),
+        Place::Unit => vocabulary::UNITS.iter().map(|unit| of_unit(unit)).collect(),
+        Place::Element => elements(),
+        Place::Attribute(element) => attributes(element),
+    };
+    let lower = begun.to_lowercase();
+    let matches = |suggestion: &Suggestion| suggestion.text.to_lowercase().starts_with(&lower);
+    Completion { span, suggestions: suggestions.into_iter().filter(matches).collect() }
+}
+
+/// What the word at `offset` means; `None` where no word of the language and no name stands.
+pub fn explain(outline: &Outline, program: Option<&Program>, offset: usize) -> Option<Explanation> {
+    let span = word_at(outline.source(), offset)?;
+    let word = &outline.source()[span.range()];
+    let (place, _) = place(outline, span.end);
+    let named = |list: &[vocabulary::Entry]| {
+        list.iter().find(|(name, _)| *name == word).map(|(_, meaning)| words(meaning.0, meaning.1))
+    };
+    let meaning = match place {
+        Place::Nothing => None,
+        Place::Key => named(vocabulary::KEYS),
+        Place::Fence => named(vocabulary::BLOCKS),
+        Place::Unit => Unit::parse(word).ok().map(|unit| quantity(&unit)),
+        Place::Element | Place::Attribute(_) => named(vocabulary::PARTS).or_else(|| named(vocabulary::ATTRIBUTES)),
+        Place::Statement | Place::Expression => {
+            let name = names(outline, program).into_iter().find(|name| name.text == word).map(|name| name.meaning);
+            let lists = [vocabulary::STATEMENTS, vocabulary::OPERATORS].into_iter().find_map(named);
+            name.or(lists).or_else(|| vocabulary::function(word))
+        }
+    };
+    meaning.map(|meaning| Explanation { span, meaning })
+}
+
+fn of_word(word: &str, meaning: &(&'static str, &'static str)) -> Suggestion {
+    Suggestion { kind: SuggestionKind::Word, text: word.to_owned(), meaning: words(meaning.0, meaning.1) }
+}
+
+fn of_unit(unit: &str) -> Suggestion {
+    let meaning = Unit::parse(unit).map(|unit| quantity(&unit)).unwrap_or_default();
+    Suggestion { kind: SuggestionKind::Unit, text: unit.to_owned(), meaning }
+}
+
+/// What is measured in a unit: `length`.
+fn quantity(unit: &Unit) -> Words {
+    if unit.dimension.is_none() {
+        return QuantityName::PURE_NUMBER.noun();
+    }
+    let names = unit.dimension.quantity_names();
+    names.first().map_or_else(|| Words::same(unit.dimension.to_string()), |name| name.noun())
+}
+
+/// The keys of the front matter that are not given yet.
+fn keys(outline: &Outline) -> Vec<Suggestion> {
+    let given = |key: &str| outline.front_matter().entries.iter().any(|entry| entry.key == key);
+    let free = vocabulary::KEYS.iter().filter(|(key, _)| !given(key));
+    free.map(|(key, meaning)| Suggestion { text: format!("{key}: "), ..of_word(key, meaning) }).collect()
+}
+
+fn operators() -> impl Iterator<Item = Suggestion> {
+    vocabulary::OPERATORS.iter().map(|(word, meaning)| of_word(word, meaning))
+}
+
+/// Names and functions.
+fn in_expressions(outline: &Outline, program: Option<&Program>) -> impl Iterator<Item = Suggestion> {
+    let functions = vocabulary::functions().map(|(name, meaning)| Suggestion {
+        kind: SuggestionKind::Function,
+        text: name.to_owned(),
+        meaning,
+    });
+    names(outline, program).into_iter().chain(functions)
+}
+
+/// Parts first, since they are drawn with less text.
+fn elements() -> Vec<Suggestion> {
+    let of = |(name, meaning): &vocabulary::Entry| Suggestion { kind: SuggestionKind::Part, ..of_word(name, meaning) };
+    let plain = scene::ELEMENTS.iter().map(|name| Suggestion {
+        kind: SuggestionKind::Part,
+        text: (*name).to_owned(),
+        meaning: words("element of SVG", "elemento de SVG"),
+    });
+    vocabulary::PARTS.iter().map(of).chain(plain).collect()
+}
+
+/// The attributes of an element: its own, and those of all.
+fn attributes(element: &str) -> Vec<Suggestion> {
+    let own = scene::part_of(element).map(|part| part.attributes).unwrap_or_default();
+    let all = vocabulary::ATTRIBUTES.iter().filter(|(name, _)| !own.contains(name));
+    let of =
+        |name: &str, meaning: Words| Suggestion { kind: SuggestionKind::Part, text: format!("{name}=\"\""), meaning };
+    let meaning = |name: &str| {
+        let known = vocabulary::ATTRIBUTES.iter().find(|(known, _)| *known == name);
+        known.map_or_else(|| words("of this part", "de esta parte"), |(_, meaning)| words(meaning.0, meaning.1))
+    };
+    let own = own.iter().map(|name| of(name, meaning(name)));
+    own.chain(all.map(|(name, meaning)| of(name, words(meaning.0, meaning.1)))).collect()
+}

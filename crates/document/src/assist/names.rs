@@ -1,0 +1,87 @@
+//! The names of a model, with what is said of them.
+
+use super::{Suggestion, SuggestionKind};
+use crate::Outline;
+use model::{Expression, ExpressionKind, Statement, StatementKind};
+use program::{Model, Program};
+use units::{Unit, Words, words};
+
+/// The names that the statements of a document give, each once, in their order, and those that every document has.
+pub fn names(outline: &Outline, program: Option<&Program>) -> Vec<Suggestion> {
+    let mut names: Vec<Suggestion> = Vec::new();
+    let mut add = |name: Suggestion| {
+        if !names.iter().any(|known| known.text == name.text) {
+            names.push(name);
+        }
+    };
+    for statement in outline.blocks().iter().flat_map(|block| &block.statements) {
+        let label = statement.label.as_ref().map(|label| label.text.as_str());
+        for (text, what) in given(statement) {
+            let kind = if what.english == FUNCTION.0 { SuggestionKind::Function } else { SuggestionKind::Name };
+            let meaning = described(text, label, what, program.map(|program| &program.model));
+            add(Suggestion { kind, text: text.to_owned(), meaning });
+        }
+    }
+    let independent = program.map_or("t", |program| &program.model.independent.name);
+    for (text, meaning) in [
+        (independent, words("independent variable", "variable independiente")),
+        ("pi", words("3.14159..., half a turn in radians", "3,14159..., media vuelta en radianes")),
+    ] {
+        add(Suggestion { kind: SuggestionKind::Name, text: text.to_owned(), meaning });
+    }
+    names
+}
+
+const FUNCTION: (&str, &str) = ("function of this document", "función de este documento");
+
+/// The names that a statement gives, and what they are.
+fn given(statement: &Statement) -> Vec<(&str, Words)> {
+    match &statement.kind {
+        StatementKind::Parameter(parameter) => vec![(&parameter.name.text, words("parameter", "parámetro"))],
+        StatementKind::Size(size) => vec![(&size.name.text, words("size of families", "tamaño de familias"))],
+        StatementKind::Choice(choice) => {
+            let values = choice.alternatives.iter().flat_map(|alternative| &alternative.values);
+            let chosen = values
+                .map(|value| (value.name.text.as_str(), words("decided by a choice", "decidido por una elección")));
+            std::iter::once((choice.name.text.as_str(), words("choice", "elección"))).chain(chosen).collect()
+        }
+        StatementKind::Definition { name, .. } => vec![(&name.text, words("quantity", "magnitud"))],
+        StatementKind::InitialValue { name, .. } => vec![(&name.text, words("state", "estado"))],
+        StatementKind::Discrete { name, .. } => {
+            vec![(&name.text, words("changes at events only", "cambia solo en eventos"))]
+        }
+        StatementKind::Members { left: Expression { kind: ExpressionKind::Member { name, .. }, .. }, .. } => {
+            vec![(name, words("family", "familia"))]
+        }
+        StatementKind::Function(function) => vec![(&function.name.text, words(FUNCTION.0, FUNCTION.1))],
+        StatementKind::Table(table) => vec![(&table.name.text, words("table", "tabla"))],
+        StatementKind::Event { extras, .. } => {
+            extras.name.iter().map(|name| (name.text.as_str(), words("event", "evento"))).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// `Damping, parameter in kg/s`
+fn described(name: &str, label: Option<&str>, what: Words, model: Option<&Model>) -> Words {
+    let unit = model.and_then(|model| unit(model, name)).filter(|unit| !unit.text.is_empty());
+    let what = match unit {
+        Some(unit) => {
+            words!("{what} in {unit}", "{what} en {unit}", what = what, unit = Words::same(unit.text.clone()))
+        }
+        None => what,
+    };
+    match label {
+        Some(label) => words!("{label}, {what}", "{label}, {what}", label = Words::same(label.to_owned()), what = what),
+        None => what,
+    }
+}
+
+fn unit<'a>(model: &'a Model, name: &str) -> Option<&'a Unit> {
+    let parameter = model.parameters.iter().find(|parameter| parameter.name == name).map(|parameter| &parameter.unit);
+    let state =
+        || model.states.iter().find(|state| state.order == 0 && state.variable == name).map(|state| &state.unit);
+    let quantity =
+        || model.quantities.iter().find(|quantity| quantity.name == name).map(|quantity| &quantity.value.unit);
+    parameter.or_else(state).or_else(quantity)
+}

@@ -1,0 +1,151 @@
+//! What kind of text stands where a cursor is.
+
+use crate::{BlockKind, Outline};
+use model::Span;
+use std::ops::Range;
+
+/// What can stand at a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place<'a> {
+    /// Text that means nothing: prose, comments, labels.
+    Nothing,
+    /// A key of the front matter.
+    Key,
+    /// The kind of a block, after three backquotes.
+    Fence,
+    /// The beginning of a statement of the model.
+    Statement,
+    /// The rest of a statement, or any other expression.
+    Expression,
+    /// A unit in brackets.
+    Unit,
+    /// The name of an element of the scene.
+    Element,
+    /// An attribute of this element.
+    Attribute(&'a str),
+}
+
+/// The place at `offset`, and the beginning of the word there.
+pub fn place<'a>(outline: &Outline<'a>, offset: usize) -> (Place<'a>, Span) {
+    let source = outline.source();
+    let offset = floor(source, offset);
+    let line = source[..offset].rfind('\n').map_or(0, |end| end + 1)..offset;
+    let matter = outline.front_matter().span;
+    // A key that is being written has no colon yet, and for the rest of the program the front matter ends before it.
+    let is_begun = outline.front_matter().closing.is_none() && line.start == matter.end && matter.end > matter.start;
+    if matter.start <= offset && offset < matter.end || is_begun {
+        let is_key = !source[line.clone()].contains(':') && line.start > matter.start;
+        let place = if is_key { Place::Key } else { Place::Nothing };
+        return (place, word(source, line, letters));
+    }
+    let text = &source[line.clone()];
+    if text.trim_start().starts_with("```") && !text.contains(' ') {
+        return (Place::Fence, word(source, line, letters));
+    }
+    let inside = |block: &&crate::Block| block.content.start <= offset && offset <= block.content.end;
+    let Some(block) = outline.blocks().iter().rev().find(inside) else {
+        return (Place::Nothing, Span::new(offset, offset));
+    };
+    match block.kind {
+        BlockKind::Prose | BlockKind::Translations => in_braces(source, line),
+        BlockKind::Scene => in_scene(source, block.content.start..offset, line),
+        BlockKind::Question => {
+            let field = ["answer:", "set:", "hide:"].into_iter().find(|field| text.starts_with(field));
+            match field {
+                Some(field) => in_expression(source, line.start + field.len()..offset, false),
+                None => in_braces(source, line),
+            }
+        }
+        kind => in_expression(source, line, kind == BlockKind::Model),
+    }
+}
+
+/// The whole word at `offset`.
+pub fn word_at(source: &str, offset: usize) -> Option<Span> {
+    let offset = floor(source, offset);
+    let is_part = |letter: char| letters(letter) || matches!(letter, '-' | '%' | '°' | 'µ' | 'Ω');
+    let start = offset - tail(&source[..offset], is_part);
+    let length = source[offset..].find(|letter: char| !is_part(letter)).unwrap_or(source.len() - offset);
+    // A minus between two names is no part of them, as it is of `stroke-width`.
+    let dash = source[start..offset + length].contains('-');
+    if dash && !source[..start].ends_with([' ', '<', '\n']) {
+        let start = offset - tail(&source[..offset], letters);
+        let length = source[offset..].find(|letter: char| !letters(letter)).unwrap_or(source.len() - offset);
+        return (length > 0 || start < offset).then(|| Span::new(start, offset + length));
+    }
+    (start < offset + length).then(|| Span::new(start, offset + length))
+}
+
+/// The nearest place before `offset` at which a character begins.
+fn floor(source: &str, offset: usize) -> usize {
+    let offset = offset.min(source.len());
+    (0..=offset).rev().find(|&at| source.is_char_boundary(at)).unwrap_or(0)
+}
+
+fn letters(letter: char) -> bool {
+    letter.is_alphanumeric() || letter == '_'
+}
+
+/// How many bytes at the end of a text are such characters.
+fn tail(text: &str, is_part: impl Fn(char) -> bool) -> usize {
+    text.len() - text.trim_end_matches(is_part).len()
+}
+
+/// The word that ends where `range` does.
+fn word(source: &str, range: Range<usize>, is_part: impl Fn(char) -> bool) -> Span {
+    Span::new(range.end - tail(&source[range.clone()], is_part), range.end)
+}
+
+/// In a line of the model, a plot, a preset or a claim.
+fn in_expression<'a>(source: &str, line: Range<usize>, is_model: bool) -> (Place<'a>, Span) {
+    let text = &source[line.clone()];
+    let quotes = text.matches('"').count();
+    if quotes % 2 == 1 || text.contains('#') {
+        return (Place::Nothing, Span::new(line.end, line.end));
+    }
+    let open = text.rfind('[').filter(|&open| !text[open..].contains(']'));
+    if let Some(open) = open {
+        // Directly after a name brackets hold an index.
+        if !text[..open].ends_with(letters) {
+            let is_part = |letter: char| letters(letter) || matches!(letter, '%' | '°');
+            return (Place::Unit, word(source, line.start + open + 1..line.end, is_part));
+        }
+    }
+    let word = word(source, line.clone(), letters);
+    // A number is complete as it is.
+    if source[word.range()].starts_with(|letter: char| letter.is_ascii_digit()) {
+        return (Place::Nothing, word);
+    }
+    let before = source[line.start..word.start].trim();
+    let begins = is_model && (before.is_empty() || before == "hidden" || before.ends_with(['{', ';']));
+    (if begins { Place::Statement } else { Place::Expression }, word)
+}
+
+/// In a text in which expressions stand in braces.
+fn in_braces<'a>(source: &str, line: Range<usize>) -> (Place<'a>, Span) {
+    let text = &source[line.clone()];
+    match text.rfind('{').filter(|&open| !text[open..].contains('}')) {
+        Some(open) => in_expression(source, line.start + open + 1..line.end, false),
+        None => (Place::Nothing, Span::new(line.end, line.end)),
+    }
+}
+
+/// In a drawing: between tags, in one, or in the value of an attribute.
+fn in_scene<'a>(source: &'a str, scene: Range<usize>, line: Range<usize>) -> (Place<'a>, Span) {
+    let text = &source[scene.clone()];
+    let Some(open) = text.rfind('<').filter(|&open| !text[open..].contains('>')) else {
+        let is_drawn = text.contains('<');
+        return if is_drawn { in_braces(source, line) } else { in_expression(source, line, false) };
+    };
+    let tag = &text[open + 1..];
+    let start = scene.start + open + 1;
+    let name_end = tag.find(|letter: char| !letter.is_ascii_alphanumeric()).unwrap_or(tag.len());
+    if name_end == tag.len() {
+        return (Place::Element, Span::new(start, scene.end));
+    }
+    if let Some(quote) = tag.rfind('"').filter(|_| tag.matches('"').count() % 2 == 1) {
+        return in_expression(source, start + quote + 1..scene.end, false);
+    }
+    let is_part = |letter: char| letters(letter) || letter == '-';
+    (Place::Attribute(&tag[..name_end]), word(source, start..scene.end, is_part))
+}

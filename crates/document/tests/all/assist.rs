@@ -1,0 +1,108 @@
+//! What is suggested and explained at places of a document, marked by `|`.
+
+use document::assist::{Completion, complete, explain};
+use program::functions::{FUNCTIONS, Function};
+
+const DOCUMENT: &str = "---\ntitle: Spring\nst\n---\n\nText {x in [c]} here.\n\n```model\nparameter k = 4 [N/m] in 1..9 \"Stiffness\"\n\
+parameter m = 1 [kg]\nm*x'' = -k*x\nx(0) = 3 [cm] \"Displacement\"\nx'(0) = 0\nomega = sqrt(k/m) \"Natural frequency\"\n\
+function half(u) = u/2\nE = half(k*x^2)\npa\nF = -k*o # om\n```\n\n```scene\n<svg viewBox=\"0 0 9 9\"><frame x=\"-1..1 [m]\">\
+<sp from=\"(0, 0)\" to=\"(om, 0)\" vi/></frame></svg>\n```\n";
+
+fn at(before: &str, behind: &str) -> (document::Opened, usize) {
+    let place = DOCUMENT.find(&format!("{before}{behind}")).expect("it stands there") + before.len();
+    (document::open(&DOCUMENT.replace("\npa\n", "\n\n").replace("-k*o ", "-k*x "), &[]), place)
+}
+
+fn completed(before: &str, behind: &str) -> Completion {
+    let (opened, offset) = at(before, behind);
+    let program = opened.document.as_ref().map(|document| &document.program);
+    assert!(program.is_some(), "{:?}", opened.diagnostics);
+    complete(&document::read(DOCUMENT), program, offset)
+}
+
+/// The texts, and what the word stands for that they replace.
+fn texts(before: &str, behind: &str) -> (String, Vec<String>) {
+    let found = completed(before, behind);
+    (DOCUMENT[found.span.range()].to_owned(), found.suggestions.into_iter().map(|suggestion| suggestion.text).collect())
+}
+
+#[test]
+fn suggestions_fit_their_place() {
+    for (before, behind, word, first) in [
+        ("\nst", "\n---", "st", "step: "),
+        ("Text {x in [c", "]", "c", "cm"),
+        ("\npa", "\n", "pa", "parameter"),
+        ("= -k*o", " #", "o", "omega"),
+        ("to=\"(om", ",", "om", "omega"),
+        ("<sp", " from", "sp", "spring"),
+        ("vi", "/>", "vi", "visible=\"\""),
+        ("```sc", "ene", "sc", "scene"),
+    ] {
+        let (begun, found) = texts(before, behind);
+        assert_eq!((begun.as_str(), found.first().map(String::as_str)), (word, Some(first)), "{before}: {found:?}");
+    }
+    // In comments, labels, numbers and prose nothing is suggested.
+    for (before, behind) in [("# om", "\n"), ("\"Stiff", "ness"), ("x(0) = 3", " [cm]"), ("Te", "xt")] {
+        assert_eq!(texts(before, behind).1, [""; 0], "{before}");
+    }
+}
+
+#[test]
+fn names_come_first_with_label_and_unit() {
+    let found = completed("= -k*", "o #");
+    let listed: Vec<(&str, &str)> = found.suggestions[..7]
+        .iter()
+        .map(|suggestion| (suggestion.text.as_str(), &*suggestion.meaning.english))
+        .collect();
+    assert_eq!(
+        listed,
+        [
+            ("k", "Stiffness, parameter in N/m"),
+            ("m", "parameter in kg"),
+            ("x", "Displacement, state in m"),
+            ("omega", "Natural frequency, quantity in 1/s"),
+            ("half", "function of this document"),
+            ("E", "quantity in J"),
+            ("F", "quantity in N"),
+        ]
+    );
+}
+
+#[test]
+fn words_are_explained() {
+    for (before, behind, word, meaning) in [
+        ("sqrt(k", "/m)", "k", "Stiffness, parameter in N/m"),
+        ("omega = sq", "rt(k", "sqrt", "square root"),
+        ("3 [c", "m]", "cm", "length"),
+        ("\nti", "tle", "title", "title of the simulation"),
+        ("\nparam", "eter m", "parameter", "a number with a slider: parameter b = 0.2 [kg/s] in 0..2"),
+        ("<fra", "me x", "frame", "axes of lengths for what it holds: x=\"-2..2 [m]\""),
+    ] {
+        let (opened, offset) = at(before, behind);
+        let program = opened.document.as_ref().map(|document| &document.program);
+        let found = explain(&document::read(DOCUMENT), program, offset).unwrap_or_else(|| panic!("{before}"));
+        assert_eq!((&DOCUMENT[found.span.range()], &*found.meaning.english), (word, meaning), "{before}");
+    }
+}
+
+#[test]
+fn every_function_and_part_is_explained() {
+    let found = completed("= -k*", "o #");
+    for function in FUNCTIONS.iter().filter(|function| function.name != Function::STREAM) {
+        let known = found.suggestions.iter().find(|suggestion| suggestion.text == function.name);
+        let meaning = known.map(|suggestion| &suggestion.meaning).unwrap_or_else(|| panic!("{}", function.name));
+        assert!(!meaning.english.is_empty() && !meaning.spanish.is_empty(), "{}", function.name);
+    }
+}
+
+/// Any place of a document, also inside a character.
+#[test]
+fn no_place_is_too_strange() {
+    let text = format!("{DOCUMENT}γ·“’ ```\n<svg {{ [µ");
+    let outline = document::read(&text);
+    for offset in 0..text.len() + 3 {
+        let found = complete(&outline, None, offset);
+        assert!(text.get(found.span.range()).is_some(), "{offset}");
+        explain(&outline, None, offset);
+    }
+}

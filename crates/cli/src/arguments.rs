@@ -68,6 +68,9 @@ pub enum Command {
     /// Make one offline page of a document, with its source inside
     #[command(after_help = EXPORT_EXAMPLES)]
     Export(Export),
+    /// Help editors with documents, as a language server on standard input and output
+    #[command(after_help = LSP_EXAMPLES)]
+    Lsp,
     /// Make a web site of all documents in a folder, for any host
     #[command(after_help = BUILD_EXAMPLES)]
     Build(Build),
@@ -177,6 +180,15 @@ pub enum Format {
     /// One object a line
     Jsonl,
 }
+
+const LSP_EXAMPLES: &str = "\
+Editors start it by themselves: set `meniscus lsp` as the language server of Markdown files. It reports errors with their
+remedies, completes and explains names, functions and units, and renames quantities.
+
+Example (Helix, languages.toml):
+  [language-server.meniscus]
+  command = \"meniscus\"
+  args = [\"lsp\"]";
 
 const CHECK_EXAMPLES: &str = "\
 Examples:

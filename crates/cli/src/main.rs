@@ -15,6 +15,7 @@ mod failure;
 mod fitting;
 mod language;
 mod load;
+mod lsp;
 mod output;
 mod page;
 mod rows;
@@ -51,6 +52,7 @@ fn main() -> ExitCode {
         Command::Fit(fit) => fitting::fit(fit, terminal),
         Command::Rank(rank) => fitting::rank(rank, terminal),
         Command::Export(export) => export::export(export, terminal),
+        Command::Lsp => lsp::serve(terminal.language),
         Command::Build(build) => site::build(build, terminal),
     };
     match result {

@@ -53,17 +53,26 @@ pub struct Label {
     pub text: Words,
 }
 
+/// A replacement of a part of a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edit {
+    /// The bytes to be replaced; empty for an insertion.
+    pub span: Span,
+    /// What replaces them; empty for a removal.
+    pub text: String,
+}
+
 /// A change of the text that removes the cause of a diagnostic.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
-    /// What stands at each place afterwards; the places do not overlap.
-    pub edits: Vec<(Span, String)>,
+    /// What is replaced; the places do not overlap.
+    pub edits: Vec<Edit>,
 }
 
 impl Fix {
-    /// What a button says that makes the change in `source`: `Replace gmma by gamma`.
+    /// What a button says that makes the change in `source`: "replace `gmma` by `gamma`".
     pub fn title(&self, source: &str) -> Words {
-        let Some((span, text)) = self.edits.first() else { return Words::default() };
+        let Some(Edit { span, text }) = self.edits.first() else { return Words::default() };
         let old = source.get(span.range()).unwrap_or_default().trim();
         let new = text.trim();
         match (old.is_empty(), new.is_empty()) {
@@ -71,22 +80,6 @@ impl Fix {
             (false, true) => words!("remove `{old}`", "quitar `{old}`"),
             (false, false) => words!("replace `{old}` by `{new}`", "cambiar `{old}` por `{new}`"),
         }
-    }
-
-    /// The text with the change; the text itself where a place lies outside it.
-    pub fn applied(&self, source: &str) -> String {
-        let mut edits: Vec<&(Span, String)> = self.edits.iter().collect();
-        edits.sort_by_key(|(span, _)| span.start);
-        let (mut text, mut at) = (String::with_capacity(source.len() + 16), 0);
-        for (span, new) in edits {
-            let Some(before) = source.get(at..span.start).filter(|_| source.is_char_boundary(span.end)) else {
-                return source.to_owned();
-            };
-            text += before;
-            text += new;
-            at = span.end;
-        }
-        text + source.get(at..).unwrap_or_default()
     }
 }
 
@@ -165,11 +158,11 @@ impl Diagnostic {
 
     /// A change of the text that follows a remedy: `text` in the place of what stands at `span`.
     pub fn with_fix(self, span: Span, text: impl Into<String>) -> Self {
-        self.with_fixes(vec![(span, text.into())])
+        self.with_fixes(vec![Edit { span, text: text.into() }])
     }
 
     /// A change of the text at several places.
-    pub fn with_fixes(mut self, edits: Vec<(Span, String)>) -> Self {
+    pub fn with_fixes(mut self, edits: Vec<Edit>) -> Self {
         self.fixes.push(Fix { edits });
         self
     }

@@ -28,7 +28,7 @@ mod typeset;
 mod vectors;
 
 pub use compile::{Checked, check, compile, refuse_length};
-pub use diagnostic::{Diagnostic, Fix, Label, Severity, Span, has_errors};
+pub use diagnostic::{Diagnostic, Edit, Fix, Label, Severity, Span, has_errors};
 pub use expression::Compiler;
 pub use functions::Functions;
 pub use parser::{parse, parse_assignments, parse_expression};

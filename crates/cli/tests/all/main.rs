@@ -10,6 +10,7 @@ mod common;
 mod cycles;
 mod derivatives;
 mod fit;
+mod lsp;
 mod office;
 mod pages;
 mod rank;

@@ -8,7 +8,7 @@ mod vocabulary;
 use crate::{Outline, scene};
 use model::Span;
 use names::names;
-use place::{Place, place, word_at};
+use place::{Place, attribute_around, place, word_at};
 use program::Program;
 use units::{QuantityName, Unit, Words, words};
 
@@ -102,6 +102,28 @@ pub fn explain(outline: &Outline, program: Option<&Program>, offset: usize) -> O
         }
     };
     meaning.map(|meaning| Explanation { span, meaning })
+}
+
+/// A word that can be a name.
+pub(crate) struct NameAt<'a> {
+    /// Where it stands.
+    pub span: Span,
+    /// The attribute of the drawing in whose value it stands, outside braces.
+    pub attribute: Option<&'a str>,
+}
+
+/// The word at `offset`, where it stands in an expression.
+pub(crate) fn name_at<'a>(outline: &Outline<'a>, offset: usize) -> Option<NameAt<'a>> {
+    let span = word_at(outline.source(), offset)?;
+    let (place, _) = place(outline, span.end);
+    let attribute = attribute_around(outline, span.start);
+    matches!(place, Place::Statement | Place::Expression).then_some(NameAt { span, attribute })
+}
+
+/// The names that a model gives.
+pub(crate) fn names_in(outline: &Outline) -> Vec<String> {
+    let fixed = |name: &Suggestion| name.text == "pi" || name.text == "t";
+    names(outline, None).into_iter().filter(|name| !fixed(name)).map(|name| name.text).collect()
 }
 
 fn of_word(word: &str, meaning: &(&'static str, &'static str)) -> Suggestion {

@@ -76,6 +76,20 @@ pub fn word_at(source: &str, offset: usize) -> Option<Span> {
     (start < offset + length).then(|| Span::new(start, offset + length))
 }
 
+/// The attribute of a drawing in whose value `offset` lies, outside braces.
+pub fn attribute_around<'a>(outline: &Outline<'a>, offset: usize) -> Option<&'a str> {
+    let mut scenes = outline.blocks_of(BlockKind::Scene);
+    let scene = scenes.find(|block| block.content.start <= offset && offset <= block.content.end)?;
+    let text = &outline.source()[scene.content.start..offset];
+    let tag = &text[text.rfind('<').filter(|&open| !text[open..].contains('>'))?..];
+    let quote = tag.rfind('"').filter(|_| tag.matches('"').count() % 2 == 1)?;
+    let value = &tag[quote..];
+    let is_in_braces = value.rfind('{').is_some_and(|open| !value[open..].contains('}'));
+    let before = tag[..quote].trim_end().strip_suffix('=')?.trim_end();
+    let name = &before[before.rfind(char::is_whitespace).map_or(0, |blank| blank + 1)..];
+    (!is_in_braces).then_some(name)
+}
+
 /// The nearest place before `offset` at which a character begins.
 fn floor(source: &str, offset: usize) -> usize {
     let offset = offset.min(source.len());

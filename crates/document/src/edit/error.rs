@@ -27,6 +27,12 @@ pub enum EditError {
     UnknownBlock(usize),
     /// With this text, other parts of the document would be read differently.
     ChangesOthers,
+    /// No name of the model stands at the place.
+    NoName,
+    /// This cannot be a name, or has a meaning already.
+    NewName(String),
+    /// Not every place where this name stands could be found.
+    Incomplete(String),
 }
 
 impl EditError {
@@ -68,6 +74,15 @@ impl EditError {
             Self::ChangesOthers => words(
                 "this text would change how the blocks around it are read",
                 "este texto cambiaría cómo se leen los bloques que lo rodean",
+            ),
+            Self::NoName => words("no name of the model stands here", "aquí no hay ningún nombre del modelo"),
+            Self::NewName(name) => words!(
+                "`{name}` cannot be a name here: it has a meaning already, or characters that names do not have",
+                "`{name}` no puede ser un nombre aquí: ya tiene un significado, o caracteres que los nombres no admiten"
+            ),
+            Self::Incomplete(name) => words!(
+                "`{name}` could not be renamed everywhere; rename it in the text",
+                "`{name}` no se pudo cambiar en todas partes; cámbialo en el texto"
             ),
         }
     }

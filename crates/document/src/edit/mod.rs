@@ -7,23 +7,15 @@ mod blocks;
 mod error;
 mod layout;
 mod parameter;
+mod rename;
 mod settings;
 
 pub use blocks::{insert_block, remove_block, replace_block};
 pub use error::EditError;
+pub use model::Edit;
 pub use parameter::set_parameter;
+pub use rename::rename;
 pub use settings::set_front_matter;
-
-use model::Span;
-
-/// A replacement of a part of a text.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Edit {
-    /// The bytes to be replaced; empty for an insertion.
-    pub span: Span,
-    /// What replaces them; empty for a removal.
-    pub text: String,
-}
 
 /// Applies edits, in any order; their spans are places in `source`. Insertions at one place keep the order of `edits`.
 ///

@@ -3,7 +3,7 @@
 use crate::arbitrary::document_text;
 use crate::outline::check_places;
 use document::edit::{
-    Edit, EditError, apply, insert_block, remove_block, replace_block, set_front_matter, set_parameter,
+    Edit, EditError, apply, insert_block, remove_block, rename, replace_block, set_front_matter, set_parameter,
 };
 use document::{BlockKind, Outline, open, read};
 use model::{ParameterStatement, Span, StatementKind};
@@ -320,5 +320,30 @@ proptest! {
             let removed: usize = edits.iter().map(|edit| edit.span.range().len()).sum();
             prop_assert_eq!(result.len(), text.len() - removed + edits.len());
         }
+    }
+}
+
+/// Everything that means the quantity gets the new name, and nothing that only looks like it.
+#[test]
+fn a_quantity_is_renamed_where_it_is_meant() {
+    let source = "---\ntitle: m\n---\nThe mass m is {m in [g]}, $m$.\n\n```model\nparameter m = 1 [kg] \"m\"  # m\nparameter m_2 = 2 [m]\n\
+                  x'' = -x*m/(1 [kg s^2])\nx(0) = 1\nx'(0) = 0\np = m*x'\n```\n\n```scene\n<svg viewBox=\"0 0 9 9\"><style>.m { fill: red }</style>\
+                  <rect class=\"m\" fill=\"black\" width=\"{m in [g]}\"/></svg>\n```\n\n```presets\n\"m\": m = 3 [kg]\n```\n";
+    let outline = read(source);
+    let renamed = |offset: usize, new: &str| rename(&outline, offset, new).map(|edits| apply(source, &edits).unwrap());
+    let place = source.find("= m*x'").unwrap() + 2;
+    let expected = source
+        .replace("{m in", "{mass in")
+        .replace("parameter m =", "parameter mass =")
+        .replace("-x*m/", "-x*mass/")
+        .replace("= m*x'", "= mass*x'")
+        .replace(": m = 3", ": mass = 3");
+    assert_eq!(renamed(place, "mass").unwrap(), expected);
+    assert_eq!(renamed(place, "x"), Err(EditError::NewName("x".to_owned())));
+    for new in ["", "2m", "a b", "sin", "pi", "if", "x'"] {
+        assert_eq!(renamed(place, new), Err(EditError::NewName(new.to_owned())), "{new}");
+    }
+    for nothing in ["The mass", "title", "kg s^2", "# m"] {
+        assert_eq!(renamed(source.find(nothing).unwrap() + 3, "mass"), Err(EditError::NoName), "{nothing}");
     }
 }

@@ -7,7 +7,7 @@ use super::traverse::for_each;
 use crate::chance;
 use crate::limits;
 use crate::notation::{primed, quote};
-use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, Span};
+use crate::{BinaryOperator, Diagnostic, Edit, Expression, ExpressionKind, FunctionStatement, Name, Span};
 use program::Size;
 use program::functions::Function;
 use std::collections::HashSet;
@@ -250,7 +250,8 @@ fn unknown_name(scope: &Scope, unknown: &Unknown) -> Diagnostic {
         if name.contains(['[', '.']) || new.contains(['[', '.']) {
             return diagnostic;
         }
-        diagnostic.with_fixes(places.iter().map(|(span, ending)| (*span, format!("{new}{ending}"))).collect())
+        let edits = places.iter().map(|(span, ending)| Edit { span: *span, text: format!("{new}{ending}") });
+        diagnostic.with_fixes(edits.collect())
     };
     if let Some(factors) = as_product(scope, name) {
         let hint = words!("for a product write `{factors}`", "para un producto escribe `{factors}`");

@@ -18,7 +18,7 @@ fn told(source: &str, diagnostics: &[Diagnostic]) -> String {
             text += &format!("    -> {}\n", hint.english);
         }
         for fix in &diagnostic.fixes {
-            text += &format!("    => {}\n", fix.applied(source).replace('\n', "\\n"));
+            text += &format!("    => {}\n", crate::common::applied(fix, source).replace('\n', "\\n"));
         }
     }
     text

@@ -1,7 +1,7 @@
 //! What the tests share: compiling, computing the value of a node, and diagnostics as plain text.
 pub mod catalogue;
 
-use model::{Diagnostic, Severity};
+use model::{Diagnostic, Edit, Fix, Severity};
 use program::{Graph, Model, Node, NodeId, Variable};
 
 /// Compiles a text that is all model; it must have no errors.
@@ -20,12 +20,21 @@ pub fn diagnostics(source: &str) -> String {
     render(source, &diagnostics)
 }
 
+/// The text after a change.
+pub fn applied(fix: &Fix, source: &str) -> String {
+    let mut edits: Vec<&Edit> = fix.edits.iter().collect();
+    edits.sort_by_key(|edit| std::cmp::Reverse(edit.span.start));
+    let mut text = source.to_owned();
+    edits.iter().for_each(|edit| text.replace_range(edit.span.range(), &edit.text));
+    text
+}
+
 /// What the diagnostics of a text offer to change, when it is changed: nothing may remain of the diagnostic, and no other may come.
 #[track_caller]
 pub fn check_fixes(source: &str, diagnostics: &[Diagnostic], again: impl Fn(&str) -> Vec<Diagnostic>) {
     for diagnostic in diagnostics {
         for fix in &diagnostic.fixes {
-            let text = fix.applied(source);
+            let text = applied(fix, source);
             assert_ne!(text, source, "{diagnostic:?}");
             let left = again(&text);
             let same = |other: &&Diagnostic| (other.code, &other.message) == (diagnostic.code, &diagnostic.message);

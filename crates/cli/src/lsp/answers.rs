@@ -1,0 +1,131 @@
+//! What an editor is answered.
+
+use super::open_files::{OpenFile, OpenFiles};
+use super::positions::{offset, range};
+use document::assist::{SuggestionKind, complete, explain};
+use document::edit::Edit;
+use lsp_types::{
+    CodeAction, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, CompletionItem,
+    CompletionItemKind, CompletionParams, CompletionResponse, CompletionTextEdit, Diagnostic,
+    DiagnosticRelatedInformation, DiagnosticSeverity, Hover, HoverContents, HoverParams, Location, MarkupContent,
+    MarkupKind, NumberOrString, RenameParams, TextDocumentPositionParams, TextEdit, Uri, WorkspaceEdit,
+};
+use model::Severity;
+use std::collections::HashMap;
+use units::Language;
+
+/// What is wrong with a file.
+pub fn diagnostics(file: &OpenFile, language: Language, uri: &Uri) -> Vec<Diagnostic> {
+    let own = file.opened.diagnostics.iter().filter(|(number, _)| *number == 0);
+    own.map(|(_, finding)| diagnostic(file, finding, language, uri)).collect()
+}
+
+fn diagnostic(file: &OpenFile, finding: &model::Diagnostic, language: Language, uri: &Uri) -> Diagnostic {
+    let text = &file.text;
+    let primary = finding.labels.first().map(|label| label.text.text(language)).filter(|text| !text.is_empty());
+    let message = finding.message.text(language);
+    let first = match primary {
+        Some(primary) => format!("{message} ({primary})"),
+        None => message.to_owned(),
+    };
+    let rest = finding.notes.iter().chain(&finding.hints).map(|words| words.text(language).to_owned());
+    let related = finding.labels.iter().skip(1).map(|label| DiagnosticRelatedInformation {
+        location: Location::new(uri.clone(), range(text, label.span)),
+        message: label.text.text(language).to_owned(),
+    });
+    Diagnostic {
+        range: range(text, finding.span()),
+        severity: Some(match finding.severity {
+            Severity::Error => DiagnosticSeverity::ERROR,
+            Severity::Warning => DiagnosticSeverity::WARNING,
+        }),
+        code: Some(NumberOrString::String(finding.code.to_owned())),
+        source: Some("meniscus".to_owned()),
+        message: std::iter::once(first).chain(rest).collect::<Vec<_>>().join("\n"),
+        related_information: Some(related.collect()),
+        ..Diagnostic::default()
+    }
+}
+
+/// The remedies that can be carried out where the cursor or the selection is.
+pub fn remedies(files: &OpenFiles, asked: &CodeActionParams) -> Option<CodeActionResponse> {
+    let uri = &asked.text_document.uri;
+    let file = files.get(uri)?;
+    let language = files.language();
+    let chosen = [asked.range.start, asked.range.end].map(|at| offset(&file.text, at));
+    let touches = |span: model::Span| span.start <= chosen[1] && chosen[0] <= span.end;
+    let own = file.opened.diagnostics.iter().filter(|(number, _)| *number == 0);
+    let touched = own.map(|(_, finding)| finding).filter(|finding| touches(finding.span()));
+    let actions = touched.flat_map(|finding| {
+        finding.fixes.iter().map(|fix| {
+            CodeActionOrCommand::CodeAction(CodeAction {
+                title: fix.title(&file.text).text(language).replace('\n', " "),
+                kind: Some(CodeActionKind::QUICKFIX),
+                diagnostics: Some(vec![diagnostic(file, finding, language, uri)]),
+                edit: Some(edited(uri, &file.text, &fix.edits)),
+                is_preferred: Some(finding.fixes.len() == 1),
+                ..CodeAction::default()
+            })
+        })
+    });
+    Some(actions.collect())
+}
+
+fn edited(uri: &Uri, text: &str, edits: &[Edit]) -> WorkspaceEdit {
+    let edits = edits.iter().map(|edit| TextEdit::new(range(text, edit.span), edit.text.clone())).collect();
+    // The address is a key here by the type of the protocol; it is not changed afterwards.
+    #[allow(clippy::mutable_key_type)]
+    let changes = HashMap::from([(uri.clone(), edits)]);
+    WorkspaceEdit::new(changes)
+}
+
+/// The file and the byte that a request is about.
+fn place<'a>(files: &'a OpenFiles, asked: &TextDocumentPositionParams) -> Option<(&'a OpenFile, usize)> {
+    let file = files.get(&asked.text_document.uri)?;
+    Some((file, offset(&file.text, asked.position)))
+}
+
+/// What can stand where the cursor is.
+pub fn completion(files: &OpenFiles, asked: &CompletionParams) -> Option<CompletionResponse> {
+    let (file, at) = place(files, &asked.text_document_position)?;
+    let found = complete(&document::read(&file.text), file.program.as_ref(), at);
+    let replaced = range(&file.text, found.span);
+    let items = found.suggestions.into_iter().enumerate().map(|(number, suggestion)| CompletionItem {
+        kind: Some(match suggestion.kind {
+            SuggestionKind::Word => CompletionItemKind::KEYWORD,
+            SuggestionKind::Name => CompletionItemKind::VARIABLE,
+            SuggestionKind::Function => CompletionItemKind::FUNCTION,
+            SuggestionKind::Unit => CompletionItemKind::UNIT,
+            SuggestionKind::Part => CompletionItemKind::PROPERTY,
+        }),
+        detail: Some(suggestion.meaning.text(files.language()).to_owned()),
+        // Names come before functions, as they do here.
+        sort_text: Some(format!("{number:05}")),
+        text_edit: Some(CompletionTextEdit::Edit(TextEdit::new(replaced, suggestion.text.clone()))),
+        label: suggestion.text,
+        ..CompletionItem::default()
+    });
+    Some(CompletionResponse::Array(items.collect()))
+}
+
+/// What the word under the cursor means.
+pub fn hover(files: &OpenFiles, asked: &HoverParams) -> Option<Hover> {
+    let (file, at) = place(files, &asked.text_document_position_params)?;
+    let found = explain(&document::read(&file.text), file.program.as_ref(), at)?;
+    let value = found.meaning.text(files.language()).to_owned();
+    Some(Hover {
+        contents: HoverContents::Markup(MarkupContent { kind: MarkupKind::PlainText, value }),
+        range: Some(range(&file.text, found.span)),
+    })
+}
+
+/// Another name for the one under the cursor, everywhere in the document.
+///
+/// # Errors
+/// No name of the model stands there, or the new one cannot be given; in words for people.
+pub fn rename(files: &OpenFiles, asked: &RenameParams) -> Result<Option<WorkspaceEdit>, String> {
+    let Some((file, at)) = place(files, &asked.text_document_position) else { return Ok(None) };
+    let edits = document::edit::rename(&document::read(&file.text), at, asked.new_name.trim())
+        .map_err(|refusal| refusal.words().text(files.language()).to_owned())?;
+    Ok(Some(edited(&asked.text_document_position.text_document.uri, &file.text, &edits)))
+}

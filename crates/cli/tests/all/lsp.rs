@@ -1,0 +1,140 @@
+//! An editor that talks to `meniscus lsp`.
+
+use serde_json::{Value, json};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+
+const FILE: &str = "file:///spring.md";
+const DOCUMENT: &str = "```model\nparameter k = 4 [N/m] \"Stiffness\"\nparameter m = 1 [kg]\nm*x'' = -kk*x\nx(0) = 1 [m]\nx'(0) = 0\n\
+                        omega = sqrt(k/m)\n```\n";
+
+struct Editor {
+    server: Child,
+    input: Option<ChildStdin>,
+    output: BufReader<ChildStdout>,
+    asked: i64,
+}
+
+impl Editor {
+    fn open(language: &str) -> Self {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_meniscus"));
+        let command = command.args(["lsp", "--language", language]).stdin(Stdio::piped()).stdout(Stdio::piped());
+        let mut server = command.spawn().unwrap();
+        let (input, output) = (server.stdin.take(), BufReader::new(server.stdout.take().unwrap()));
+        let mut editor = Self { server, input, output, asked: 0 };
+        let capabilities = editor.ask("initialize", json!({ "capabilities": {} }));
+        assert_eq!(capabilities["capabilities"]["renameProvider"], true, "{capabilities}");
+        editor.tell("initialized", json!({}));
+        editor
+    }
+
+    fn send(&mut self, mut message: Value) {
+        message["jsonrpc"] = json!("2.0");
+        let text = message.to_string();
+        write!(self.input.as_mut().unwrap(), "Content-Length: {}\r\n\r\n{text}", text.len()).unwrap();
+    }
+
+    fn tell(&mut self, method: &str, parameters: Value) {
+        self.send(json!({ "method": method, "params": parameters }));
+    }
+
+    fn hear(&mut self) -> Value {
+        let mut length = 0;
+        loop {
+            let mut line = String::new();
+            self.output.read_line(&mut line).unwrap();
+            match line.trim().strip_prefix("Content-Length:") {
+                Some(number) => length = number.trim().parse().unwrap(),
+                None if line.trim().is_empty() => break,
+                None => {}
+            }
+        }
+        let mut text = vec![0; length];
+        self.output.read_exact(&mut text).unwrap();
+        serde_json::from_slice(&text).unwrap()
+    }
+
+    fn answer(&mut self, method: &str, parameters: Value) -> Value {
+        self.asked += 1;
+        self.send(json!({ "id": self.asked, "method": method, "params": parameters }));
+        self.hear()
+    }
+
+    fn ask(&mut self, method: &str, parameters: Value) -> Value {
+        self.answer(method, parameters)["result"].take()
+    }
+
+    /// Opens a document and hears what is wrong with it.
+    fn write(&mut self, text: &str) -> Value {
+        let file = json!({ "uri": FILE, "languageId": "markdown", "version": 1, "text": text });
+        self.tell("textDocument/didOpen", json!({ "textDocument": file }));
+        let mut heard = self.hear();
+        assert_eq!(heard["method"], "textDocument/publishDiagnostics");
+        heard["params"]["diagnostics"].take()
+    }
+
+    fn close(mut self) {
+        assert_eq!(self.ask("shutdown", Value::Null), Value::Null);
+        self.tell("exit", Value::Null);
+        self.input = None;
+        assert!(self.server.wait().unwrap().success());
+    }
+}
+
+fn at(line: u32, character: u32) -> Value {
+    json!({ "textDocument": { "uri": FILE }, "position": { "line": line, "character": character } })
+}
+
+#[test]
+fn errors_are_reported_with_remedies_that_work() {
+    for (language, message, title) in [
+        ("en", "`kk` is not known\ndid you mean `k`?", "replace `kk` by `k`"),
+        ("es", "no se conoce `kk`\n¿querías decir `k`?", "cambiar `kk` por `k`"),
+    ] {
+        let mut editor = Editor::open(language);
+        let found = editor.write(DOCUMENT);
+        assert_eq!(
+            (found[0]["message"].as_str(), found[0]["range"]["start"]["line"].as_i64()),
+            (Some(message), Some(3))
+        );
+        let place = found[0]["range"].clone();
+        let context = json!({ "diagnostics": [] });
+        let asked = json!({ "textDocument": { "uri": FILE }, "range": place, "context": context });
+        let actions = editor.ask("textDocument/codeAction", asked);
+        assert_eq!(actions[0]["title"], title);
+        let edit = &actions[0]["edit"]["changes"][FILE][0];
+        assert_eq!((&edit["range"], &edit["newText"]), (&place, &json!("k")));
+        assert_eq!(editor.write(&DOCUMENT.replace("kk", "k")), json!([]));
+        editor.close();
+    }
+}
+
+#[test]
+fn names_are_completed_explained_and_renamed() {
+    let mut editor = Editor::open("en");
+    editor.write(&DOCUMENT.replace("kk", "k"));
+    let found = editor.ask("textDocument/completion", at(6, 2));
+    let first = &found[0];
+    assert_eq!((first["label"].as_str(), first["detail"].as_str()), (Some("omega"), Some("quantity in 1/s")));
+    let hover = editor.ask("textDocument/hover", at(3, 9));
+    assert_eq!(hover["contents"]["value"], "Stiffness, parameter in N/m");
+    let mut renaming = at(3, 9);
+    renaming["newName"] = json!("stiffness");
+    let edits = editor.ask("textDocument/rename", renaming.clone());
+    assert_eq!(edits["changes"][FILE].as_array().map(Vec::len), Some(3), "{edits}");
+    renaming["newName"] = json!("m");
+    let refused = editor.answer("textDocument/rename", renaming);
+    let expected = "`m` cannot be a name here: it has a meaning already, or characters that names do not have";
+    assert_eq!(refused["error"]["message"], expected);
+    editor.close();
+}
+
+#[test]
+fn other_markdown_and_strange_requests_are_left_alone() {
+    let mut editor = Editor::open("en");
+    assert_eq!(editor.write("# Shopping\n\n- 2 g of salt\n"), json!([]));
+    assert_eq!(editor.ask("textDocument/hover", at(7, 99)), Value::Null);
+    assert_eq!(editor.answer("textDocument/hover", json!(3))["error"]["code"], -32602);
+    assert_eq!(editor.answer("no/such", json!({}))["error"]["code"], -32601);
+    editor.close();
+}

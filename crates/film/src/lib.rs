@@ -6,5 +6,6 @@
 
 pub mod containers;
 mod plane;
+pub mod timing;
 
 pub use plane::Plane;

@@ -5,3 +5,4 @@
 mod containers;
 mod damaged_films;
 mod support;
+mod timing;

@@ -301,7 +301,7 @@ fn read_stream(number: usize, list: &[u8]) -> Option<Result<Stream, FilmError>> 
     let jpeg = |coding: [u8; 4]| [b"MJPG", b"JPEG", b"DMB1"].contains(&&coding.map(|byte| byte.to_ascii_uppercase()));
     Some(match read() {
         Some((coding, stream)) if jpeg(coding) => Ok(stream),
-        Some((coding, _)) => Err(FilmError::UnknownCodec(coding.escape_ascii().to_string())),
+        Some((coding, _)) => Err(FilmError::unknown_codec(&coding)),
         None => Err(FilmError::Damaged { part: "strl" }),
     })
 }

@@ -60,6 +60,12 @@ pub(super) fn size(bytes: u64) -> String {
 }
 
 impl FilmError {
+    /// A coding by the name in the file, of which 40 characters are enough.
+    pub(super) fn unknown_codec(name: &[u8]) -> Self {
+        let printable = |&byte: &u8| if byte.is_ascii_graphic() { char::from(byte) } else { '?' };
+        Self::UnknownCodec(name.iter().take(40).map(printable).collect())
+    }
+
     /// What is wrong and what to do.
     pub fn words(&self) -> Words {
         match self {

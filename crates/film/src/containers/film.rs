@@ -102,9 +102,9 @@ impl Film {
     /// The time 0 is the start of the film as a player has it. The first frame may come later: where an edit list begins with a
     /// pause, or where the container has no edit list and frames are decoded in another order than they are shown.
     pub fn shown(&self) -> Vec<usize> {
-        let mut shown: Vec<usize> = (0..self.samples.len()).filter(|&at| self.samples[at].shown).collect();
-        shown.sort_by_key(|&at| self.samples[at].ticks);
-        shown
+        let mut order = order(&self.samples);
+        order.retain(|&at| self.samples[at].shown);
+        order
     }
 
     /// The times of the frames that are shown, in seconds, in order.
@@ -139,6 +139,13 @@ impl Samples {
             self.lost += 1;
         }
     }
+}
+
+/// The places of frames in the order of their times.
+pub(super) fn order(samples: &[Sample]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..samples.len()).collect();
+    order.sort_by_key(|&at| samples[at].ticks);
+    order
 }
 
 /// Two numbers in lowest terms, if neither is 0.

@@ -51,11 +51,7 @@ fn track(content: &[u8]) -> Result<Track, FilmError> {
         (b"V_MJPEG", _) => Some(Codec::jpeg()),
         (b"V_MS/VFW/FOURCC", Some(header)) if header.get(16..20) == Some(b"MJPG") => Some(Codec::jpeg()),
         (b"V_MPEG4/ISO/AVC" | b"V_MPEGH/ISO/HEVC" | b"V_AV1", None) => None,
-        _ => {
-            return Err(FilmError::UnknownCodec(
-                name.iter().take(40).copied().collect::<Vec<u8>>().escape_ascii().to_string(),
-            ));
-        }
+        _ => return Err(FilmError::unknown_codec(name)),
     };
     let codec = codec.ok_or(FilmError::Damaged { part: "CodecPrivate" })?;
     let pixels = |id| find(video, id).and_then(unsigned).and_then(|value| u32::try_from(value).ok());

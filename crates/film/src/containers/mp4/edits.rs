@@ -2,7 +2,7 @@
 
 use super::super::FilmError;
 use super::super::bytes::Bytes;
-use super::super::film::Sample;
+use super::super::film::{Sample, order};
 use super::boxes::{rows, version_and_flags};
 
 /// More edits than any camera or editor of phones writes; each costs a pass over the frames.
@@ -47,21 +47,22 @@ pub(super) fn edits(content: &[u8]) -> Result<Vec<Edit>, FilmError> {
 /// is shown in the first of them.
 pub(super) fn apply(edits: &[Edit], movie: u32, media: u32, samples: &mut [Sample]) -> bool {
     let Some(first) = edits.iter().find(|edit| edit.media >= 0) else { return false };
-    let to_media = |ticks: u128| {
-        let exact = ticks.saturating_mul(media.into()).saturating_add(u128::from(movie) / 2) / u128::from(movie.max(1));
-        i64::try_from(exact).unwrap_or(i64::MAX)
+    let to_media = |ticks: u64| {
+        let (movie, media) = (u64::from(movie.max(1)), u64::from(media));
+        let rest = (ticks % movie * media + movie / 2) / movie;
+        i64::try_from((ticks / movie).saturating_mul(media).saturating_add(rest)).unwrap_or(i64::MAX)
     };
-    let mut order: Vec<usize> = (0..samples.len()).collect();
-    order.sort_by_key(|&at| samples[at].ticks);
+    let order = order(samples);
     let compositions: Vec<i64> = order.iter().map(|&at| samples[at].ticks).collect();
-    let pause = edits.iter().take_while(|edit| edit.media < 0).map(|edit| u128::from(edit.duration)).sum();
+    let pause =
+        edits.iter().take_while(|edit| edit.media < 0).fold(0_u64, |sum, edit| sum.saturating_add(edit.duration));
     for sample in samples.iter_mut() {
         sample.shown = false;
         sample.ticks = sample.ticks.saturating_sub(first.media).saturating_add(to_media(pause));
     }
-    let (mut start, mut other_rate) = (0_u128, false);
+    let (mut start, mut other_rate) = (0_u64, false);
     for edit in edits {
-        let mut lasts = u128::from(edit.duration);
+        let mut lasts = edit.duration;
         let range = match edit.rate {
             _ if edit.media < 0 => 0..0,
             0 => {
@@ -71,7 +72,7 @@ pub(super) fn apply(edits: &[Edit], movie: u32, media: u32, samples: &mut [Sampl
             rate => {
                 if rate > 0 && rate != NORMAL {
                     other_rate = true;
-                    lasts = lasts * u128::from(rate.unsigned_abs()) / u128::from(NORMAL.unsigned_abs());
+                    lasts = lasts.saturating_mul(rate.unsigned_abs().into()) >> 16;
                 }
                 let end = if lasts == 0 { i64::MAX } else { edit.media.saturating_add(to_media(lasts)) };
                 let from = compositions.partition_point(|&ticks| ticks < edit.media);

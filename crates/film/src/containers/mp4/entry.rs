@@ -38,7 +38,7 @@ pub(super) fn entry(content: &[u8]) -> Result<Entry, FilmError> {
         b"jpeg" | b"mjpg" => Some(Codec::jpeg()),
         b"mp4v" if find(boxes, b"esds").and_then(object_type) == Some(OBJECT_JPEG) => Some(Codec::jpeg()),
         b"encv" | b"drmi" => return Err(FilmError::Encrypted),
-        _ => return Err(FilmError::UnknownCodec(kind.escape_ascii().to_string())),
+        _ => return Err(FilmError::unknown_codec(&kind)),
     };
     let pixel_aspect = find(boxes, b"pasp").and_then(|content| {
         let mut content = Bytes(content);

@@ -88,7 +88,7 @@ pub(super) fn samples(tables: &[u8], file: u64) -> Result<(Samples, i64), FilmEr
     let table = |kind: &[u8; 4], row, part| find(tables, kind).map(|content| rows(content, row, part)).transpose();
     let mut durations = Runs::new(table(b"stts", 8, "stts")?.ok_or(FilmError::Damaged { part: "stts" })?);
     let mut offsets = Runs::new(table(b"ctts", 8, "ctts")?.unwrap_or_default());
-    let keys = table(b"stss", 4, "stss")?.map(numbers);
+    let mut keys = table(b"stss", 4, "stss")?.map(Bytes);
     let mut groups = Bytes(table(b"stsc", 12, "stsc")?.unwrap_or_default());
     let (chunks, wide) = match table(b"stco", 4, "stco")? {
         Some(chunks) => (chunks, false),
@@ -112,8 +112,7 @@ pub(super) fn samples(tables: &[u8], file: u64) -> Result<(Samples, i64), FilmEr
             number += 1;
             // Writers put negative offsets also into tables of version 0, which has none.
             let ticks = decoding + i64::from(offsets.next().cast_signed());
-            let key =
-                keys.as_ref().is_none_or(|keys| u32::try_from(number).is_ok_and(|n| keys.binary_search(&n).is_ok()));
+            let key = keys.as_mut().is_none_or(|keys| is_listed(keys, number));
             samples.add(Sample { offset, size, ticks, key, shown: true }, file);
             decoding += i64::from(durations.next());
             offset = offset.saturating_add(size.into());
@@ -124,10 +123,11 @@ pub(super) fn samples(tables: &[u8], file: u64) -> Result<(Samples, i64), FilmEr
     Ok((samples, decoding))
 }
 
-/// The numbers of a table, sorted.
-fn numbers(rows: &[u8]) -> Vec<u32> {
-    let mut bytes = Bytes(rows);
-    let mut numbers: Vec<u32> = std::iter::from_fn(|| bytes.u32()).collect();
-    numbers.sort_unstable();
-    numbers
+/// Whether the next numbers of a sorted table have this one among them, counted from 1.
+fn is_listed(numbers: &mut Bytes<'_>, number: usize) -> bool {
+    let next = |numbers: &Bytes<'_>| Bytes(numbers.0).u32().and_then(|next| usize::try_from(next).ok());
+    while next(numbers).is_some_and(|next| next < number) {
+        numbers.u32();
+    }
+    next(numbers) == Some(number)
 }

@@ -67,6 +67,22 @@ impl Codec {
         Some(Self { coding: Coding::H264, name, description: record.to_vec() })
     }
 
+    /// H.264 of unknown profile, until a frame tells it.
+    pub(super) fn h264_without_record() -> Self {
+        Self::of(Coding::H264, "avc1")
+    }
+
+    /// H.264 by the start of a frame, where there is no record: browsers record Matroska so. The parameters then stand before
+    /// each key frame, behind a start code (Rec. ITU-T H.264, 7.3.2.1.1 and B.1).
+    pub(super) fn h264_of_frame(start: &[u8]) -> Option<Self> {
+        start.windows(7).find_map(|window| match window {
+            [0, 0, 1, unit, profile, compatibility, level] if unit & 0x1f == 7 => {
+                Some(Self::of(Coding::H264, format!("avc1.{profile:02x}{compatibility:02x}{level:02x}")))
+            }
+            _ => None,
+        })
+    }
+
     /// HEVC as `entry`, `hvc1` or `hev1`, with the record `hvcC` (ISO/IEC 14496-15, 8.3.3.1; the string: E.3).
     pub(super) fn hevc(entry: &str, record: &[u8]) -> Option<Self> {
         let mut bytes = Bytes(record);
@@ -115,9 +131,10 @@ impl Codec {
 
     /// VP9 by the first byte of a frame: its profile stands there (VP9 Bitstream Specification, 6.2). Profiles from 2 on have ten
     /// bits or twelve.
-    pub(super) fn vp9_of_frame(first: u8) -> Self {
+    pub(super) fn vp9_of_frame(start: &[u8]) -> Option<Self> {
+        let first = *start.first()?;
         let profile = (first >> 5 & 1) | (first >> 3 & 2);
-        Self::vp9(profile, 0, if profile < 2 { 8 } else { 10 })
+        Some(Self::vp9(profile, 0, if profile < 2 { 8 } else { 10 }))
     }
 
     /// AV1 with the record `av1C` (AV1 Codec ISO Media File Format Binding, 2.3.3).
@@ -148,8 +165,10 @@ mod tests {
         assert_eq!(Codec::hevc("hev1", &ten_bits).unwrap().name, "hev1.2.4.H153.b0.0.1");
         assert_eq!(Codec::vp9_of_box(&[1, 0, 0, 0, 2, 31, 0xa2, 9]).unwrap().name, "vp09.02.31.10");
         assert_eq!(Codec::vp9_of_features(&[1, 1, 0, 2, 1, 21, 3, 1, 8, 4, 1, 1]).name, "vp09.00.21.08");
-        assert_eq!(Codec::vp9_of_frame(0x82).name, "vp09.00.10.08");
-        assert_eq!(Codec::vp9_of_frame(0x92).name, "vp09.02.10.10");
+        assert_eq!(Codec::vp9_of_frame(&[0x82]).unwrap().name, "vp09.00.10.08");
+        assert_eq!(Codec::vp9_of_frame(&[0x92]).unwrap().name, "vp09.02.10.10");
+        let frame = [0, 0, 0, 1, 9, 0xf0, 0, 0, 0, 1, 0x67, 0x42, 0xc0, 0x0c, 0xda];
+        assert_eq!(Codec::h264_of_frame(&frame).unwrap().name, "avc1.42c00c");
         assert_eq!(Codec::av1(&[0x81, 0x08, 0x0c, 0]).unwrap().name, "av01.0.08M.08");
         assert_eq!(Codec::av1(&[0x81, 0x4d, 0xe0, 0]).unwrap().name, "av01.2.13H.12");
         assert_eq!((Codec::h264("avc1", &[1, 2]), Codec::hevc("hvc1", &[1]), Codec::av1(&[])), (None, None, None));

@@ -1,6 +1,6 @@
 //! Matroska and AVI files made here: live ones, groups of blocks, indexes.
 
-use crate::support::{bytes, open};
+use crate::support::{bytes, open, open_of_size};
 use film::containers::{Container, FilmError, Notice};
 
 /// A part of the content of an element.
@@ -83,6 +83,34 @@ fn live_films() {
     );
     assert!((film.stated_rate.unwrap() - 30.0).abs() < 1e-3);
     assert_eq!(film.shown(), [2, 0, 1, 3]);
+}
+
+/// As browsers record H.264 in Matroska: the parameters stand in the frames.
+#[test]
+fn h264_without_a_record() {
+    let frame = [0, 0, 0, 1, 0x67, 0x42, 0xc0, 0x0c, 0xda, 0x0f];
+    let block = [&[0x81, 0, 0, 0x80][..], &frame].concat();
+    let clusters = |block| vec![Known(0x1f43_b675, vec![Bytes(0xe7, vec![0]), Bytes(0xa3, block)])];
+    let track = || track(b"V_MPEG4/ISO/AVC", vec![], vec![]);
+    let codec = open(&film(track(), clusters(block))).unwrap().codec;
+    assert_eq!((codec.name.as_str(), codec.description.len()), ("avc1.42c00c", 0));
+    let error = open(&film(track(), clusters(vec![0x81, 0, 0, 0x80, 1, 2, 3]))).unwrap_err();
+    assert_eq!(error, FilmError::Damaged { part: "CodecPrivate" });
+}
+
+/// Blocks far apart are found by separate requests, of which none reads what lies between.
+#[test]
+fn large_blocks_are_passed_over() {
+    let far = || Bytes(0xec, vec![0; 300_000]);
+    let block = |time| Bytes(0xa3, block(time, 0x80));
+    let blocks = (0..20).flat_map(|n| [block(33 * n), far()]).collect::<Vec<_>>();
+    let mut cluster = vec![Bytes(0xe7, vec![0])];
+    cluster.extend(blocks);
+    let file = film(track(VP9, vec![], vec![]), vec![Live(0x1f43_b675, cluster)]);
+    let reading = open_of_size(&file, file.len() as u64);
+    let film = reading.result.unwrap();
+    assert_eq!((film.samples.len(), film.samples[19].ticks), (20, 627_000_000));
+    assert!(reading.requests > 15 && reading.bytes < 200_000, "{} {}", reading.requests, reading.bytes);
 }
 
 #[test]
@@ -171,6 +199,28 @@ fn avi_films_are_found_by_every_index() {
     open_dml.extend(part);
     assert_eq!(open(&open_dml).unwrap().samples, whole.samples, "OpenDML");
     assert_eq!(frames_kept, b"movi");
+}
+
+/// Frames far apart, without an index.
+#[test]
+fn avi_films_are_walked_by_headers() {
+    let file = bytes("mjpeg.avi");
+    let whole = open(&file).unwrap();
+    let mut far = file[..place(&file, b"movi") + 4].to_vec();
+    for sample in &whole.samples {
+        let frame = &file[sample.offset as usize..][..sample.size as usize];
+        for (id, content) in [(b"00dc", frame), (b"JUNK", &vec![0; 200_000][..])] {
+            far.extend([&id[..], &(content.len() as u32).to_le_bytes(), content].concat());
+            far.resize(far.len() + far.len() % 2, 0);
+        }
+    }
+    let list = far.len() as u32 - (place(&far, b"movi") as u32 - 4);
+    let at = place(&far, b"movi") - 4;
+    far[at..at + 4].copy_from_slice(&list.to_le_bytes());
+    let reading = open_of_size(&far, far.len() as u64);
+    let film = reading.result.unwrap();
+    assert_eq!(film.times(), whole.times());
+    assert!(reading.requests > 10 && reading.bytes < 200_000, "{} {}", reading.requests, reading.bytes);
 }
 
 /// A camera writes an empty chunk where it missed a frame; the times of the others stay.

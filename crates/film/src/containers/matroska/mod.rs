@@ -29,8 +29,8 @@ const DENSE: u64 = 1 << 20;
 const SPARSE: u64 = 4 << 10;
 /// A block of more bytes is large.
 const LARGE: u64 = 32 << 10;
-/// Of a block, the number of its track, its time, its flags and its first byte are read.
-const BLOCK_START: u64 = 12;
+/// Of a block, the number of its track, its time and its flags are read, and the start of its frame.
+const BLOCK_START: u64 = 64;
 /// Seconds from the start of 1970 to that of 2001, from which dates count.
 const TO_2001: i64 = 978_307_200;
 
@@ -153,11 +153,10 @@ impl Matroska {
         if self.samples.list.len() >= MOST_SAMPLES {
             return Err(FilmError::TooLarge);
         }
-        if track.ask_frame
-            && let Some(&first) = bytes.0.first()
+        if !bytes.0.is_empty()
+            && let Some(codec) = track.ask_frame.take()
         {
-            track.codec = super::Codec::vp9_of_frame(first);
-            track.ask_frame = false;
+            track.codec = codec(bytes.0).ok_or(FilmError::Damaged { part: "CodecPrivate" })?;
         }
         let read = (start.len() - bytes.0.len()) as u64;
         let ticks = i64::try_from(self.cluster).unwrap_or(i64::MAX).saturating_add(time.cast_signed().into());

@@ -5,13 +5,16 @@ use super::super::codec::Codec;
 use super::super::film::{Orientation, lowest_terms};
 use super::ebml::{Elements, find, float, unsigned};
 
+/// Finds the codec by the start of a frame.
+type ByFrame = fn(&[u8]) -> Option<Codec>;
+
 /// What is known of the track whose frames are read.
 #[derive(Debug)]
 pub(super) struct Track {
     pub(super) number: u64,
     pub(super) codec: Codec,
-    /// Whether the profile is not stated, so that the first frame tells it.
-    pub(super) ask_frame: bool,
+    /// Where the file does not state the profile, the first frame is asked.
+    pub(super) ask_frame: Option<ByFrame>,
     pub(super) size: [u32; 2],
     pub(super) pixel_aspect: [u32; 2],
     /// `None` for an angle other than quarter turns.
@@ -37,20 +40,24 @@ fn track(content: &[u8]) -> Result<Track, FilmError> {
     let name = find(content, 0x86).unwrap_or_default();
     let name = name.split(|&byte| byte == 0).next().unwrap_or_default();
     let record = find(content, 0x63a2);
-    let mut ask_frame = false;
+    let mut ask_frame = None::<ByFrame>;
     let codec = match (name, record) {
         (b"V_MPEG4/ISO/AVC", Some(record)) => Codec::h264("avc1", record),
+        (b"V_MPEG4/ISO/AVC", None) => {
+            ask_frame = Some(Codec::h264_of_frame);
+            Some(Codec::h264_without_record())
+        }
         (b"V_MPEGH/ISO/HEVC", Some(record)) => Codec::hevc("hvc1", record),
         (b"V_VP8", _) => Some(Codec::vp8()),
         (b"V_VP9", Some(features)) if !features.is_empty() => Some(Codec::vp9_of_features(features)),
         (b"V_VP9", _) => {
-            ask_frame = true;
+            ask_frame = Some(Codec::vp9_of_frame);
             Some(Codec::vp9(0, 0, 8))
         }
         (b"V_AV1", Some(record)) => Codec::av1(record),
         (b"V_MJPEG", _) => Some(Codec::jpeg()),
         (b"V_MS/VFW/FOURCC", Some(header)) if header.get(16..20) == Some(b"MJPG") => Some(Codec::jpeg()),
-        (b"V_MPEG4/ISO/AVC" | b"V_MPEGH/ISO/HEVC" | b"V_AV1", None) => None,
+        (b"V_MPEGH/ISO/HEVC" | b"V_AV1", None) => None,
         _ => return Err(FilmError::unknown_codec(name)),
     };
     let codec = codec.ok_or(FilmError::Damaged { part: "CodecPrivate" })?;

@@ -34,6 +34,8 @@ struct Header {
     base_is_fragment: bool,
 }
 
+/// More tracks than any film has. Each fragment looks through them.
+const MOST_TRACKS: usize = 100;
 /// Flags of a frame: decoding cannot begin with it.
 const NOT_A_KEY: u32 = 0x1_0000;
 
@@ -47,7 +49,7 @@ impl Fragments {
             bytes.take(4)?;
             Some((track, Defaults { duration: bytes.u32()?, size: bytes.u32()?, flags: bytes.u32()? }))
         });
-        Self { track, defaults: defaults.collect(), decoding, listed: 0 }
+        Self { track, defaults: defaults.take(MOST_TRACKS).collect(), decoding, listed: 0 }
     }
 
     /// Adds the frames of a `moof` that begins at `start` in a file of `file` bytes.

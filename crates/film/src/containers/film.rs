@@ -97,6 +97,14 @@ impl Film {
         ticks as f64 / f64::from(self.timescale)
     }
 
+    /// Width and height of the upright picture with square pixels, as wide as it is decoded or wider.
+    pub fn display_size(&self) -> [f64; 2] {
+        let ([width, height], [across, down]) = (self.size.map(f64::from), self.pixel_aspect.map(f64::from));
+        let stretch = across / down;
+        let size = if stretch >= 1.0 { [width * stretch, height] } else { [width, height / stretch] };
+        self.orientation.upright_size(size)
+    }
+
     /// The places in `samples` of the frames that are shown, in the order in which they are.
     ///
     /// The time 0 is the start of the film as a player has it. The first frame may come later: where an edit list begins with a

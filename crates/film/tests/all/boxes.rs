@@ -161,12 +161,41 @@ fn edit_lists() {
 #[test]
 fn aspect_and_angle() {
     let mut made = Made::new();
-    made.pixel_aspect = [64, 48];
+    made.pixel_aspect = [66, 44];
     made.matrix = [0, -(1 << 16), 0, -(1 << 16), 0, 0, 0, 0, 1 << 30];
     let film = open(&made.file()).unwrap();
-    assert_eq!((film.pixel_aspect, film.orientation.quarter_turns, film.orientation.mirrored), ([4, 3], 1, true));
+    assert_eq!((film.pixel_aspect, film.orientation.quarter_turns, film.orientation.mirrored), ([3, 2], 1, true));
+    assert_eq!(film.display_size(), [360.0, 960.0]);
     made.matrix = [46341, 46341, 0, -46341, 46341, 0, 0, 0, 1 << 30];
     assert_eq!(open(&made.file()).unwrap().notices, [Notice::Skewed]);
+}
+
+/// QuickTime and MP4 write `meta` in two ways, at two places, and the number in several types.
+#[test]
+fn capture_rates() {
+    let handler = boxed(b"hdlr", &[&words(&[0, 0]), b"mdta", &[0; 13]]);
+    let names: [&[u8]; 2] = [b"com.android.version", b"com.android.capture.fps"];
+    let names: Vec<u8> = names.iter().flat_map(|name| boxed(b"mdta", &[name])).collect();
+    let names = boxed(b"keys", &[&words(&[0, 2]), &names]);
+    let written = |kind: i64, value: &[u8]| {
+        let value = boxed(b"data", &[&words(&[kind, 0]), value]);
+        [handler.clone(), names.clone(), boxed(b"ilst", &[&boxed(&2_u32.to_be_bytes(), &[&value])])].concat()
+    };
+    let rate = |movie: Vec<u8>| open(&Made { movie, ..Made::new() }.file()).unwrap().capture_rate;
+    let float = written(23, &240.0_f32.to_be_bytes());
+    for (boxes, expected) in [
+        (float.clone(), Some(240.0)),
+        (written(24, &119.88_f64.to_be_bytes()), Some(119.88)),
+        (written(22, &120_u32.to_be_bytes()), Some(120.0)),
+        (written(1, b"960.0"), Some(960.0)),
+        (written(23, &f32::NAN.to_be_bytes()), None),
+        (written(23, &(-1.0_f32).to_be_bytes()), None),
+        (written(99, b"240"), None),
+    ] {
+        assert_eq!(rate(boxed(b"meta", &[&boxes])), expected);
+    }
+    assert_eq!(rate(boxed(b"meta", &[&[0; 4], &float])), Some(240.0), "with version and flags");
+    assert_eq!(rate(boxed(b"udta", &[&boxed(b"meta", &[&[0; 4], &float])])), Some(240.0), "in udta");
 }
 
 #[test]

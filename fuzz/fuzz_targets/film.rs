@@ -22,7 +22,7 @@ fuzz_target!(|bytes: &[u8]| {
     };
     match result {
         Ok(film) => {
-            assert!(!film.samples.is_empty() && film.samples.len() <= 2 * MOST_SAMPLES);
+            assert!(!film.samples.is_empty() && film.samples.len() <= MOST_SAMPLES);
             let inside = |offset: u64, size: u32| size > 0 && offset + u64::from(size) <= bytes.len() as u64;
             assert!(film.samples.iter().all(|sample| inside(sample.offset, sample.size)));
             assert!(film.notices.iter().all(|notice| !notice.words().is_empty()));

@@ -40,8 +40,8 @@ const MOST_TRACKS: usize = 100;
 const NOT_A_KEY: u32 = 0x1_0000;
 
 impl Fragments {
-    /// Begins with the content of `mvex`, for a track, after its frames in `moov`.
-    pub(super) fn new(content: &[u8], track: u32, decoding: i64) -> Self {
+    /// Begins with the content of `mvex`, for a track of which `moov` lists so many frames, up to a decoding time.
+    pub(super) fn new(content: &[u8], track: u32, listed: usize, decoding: i64) -> Self {
         let defaults = Boxes(content).filter(|(kind, _)| kind == b"trex").filter_map(|(_, content)| {
             let mut bytes = Bytes(content);
             bytes.take(4)?;
@@ -49,7 +49,7 @@ impl Fragments {
             bytes.take(4)?;
             Some((track, Defaults { duration: bytes.u32()?, size: bytes.u32()?, flags: bytes.u32()? }))
         });
-        Self { track, defaults: defaults.take(MOST_TRACKS).collect(), decoding, listed: 0 }
+        Self { track, defaults: defaults.take(MOST_TRACKS).collect(), decoding, listed }
     }
 
     /// Adds the frames of a `moof` that begins at `start` in a file of `file` bytes.

@@ -168,7 +168,7 @@ impl Movie {
             created,
             notices,
         };
-        let fragments = find(content, b"mvex").map(|content| Fragments::new(content, track.id, decoding));
+        let fragments = find(content, b"mvex").map(|content| Fragments::new(content, track.id, track.count, decoding));
         Ok(Self { film, samples, edits: track.edits, timescale: header.timescale, fragments })
     }
 }

@@ -1,4 +1,4 @@
-//! Writes what fuzzing begins with: the simulations with their translations as documents, as bundles and, block by block, as models.
+//! Writes what fuzzing begins with: the simulations with their translations as documents, as bundles and, block by block, as models; and the films of the tests.
 //! `cargo run --manifest-path fuzz/Cargo.toml --bin seeds`
 
 use std::path::{Path, PathBuf};
@@ -6,7 +6,7 @@ use std::{fs, io};
 
 fn main() -> io::Result<()> {
     let fuzz = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for target in ["bundle", "document", "language"] {
+    for target in ["bundle", "document", "film", "language"] {
         fs::create_dir_all(fuzz.join("corpus").join(target))?;
     }
     let write = |target: &str, name: &str, bytes: &[u8]| fs::write(fuzz.join("corpus").join(target).join(name), bytes);
@@ -32,6 +32,12 @@ fn main() -> io::Result<()> {
         let text = fs::read_to_string(&path)?;
         write("language", &name, text.as_bytes())?;
         write("document", &name, format!("```model\n{text}```\n").as_bytes())?;
+    }
+    for path in files(&fuzz.join("../crates/film/tests/films"))? {
+        if path.extension().is_some_and(|kind| kind != "csv" && kind != "sh") {
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            write("film", &name, &fs::read(&path)?)?;
+        }
     }
     Ok(())
 }

@@ -4,6 +4,8 @@
 //! Nothing here decodes pictures. Whoever can (a browser, `ffmpeg`) hands over each frame as a [`Plane`] of grey values
 //! together with its presentation time.
 
+pub mod containers;
 mod plane;
+pub mod timing;
 
 pub use plane::Plane;

@@ -1,0 +1,176 @@
+//! How frames are coded, in the words that a decoder of the browser wants (W3C, WebCodecs Codec Registry).
+
+use super::bytes::Bytes;
+use std::fmt::Write;
+
+/// A way of coding frames.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coding {
+    /// H.264 (AVC).
+    H264,
+    /// H.265 (HEVC).
+    Hevc,
+    /// VP8.
+    Vp8,
+    /// VP9.
+    Vp9,
+    /// AV1.
+    Av1,
+    /// A JPEG picture for each frame (Motion JPEG).
+    Jpeg,
+}
+
+impl Coding {
+    /// Its name for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::H264 => "H.264",
+            Self::Hevc => "HEVC (H.265)",
+            Self::Vp8 => "VP8",
+            Self::Vp9 => "VP9",
+            Self::Av1 => "AV1",
+            Self::Jpeg => "Motion JPEG",
+        }
+    }
+}
+
+/// What a decoder is configured with.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Codec {
+    /// The way of coding.
+    pub coding: Coding,
+    /// The codec string, such as `avc1.64001f`; for Motion JPEG, which has an image decoder, the type `image/jpeg`.
+    pub name: String,
+    /// The `description` of WebCodecs: the record `avcC` or `hvcC`; empty for codings without one.
+    pub description: Vec<u8>,
+}
+
+impl Codec {
+    fn of(coding: Coding, name: impl Into<String>) -> Self {
+        Self { coding, name: name.into(), description: Vec::new() }
+    }
+
+    /// Motion JPEG.
+    pub(super) fn jpeg() -> Self {
+        Self::of(Coding::Jpeg, "image/jpeg")
+    }
+
+    /// VP8.
+    pub(super) fn vp8() -> Self {
+        Self::of(Coding::Vp8, "vp8")
+    }
+
+    /// H.264 as `entry`, `avc1` or `avc3`, with the record `avcC` (ISO/IEC 14496-15, 5.3.3.1).
+    pub(super) fn h264(entry: &str, record: &[u8]) -> Option<Self> {
+        let [1, profile, compatibility, level, ..] = record else { return None };
+        let name = format!("{entry}.{profile:02x}{compatibility:02x}{level:02x}");
+        Some(Self { coding: Coding::H264, name, description: record.to_vec() })
+    }
+
+    /// H.264 of unknown profile, until a frame tells it.
+    pub(super) fn h264_without_record() -> Self {
+        Self::of(Coding::H264, "avc1")
+    }
+
+    /// H.264 by the start of a frame, where there is no record: browsers record Matroska so. The parameters then stand before
+    /// each key frame, behind a start code (Rec. ITU-T H.264, 7.3.2.1.1 and B.1).
+    pub(super) fn h264_of_frame(start: &[u8]) -> Option<Self> {
+        start.windows(7).find_map(|window| match window {
+            [0, 0, 1, unit, profile, compatibility, level] if unit & 0x1f == 7 => {
+                Some(Self::of(Coding::H264, format!("avc1.{profile:02x}{compatibility:02x}{level:02x}")))
+            }
+            _ => None,
+        })
+    }
+
+    /// HEVC as `entry`, `hvc1` or `hev1`, with the record `hvcC` (ISO/IEC 14496-15, 8.3.3.1; the string: E.3).
+    pub(super) fn hevc(entry: &str, record: &[u8]) -> Option<Self> {
+        let mut bytes = Bytes(record);
+        bytes.u8()?;
+        let general = bytes.u8()?;
+        let compatibility = bytes.u32()?.reverse_bits();
+        let constraints = bytes.take(6)?;
+        let level = bytes.u8()?;
+        let space = ["", "A", "B", "C"].get(usize::from(general >> 6))?;
+        let tier = if general & 0x20 == 0 { 'L' } else { 'H' };
+        let mut name = format!("{entry}.{space}{}.{compatibility:x}.{tier}{level}", general & 0x1f);
+        let last = constraints.iter().rposition(|&byte| byte != 0).map_or(0, |at| at + 1);
+        for byte in constraints.iter().take(last) {
+            write!(name, ".{byte:x}").ok()?;
+        }
+        Some(Self { coding: Coding::Hevc, name, description: record.to_vec() })
+    }
+
+    /// VP9 of this profile, level (ten times its number; 0 if not known) and bit depth.
+    pub(super) fn vp9(profile: u8, level: u8, depth: u8) -> Self {
+        let level = if level == 0 { 10 } else { level };
+        Self::of(Coding::Vp9, format!("vp09.{profile:02}.{level:02}.{depth:02}"))
+    }
+
+    /// VP9 with the box `vpcC` (VP Codec ISO Media File Format Binding, version 1).
+    pub(super) fn vp9_of_box(content: &[u8]) -> Option<Self> {
+        let [_, _, _, _, profile, level, depth, ..] = content else { return None };
+        Some(Self::vp9(*profile, *level, depth >> 4))
+    }
+
+    /// VP9 with the private data of WebM: features as number, length, value (WebM Container Guidelines).
+    pub(super) fn vp9_of_features(content: &[u8]) -> Self {
+        let (mut profile, mut level, mut depth) = (0, 0, 8);
+        let mut bytes = Bytes(content);
+        while let Some((feature, length)) = bytes.u8().zip(bytes.u8()) {
+            match (feature, bytes.take(usize::from(length))) {
+                (1, Some(&[value])) => profile = value,
+                (2, Some(&[value])) => level = value,
+                (3, Some(&[value])) => depth = value,
+                (_, Some(_)) => {}
+                (_, None) => break,
+            }
+        }
+        Self::vp9(profile, level, depth)
+    }
+
+    /// VP9 by the first byte of a frame: its profile stands there (VP9 Bitstream Specification, 6.2). Profiles from 2 on have ten
+    /// bits or twelve.
+    pub(super) fn vp9_of_frame(start: &[u8]) -> Option<Self> {
+        let first = *start.first()?;
+        let profile = (first >> 5 & 1) | (first >> 3 & 2);
+        Some(Self::vp9(profile, 0, if profile < 2 { 8 } else { 10 }))
+    }
+
+    /// AV1 with the record `av1C` (AV1 Codec ISO Media File Format Binding, 2.3.3).
+    pub(super) fn av1(record: &[u8]) -> Option<Self> {
+        let [_, sequence, depth, ..] = record else { return None };
+        let tier = if depth & 0x80 == 0 { 'M' } else { 'H' };
+        let bits = match (depth & 0x40 != 0, depth & 0x20 != 0) {
+            (false, _) => 8,
+            (true, false) => 10,
+            (true, true) => 12,
+        };
+        Some(Self::of(Coding::Av1, format!("av01.{}.{:02}{tier}.{bits:02}", sequence >> 5, sequence & 0x1f)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// RFC 6381, the specifications named above, and what `MediaInfo` prints for such records.
+    #[test]
+    fn codec_strings() {
+        let avc = Codec::h264("avc1", &[1, 0x64, 0, 0x1f, 0xff, 0xe1]).unwrap();
+        assert_eq!((avc.name.as_str(), avc.description.len()), ("avc1.64001f", 6));
+        let iphone = [1, 1, 0x60, 0, 0, 0, 0xb0, 0, 0, 0, 0, 0, 123];
+        assert_eq!(Codec::hevc("hvc1", &iphone).unwrap().name, "hvc1.1.6.L123.b0");
+        let ten_bits = [1, 0x22, 0x20, 0, 0, 0, 0xb0, 0, 1, 0, 0, 0, 153];
+        assert_eq!(Codec::hevc("hev1", &ten_bits).unwrap().name, "hev1.2.4.H153.b0.0.1");
+        assert_eq!(Codec::vp9_of_box(&[1, 0, 0, 0, 2, 31, 0xa2, 9]).unwrap().name, "vp09.02.31.10");
+        assert_eq!(Codec::vp9_of_features(&[1, 1, 0, 2, 1, 21, 3, 1, 8, 4, 1, 1]).name, "vp09.00.21.08");
+        assert_eq!(Codec::vp9_of_frame(&[0x82]).unwrap().name, "vp09.00.10.08");
+        assert_eq!(Codec::vp9_of_frame(&[0x92]).unwrap().name, "vp09.02.10.10");
+        let frame = [0, 0, 0, 1, 9, 0xf0, 0, 0, 0, 1, 0x67, 0x42, 0xc0, 0x0c, 0xda];
+        assert_eq!(Codec::h264_of_frame(&frame).unwrap().name, "avc1.42c00c");
+        assert_eq!(Codec::av1(&[0x81, 0x08, 0x0c, 0]).unwrap().name, "av01.0.08M.08");
+        assert_eq!(Codec::av1(&[0x81, 0x4d, 0xe0, 0]).unwrap().name, "av01.2.13H.12");
+        assert_eq!((Codec::h264("avc1", &[1, 2]), Codec::hevc("hvc1", &[1]), Codec::av1(&[])), (None, None, None));
+    }
+}

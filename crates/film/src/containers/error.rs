@@ -1,0 +1,143 @@
+//! Why a file is not opened as a film, and what to do.
+
+use super::codec::Coding;
+use super::limits::MOST_SAMPLES;
+use units::number::fixed;
+use units::{Language, Words, words};
+
+/// Why there is no film.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FilmError {
+    /// The file has no bytes.
+    Empty,
+    /// Its first bytes are those of no film.
+    NotAFilm,
+    /// An animated GIF: its times are rounded to hundredths of a second and often changed when it was made.
+    Gif,
+    /// A still picture.
+    Picture,
+    /// A film in a format that is not read, by its name.
+    OtherFormat(&'static str),
+    /// It holds no video: sound alone, or nothing.
+    NoVideo,
+    /// It holds a video without frames.
+    NoFrames,
+    /// The frames are encrypted.
+    Encrypted,
+    /// The frames are coded in a way that is not read, by the name that the file gives it.
+    UnknownCodec(String),
+    /// The program at hand has no decoder for this coding. The readers never return it; whoever decodes does.
+    NoDecoder(Coding),
+    /// The file ends before the list of its frames.
+    Truncated {
+        /// The size of the file in bytes.
+        bytes: u64,
+    },
+    /// A part of the file contradicts itself.
+    Damaged {
+        /// The name that the format gives the part.
+        part: &'static str,
+    },
+    /// The frames are compressed once more, or several stand in one block; no camera does so.
+    Packed,
+    /// The film has more frames, or a longer list of them, than are read.
+    TooLarge,
+}
+
+/// How to make a film that opens.
+const CONVERT: Words = words(
+    "convert it to MP4 with H.264 without changing its times, for instance with `ffmpeg -i FILM -fps_mode passthrough -c:v libx264 FILM.mp4`",
+    "conviértalo a MP4 con H.264 sin cambiar sus tiempos, por ejemplo con `ffmpeg -i VIDEO -fps_mode passthrough -c:v libx264 VIDEO.mp4`",
+);
+
+/// Bytes for people: `1.5 MB`.
+pub(super) fn size(bytes: u64) -> String {
+    match bytes {
+        0..1_000 => format!("{bytes} B"),
+        1_000..1_000_000 => format!("{} kB", bytes / 1_000),
+        _ => format!("{} MB", fixed(bytes as f64 / 1e6, 0, Language::English.style())),
+    }
+}
+
+impl FilmError {
+    /// A coding by the name in the file, of which 40 characters are enough.
+    pub(super) fn unknown_codec(name: &[u8]) -> Self {
+        let printable = |&byte: &u8| if byte.is_ascii_graphic() { char::from(byte) } else { '?' };
+        Self::UnknownCodec(name.iter().take(40).map(printable).collect())
+    }
+
+    /// What is wrong and what to do.
+    pub fn words(&self) -> Words {
+        match self {
+            Self::Empty => words("the file is empty; copy it again", "el archivo está vacío; cópielo de nuevo"),
+            Self::NotAFilm => words(
+                "the file is not a film; MP4, MOV, WebM, MKV and AVI are read",
+                "el archivo no es un vídeo; se leen MP4, MOV, WebM, MKV y AVI",
+            ),
+            Self::Gif => words(
+                "this is an animated GIF, whose times are rounded to 0.01 s; use the film that it was made from, or convert it to MP4 if there is none",
+                "es un GIF animado, cuyos tiempos están redondeados a 0,01 s; use el vídeo del que se hizo o, si no lo hay, conviértalo a MP4",
+            ),
+            Self::Picture => words(
+                "this is a picture, not a film; MP4, MOV, WebM, MKV and AVI are read",
+                "es una imagen, no un vídeo; se leen MP4, MOV, WebM, MKV y AVI",
+            ),
+            Self::OtherFormat(name) => {
+                words!(
+                    "{name} films are not read; {convert}",
+                    "no se leen vídeos {name}; {convert}",
+                    name = Words::same(*name),
+                    convert = CONVERT
+                )
+            }
+            Self::NoVideo => words(
+                "the file holds no video; if it is a sound recording, choose the film instead",
+                "el archivo no contiene vídeo; si es una grabación de sonido, elija el vídeo",
+            ),
+            Self::NoFrames => words(
+                "the video in the file has no frames; the recording was stopped at once or the file is cut off: copy or record it again",
+                "el vídeo del archivo no tiene fotogramas; la grabación se detuvo enseguida o el archivo está cortado: cópielo o grábelo de nuevo",
+            ),
+            Self::Encrypted => words(
+                "the film is encrypted and cannot be read; use a film of your own camera",
+                "el vídeo está cifrado y no se puede leer; use uno de su propia cámara",
+            ),
+            Self::UnknownCodec(name) => words!(
+                "the frames are coded as `{name}`, which is not read; {convert}",
+                "los fotogramas están codificados como «{name}», que no se lee; {convert}",
+                name = Words::same(name.clone()),
+                convert = CONVERT
+            ),
+            Self::NoDecoder(Coding::Hevc) => words(
+                "the film is coded in HEVC (H.265), which this browser cannot decode. iPhones film in HEVC unless Settings > Camera > Formats is set to Most Compatible: set it so and film again, or convert the film to MP4 with H.264",
+                "el vídeo está codificado en HEVC (H.265), que este navegador no puede decodificar. Los iPhone graban en HEVC salvo que en Ajustes > Cámara > Formatos se elija «Más compatible»: elíjalo y grabe de nuevo, o convierta el vídeo a MP4 con H.264",
+            ),
+            Self::NoDecoder(coding) => words!(
+                "the film is coded in {name}, which this browser cannot decode; {convert}",
+                "el vídeo está codificado en {name}, que este navegador no puede decodificar; {convert}",
+                name = Words::same(coding.name()),
+                convert = CONVERT
+            ),
+            Self::Truncated { bytes } => words!(
+                "the file ends after {} and before the list of its frames, without which they cannot be found; copy it again, or, if the recording was interrupted, repair it with a tool such as `untrunc`",
+                "el archivo termina tras {} y antes de la lista de sus fotogramas, sin la cual no se encuentran; cópielo de nuevo o, si la grabación se interrumpió, repárelo con una herramienta como `untrunc`",
+                size(*bytes)
+            ),
+            Self::Damaged { part } => words!(
+                "the file is damaged: its part `{part}` contradicts itself; copy it again, or {convert}",
+                "el archivo está dañado: su parte «{part}» se contradice; cópielo de nuevo o {convert}",
+                part = Words::same(*part),
+                convert = CONVERT
+            ),
+            Self::Packed => words!(
+                "the frames are packed in a way that is not read; {convert}",
+                "los fotogramas están empaquetados de un modo que no se lee; {convert}",
+                convert = CONVERT
+            ),
+            Self::TooLarge => words!(
+                "the film has more than {MOST_SAMPLES} frames; cut out the part that you need",
+                "el vídeo tiene más de {MOST_SAMPLES} fotogramas; recorte la parte que necesite"
+            ),
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! The intervals between the times of frames.
+
+use super::finding::Finding;
+
+/// An interval is a gap if it is longer by this factor than usual before it and behind it.
+const GAP: f64 = 1.5;
+/// So many intervals on each side tell what is usual.
+const AROUND: usize = 5;
+/// If more than this part of the intervals look like gaps, the film is irregular and has none.
+const MOST_GAPS: f64 = 0.2;
+/// Times nearer than this part of the median interval are the same.
+const SAME: f64 = 0.02;
+/// A rate varies if intervals spread by more than this part of their mean, and by more than rounding to milliseconds explains.
+const VARIABLE: f64 = 0.05;
+const ROUNDING: f64 = 0.6e-3;
+/// So many gaps are listed one by one.
+const LISTED_GAPS: usize = 5;
+
+/// Frames that are missing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gap {
+    /// The frame before, by its place in the order of showing.
+    pub after: usize,
+    /// Its time in seconds.
+    pub time: f64,
+    /// How many frames are missing, by the intervals around.
+    pub missing: usize,
+}
+
+/// What the times of the frames of a film are like.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Intervals {
+    /// Frames a second: one over the mean interval, gaps and doubled times left out.
+    pub rate: f64,
+    /// Standard deviation of these intervals, in seconds.
+    pub spread: f64,
+    /// The shortest and the longest of them, in seconds.
+    pub range: [f64; 2],
+    /// Where frames are missing.
+    pub gaps: Vec<Gap>,
+    /// Frames with the time of the frame before, by their places.
+    pub doubled: Vec<usize>,
+    /// The time of the first of these, in seconds.
+    doubled_at: f64,
+    /// Whether every time is a whole number of milliseconds, and the intervals differ for this alone.
+    pub rounded: bool,
+}
+
+impl Intervals {
+    /// Examines times in seconds, in order. `None` if there are not two different ones.
+    pub fn of(times: &[f64]) -> Option<Self> {
+        let all: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let positive: Vec<f64> = all.iter().copied().filter(|&interval| interval > 0.0).collect();
+        let usual = median(&positive)?;
+        let doubled: Vec<usize> = (1..times.len()).filter(|&at| all[at - 1] <= SAME * usual).collect();
+        // What a frame lasts, without those that share their time with the one before.
+        let lasting: Vec<(usize, f64)> =
+            all.iter().copied().enumerate().filter(|&(_, interval)| interval > SAME * usual).collect();
+        let gaps = gaps(&lasting, times);
+        let is_gap = |at: usize| gaps.binary_search_by_key(&at, |gap| gap.after).is_ok();
+        let regular: Vec<f64> = lasting.iter().filter(|&&(at, _)| !is_gap(at)).map(|&(_, interval)| interval).collect();
+        let count = regular.len() as f64;
+        let mean = regular.iter().sum::<f64>() / count;
+        if !(mean.is_finite() && mean > 0.0) {
+            return None;
+        }
+        let squares: f64 = regular.iter().map(|interval| (interval - mean) * (interval - mean)).sum();
+        let range = regular
+            .iter()
+            .fold([f64::INFINITY, 0.0_f64], |[low, high], &interval| [low.min(interval), high.max(interval)]);
+        let whole = times.iter().all(|time| (time * 1e3 - (time * 1e3).round()).abs() < 1e-4);
+        Some(Self {
+            rate: 1.0 / mean,
+            spread: if regular.len() < 2 { 0.0 } else { (squares / (count - 1.0)).sqrt() },
+            range,
+            gaps,
+            doubled_at: doubled.first().map_or(0.0, |&at| times[at]),
+            doubled,
+            rounded: whole && range[1] - range[0] > 0.5e-3 && range[1] - range[0] < 1.5e-3,
+        })
+    }
+
+    /// Whether the frame rate changes during the film.
+    pub fn is_variable(&self) -> bool {
+        self.spread > VARIABLE / self.rate && self.spread > ROUNDING
+    }
+
+    /// What a person should know, with the rate that the container states, if it does.
+    pub fn findings(&self, stated_rate: Option<f64>) -> Vec<Finding> {
+        let mut findings = vec![if self.is_variable() {
+            Finding::Variable { rate: self.rate, slowest: 1.0 / self.range[1], fastest: 1.0 / self.range[0] }
+        } else {
+            Finding::Rate { rate: self.rate, spread: self.spread }
+        }];
+        if self.rounded {
+            findings.push(Finding::Rounded);
+        }
+        findings.extend(
+            self.gaps.iter().take(LISTED_GAPS).map(|gap| Finding::Gap { missing: gap.missing, time: gap.time }),
+        );
+        if let Some(more) = self.gaps.get(LISTED_GAPS..).filter(|more| !more.is_empty()) {
+            findings.push(Finding::MoreGaps { gaps: more.len(), missing: more.iter().map(|gap| gap.missing).sum() });
+        }
+        if !self.doubled.is_empty() {
+            findings.push(Finding::Doubled { count: self.doubled.len(), time: self.doubled_at });
+        }
+        // The rate of a converted film is often stated in another way than its times have it.
+        if let Some(stated) = stated_rate.filter(|stated| (stated / self.rate - 1.0).abs() > 0.01) {
+            findings.push(Finding::Stated { stated, measured: self.rate });
+        }
+        findings
+    }
+}
+
+/// The gaps among intervals, each with the place of the frame before it.
+fn gaps(intervals: &[(usize, f64)], times: &[f64]) -> Vec<Gap> {
+    let middle = |part: &[(usize, f64)]| median(&part.iter().map(|&(_, interval)| interval).collect::<Vec<f64>>());
+    let found: Vec<Gap> = (0..intervals.len())
+        .filter_map(|at| {
+            let before = middle(&intervals[at.saturating_sub(AROUND)..at]);
+            let behind = middle(&intervals[at + 1..intervals.len().min(at + 1 + AROUND)]);
+            let usual = before.into_iter().chain(behind).reduce(f64::max)?;
+            let (after, interval) = intervals[at];
+            let missing = (interval / usual).round() - 1.0;
+            (interval > GAP * usual).then_some(Gap { after, time: times[after], missing: missing as usize })
+        })
+        .collect();
+    if found.len() as f64 > MOST_GAPS * intervals.len() as f64 { Vec::new() } else { found }
+}
+
+/// The median; `None` of nothing.
+fn median(values: &[f64]) -> Option<f64> {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let middle = sorted.len() / 2;
+    let upper = *sorted.get(middle)?;
+    Some(if sorted.len() % 2 == 1 { upper } else { (sorted[middle - 1] + upper) / 2.0 })
+}

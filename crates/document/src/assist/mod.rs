@@ -8,7 +8,7 @@ mod vocabulary;
 use crate::{Outline, scene};
 use model::Span;
 use names::names;
-use place::{Place, attribute_around, place, word_at};
+use place::{Place, attribute_around, attribute_at, place, word_at};
 use program::Program;
 use units::{QuantityName, Unit, Words, words};
 
@@ -83,9 +83,13 @@ pub fn complete(outline: &Outline, program: Option<&Program>, offset: usize) -> 
 
 /// What the word at `offset` means; `None` where no word of the language and no name stands.
 pub fn explain(outline: &Outline, program: Option<&Program>, offset: usize) -> Option<Explanation> {
-    let span = word_at(outline.source(), offset)?;
-    let word = &outline.source()[span.range()];
+    let source = outline.source();
+    let mut span = word_at(source, offset)?;
     let (place, _) = place(outline, span.end);
+    if let Place::Attribute(_) = place {
+        span = attribute_at(source, offset)?;
+    }
+    let word = &source[span.range()];
     let named = |list: &[vocabulary::Entry]| {
         list.iter().find(|(name, _)| *name == word).map(|(_, meaning)| words(meaning.0, meaning.1))
     };

@@ -62,17 +62,18 @@ pub fn place<'a>(outline: &Outline<'a>, offset: usize) -> (Place<'a>, Span) {
 
 /// The whole word at `offset`.
 pub fn word_at(source: &str, offset: usize) -> Option<Span> {
+    around(source, offset, |letter| letters(letter) || matches!(letter, '%' | '°' | 'µ' | 'Ω'))
+}
+
+/// The whole attribute at `offset`, such as `stroke-width`.
+pub fn attribute_at(source: &str, offset: usize) -> Option<Span> {
+    around(source, offset, |letter| letters(letter) || letter == '-')
+}
+
+fn around(source: &str, offset: usize, is_part: impl Fn(char) -> bool) -> Option<Span> {
     let offset = floor(source, offset);
-    let is_part = |letter: char| letters(letter) || matches!(letter, '-' | '%' | '°' | 'µ' | 'Ω');
-    let start = offset - tail(&source[..offset], is_part);
-    let length = source[offset..].find(|letter: char| !is_part(letter)).unwrap_or(source.len() - offset);
-    // A minus between two names is no part of them, as it is of `stroke-width`.
-    let dash = source[start..offset + length].contains('-');
-    if dash && !source[..start].ends_with([' ', '<', '\n']) {
-        let start = offset - tail(&source[..offset], letters);
-        let length = source[offset..].find(|letter: char| !letters(letter)).unwrap_or(source.len() - offset);
-        return (length > 0 || start < offset).then(|| Span::new(start, offset + length));
-    }
+    let start = offset - tail(&source[..offset], &is_part);
+    let length = source[offset..].find(|letter| !is_part(letter)).unwrap_or(source.len() - offset);
     (start < offset + length).then(|| Span::new(start, offset + length))
 }
 

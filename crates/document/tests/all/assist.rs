@@ -6,7 +6,7 @@ use program::functions::{FUNCTIONS, Function};
 const DOCUMENT: &str = "---\ntitle: Spring\nst\n---\n\nText {x in [c]} here.\n\n```model\nparameter k = 4 [N/m] in 1..9 \"Stiffness\"\n\
 parameter m = 1 [kg]\nm*x'' = -k*x\nx(0) = 3 [cm] \"Displacement\"\nx'(0) = 0\nomega = sqrt(k/m) \"Natural frequency\"\n\
 function half(u) = u/2\nE = half(k*x^2)\npa\nF = -k*o # om\n```\n\n```scene\n<svg viewBox=\"0 0 9 9\"><frame x=\"-1..1 [m]\">\
-<sp from=\"(0, 0)\" to=\"(om, 0)\" vi/></frame></svg>\n```\n";
+<sp from=\"(0, 0)\" to=\"(om, 0)\" stroke-width=\"2\" vi/></frame></svg>\n```\n";
 
 fn at(before: &str, behind: &str) -> (document::Opened, usize) {
     let place = DOCUMENT.find(&format!("{before}{behind}")).expect("it stands there") + before.len();
@@ -74,6 +74,8 @@ fn words_are_explained() {
         ("sqrt(k", "/m)", "k", "Stiffness, parameter in N/m"),
         ("omega = sq", "rt(k", "sqrt", "square root"),
         ("3 [c", "m]", "cm", "length"),
+        ("stroke-wi", "dth", "stroke-width", "width of the line"),
+        ("F = -", "k*o", "k", "Stiffness, parameter in N/m"),
         ("\nti", "tle", "title", "title of the simulation"),
         ("\nparam", "eter m", "parameter", "a number with a slider: parameter b = 0.2 [kg/s] in 0..2"),
         ("<fra", "me x", "frame", "axes of lengths for what it holds: x=\"-2..2 [m]\""),

@@ -5,5 +5,6 @@
 //! together with its presentation time.
 
 mod plane;
+pub mod tracking;
 
 pub use plane::Plane;

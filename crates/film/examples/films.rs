@@ -1,0 +1,136 @@
+//! Tracks the test films of a folder and compares with the truth beside them:
+//!
+//!     cargo run --release -p film --example films -- FOLDER [NAME...]
+//!
+//! Needs `ffmpeg` and `ffprobe`. A film NAME.mp4 has its truth in NAME.json (frames with `instant`, `seen` and `scene`).
+
+#![allow(clippy::expect_used, reason = "a program for developers: it stops where something is missing")]
+
+use film::Plane;
+use film::tracking::column::{Click, Column, Settings};
+use film::tracking::{Exposure, Known, Similarity, Track};
+use std::path::Path;
+use std::process::Command;
+use std::time::Instant;
+
+/// What is known of a film.
+struct Film {
+    planes: Vec<Plane>,
+    times: Vec<f64>,
+    about: serde_json::Value,
+}
+
+fn output(command: &mut Command) -> Vec<u8> {
+    command.output().expect("ffmpeg and ffprobe on the PATH").stdout
+}
+
+fn decode(path: &Path) -> Film {
+    let about = std::fs::read_to_string(path.with_extension("json")).expect("the truth beside the film");
+    let about: serde_json::Value = serde_json::from_str(&about).expect("JSON");
+    let size = |key: &str| about[key].as_u64().expect("a size") as usize;
+    let (width, height) = (size("width"), size("height"));
+    let raw = ["-fps_mode", "passthrough", "-f", "rawvideo", "-pix_fmt", "gray", "-"];
+    let pixels = output(Command::new("ffmpeg").args(["-v", "error", "-i"]).arg(path).args(raw));
+    let planes =
+        pixels.chunks_exact(width * height).filter_map(|grey| Plane::new(width, height, grey.to_vec())).collect();
+    let entries = ["-v", "error", "-select_streams", "v", "-show_entries", "frame=pts_time", "-of", "csv=p=0"];
+    let listed = output(Command::new("ffprobe").args(entries).arg(path));
+    let listed = String::from_utf8(listed).expect("text");
+    let times = listed.lines().filter_map(|line| line.trim_matches(',').parse().ok()).collect();
+    Film { planes, times, about }
+}
+
+impl Film {
+    fn pair(&self, frame: usize, key: &str) -> [f64; 2] {
+        let pair = &self.about["frames"][frame][key];
+        [pair[0].as_f64().expect("x"), pair[1].as_f64().expect("y")]
+    }
+
+    fn number(&self, frame: usize, key: &str) -> f64 {
+        self.about["frames"][frame][key].as_f64().expect("a number")
+    }
+
+    /// The true position at a time near that of a frame.
+    fn truth(&self, frame: usize, key: &str, time: f64, moment: &str) -> [f64; 2] {
+        let count = self.about["frames"].as_array().map_or(0, Vec::len);
+        let (before, after) = (frame.saturating_sub(1), (frame + 1).min(count - 1));
+        let late = time - self.number(frame, moment);
+        let (p, q) = (self.pair(before, key), self.pair(after, key));
+        let span = self.number(after, moment) - self.number(before, moment);
+        let here = self.pair(frame, key);
+        [0, 1].map(|k| here[k] + late * (q[k] - p[k]) / span)
+    }
+
+    fn column(&self, beside: [f64; 2], shaken: bool) -> (Track, f64) {
+        let [x, y] = self.pair(0, "seen");
+        let mut column = Column::new(Settings::new(Click { frame: 0, position: [x + beside[0], y + beside[1]] }));
+        let started = Instant::now();
+        for (frame, (plane, time)) in self.planes.iter().zip(&self.times).enumerate() {
+            column.take(frame, *time, plane, Similarity::IDENTITY).expect("a frame");
+        }
+        let strips = started.elapsed().as_secs_f64();
+        let track = column.finish().expect("a track");
+        let _ = (shaken, strips, Known::Estimated);
+        (track, started.elapsed().as_secs_f64() - strips)
+    }
+}
+
+/// Prints how far a track is from the truth in one coordinate, after a constant.
+fn compare(film: &Film, track: &Track, name: &str, axis: usize, key: &str, seconds: f64) {
+    let moment = if key == "scene" { "t" } else { "instant" };
+    let errors: Vec<f64> = track
+        .points
+        .iter()
+        .map(|point| point.position[axis] - film.truth(point.frame, key, point.time, moment)[axis])
+        .collect();
+    let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+    let rms = |values: &mut dyn Iterator<Item = f64>| {
+        let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value * value, count + 1.0));
+        f64::sqrt(sum / f64::max(count, 1.0))
+    };
+    let error = rms(&mut errors.iter().map(|error| error - mean));
+    let relative = rms(&mut errors.iter().zip(&track.points).map(|(error, point)| (error - mean) / point.sigma[axis]));
+    let worst = errors.iter().map(|error| (error - mean).abs()).enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+    let (at, worst) = worst.unwrap_or((0, 0.0));
+    let frame = track.points.get(at).map_or(0, |point| point.frame);
+    let doubtful = track.points.iter().filter(|point| point.doubtful).count();
+    let exposure = match track.exposure {
+        Some(Exposure::Seconds(seconds)) => format!("{:.1} ms", 1e3 * seconds),
+        Some(Exposure::Under(seconds)) => format!("<{:.1} ms", 1e3 * seconds),
+        None => "-".to_owned(),
+    };
+    let readout = track
+        .readout
+        .map_or("-".to_owned(), |readout| format!("{:.1}+-{:.1} ms", 1e3 * readout.seconds, 1e3 * readout.sigma));
+    let lost = track.lost.map_or(String::new(), |frame| format!(" lost at {frame}"));
+    println!(
+        "{name:22} {} frames {:4}  rmse {error:.3}  error/sigma {relative:.2}  worst {worst:.2} (frame {frame})  doubtful {doubtful:3}  \
+         exposure {exposure:>9}  readout {readout:>14}  mean {mean:6.2}  {seconds:.3} s{lost}",
+        ["x", "y"][axis],
+        track.points.len()
+    );
+}
+
+fn main() {
+    let mut arguments = std::env::args().skip(1);
+    let folder = arguments.next().expect("a folder");
+    let wanted: Vec<String> = arguments.collect();
+    let mut paths: Vec<_> =
+        std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("a file").path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "mp4"));
+    paths.sort();
+    for path in paths {
+        let name = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default().to_owned();
+        if name.starts_with("n-") || !(wanted.is_empty() || wanted.iter().any(|one| name.contains(one.as_str()))) {
+            continue;
+        }
+        if !name.starts_with("utube") {
+            continue;
+        }
+        let film = decode(&path);
+        for beside in [[0.0, 0.0], [2.0, 2.2], [-2.0, -2.2]] {
+            let (track, seconds) = film.column(beside, name.contains("shake"));
+            compare(&film, &track, &name, 1, "seen", seconds);
+        }
+    }
+}

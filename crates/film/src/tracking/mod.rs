@@ -1,0 +1,15 @@
+//! Where something is in each frame.
+
+pub mod column;
+mod errors;
+mod linear;
+mod motion;
+mod readout;
+mod refusal;
+mod similarity;
+mod spline;
+mod track;
+
+pub use refusal::Refusal;
+pub use similarity::Similarity;
+pub use track::{Exposure, Known, Point, Readout, Track};

@@ -7,8 +7,9 @@
 #![allow(clippy::expect_used, reason = "a program for developers: it stops where something is missing")]
 
 use film::Plane;
+use film::tracking::body::{self, Body};
 use film::tracking::column::{Click, Column, Settings};
-use film::tracking::{Exposure, Known, Similarity, Track};
+use film::tracking::{Exposure, Known, Marks, Track};
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
@@ -61,22 +62,52 @@ impl Film {
         [0, 1].map(|k| here[k] + late * (q[k] - p[k]) / span)
     }
 
-    fn column(&self, beside: [f64; 2], shaken: bool) -> (Track, f64) {
+    fn column(&self, beside: [f64; 2], shaken: bool) -> (Track, [f64; 2]) {
         let [x, y] = self.pair(0, "seen");
         let mut column = Column::new(Settings::new(Click { frame: 0, position: [x + beside[0], y + beside[1]] }));
+        let mut marks = self.marks(shaken);
         let started = Instant::now();
         for (frame, (plane, time)) in self.planes.iter().zip(&self.times).enumerate() {
-            column.take(frame, *time, plane, Similarity::IDENTITY).expect("a frame");
+            let camera = marks.take(frame, plane).expect("the marks");
+            column.take(frame, *time, plane, camera).expect("a frame");
         }
         let strips = started.elapsed().as_secs_f64();
         let track = column.finish().expect("a track");
-        let _ = (shaken, strips, Known::Estimated);
-        (track, started.elapsed().as_secs_f64() - strips)
+        (track, [strips, started.elapsed().as_secs_f64() - strips])
+    }
+
+    fn body(&self, beside: [f64; 2], shaken: bool) -> (Track, [f64; 2]) {
+        let [x, y] = self.pair(0, "seen");
+        let click = Click { frame: 0, position: [x + beside[0], y + beside[1]] };
+        let mut body = Body::new(body::Settings { keys: vec![click], radius: None, readout: Known::Seconds(0.0) });
+        let mut marks = self.marks(shaken);
+        let started = Instant::now();
+        for (frame, (plane, time)) in self.planes.iter().zip(&self.times).enumerate() {
+            let camera = marks.take(frame, plane).expect("the marks");
+            body.take(frame, *time, plane, camera).expect("a frame");
+        }
+        let search = started.elapsed().as_secs_f64();
+        let track = body.finish();
+        (track, [search, started.elapsed().as_secs_f64() - search])
+    }
+
+    /// The resting marks of a shaken film.
+    fn marks(&self, shaken: bool) -> Marks {
+        let marks = self.about["marks"].as_array().filter(|_| shaken).map_or(&[][..], Vec::as_slice);
+        let camera = &self.about["frames"][0]["camera"];
+        let number = |value: &serde_json::Value| value.as_f64().expect("a number");
+        Marks::new(
+            marks
+                .iter()
+                .map(|mark| [number(&mark[0]) + number(&camera[0]), number(&mark[1]) + number(&camera[1])])
+                .collect(),
+        )
+        .expect("four marks")
     }
 }
 
 /// Prints how far a track is from the truth in one coordinate, after a constant.
-fn compare(film: &Film, track: &Track, name: &str, axis: usize, key: &str, seconds: f64) {
+fn compare(film: &Film, track: &Track, name: &str, axis: usize, key: &str, seconds: [f64; 2]) {
     let moment = if key == "scene" { "t" } else { "instant" };
     let errors: Vec<f64> = track
         .points
@@ -105,9 +136,11 @@ fn compare(film: &Film, track: &Track, name: &str, axis: usize, key: &str, secon
     let lost = track.lost.map_or(String::new(), |frame| format!(" lost at {frame}"));
     println!(
         "{name:22} {} frames {:4}  rmse {error:.3}  error/sigma {relative:.2}  worst {worst:.2} (frame {frame})  doubtful {doubtful:3}  \
-         exposure {exposure:>9}  readout {readout:>14}  mean {mean:6.2}  {seconds:.3} s{lost}",
+         exposure {exposure:>9}  readout {readout:>14}  mean {mean:6.2}  {:.3} + {:.3} s{lost}",
         ["x", "y"][axis],
-        track.points.len()
+        track.points.len(),
+        seconds[0],
+        seconds[1]
     );
 }
 
@@ -124,13 +157,18 @@ fn main() {
         if name.starts_with("n-") || !(wanted.is_empty() || wanted.iter().any(|one| name.contains(one.as_str()))) {
             continue;
         }
-        if !name.starts_with("utube") {
-            continue;
-        }
         let film = decode(&path);
+        let shaken = name.contains("shake");
+        let key = if shaken { "scene" } else { "seen" };
         for beside in [[0.0, 0.0], [2.0, 2.2], [-2.0, -2.2]] {
-            let (track, seconds) = film.column(beside, name.contains("shake"));
-            compare(&film, &track, &name, 1, "seen", seconds);
+            if name.starts_with("utube") {
+                let (track, seconds) = film.column(beside, shaken);
+                compare(&film, &track, &name, 1, key, seconds);
+            } else {
+                let (track, seconds) = film.body(beside, shaken);
+                compare(&film, &track, &name, 0, key, seconds);
+                compare(&film, &track, &name, 1, key, seconds);
+            }
         }
     }
 }

@@ -16,7 +16,7 @@ use crate::tracking::errors::{outliers, scaled};
 use crate::tracking::readout;
 use crate::tracking::refusal::Refusal;
 use crate::tracking::similarity::Similarity;
-use crate::tracking::track::{Known, Point, Track};
+use crate::tracking::track::{Known, Point, Readout, Track};
 use bore::Changes;
 use solving::{Solving, Task};
 use strip::{Grid, Line, Strip};
@@ -89,7 +89,7 @@ pub struct Column {
     strips: Vec<Strip>,
     anchors: Vec<Click>,
     solving: Option<Solving>,
-    finished: bool,
+    track: Option<Track>,
 }
 
 /// What the first frame decides.
@@ -132,7 +132,7 @@ impl Layout {
 impl Column {
     /// Prepares for the first frame.
     pub fn new(settings: Settings) -> Column {
-        Column { settings, layout: None, strips: Vec::new(), anchors: Vec::new(), solving: None, finished: false }
+        Column { settings, layout: None, strips: Vec::new(), anchors: Vec::new(), solving: None, track: None }
     }
 
     /// Takes the next frame, in the order of time (seconds); keeps a strip of it. `camera` says how the camera has moved since the
@@ -159,7 +159,7 @@ impl Column {
         let strip = Strip::read(frame, time, plane, &layout.line, camera, layout.grid);
         layout.changes.take(&strip);
         self.strips.push(strip);
-        (self.solving, self.finished) = (None, false);
+        (self.solving, self.track) = (None, None);
         Ok(())
     }
 
@@ -178,7 +178,7 @@ impl Column {
     }
 
     fn start_again(&mut self) {
-        self.finished = false;
+        self.track = None;
         let Some(layout) = &self.layout else { return };
         let anchors = self.anchors.iter().map(|click| seen(&self.strips, layout, click)).collect();
         if let Some(solving) = &mut self.solving {
@@ -202,12 +202,14 @@ impl Column {
             }
         };
         for _ in 0..steps {
-            if self.finished {
+            if self.track.is_some() {
                 break;
             }
-            self.finished = solving.step(&self.strips)?;
+            if solving.step(&self.strips)? {
+                self.track = Some(joined(&self.settings, layout, &self.strips, solving));
+            }
         }
-        Ok(self.finished)
+        Ok(self.track.is_some())
     }
 
     /// The whole search at once.
@@ -217,46 +219,12 @@ impl Column {
     /// As [`Column::advance`].
     pub fn finish(&mut self) -> Result<Track, Refusal> {
         while !self.advance(usize::MAX)? {}
-        Ok(self.track().unwrap_or_default())
+        Ok(self.track.clone().unwrap_or_default())
     }
 
     /// The track, once it is complete.
-    pub fn track(&self) -> Option<Track> {
-        let (layout, solving) = self.layout.as_ref().zip(self.solving.as_ref().filter(|_| self.finished))?;
-        let found = self.strips.iter().zip(&solving.poses).zip(&solving.agreements);
-        let mut points = Vec::with_capacity(self.strips.len());
-        let (mut formal, mut read) = (Vec::new(), Vec::new());
-        for ((strip, pose), agreement) in found {
-            let seen = strip.line.at(pose.row);
-            // By which part of a frame's height the row is read after that in the middle.
-            read.push(seen[1] / layout.size.1 as f64 - 0.5);
-            formal.push(agreement.variance.sqrt());
-            points.push(Point {
-                frame: strip.frame,
-                time: strip.time,
-                position: strip.camera.undo(seen),
-                sigma: [0.0; 2],
-                score: agreement.score,
-                doubtful: agreement.score < SCORE || !agreement.settled,
-            });
-        }
-        let times: Vec<f64> = points.iter().map(|point| point.time).collect();
-        let along: Vec<f64> = points.iter().map(|point| layout.line.row(point.position)).collect();
-        let readout = match self.settings.readout {
-            Known::Seconds(seconds) => Some(crate::tracking::track::Readout { seconds, sigma: 0.0 }),
-            Known::Estimated => readout::estimate(&times, &[&along], &read),
-        };
-        let seconds = readout.map_or(0.0, |readout| readout.seconds);
-        let times: Vec<f64> = times.iter().zip(&read).map(|(time, part)| time + seconds * part).collect();
-        let sigmas = scaled(&times, &along, &formal);
-        let outliers = outliers(&times, &along, &sigmas, DEVIATION);
-        let direction = layout.line.direction;
-        for (at, point) in points.iter_mut().enumerate() {
-            point.time = times[at];
-            point.sigma = direction.map(|part| part.abs() * sigmas[at]);
-            point.doubtful |= outliers[at];
-        }
-        Some(Track { points, exposure: solving.exposure, readout, direction: Some(direction), lost: None })
+    pub fn track(&self) -> Option<&Track> {
+        self.track.as_ref()
     }
 
     /// The space-time picture, once the first part of the search is done.
@@ -284,4 +252,42 @@ fn seen(strips: &[Strip], layout: &Layout, click: &Click) -> (usize, f64) {
     let at = strips.partition_point(|strip| strip.frame < click.frame).min(strips.len().saturating_sub(1));
     let row = strips.get(at).map_or(0.0, |strip| strip.line.row(click.position));
     (at, row.min(layout.grid.rows as f64 - 1.0).max(0.0))
+}
+
+/// The track with times and errors.
+fn joined(settings: &Settings, layout: &Layout, strips: &[Strip], solving: &Solving) -> Track {
+    let found = strips.iter().zip(&solving.poses).zip(&solving.agreements);
+    let mut points = Vec::with_capacity(strips.len());
+    let (mut formal, mut read) = (Vec::new(), Vec::new());
+    for ((strip, pose), agreement) in found {
+        let seen = strip.line.at(pose.row);
+        // By which part of a frame's height the row is read after that in the middle.
+        read.push(seen[1] / layout.size.1 as f64 - 0.5);
+        formal.push(agreement.variance.sqrt());
+        points.push(Point {
+            frame: strip.frame,
+            time: strip.time,
+            position: strip.camera.undo(seen),
+            sigma: [0.0; 2],
+            score: agreement.score,
+            doubtful: agreement.score < SCORE || !agreement.settled,
+        });
+    }
+    let times: Vec<f64> = points.iter().map(|point| point.time).collect();
+    let along: Vec<f64> = points.iter().map(|point| layout.line.row(point.position)).collect();
+    let readout = match settings.readout {
+        Known::Seconds(seconds) => Some(Readout { seconds, sigma: 0.0 }),
+        Known::Estimated => readout::estimate(&times, &along, &read),
+    };
+    let seconds = readout.map_or(0.0, |readout| readout.seconds);
+    let times: Vec<f64> = times.iter().zip(&read).map(|(time, part)| time + seconds * part).collect();
+    let sigmas = scaled(&times, &along, &formal);
+    let outliers = outliers(&times, &along, &sigmas, DEVIATION);
+    let direction = layout.line.direction;
+    for (at, point) in points.iter_mut().enumerate() {
+        point.time = times[at];
+        point.sigma = direction.map(|part| part.abs() * sigmas[at]);
+        point.doubtful |= outliers[at];
+    }
+    Track { points, exposure: solving.exposure, readout, direction: Some(direction), lost: None }
 }

@@ -59,7 +59,7 @@ impl Marks {
         let mut pairs = Vec::with_capacity(self.clicks.len());
         let found = self.templates.iter().zip(&self.clicks).zip(&mut self.last);
         for (number, ((template, click), last)) in (1..).zip(found) {
-            let (place, _) = template.search(plane, *last, (REACH * high).ceil().max(4.0) as i64, 1);
+            let (place, _) = template.search(plane, *last, (REACH * high).max(4.0));
             let found = template.align(&whole, place, 2.0);
             if found.score < SCORE {
                 return Err(Refusal::Mark { number, frame });

@@ -187,13 +187,11 @@ impl Body {
         };
         let ((x, across), (y, down)) = (coordinate(0), coordinate(1));
         let near = (NEAR + 0.3 * (across + down)).min(WIDE * high);
-        let mut best = template.search(&whole.plane, [x, y], near.ceil() as i64, 1);
+        let mut best = template.search(&whole.plane, [x, y], near);
         if best.1 < CLEAR {
-            // Every second pixel, then the pixels around the best of them.
             let last = recent.last()?.first.position;
             for centre in [[x, y], last] {
-                let (place, _) = template.search(&whole.plane, centre, (WIDE * high).ceil() as i64, 2);
-                let place = template.search(&whole.plane, place, 2, 1);
+                let place = template.search(&whole.plane, centre, WIDE * high);
                 if place.1 > best.1 {
                     best = place;
                 }

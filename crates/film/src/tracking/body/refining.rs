@@ -30,18 +30,28 @@ enum Stage {
     Aligning(usize),
 }
 
+/// Sums over the frames of what a sample of a template shows.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    count: f64,
+    value: f64,
+    gradient: [f64; 2],
+    /// Of the deviation from the template before.
+    squares: f64,
+}
+
 /// The state between two portions of work.
 pub(crate) struct Refining {
     templates: Vec<Template>,
-    /// For each template and sample: count, value, gradient, square.
-    sums: Vec<Vec<(f64, f64, [f64; 2], f64)>>,
+    /// For each template and sample.
+    sums: Vec<Vec<Sum>>,
     stage: Stage,
     round: usize,
 }
 
 impl Refining {
     pub(crate) fn new(templates: Vec<Template>) -> Refining {
-        let sums = templates.iter().map(|template| vec![(0.0, 0.0, [0.0; 2], 0.0); template.samples.len()]).collect();
+        let sums = templates.iter().map(|template| vec![Sum::default(); template.samples.len()]).collect();
         Refining { templates, sums, stage: Stage::Averaging(0), round: 0 }
     }
 
@@ -83,25 +93,24 @@ impl Refining {
         for (sample, sum) in template.samples.iter().zip(sums) {
             let (value, gradient) = one.part.jet(x + sample.offset[0], y + sample.offset[1]);
             let value = (value - offset) / gain;
-            sum.0 += 1.0;
-            sum.1 += value;
-            sum.2 = [sum.2[0] + gradient[0] / gain, sum.2[1] + gradient[1] / gain];
-            // About the template before: close to the mean, so that no digits are lost.
-            sum.3 += (value - sample.value) * (value - sample.value);
+            sum.count += 1.0;
+            sum.value += value;
+            sum.gradient = [0, 1].map(|k| sum.gradient[k] + gradient[k] / gain);
+            sum.squares += (value - sample.value) * (value - sample.value);
         }
     }
 
     fn average(&mut self) {
         for (template, sums) in self.templates.iter_mut().zip(&mut self.sums) {
-            let frames = sums.first().map_or(0.0, |sum| sum.0);
+            let frames = sums.first().map_or(0.0, |sum| sum.count);
             // Few frames: one template is as good as their mean.
             if frames >= 8.0 {
                 let mut variances = Vec::with_capacity(sums.len());
                 for (sample, sum) in template.samples.iter_mut().zip(sums.iter()) {
-                    let value = sum.1 / frames;
+                    let value = sum.value / frames;
                     let shift = value - sample.value;
-                    variances.push((sum.3 / frames - shift * shift).max(0.0));
-                    *sample = Sample { value, gradient: sum.2.map(|part| part / frames), ..*sample };
+                    variances.push((sum.squares / frames - shift * shift).max(0.0));
+                    *sample = Sample { value, gradient: sum.gradient.map(|part| part / frames), ..*sample };
                 }
                 let mut sorted = variances.clone();
                 sorted.sort_by(f64::total_cmp);
@@ -110,7 +119,7 @@ impl Refining {
                     sample.weight = (1.0 + ADDITION) / (variance / usual + ADDITION);
                 }
             }
-            sums.iter_mut().for_each(|sum| *sum = (0.0, 0.0, [0.0; 2], 0.0));
+            sums.fill(Sum::default());
         }
     }
 
@@ -126,9 +135,7 @@ impl Refining {
                 count += 1.0;
             }
             for one in seen.iter_mut().filter(|one| one.key == key) {
-                for k in 0..2 {
-                    one.now.position[k] -= shift[k] / count;
-                }
+                one.now.position = [0, 1].map(|k| one.now.position[k] - shift[k] / count);
             }
         }
     }

@@ -8,6 +8,9 @@ const STEPS: usize = 25;
 /// A step of so many pixels is the last one.
 const CLOSE: f64 = 1e-3;
 
+/// Samples that suffice for a coarse search.
+const FEW: usize = 120;
+
 /// A pixel of a template.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sample {
@@ -99,7 +102,7 @@ impl Template {
     }
 
     /// The correlation with the pixels around the middle of a pixel, from every `stride`-th sample.
-    pub(crate) fn correlation(&self, plane: &Plane, column: i64, row: i64, stride: usize) -> f64 {
+    fn correlation(&self, plane: &Plane, column: i64, row: i64, stride: usize) -> f64 {
         let (mut n, mut t, mut p, mut tt, mut pp, mut tp) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
         for sample in self.samples.iter().step_by(stride) {
             let pixel = plane.pixel(column + sample.offset[0] as i64, row + sample.offset[1] as i64);
@@ -116,8 +119,18 @@ impl Template {
         if tt > 0.0 && pp > 0.25 * n { tp / (tt * pp).sqrt() } else { 0.0 }
     }
 
-    /// The place of the best correlation among those of a grid around a point: its middle, and the correlation.
-    pub(crate) fn search(&self, plane: &Plane, around: [f64; 2], reach: i64, step: usize) -> ([f64; 2], f64) {
+    /// The place of the best correlation within so many pixels of a point: its middle, and the correlation. A coarse search with
+    /// a part of the samples comes first.
+    pub(crate) fn search(&self, plane: &Plane, around: [f64; 2], reach: f64) -> ([f64; 2], f64) {
+        // What is recognised by a disc of some pixels still resembles it a fifth of the radius away.
+        let step = ((self.radius / 5.0) as usize).clamp(1, 4);
+        let stride = (self.samples.len() / FEW).max(1);
+        let (place, _) = self.scan(plane, around, reach.ceil().clamp(1.0, 1e4) as i64, (step, stride));
+        self.scan(plane, place, step as i64 + 1, (1, 1))
+    }
+
+    /// The best place of a grid, by every `stride`-th sample.
+    fn scan(&self, plane: &Plane, around: [f64; 2], reach: i64, (step, stride): (usize, usize)) -> ([f64; 2], f64) {
         let middle = around.map(|at| at.floor().clamp(-1e6, 1e6) as i64);
         let mut best = (around, -1.0);
         for row in (middle[1] - reach..=middle[1] + reach).step_by(step) {
@@ -126,7 +139,7 @@ impl Template {
                 if !inside(column, plane.width()) || !inside(row, plane.height()) {
                     continue;
                 }
-                let score = self.correlation(plane, column, row, 3 * step - 2);
+                let score = self.correlation(plane, column, row, stride);
                 if score > best.1 {
                     best = ([column as f64 + 0.5, row as f64 + 0.5], score);
                 }

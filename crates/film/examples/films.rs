@@ -64,7 +64,15 @@ impl Film {
 
     fn column(&self, beside: [f64; 2], shaken: bool) -> (Track, [f64; 2]) {
         let [x, y] = self.pair(0, "seen");
-        let mut column = Column::new(Settings::new(Click { frame: 0, position: [x + beside[0], y + beside[1]] }));
+        let mut settings = Settings::new(Click { frame: 0, position: [x + beside[0], y + beside[1]] });
+        // Where the camera is held at an angle, the tube is given by two points.
+        let angle = self.about["frames"][0]["camera"][2].as_f64().unwrap_or(0.0);
+        if angle.abs() > 0.05 && !shaken {
+            let along = [-libm::sin(angle), libm::cos(angle)];
+            let end = |far: f64| [x + far * along[0], y + far * along[1]];
+            settings.tube = Some([end(10.0 - y), end(y - 10.0 + 0.3 * (y - 10.0))]);
+        }
+        let mut column = Column::new(settings);
         let mut marks = self.marks(shaken);
         let started = Instant::now();
         for (frame, (plane, time)) in self.planes.iter().zip(&self.times).enumerate() {

@@ -4,7 +4,9 @@
 //! Nothing here decodes pictures. Whoever can (a browser, `ffmpeg`) hands over each frame as a [`Plane`] of grey values
 //! together with its presentation time.
 
+pub mod calibration;
 mod plane;
 pub mod tracking;
+pub mod y4m;
 
 pub use plane::Plane;

@@ -55,13 +55,10 @@ impl Plane {
     pub fn linear(&self, x: f64, y: f64) -> f64 {
         let (column, right) = parts(x);
         let (row, below) = parts(y);
-        let pixel = |c, r| f64::from(self.pixel(column + c, row + r));
-        let mut value = (1.0 - right) * pixel(0, 0) + right * pixel(1, 0);
+        let mix = |pair: [u8; 2]| (1.0 - right) * f64::from(pair[0]) + right * f64::from(pair[1]);
+        let above = mix(self.block::<2, 1>(column, row)[0]);
         // The row in the middle of its pixels needs no other: the usual case of an upright tube.
-        if below != 0.0 {
-            value = (1.0 - below) * value + below * ((1.0 - right) * pixel(0, 1) + right * pixel(1, 1));
-        }
-        value
+        if below == 0.0 { above } else { (1.0 - below) * above + below * mix(self.block::<2, 1>(column, row + 1)[0]) }
     }
 
     /// The value at a point by cubic convolution over the sixteen pixels around it.
@@ -71,21 +68,39 @@ impl Plane {
         let (column, right) = parts(x);
         let (row, below) = parts(y);
         let (across, down) = (keys(right), keys(below));
+        let block: [[u8; 4]; 4] = self.block(column - 1, row - 1);
         let mut value = 0.0;
-        for (r, weight) in (-1..).zip(down) {
-            let line: f64 = (-1..).zip(across).map(|(c, w)| w * f64::from(self.pixel(column + c, row + r))).sum();
-            value += weight * line;
+        for (line, weight) in block.iter().zip(down) {
+            let [a, b, c, d] = line.map(f64::from);
+            value += weight * (across[0] * a + across[1] * b + across[2] * c + across[3] * d);
         }
         value
+    }
+
+    /// The pixels from (`column`, `row`) on.
+    fn block<const WIDE: usize, const HIGH: usize>(&self, column: i64, row: i64) -> [[u8; WIDE]; HIGH] {
+        let mut block = [[0; WIDE]; HIGH];
+        let inside = column >= 0 && column as usize + WIDE <= self.width;
+        for (line, at) in block.iter_mut().zip(row..) {
+            let place = usize::try_from(at).ok().filter(|row| inside && *row < self.height);
+            let pixels =
+                place.and_then(|row| self.grey.get(row * self.width + column as usize..)?.first_chunk::<WIDE>());
+            match pixels {
+                Some(pixels) => *line = *pixels,
+                None => line.iter_mut().zip(column..).for_each(|(value, column)| *value = self.pixel(column, at)),
+            }
+        }
+        block
     }
 }
 
 /// The pixel whose middle lies before a coordinate, and the fraction of the way to the next one.
 fn parts(at: f64) -> (i64, f64) {
-    let at = at - 0.5;
-    let whole = at.floor();
-    // A conversion saturates, so that any number ends at an edge of the picture.
-    (whole as i64, if at.is_finite() { at - whole } else { 0.0 })
+    // Far beyond any picture, where a conversion is still exact.
+    let at = (at - 0.5).clamp(-1e9, 1e9);
+    // Towards zero, and so down from the left edge on; faster than rounding down.
+    let whole = at as i64 - i64::from(at < 0.0);
+    (whole, if at.is_nan() { 0.0 } else { at - whole as f64 })
 }
 
 /// Weights of the four values around a fraction.

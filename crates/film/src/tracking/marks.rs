@@ -1,7 +1,7 @@
 //! How the camera moves, by marks that rest.
 
 use crate::plane::Plane;
-use crate::tracking::body::{Part, Template};
+use crate::tracking::body::{Disc, Part, Template};
 use crate::tracking::refusal::Refusal;
 use crate::tracking::similarity::Similarity;
 
@@ -48,7 +48,8 @@ impl Marks {
                 if !(0.0..=plane.width() as f64).contains(x) || !(0.0..=high).contains(y) {
                     return Err(Refusal::Click { x: *x, y: *y });
                 }
-                let template = Template::new(&whole, [*x, *y], (RADIUS * high).clamp(4.0, 60.0));
+                let template =
+                    Template::new(&whole, [*x, *y], Disc { shift: [0.0; 2], radius: (RADIUS * high).clamp(4.0, 60.0) });
                 if template.plain() {
                     return Err(Refusal::Plain);
                 }

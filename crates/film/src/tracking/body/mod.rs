@@ -3,10 +3,15 @@
 //! [`Body::take`] finds the body in each frame by a fixed template from the last key frame, and keeps the pixels around it. Then
 //! [`Body::advance`] finds the positions again by the mean of those pixels.
 
+mod disc;
+mod part;
 mod refining;
 mod template;
 
-pub(crate) use template::{Found, Part, Template};
+pub(crate) use disc::Disc;
+pub(crate) use part::Part;
+use template::Found;
+pub(crate) use template::Template;
 
 use crate::plane::Plane;
 use crate::tracking::column::Click;
@@ -25,8 +30,8 @@ const CLEAR: f64 = 0.85;
 const NEAR: f64 = 6.0;
 /// The part of the picture's height around the predicted position that is searched where nothing is found near it.
 const WIDE: f64 = 1.0 / 6.0;
-/// The radius of a body as a part of the picture's height, if it is not given.
-const RADIUS: f64 = 1.0 / 20.0;
+/// The greatest radius of a body as a part of the picture's height, if it is not given.
+const RADIUS: f64 = 1.0 / 9.0;
 /// Bytes of the pixels that are kept.
 const BYTES: usize = 96 << 20;
 /// A point that lies more of its standard errors from what its neighbours predict is doubtful.
@@ -39,7 +44,8 @@ const MARGIN: f64 = 5.0;
 pub struct Settings {
     /// Where the body was clicked: in the frame where tracking begins, and in key frames, from which further templates are taken.
     pub keys: Vec<Click>,
-    /// The radius of the disc that is compared, in pixels; without it 1/20 of the picture's height.
+    /// The radius of the disc that is compared, in pixels; without it that of the ring around the click on which
+    /// the grey value changes most, with a margin.
     pub radius: Option<f64>,
     /// The time that the camera takes to read a frame; not estimated for bodies, and zero unless it is known.
     pub readout: Known,
@@ -115,8 +121,8 @@ impl Body {
             return Ok(Sight::Lost);
         };
         self.searching = true;
-        let radius = self.templates.last().map_or(0.0, |template| template.radius);
-        let part = Part::around(plane, found.position, radius + MARGIN).unwrap_or(whole);
+        let reach = self.templates.last().map_or(0.0, |template| template.disc.reach());
+        let part = Part::around(plane, found.position, reach + MARGIN).unwrap_or(whole);
         self.bytes += part.plane.grey().len();
         if self.bytes > BYTES {
             return Err(Refusal::Long { frames: self.seen.len() });
@@ -155,11 +161,15 @@ impl Body {
         if !(0.0..=wide).contains(&x) || !(0.0..=high).contains(&y) {
             return Err(Refusal::Click { x, y });
         }
-        let radius = self.settings.radius.filter(|radius| radius.is_finite()).unwrap_or(RADIUS * high);
-        let radius = radius.clamp(3.0, (high / 3.0).clamp(3.0, 100.0));
-        let near = |found: &Found| (found.position[0] - x).abs().max((found.position[1] - y).abs()) < 0.3 * radius;
+        let given = self.settings.radius.filter(|radius| radius.is_finite());
+        let greatest = (high / 3.0).clamp(3.0, 100.0);
+        let disc = match given {
+            Some(radius) => Disc { shift: [0.0; 2], radius: radius.clamp(3.0, greatest) },
+            None => disc::around(whole, [x, y], (RADIUS * high).clamp(3.0, greatest)),
+        };
+        let near = |found: &Found| (found.position[0] - x).abs().max((found.position[1] - y).abs()) < 0.3 * disc.radius;
         let position = found.filter(near).map_or([x, y], |found| found.position);
-        let template = Template::new(whole, position, radius);
+        let template = Template::new(whole, position, disc);
         if template.plain() {
             return Err(Refusal::Plain);
         }

@@ -3,7 +3,8 @@
 //! A template from one frame contains the noise of that frame and the background behind the body. The mean over the frames
 //! that follow a key frame contains neither, and the scatter of each pixel about the mean says how much it counts.
 
-use crate::tracking::body::template::{Found, Part, Sample, Template};
+use crate::tracking::body::part::Part;
+use crate::tracking::body::template::{Found, Sample, Template};
 
 /// Rounds of template and positions.
 const ROUNDS: usize = 3;

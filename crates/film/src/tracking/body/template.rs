@@ -1,6 +1,8 @@
 //! What a body looks like, and where it is in a frame.
 
 use crate::plane::Plane;
+use crate::tracking::body::disc::Disc;
+use crate::tracking::body::part::Part;
 use crate::tracking::linear::solve;
 
 /// Steps until a position is given up.
@@ -23,18 +25,11 @@ pub(crate) struct Sample {
     pub weight: f64,
 }
 
-/// The pixels in a disc.
+/// The pixels in a disc, in places relative to the point that is followed.
 #[derive(Clone, Debug)]
 pub(crate) struct Template {
     pub samples: Vec<Sample>,
-    pub radius: f64,
-}
-
-/// A frame, or the part of one whose first pixel is at `corner`.
-#[derive(Clone, Debug)]
-pub(crate) struct Part {
-    pub plane: Plane,
-    pub corner: [f64; 2],
+    pub disc: Disc,
 }
 
 /// Where a template was found.
@@ -50,47 +45,22 @@ pub(crate) struct Found {
     pub settled: bool,
 }
 
-impl Part {
-    /// A whole frame.
-    pub(crate) fn whole(plane: &Plane) -> Part {
-        Part { plane: plane.clone(), corner: [0.0; 2] }
-    }
-
-    /// The part of a frame within so many pixels of a point; `None` outside the picture.
-    pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], reach: f64) -> Option<Part> {
-        let (left, top) = ((x - reach).floor().max(0.0), (y - reach).floor().max(0.0));
-        let size = |at: f64, first: f64| ((at + reach).ceil() - first).max(0.0) as usize;
-        let plane = plane.crop(left as usize, top as usize, size(x, left), size(y, top))?;
-        Some(Part { plane, corner: [left, top] })
-    }
-
-    pub(crate) fn at(&self, x: f64, y: f64) -> f64 {
-        self.plane.cubic(x - self.corner[0], y - self.corner[1])
-    }
-
-    /// The value and its derivatives.
-    pub(crate) fn jet(&self, x: f64, y: f64) -> (f64, [f64; 2]) {
-        let across = self.at(x + 0.5, y) - self.at(x - 0.5, y);
-        let down = self.at(x, y + 0.5) - self.at(x, y - 0.5);
-        (self.at(x, y), [across, down])
-    }
-}
-
 impl Template {
-    /// The disc around a point.
-    pub(crate) fn new(part: &Part, [x, y]: [f64; 2], radius: f64) -> Template {
-        let reach = radius.floor() as i64;
+    /// The disc near a point.
+    pub(crate) fn new(part: &Part, [x, y]: [f64; 2], disc: Disc) -> Template {
+        let reach = disc.reach().floor() as i64;
         let mut samples = Vec::new();
         for row in -reach..=reach {
             for column in -reach..=reach {
                 let offset = [column as f64, row as f64];
-                if offset[0] * offset[0] + offset[1] * offset[1] <= radius * radius {
+                let from = [offset[0] - disc.shift[0], offset[1] - disc.shift[1]];
+                if from[0] * from[0] + from[1] * from[1] <= disc.radius * disc.radius {
                     let (value, gradient) = part.jet(x + offset[0], y + offset[1]);
                     samples.push(Sample { offset, value, gradient, weight: 1.0 });
                 }
             }
         }
-        Template { samples, radius }
+        Template { samples, disc }
     }
 
     /// Whether there is anything to be recognised: a standard deviation of a grey value.
@@ -123,7 +93,7 @@ impl Template {
     /// a part of the samples comes first.
     pub(crate) fn search(&self, plane: &Plane, around: [f64; 2], reach: f64) -> ([f64; 2], f64) {
         // What is recognised by a disc of some pixels still resembles it a fifth of the radius away.
-        let step = ((self.radius / 5.0) as usize).clamp(1, 4);
+        let step = ((self.disc.radius / 5.0) as usize).clamp(1, 4);
         let stride = (self.samples.len() / FEW).max(1);
         let (place, _) = self.scan(plane, around, reach.ceil().clamp(1.0, 1e4) as i64, (step, stride));
         self.scan(plane, place, step as i64 + 1, (1, 1))

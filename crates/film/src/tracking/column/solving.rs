@@ -11,6 +11,8 @@ use crate::tracking::track::{Exposure, Known};
 
 /// Rounds of pattern and positions before the exposure time is sought, and after.
 const ROUNDS: usize = 3;
+/// Positions that change by less than this many rows (root of the mean square) in a round need no other one.
+const SETTLED: f64 = 0.005;
 /// Rows that the surface may be away from the path, and from where a person clicked.
 const REACH: f64 = 4.0;
 
@@ -32,7 +34,7 @@ impl Task {
     /// The part of the bore's width in which the surface shows on both sides of it.
     fn window(&self) -> Window {
         let width = (self.bins.1 - self.bins.0) as f64 * self.grid.width;
-        Window { grid: self.grid, bins: self.bins, half: (0.6 * width).clamp(7.0, 40.0) }
+        Window { grid: self.grid, bins: self.bins, half: (0.8 * width).clamp(7.0, 40.0) }
     }
 
     fn fixed(&self, at: usize) -> Option<(usize, usize)> {
@@ -62,6 +64,8 @@ pub(crate) struct Solving {
     strongest: Vec<f64>,
     stage: Stage,
     round: usize,
+    /// The sum of the squared changes of positions in this round.
+    change: f64,
     pattern: Pattern,
     pub poses: Vec<Pose>,
     pub agreements: Vec<Agreement>,
@@ -88,6 +92,7 @@ impl Solving {
             strongest: Vec::new(),
             stage: Stage::Profiles,
             round: 0,
+            change: 0.0,
             poses: Vec::new(),
             agreements: Vec::new(),
             path: Vec::new(),
@@ -207,7 +212,10 @@ impl Solving {
     fn align(&mut self, mut sums: Residuals, at: usize, strips: &[Strip]) -> Stage {
         let Some((strip, pose)) = strips.get(at).zip(self.poses.get_mut(at)) else {
             sums.finish(&mut self.pattern);
-            self.round += 1;
+            let settled = self.change < SETTLED * SETTLED * at as f64;
+            let last = if self.round < ROUNDS { ROUNDS } else { 2 * ROUNDS };
+            self.round = if settled { last } else { self.round + 1 };
+            self.change = 0.0;
             return if self.round == ROUNDS && self.exposure.is_none() {
                 Stage::Exposure(Candidates::new(&self.times, &self.poses, self.intervals.1))
             } else if self.round < 2 * ROUNDS {
@@ -216,8 +224,9 @@ impl Solving {
                 Stage::Finished
             };
         };
-        let path = self.path[at] as f64;
+        let (path, before) = (self.path[at] as f64, pose.row);
         let agreement = align(&self.pattern, strip, pose, (path - REACH, path + REACH));
+        self.change += (pose.row - before) * (pose.row - before);
         pose.trusted = agreement.settled && agreement.score > 0.6 && pose.gain > 0.3;
         if pose.trusted {
             residuals(&self.pattern, strip, pose, &mut sums);

@@ -44,7 +44,17 @@ fn decode(path: &Path) -> Film {
 impl Film {
     fn pair(&self, frame: usize, key: &str) -> [f64; 2] {
         let pair = &self.about["frames"][frame][key];
-        [pair[0].as_f64().expect("x"), pair[1].as_f64().expect("y")]
+        let [x, y] = [pair[0].as_f64().expect("x"), pair[1].as_f64().expect("y")];
+        if key != "scene" {
+            return [x, y];
+        }
+        // In the picture of the first frame, in which shaken films are measured.
+        let camera = &self.about["frames"][0]["camera"];
+        let [dx, dy, angle] = [0, 1, 2].map(|k| camera[k].as_f64().expect("a number"));
+        let half = ["width", "height"].map(|side| self.about[side].as_f64().expect("a size") / 2.0);
+        let (sine, cosine) = libm::sincos(angle);
+        let (u, v) = (x - half[0], y - half[1]);
+        [cosine * u - sine * v + half[0] + dx, sine * u + cosine * v + half[1] + dy]
     }
 
     fn number(&self, frame: usize, key: &str) -> f64 {

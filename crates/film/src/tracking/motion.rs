@@ -21,7 +21,7 @@ pub(crate) fn motion(times: &[f64], values: &[f64], at: usize) -> (f64, f64) {
 /// equally; a single zero without an exposure.
 pub(crate) fn smear((velocity, acceleration): (f64, f64), exposure: f64) -> Vec<f64> {
     let length = velocity.abs() * exposure;
-    if exposure <= 0.0 || !length.is_finite() {
+    if exposure <= 0.0 || !(length + acceleration * exposure * exposure).is_finite() {
         return vec![0.0];
     }
     // Two instants for each pixel: the splines that they shift are four pixels wide.

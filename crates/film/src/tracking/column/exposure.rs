@@ -1,7 +1,7 @@
 //! The exposure time by the least residual.
 
 use crate::tracking::column::align::align;
-use crate::tracking::column::pattern::{Fitting, Pattern, Pose, Window};
+use crate::tracking::column::pattern::{Fitting, Pattern, Pose};
 use crate::tracking::column::strip::Strip;
 use crate::tracking::motion::{motion, smear};
 use crate::tracking::track::Exposure;
@@ -13,10 +13,14 @@ const FINE: usize = 5;
 /// Frames that are compared.
 const FRAMES: usize = 60;
 
+/// The fewest frames that tell anything.
+const FEWEST: usize = 12;
+/// Times that pattern and positions are fitted.
+const ROUNDS: usize = 2;
 /// Rows by which a candidate may move a position.
 const REACH: f64 = 2.0;
 
-/// The search for the exposure time. Each step compares the frames with the pattern for one candidate.
+/// The search for the exposure time.
 pub(crate) struct Candidates {
     /// The longest that a frame can be exposed.
     longest: f64,
@@ -26,6 +30,21 @@ pub(crate) struct Candidates {
     tried: Vec<(f64, f64)>,
     /// The greatest speed.
     fastest: f64,
+    trial: Option<Trial>,
+}
+
+/// One candidate: pattern and positions are fitted twice, frame by frame.
+struct Trial {
+    exposure: f64,
+    pattern: Pattern,
+    poses: Vec<Pose>,
+    /// While the pattern is fitted; then the positions are.
+    fitting: Option<Fitting>,
+    /// The next of the chosen frames.
+    at: usize,
+    round: usize,
+    squares: f64,
+    count: f64,
 }
 
 impl Candidates {
@@ -38,22 +57,23 @@ impl Candidates {
         let fastest = chosen.iter().rev().nth(chosen.len() / 50).map_or(0.0, speed);
         let stride = chosen.len().div_ceil(FRAMES).max(1);
         let chosen: Vec<usize> = chosen.into_iter().rev().step_by(stride).collect();
-        Candidates { longest: shortest, chosen, tried: Vec::new(), fastest }
+        Candidates { longest: shortest, chosen, tried: Vec::new(), fastest, trial: None }
     }
 
-    /// Tries the next candidate; the exposure once all are tried.
-    pub(crate) fn advance(
-        &mut self,
-        window: Window,
-        start: &Pattern,
-        strips: &[Strip],
-        poses: &[Pose],
-    ) -> Option<Exposure> {
-        if self.fastest * self.longest < 1.0 || self.chosen.len() < 12 {
+    /// Does the work of one frame; the exposure once all candidates are tried.
+    pub(crate) fn advance(&mut self, start: &Pattern, strips: &[Strip], poses: &[Pose]) -> Option<Exposure> {
+        if self.fastest * self.longest < 1.0 || self.chosen.len() < FEWEST {
             return Some(Exposure::Under(self.longest));
         }
+        if let Some(mut trial) = self.trial.take() {
+            match trial.step(&self.chosen, strips, poses) {
+                Some(residual) => self.tried.push((trial.exposure, residual)),
+                None => self.trial = Some(trial),
+            }
+            return None;
+        }
         let step = self.tried.len();
-        let candidate = if step <= COARSE {
+        let exposure = if step <= COARSE {
             self.longest * step as f64 / COARSE as f64
         } else if step <= COARSE + FINE {
             self.vertex()
@@ -63,8 +83,21 @@ impl Candidates {
             let limit = 1.0 / self.fastest;
             return Some(if best < limit { Exposure::Under(limit) } else { Exposure::Seconds(best) });
         };
-        let residual = self.residual(candidate, window, start, strips, poses);
-        self.tried.push((candidate, residual));
+        let times: Vec<f64> = strips.iter().map(|strip| strip.time).collect();
+        let rows: Vec<f64> = poses.iter().map(|pose| pose.row).collect();
+        let pose = |at: &usize| Pose { smear: smear(motion(&times, &rows, *at), exposure), ..poses[*at].clone() };
+        let mut pattern = Pattern::new(start.window, self.fastest * self.longest);
+        pattern.background.clone_from(&start.background);
+        self.trial = Some(Trial {
+            exposure,
+            fitting: Some(Fitting::new(&pattern)),
+            pattern,
+            poses: self.chosen.iter().map(pose).collect(),
+            at: 0,
+            round: 0,
+            squares: 0.0,
+            count: 0.0,
+        });
         None
     }
 
@@ -91,31 +124,35 @@ impl Candidates {
         }
         vertex
     }
+}
 
-    /// The mean squared residual of the chosen frames after the pattern and the positions are fitted.
-    fn residual(&self, exposure: f64, window: Window, start: &Pattern, strips: &[Strip], poses: &[Pose]) -> f64 {
-        let times: Vec<f64> = strips.iter().map(|strip| strip.time).collect();
-        let rows: Vec<f64> = poses.iter().map(|pose| pose.row).collect();
-        let mut pattern = Pattern::new(window, self.fastest * self.longest);
-        pattern.background.clone_from(&start.background);
-        let mut poses: Vec<(usize, Pose)> = self.chosen.iter().map(|at| (*at, poses[*at].clone())).collect();
-        let mut residual = f64::INFINITY;
-        for _ in 0..2 {
-            let mut fitting = Fitting::new(&pattern);
-            for (at, pose) in &mut poses {
-                pose.smear = smear(motion(&times, &rows, *at), exposure);
-                fitting.take(&pattern, &strips[*at], pose);
+impl Trial {
+    /// Does the work of one frame; the mean squared residual of the chosen frames after the last one.
+    fn step(&mut self, chosen: &[usize], strips: &[Strip], before: &[Pose]) -> Option<f64> {
+        let next = chosen.get(self.at).zip(self.poses.get_mut(self.at));
+        self.at += 1;
+        match (next, self.fitting.as_mut()) {
+            (Some((at, pose)), Some(fitting)) => fitting.take(&self.pattern, &strips[*at], pose),
+            (Some((at, pose)), None) => {
+                let row = before[*at].row;
+                let agreement = align(&self.pattern, &strips[*at], pose, (row - REACH, row + REACH));
+                self.squares += agreement.squares;
+                self.count += agreement.count;
             }
-            fitting.finish(&mut pattern);
-            let (mut squares, mut count) = (0.0, 0.0);
-            for (at, pose) in &mut poses {
-                let between = (rows[*at] - REACH, rows[*at] + REACH);
-                let agreement = align(&pattern, &strips[*at], pose, between);
-                squares += agreement.squares;
-                count += agreement.count;
+            (None, Some(_)) => {
+                if let Some(fitting) = self.fitting.take() {
+                    fitting.finish(&mut self.pattern);
+                }
+                (self.squares, self.count, self.at) = (0.0, 0.0, 0);
             }
-            residual = squares / count;
+            (None, None) => {
+                self.round += 1;
+                if self.round == ROUNDS {
+                    return Some(self.squares / self.count);
+                }
+                (self.fitting, self.at) = (Some(Fitting::new(&self.pattern)), 0);
+            }
         }
-        residual
+        None
     }
 }

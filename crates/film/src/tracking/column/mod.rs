@@ -80,6 +80,8 @@ pub struct SpaceTime {
     pub origin: [f64; 2],
     /// Along the tube, of length 1: from one row to the next.
     pub direction: [f64; 2],
+    /// Where the bore begins and ends, in pixels from the axis to the right of a tube that points downwards.
+    pub bore: [f64; 2],
 }
 
 /// The tracking of a surface.
@@ -121,7 +123,7 @@ impl Layout {
         if length.is_nan() || length < SHORTEST {
             return Err(Refusal::Tube { length, least: SHORTEST });
         }
-        let half = settings.half_width.filter(|half| half.is_finite()).unwrap_or(HALF_WIDTH * high).clamp(2.0, wide);
+        let half = settings.half_width.filter(|half| half.is_finite()).unwrap_or(HALF_WIDTH * high).min(wide).max(2.0);
         // A bin is no narrower than a pixel.
         let bins = BINS.min((2.0 * half) as usize).max(1);
         let grid = Grid { rows: (length as usize + 1).min(ROWS), bins, width: 2.0 * half / bins as f64 };
@@ -232,7 +234,9 @@ impl Column {
         let (layout, solving) = self.layout.as_ref().zip(self.solving.as_ref())?;
         let grey = |profile: &Vec<f32>| profile.iter().map(|value| value.round() as u8).collect();
         let columns = solving.profiles().iter().map(grey).collect();
-        Some(SpaceTime { columns, origin: layout.line.origin, direction: layout.line.direction })
+        let (grid, (first, end)) = (layout.grid, solving.task.bins);
+        let bore = [first, end].map(|bin| (bin as f64 - grid.bins as f64 / 2.0) * grid.width);
+        Some(SpaceTime { columns, origin: layout.line.origin, direction: layout.line.direction, bore })
     }
 }
 

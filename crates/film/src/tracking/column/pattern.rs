@@ -92,7 +92,8 @@ impl Pattern {
         weights.values.clear();
         weights.slopes.clear();
         let part = 1.0 / smear.len() as f64;
-        let place = |shift: f64| (distance - shift - self.first - 1.0).clamp(0.0, (self.knots - 4) as f64);
+        // The greater of a number and of one that is none is the number.
+        let place = |shift: f64| (distance - shift - self.first - 1.0).max(0.0).min((self.knots - 4) as f64);
         let lowest = smear.iter().map(|shift| place(*shift)).fold(f64::INFINITY, f64::min);
         weights.first = lowest.floor() as usize;
         for shift in smear {

@@ -50,7 +50,7 @@ enum Stage {
     Path(Search, usize),
     Fitting(Fitting, usize),
     Aligning(Residuals, usize),
-    Exposure(Candidates),
+    Exposure(Box<Candidates>),
     Finished,
 }
 
@@ -122,15 +122,13 @@ impl Solving {
             Stage::Path(search, at) => self.follow(search, at),
             Stage::Fitting(fitting, at) => self.fit(fitting, at, strips),
             Stage::Aligning(sums, at) => self.align(sums, at, strips),
-            Stage::Exposure(mut candidates) => {
-                match candidates.advance(self.task.window(), &self.pattern, strips, &self.poses) {
-                    Some(exposure) => {
-                        self.exposure = Some(exposure);
-                        self.begin_round()
-                    }
-                    None => Stage::Exposure(candidates),
+            Stage::Exposure(mut candidates) => match candidates.advance(&self.pattern, strips, &self.poses) {
+                Some(exposure) => {
+                    self.exposure = Some(exposure);
+                    self.begin_round()
                 }
-            }
+                None => Stage::Exposure(candidates),
+            },
             Stage::Finished => Stage::Finished,
         };
         Ok(matches!(self.stage, Stage::Finished))
@@ -156,7 +154,7 @@ impl Solving {
     fn follow(&mut self, mut search: Search, at: usize) -> Stage {
         if let Some(profile) = self.profiles.get(at) {
             let late = if at == 0 { 0.0 } else { (self.times[at] - self.times[at - 1]) / self.intervals.0 };
-            let reach = (self.task.reach * late.max(1.0)).ceil() as usize;
+            let reach = (self.task.reach * late.max(1.0)).ceil().min(self.task.grid.rows as f64) as usize;
             search.take(profile, reach, self.task.fixed(at));
             return Stage::Path(search, at + 1);
         }
@@ -217,7 +215,7 @@ impl Solving {
             self.round = if settled { last } else { self.round + 1 };
             self.change = 0.0;
             return if self.round == ROUNDS && self.exposure.is_none() {
-                Stage::Exposure(Candidates::new(&self.times, &self.poses, self.intervals.1))
+                Stage::Exposure(Box::new(Candidates::new(&self.times, &self.poses, self.intervals.1)))
             } else if self.round < 2 * ROUNDS {
                 self.begin_round()
             } else {

@@ -179,8 +179,8 @@ impl Scene for Pendulum {
         (x - u).abs().max((y - v).abs()) < self.radius + 12.0
     }
 
-    fn changed(&self, _: f64, y: f64) -> bool {
-        y > 100.0
+    fn changed(&self, x: f64, y: f64) -> bool {
+        (libm::hypot(x - 90.0, y - 10.0) - 160.0).abs() < self.radius + 20.0
     }
 }
 

@@ -1,7 +1,7 @@
 //! How the camera moves, by marks that rest.
 
 use crate::plane::Plane;
-use crate::tracking::body::{Disc, Part, Template};
+use crate::tracking::body::{Disc, MARGIN, Part, Template};
 use crate::tracking::refusal::Refusal;
 use crate::tracking::similarity::Similarity;
 
@@ -42,14 +42,14 @@ impl Marks {
     /// Where a mark lies outside the picture, on a uniform place, or is lost.
     pub fn take(&mut self, frame: usize, plane: &Plane) -> Result<Similarity, Refusal> {
         let high = plane.height() as f64;
-        let whole = Part::whole(plane);
+        let disc = Disc { shift: [0.0; 2], radius: (RADIUS * high).clamp(4.0, 60.0) };
+        let part = |place| Part::around(plane, place, disc.radius + MARGIN);
         if self.templates.is_empty() {
             for [x, y] in &self.clicks {
                 if !(0.0..=plane.width() as f64).contains(x) || !(0.0..=high).contains(y) {
                     return Err(Refusal::Click { x: *x, y: *y });
                 }
-                let template =
-                    Template::new(&whole, [*x, *y], Disc { shift: [0.0; 2], radius: (RADIUS * high).clamp(4.0, 60.0) });
+                let template = part([*x, *y]).map(|part| Template::new(&part, [*x, *y], disc)).ok_or(Refusal::Plain)?;
                 if template.plain() {
                     return Err(Refusal::Plain);
                 }
@@ -61,10 +61,10 @@ impl Marks {
         let found = self.templates.iter().zip(&self.clicks).zip(&mut self.last);
         for (number, ((template, click), last)) in (1..).zip(found) {
             let (place, _) = template.search(plane, *last, (REACH * high).max(4.0));
-            let found = template.align(&whole, place, 2.0);
-            if found.score < SCORE {
+            let found = part(place).map(|part| template.align(&part, place, 2.0));
+            let Some(found) = found.filter(|found| found.score >= SCORE) else {
                 return Err(Refusal::Mark { number, frame });
-            }
+            };
             *last = found.position;
             pairs.push((*click, found.position));
         }

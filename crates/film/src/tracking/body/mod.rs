@@ -36,8 +36,8 @@ const RADIUS: f64 = 1.0 / 9.0;
 const BYTES: usize = 96 << 20;
 /// A point that lies more of its standard errors from what its neighbours predict is doubtful.
 const DEVIATION: f64 = 6.0;
-/// Pixels around the body that are kept.
-const MARGIN: f64 = 5.0;
+/// Pixels around a template that comparisons need: the steps of an alignment, and what interpolation reaches.
+pub(crate) const MARGIN: f64 = 5.0;
 
 /// What is known before the first frame.
 #[derive(Clone, Debug, PartialEq)]
@@ -106,10 +106,9 @@ impl Body {
     pub fn take(&mut self, frame: usize, time: f64, plane: &Plane, camera: Similarity) -> Result<Sight, Refusal> {
         self.admit(frame, time, plane)?;
         let key = self.settings.keys.iter().rev().find(|key| key.frame == frame).copied();
-        let whole = Part::whole(plane);
-        let found = if self.searching { self.find(&whole, time) } else { None };
+        let found = if self.searching { self.find(plane, time) } else { None };
         let found = match key {
-            Some(click) => Some(self.begin(&whole, click.position, found)?),
+            Some(click) => Some(self.begin(plane, click.position, found)?),
             None => found,
         };
         let Some(found) = found else {
@@ -122,7 +121,8 @@ impl Body {
         };
         self.searching = true;
         let reach = self.templates.last().map_or(0.0, |template| template.disc.reach());
-        let part = Part::around(plane, found.position, reach + MARGIN).unwrap_or(whole);
+        // A body that was found lies in the picture.
+        let part = Part::around(plane, found.position, reach + MARGIN).ok_or(Refusal::Plain)?;
         self.bytes += part.plane.grey().len();
         if self.bytes > BYTES {
             return Err(Refusal::Long { frames: self.seen.len() });
@@ -156,33 +156,34 @@ impl Body {
 
     /// The template of a key frame. Where the template before it finds the body at the click, too, the same point of the
     /// body is followed further.
-    fn begin(&mut self, whole: &Part, [x, y]: [f64; 2], found: Option<Found>) -> Result<Found, Refusal> {
-        let (wide, high) = (whole.plane.width() as f64, whole.plane.height() as f64);
+    fn begin(&mut self, plane: &Plane, [x, y]: [f64; 2], found: Option<Found>) -> Result<Found, Refusal> {
+        let (wide, high) = (plane.width() as f64, plane.height() as f64);
         if !(0.0..=wide).contains(&x) || !(0.0..=high).contains(&y) {
             return Err(Refusal::Click { x, y });
         }
         let given = self.settings.radius.filter(|radius| radius.is_finite());
         let greatest = (high / 3.0).clamp(3.0, 100.0);
+        let part = Part::around(plane, [x, y], 1.5 * greatest + MARGIN).ok_or(Refusal::Plain)?;
         let disc = match given {
             Some(radius) => Disc { shift: [0.0; 2], radius: radius.clamp(3.0, greatest) },
-            None => disc::around(whole, [x, y], (RADIUS * high).clamp(3.0, greatest)),
+            None => disc::around(&part, [x, y], (RADIUS * high).clamp(3.0, greatest)),
         };
         let near = |found: &Found| (found.position[0] - x).abs().max((found.position[1] - y).abs()) < 0.3 * disc.radius;
         let position = found.filter(near).map_or([x, y], |found| found.position);
-        let template = Template::new(whole, position, disc);
+        let template = Template::new(&part, position, disc);
         if template.plain() {
             return Err(Refusal::Plain);
         }
-        let found = template.align(whole, position, 0.5);
+        let found = template.align(&part, position, 0.5);
         self.templates.push(template);
         // The track before a click after a loss says nothing about the motion after it.
         Ok(Found { position, ..found })
     }
 
     /// The body near where its motion predicts it; `None` where nothing there resembles it.
-    fn find(&self, whole: &Part, time: f64) -> Option<Found> {
+    fn find(&self, plane: &Plane, time: f64) -> Option<Found> {
         let template = self.templates.last()?;
-        let high = whole.plane.height() as f64;
+        let high = plane.height() as f64;
         let recent = &self.seen[self.seen.len().saturating_sub(3)..];
         let times: Vec<f64> = recent.iter().map(|one| one.time).collect();
         let late = time - times.last()?;
@@ -197,17 +198,18 @@ impl Body {
         };
         let ((x, across), (y, down)) = (coordinate(0), coordinate(1));
         let near = (NEAR + 0.3 * (across + down)).min(WIDE * high);
-        let mut best = template.search(&whole.plane, [x, y], near);
+        let mut best = template.search(plane, [x, y], near);
         if best.1 < CLEAR {
             let last = recent.last()?.first.position;
             for centre in [[x, y], last] {
-                let place = template.search(&whole.plane, centre, WIDE * high);
+                let place = template.search(plane, centre, WIDE * high);
                 if place.1 > best.1 {
                     best = place;
                 }
             }
         }
-        let found = template.align(whole, best.0, 2.0);
+        let part = Part::around(plane, best.0, template.disc.reach() + MARGIN)?;
+        let found = template.align(&part, best.0, 2.0);
         (found.score >= SCORE).then_some(found)
     }
 

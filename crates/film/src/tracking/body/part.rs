@@ -2,7 +2,7 @@
 
 use crate::plane::Plane;
 
-/// A frame, or the part of one whose first pixel is at `corner`.
+/// The part of a frame whose first pixel is at `corner`.
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
     pub plane: Plane,
@@ -10,11 +10,6 @@ pub(crate) struct Part {
 }
 
 impl Part {
-    /// A whole frame.
-    pub(crate) fn whole(plane: &Plane) -> Part {
-        Part { plane: plane.clone(), corner: [0.0; 2] }
-    }
-
     /// The part of a frame within so many pixels of a point; `None` outside the picture.
     pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], reach: f64) -> Option<Part> {
         let (left, top) = ((x - reach).floor().max(0.0), (y - reach).floor().max(0.0));

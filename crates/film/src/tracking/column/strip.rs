@@ -74,15 +74,26 @@ impl Strip {
         let left = grid.bins as f64 * grid.width / 2.0;
         // To the right of an upright tube.
         let normal = [line.direction[1], -line.direction[0]];
+        let across = |bin: usize, sample: usize| (bin as f64 + (sample as f64 + 0.5) / samples) * grid.width - left;
         let mut grey = Vec::with_capacity(grid.rows * grid.bins);
-        for row in 0..grid.rows {
+        if line.direction == [0.0, 1.0] && (line.origin[1] - 0.5).fract() == 0.0 {
+            // The usual case: all rows of the strip are rows of the picture and have the same pixels in a bin.
+            let places = |bin| (0..samples as usize).map(move |sample| line.origin[0] + across(bin, sample));
+            let bins: Vec<Vec<(usize, f64)>> = (0..grid.bins).map(|bin| weights(places(bin), plane.width())).collect();
+            for row in (line.origin[1] as usize..plane.height()).take(grid.rows) {
+                let pixels = plane.grey().get(row * plane.width()..).unwrap_or_default();
+                for bin in &bins {
+                    let sum: f64 = bin.iter().map(|(column, weight)| weight * f64::from(pixels[*column])).sum();
+                    grey.push((sum / samples * STEPS).round() as u16);
+                }
+            }
+        }
+        for row in grey.len() / grid.bins..grid.rows {
             let [x, y] = line.at(row as f64);
             for bin in 0..grid.bins {
-                let mut sum = 0.0;
-                for sample in 0..samples as usize {
-                    let across = (bin as f64 + (sample as f64 + 0.5) / samples) * grid.width - left;
-                    sum += plane.linear(x + across * normal[0], y + across * normal[1]);
-                }
+                let place =
+                    |sample| plane.linear(x + across(bin, sample) * normal[0], y + across(bin, sample) * normal[1]);
+                let sum: f64 = (0..samples as usize).map(place).sum();
                 grey.push((sum / samples * STEPS).round() as u16);
             }
         }
@@ -95,4 +106,21 @@ impl Strip {
         let values = self.grey.get(start + bins.0..start + bins.1).unwrap_or(&[]);
         values.iter().map(|value| f64::from(*value) / STEPS)
     }
+}
+
+/// The weights of the pixels of a row in the sum of the values at some places, linear between the middles of the pixels.
+fn weights(places: impl Iterator<Item = f64>, width: usize) -> Vec<(usize, f64)> {
+    let last = width.saturating_sub(1);
+    let mut weights: Vec<(usize, f64)> = Vec::new();
+    for place in places {
+        let at = (place - 0.5).max(0.0).min(last as f64);
+        let (column, right) = (at as usize, at.fract());
+        for (column, weight) in [(column, 1.0 - right), ((column + 1).min(last), right)] {
+            match weights.iter_mut().find(|one| one.0 == column) {
+                Some(one) => one.1 += weight,
+                None => weights.push((column, weight)),
+            }
+        }
+    }
+    weights
 }

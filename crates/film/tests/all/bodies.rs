@@ -123,3 +123,26 @@ fn a_mark_that_disappears_is_named() {
     let flat = Plane::new(wide, high, vec![90; wide * high]).expect("a plane");
     assert_eq!(marks.take(2, &flat), Err(Refusal::Mark { number: 1, frame: 2 }));
 }
+
+#[test]
+fn a_body_like_another_one_is_not_left_for_it() {
+    // Three bright discs on a dark wall; one of them passes between the others, and becomes faint for some frames.
+    let (wide, high) = (200_usize, 160_usize);
+    let disc = |x: f64, y: f64, u: f64, v: f64| (8.5 - libm::hypot(x - u, y - v)).clamp(0.0, 1.0);
+    let place = |n: usize| [60.0 + 2.3 * n as f64, 80.0];
+    let mut body = Body::new(settings(vec![Click { frame: 0, position: place(0) }]));
+    for n in 0..30 {
+        let mut grey = Vec::new();
+        for at in 0..wide * high {
+            let (x, y) = ((at % wide) as f64 + 0.5, (at / wide) as f64 + 0.5);
+            let texture = 12.0 * libm::sin(0.7 * x) * libm::sin(0.5 * y);
+            let still = [57.0, 103.0].map(|v| disc(x, y, 92.0, v)).iter().sum::<f64>();
+            let faint = if (12..16).contains(&n) { 0.26 } else { 1.0 };
+            grey.push((60.0 + texture + 100.0 * (still + faint * disc(x, y, place(n)[0], place(n)[1]))) as u8);
+        }
+        let plane = Plane::new(wide, high, grey).expect("a plane");
+        let sight = body.take(n, n as f64 / 30.0, &plane, Similarity::IDENTITY).expect("a frame");
+        let Sight::At([x, y], _) = sight else { panic!("lost in frame {n}") };
+        assert!((x - place(n)[0]).abs() + (y - 80.0).abs() < 1.5, "frame {n}: {x}, {y}");
+    }
+}

@@ -26,6 +26,8 @@ use refining::{Refining, Seen};
 const SCORE: f64 = 0.6;
 /// Below this correlation a wider part of the picture is searched.
 const CLEAR: f64 = 0.85;
+/// A place further away must agree better by this much: other bodies may look alike, and this one may be blurred.
+const BETTER: f64 = 0.15;
 /// Pixels around the predicted position that are always searched.
 const NEAR: f64 = 6.0;
 /// The part of the picture's height around the predicted position that is searched where nothing is found near it.
@@ -201,9 +203,10 @@ impl Body {
         let mut best = template.search(plane, [x, y], near);
         if best.1 < CLEAR {
             let last = recent.last()?.first.position;
+            let enough = if best.1 < SCORE { best.1 } else { best.1 + BETTER };
             for centre in [[x, y], last] {
                 let place = template.search(plane, centre, WIDE * high);
-                if place.1 > best.1 {
+                if place.1 > enough.max(best.1) {
                     best = place;
                 }
             }

@@ -4,8 +4,11 @@
 //! Nothing here decodes pictures. Whoever can (a browser, `ffmpeg`) hands over each frame as a [`Plane`] of grey values
 //! together with its presentation time.
 
+pub mod calibration;
 pub mod containers;
 mod plane;
 pub mod timing;
+pub mod tracking;
+pub mod y4m;
 
 pub use plane::Plane;

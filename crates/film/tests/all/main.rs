@@ -1,10 +1,17 @@
-//! Tests of films; one program, since linking many takes longer than they do.
+//! Tests of films, on small films and on pictures that are formulas of place and time; one program, since linking many takes
+//! longer than they do.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 
+mod agreement;
+mod bodies;
 mod boxes;
+mod calibration;
+mod columns;
 mod containers;
 mod damaged_films;
 mod elements;
+mod scenes;
 mod support;
 mod timing;
+mod y4m;

@@ -1,0 +1,168 @@
+//! What a body looks like, and where it is in a frame.
+
+use crate::plane::Plane;
+use crate::tracking::body::disc::Disc;
+use crate::tracking::body::part::Part;
+use crate::tracking::linear::solve;
+
+/// Steps until a position is given up.
+const STEPS: usize = 25;
+/// A step of so many pixels is the last one.
+const CLOSE: f64 = 1e-3;
+
+/// Samples that suffice for a coarse search.
+const FEW: usize = 120;
+
+/// A pixel of a template.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sample {
+    /// From the middle of the template, in pixels.
+    pub offset: [f64; 2],
+    pub value: f64,
+    /// The derivatives to the right and downwards.
+    pub gradient: [f64; 2],
+    /// How much it counts: 1 for a usual pixel, less for one that varies from frame to frame.
+    pub weight: f64,
+}
+
+/// The pixels in a disc, in places relative to the point that is followed.
+#[derive(Clone, Debug)]
+pub(crate) struct Template {
+    pub samples: Vec<Sample>,
+    pub disc: Disc,
+}
+
+/// Where a template was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Found {
+    pub position: [f64; 2],
+    /// Correlation of the pixels with the template.
+    pub score: f64,
+    /// Variances of both coordinates, from the residuals.
+    pub variance: [f64; 2],
+    /// Contrast relative to the template, and the difference of the grey values.
+    pub light: [f64; 2],
+    pub settled: bool,
+}
+
+impl Template {
+    /// The disc near a point.
+    pub(crate) fn new(part: &Part, [x, y]: [f64; 2], disc: Disc) -> Template {
+        let reach = disc.reach().floor() as i64;
+        let mut samples = Vec::new();
+        for row in -reach..=reach {
+            for column in -reach..=reach {
+                let offset = [column as f64, row as f64];
+                let from = [offset[0] - disc.shift[0], offset[1] - disc.shift[1]];
+                if from[0] * from[0] + from[1] * from[1] <= disc.radius * disc.radius {
+                    let (value, gradient) = part.jet(x + offset[0], y + offset[1]);
+                    samples.push(Sample { offset, value, gradient, weight: 1.0 });
+                }
+            }
+        }
+        Template { samples, disc }
+    }
+
+    /// Whether there is anything to be recognised: a standard deviation of a grey value.
+    pub(crate) fn plain(&self) -> bool {
+        let count = self.samples.len() as f64;
+        let mean = self.samples.iter().map(|sample| sample.value).sum::<f64>() / count;
+        let squares: f64 = self.samples.iter().map(|sample| (sample.value - mean) * (sample.value - mean)).sum();
+        squares.is_nan() || squares < count
+    }
+
+    /// The correlation with the pixels around the middle of a pixel, from every `stride`-th sample.
+    fn correlation(&self, plane: &Plane, column: i64, row: i64, stride: usize) -> f64 {
+        let (mut n, mut t, mut p, mut tt, mut pp, mut tp) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+        for sample in self.samples.iter().step_by(stride) {
+            let pixel = plane.pixel(column + sample.offset[0] as i64, row + sample.offset[1] as i64);
+            let (pixel, value) = (f64::from(pixel), sample.value);
+            n += 1.0;
+            t += value;
+            p += pixel;
+            tt += value * value;
+            pp += pixel * pixel;
+            tp += value * pixel;
+        }
+        let (tt, pp, tp) = (tt - t * t / n, pp - p * p / n, tp - t * p / n);
+        // A uniform place resembles nothing: its grey values scatter by less than a step.
+        if tt > 0.0 && pp > 0.25 * n { tp / (tt * pp).sqrt() } else { 0.0 }
+    }
+
+    /// The place of the best correlation within so many pixels of a point: its middle, and the correlation. A coarse search with
+    /// a part of the samples comes first.
+    pub(crate) fn search(&self, plane: &Plane, around: [f64; 2], reach: f64) -> ([f64; 2], f64) {
+        // What is recognised by a disc of some pixels still resembles it a fifth of the radius away.
+        let step = ((self.disc.radius / 5.0) as usize).clamp(1, 4);
+        let stride = (self.samples.len() / FEW).max(1);
+        let (place, _) = self.scan(plane, around, reach.ceil().clamp(1.0, 1e4) as i64, (step, stride));
+        self.scan(plane, place, step as i64 + 1, (1, 1))
+    }
+
+    /// The best place of a grid, by every `stride`-th sample.
+    fn scan(&self, plane: &Plane, around: [f64; 2], reach: i64, (step, stride): (usize, usize)) -> ([f64; 2], f64) {
+        let middle = around.map(|at| at.floor().clamp(-1e6, 1e6) as i64);
+        let mut best = (around, -1.0);
+        for row in (middle[1] - reach..=middle[1] + reach).step_by(step) {
+            for column in (middle[0] - reach..=middle[0] + reach).step_by(step) {
+                let inside = |at: i64, size: usize| usize::try_from(at).is_ok_and(|at| at < size);
+                if !inside(column, plane.width()) || !inside(row, plane.height()) {
+                    continue;
+                }
+                let score = self.correlation(plane, column, row, stride);
+                if score > best.1 {
+                    best = ([column as f64 + 0.5, row as f64 + 0.5], score);
+                }
+            }
+        }
+        best
+    }
+
+    /// The position of the least residual, from a start at most `reach` pixels away, with a free contrast and brightness.
+    ///
+    /// S. Baker, I. Matthews, *Int. J. Comput. Vis.* 56 (2004) 221, the inverse compositional form.
+    pub(crate) fn align(&self, part: &Part, start: [f64; 2], reach: f64) -> Found {
+        let mut found = Found { position: start, score: 0.0, variance: [0.0; 2], light: [1.0, 0.0], settled: false };
+        let mean = self.samples.iter().map(|sample| sample.value).sum::<f64>() / self.samples.len() as f64;
+        for _ in 0..STEPS {
+            let mut matrix = [[0.0; 4]; 4];
+            let mut side = [0.0; 4];
+            let mut squares = 0.0;
+            for sample in &self.samples {
+                let [u, v] = sample.offset;
+                let grey = part.at(found.position[0] + u, found.position[1] + v) - mean;
+                let terms = [sample.gradient[0], sample.gradient[1], sample.value - mean, 1.0];
+                for row in 0..4 {
+                    for column in 0..4 {
+                        matrix[row][column] += sample.weight * terms[row] * terms[column];
+                    }
+                    side[row] += sample.weight * terms[row] * grey;
+                }
+                squares += sample.weight * grey * grey;
+            }
+            let Some((solution, inverse)) = solve(matrix, side) else { return found };
+            let [across, down, gain, offset] = solution;
+            let explained: f64 = solution.iter().zip(side).map(|(a, b)| a * b).sum();
+            let rest = (squares - explained).max(0.0);
+            let total = (squares - side[3] * side[3] / matrix[3][3]).max(f64::MIN_POSITIVE);
+            if gain <= 0.0 {
+                return Found { score: 0.0, ..found };
+            }
+            let residual = rest / (self.samples.len() as f64 - 4.0).max(1.0) / (gain * gain);
+            let step = [across, down].map(|part| (-part / gain).clamp(-1.0, 1.0));
+            let moved = [0, 1].map(|k| (found.position[k] + step[k]).min(start[k] + reach).max(start[k] - reach));
+            let length = (moved[0] - found.position[0]).abs() + (moved[1] - found.position[1]).abs();
+            found = Found {
+                position: moved,
+                score: (1.0 - rest / total).max(0.0).sqrt(),
+                variance: [residual * inverse[0][0], residual * inverse[1][1]],
+                light: [gain, offset + mean - gain * mean],
+                settled: step[0].abs() + step[1].abs() < 2.0 * CLOSE,
+            };
+            if length < CLOSE {
+                break;
+            }
+        }
+        found
+    }
+}

@@ -1,0 +1,117 @@
+//! The row of the surface in one frame, by the method of Gauss and Newton on the pixels of the bore.
+
+use crate::tracking::column::pattern::{Pattern, Pose, Residuals, Weights};
+use crate::tracking::column::strip::Strip;
+use crate::tracking::linear::solve;
+
+/// Steps until the position is given up.
+const STEPS: usize = 20;
+/// A step of so many rows is the last one.
+const CLOSE: f64 = 1e-3;
+
+/// How well a frame agrees with the pattern.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Agreement {
+    /// Variance of the position, from the residuals of this frame.
+    pub variance: f64,
+    /// Correlation of the pixels with the model.
+    pub score: f64,
+    /// Sum of the squared residuals.
+    pub squares: f64,
+    /// How many pixels were compared.
+    pub count: f64,
+    /// Whether the steps became short.
+    pub settled: bool,
+}
+
+/// Sums of products of the pixels, the pattern's derivative, the pattern and one.
+struct Sums {
+    matrix: [[f64; 3]; 3],
+    side: [f64; 3],
+    squares: f64,
+}
+
+impl Sums {
+    fn of(pattern: &Pattern, strip: &Strip, pose: &Pose, weights: &mut Weights, model: &mut [(f64, f64)]) -> Sums {
+        let window = pattern.window;
+        let mut sums = Sums { matrix: [[0.0; 3]; 3], side: [0.0; 3], squares: 0.0 };
+        // Taken about the offset: the squares of grey values would lose digits.
+        for row in window.rows(pose.row) {
+            pattern.weights(row as f64 - pose.row, &pose.smear, weights);
+            pattern.row(row, weights, model);
+            for (grey, (value, slope)) in strip.values(window.grid, row, window.bins).zip(model.iter()) {
+                let grey = grey - pose.offset;
+                let m = &mut sums.matrix;
+                m[0][0] += slope * slope;
+                m[0][1] += slope * value;
+                m[0][2] += slope;
+                m[1][1] += value * value;
+                m[1][2] += value;
+                m[2][2] += 1.0;
+                sums.side[0] += slope * grey;
+                sums.side[1] += value * grey;
+                sums.side[2] += grey;
+                sums.squares += grey * grey;
+            }
+        }
+        for row in 1..3 {
+            for column in 0..row {
+                sums.matrix[row][column] = sums.matrix[column][row];
+            }
+        }
+        sums
+    }
+}
+
+/// Moves the pose to the least residual between two rows.
+pub(crate) fn align(pattern: &Pattern, strip: &Strip, pose: &mut Pose, between: (f64, f64)) -> Agreement {
+    let mut weights = Weights::default();
+    let mut model = vec![(0.0, 0.0); pattern.window.width()];
+    let (lowest, highest) = (between.0.max(0.0), between.1.min(pattern.window.grid.rows as f64 - 1.0));
+    let mut agreement = Agreement::default();
+    for _ in 0..STEPS {
+        let sums = Sums::of(pattern, strip, pose, &mut weights, &mut model);
+        let Some(([slope, gain, offset], inverse)) = solve(sums.matrix, sums.side) else { return agreement };
+        let count = sums.matrix[2][2];
+        let explained = slope * sums.side[0] + gain * sums.side[1] + offset * sums.side[2];
+        let squares = (sums.squares - explained).max(0.0);
+        let total = (sums.squares - sums.side[2] * sums.side[2] / count).max(f64::MIN_POSITIVE);
+        let residual = squares / (count - 3.0).max(1.0);
+        pose.offset += offset;
+        if gain <= 0.0 {
+            return Agreement { score: 0.0, squares, count, ..agreement };
+        }
+        pose.gain = gain;
+        // Where the surface is lower by one row, the picture there is that of a row higher.
+        let step = (-slope / gain).clamp(-1.0, 1.0);
+        let row = (pose.row + step).min(highest).max(lowest);
+        let moved = (row - pose.row).abs();
+        pose.row = row;
+        agreement = Agreement {
+            variance: residual * inverse[0][0] / (gain * gain),
+            score: (1.0 - squares / total).max(0.0).sqrt(),
+            squares,
+            count,
+            settled: (step).abs() < CLOSE,
+        };
+        if moved < CLOSE {
+            break;
+        }
+    }
+    agreement
+}
+
+/// Adds the residuals of a frame to those of which the background is made.
+pub(crate) fn residuals(pattern: &Pattern, strip: &Strip, pose: &Pose, sums: &mut Residuals) {
+    let window = pattern.window;
+    let mut weights = Weights::default();
+    let mut model = vec![(0.0, 0.0); window.width()];
+    for row in window.rows(pose.row) {
+        pattern.weights(row as f64 - pose.row, &pose.smear, &mut weights);
+        pattern.row(row, &weights, &mut model);
+        for (bin, grey) in strip.values(window.grid, row, window.bins).enumerate() {
+            let (value, _) = model[bin];
+            sums.take(row * window.width() + bin, (grey - pose.offset) / pose.gain - value);
+        }
+    }
+}

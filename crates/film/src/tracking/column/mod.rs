@@ -1,0 +1,297 @@
+//! The surface of a liquid in a tube.
+//!
+//! [`Column::take`] keeps a strip along the tube of each frame. Then [`Column::advance`] finds the path of the surface through
+//! the space-time picture of the strips, and refines it on the pixels of the bore.
+
+mod align;
+mod bore;
+mod exposure;
+mod path;
+mod pattern;
+mod solving;
+mod strip;
+
+use crate::plane::Plane;
+use crate::tracking::errors::{outliers, scaled};
+use crate::tracking::readout;
+use crate::tracking::refusal::Refusal;
+use crate::tracking::similarity::Similarity;
+use crate::tracking::track::{Known, Point, Readout, Track};
+use bore::Changes;
+use solving::{Solving, Task};
+use strip::{Grid, Line, Strip};
+
+/// Grey values that the strips of a film may hold, of two bytes each.
+const VALUES: usize = 48 << 20;
+/// Rows of a strip at most: paths keep rows in 16 bits.
+const ROWS: usize = 8192;
+/// Bins across the strip.
+const BINS: usize = 20;
+/// Half the width of the strip, as a part of the picture's height.
+const HALF_WIDTH: f64 = 1.0 / 16.0;
+/// The surface moves by at most this part of the picture's height between frames.
+const REACH: f64 = 1.0 / 8.0;
+/// A tube shorter than this, in pixels, shows no motion that could be followed.
+const SHORTEST: f64 = 24.0;
+/// The fewest frames of a track.
+const FEWEST: usize = 3;
+/// A point with a lower score is doubtful.
+const SCORE: f64 = 0.6;
+/// So is one that lies more of its standard errors from what its neighbours predict.
+const DEVIATION: f64 = 6.0;
+
+/// Where the surface was clicked, in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Click {
+    /// The frame, counted as the frames that are taken.
+    pub frame: usize,
+    /// To the right and downwards.
+    pub position: [f64; 2],
+}
+
+/// What is known before the first frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// The surface.
+    pub click: Click,
+    /// Two points of the tube's axis, such as its ends; without them the tube is upright and goes through the click.
+    pub tube: Option<[[f64; 2]; 2]>,
+    /// Half the width of the strip in which the bore is sought, in pixels; without it 1/16 of the picture's height.
+    pub half_width: Option<f64>,
+    /// The exposure time.
+    pub exposure: Known,
+    /// The time that the camera takes to read a frame.
+    pub readout: Known,
+}
+
+impl Settings {
+    /// An upright tube of which only the surface is known.
+    pub fn new(click: Click) -> Settings {
+        Settings { click, tube: None, half_width: None, exposure: Known::Estimated, readout: Known::Estimated }
+    }
+}
+
+/// The grey values of the space-time picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpaceTime {
+    /// One column of the picture for each frame: the mean over the bore in every row along the tube, from its beginning.
+    pub columns: Vec<Vec<u8>>,
+    /// The point of the first row in the first frame, in pixels.
+    pub origin: [f64; 2],
+    /// Along the tube, of length 1: from one row to the next.
+    pub direction: [f64; 2],
+    /// Where the bore begins and ends, in pixels from the axis to the right of a tube that points downwards.
+    pub bore: [f64; 2],
+}
+
+/// The tracking of a surface.
+pub struct Column {
+    settings: Settings,
+    layout: Option<Layout>,
+    strips: Vec<Strip>,
+    anchors: Vec<Click>,
+    solving: Option<Solving>,
+    track: Option<Track>,
+}
+
+/// What the first frame decides.
+struct Layout {
+    size: (usize, usize),
+    line: Line,
+    grid: Grid,
+    changes: Changes,
+}
+
+impl Layout {
+    fn of(settings: &Settings, plane: &Plane) -> Result<Layout, Refusal> {
+        let size = (plane.width(), plane.height());
+        let (wide, high) = (size.0 as f64, size.1 as f64);
+        let inside = |[x, y]: [f64; 2]| {
+            let inside = (0.0..=wide).contains(&x) && (0.0..=high).contains(&y);
+            if inside { Ok([x, y]) } else { Err(Refusal::Click { x, y }) }
+        };
+        let [x, _] = inside(settings.click.position)?;
+        let (origin, direction, length) = match settings.tube {
+            None => ([x, 0.5], [0.0, 1.0], high - 1.0),
+            Some([from, to]) => {
+                let (from, to) = (inside(from)?, inside(to)?);
+                let (u, v) = (to[0] - from[0], to[1] - from[1]);
+                let length = (u * u + v * v).sqrt();
+                (from, [u / length, v / length], length)
+            }
+        };
+        if length.is_nan() || length < SHORTEST {
+            return Err(Refusal::Tube { length, least: SHORTEST });
+        }
+        let half = settings.half_width.filter(|half| half.is_finite()).unwrap_or(HALF_WIDTH * high).min(wide).max(2.0);
+        // A bin is no narrower than a pixel.
+        let bins = BINS.min((2.0 * half) as usize).max(1);
+        let grid = Grid { rows: (length as usize + 1).min(ROWS), bins, width: 2.0 * half / bins as f64 };
+        Ok(Layout { size, line: Line { origin, direction }, grid, changes: Changes::new(grid) })
+    }
+}
+
+impl Column {
+    /// Prepares for the first frame.
+    pub fn new(settings: Settings) -> Column {
+        Column { settings, layout: None, strips: Vec::new(), anchors: Vec::new(), solving: None, track: None }
+    }
+
+    /// Takes the next frame, in the order of time (seconds); keeps a strip of it. `camera` says how the camera has moved since the
+    /// first frame ([`Similarity::IDENTITY`] on a tripod).
+    ///
+    /// # Errors
+    ///
+    /// Where the click lies outside the picture, the frame has another size or an earlier time, or the film is too long.
+    pub fn take(&mut self, frame: usize, time: f64, plane: &Plane, camera: Similarity) -> Result<(), Refusal> {
+        let layout = match &mut self.layout {
+            Some(layout) => layout,
+            empty => empty.insert(Layout::of(&self.settings, plane)?),
+        };
+        if layout.size != (plane.width(), plane.height()) {
+            return Err(Refusal::Size { frame });
+        }
+        if !time.is_finite() || self.strips.last().is_some_and(|last| last.time >= time || last.frame >= frame) {
+            return Err(Refusal::Order { frame });
+        }
+        let most = VALUES / (layout.grid.rows * layout.grid.bins).max(1);
+        if self.strips.len() >= most {
+            return Err(Refusal::Long { frames: most });
+        }
+        let strip = Strip::read(frame, time, plane, &layout.line, camera, layout.grid);
+        layout.changes.take(&strip);
+        self.strips.push(strip);
+        (self.solving, self.track) = (None, None);
+        Ok(())
+    }
+
+    /// Fixes the surface in a frame to within some pixels of a click, in place of an earlier anchor of that frame. The path is
+    /// found again by the next calls of [`Column::advance`].
+    pub fn anchor(&mut self, click: Click) {
+        self.anchors.retain(|anchor| anchor.frame != click.frame);
+        self.anchors.push(click);
+        self.start_again();
+    }
+
+    /// Removes the anchor of a frame.
+    pub fn release(&mut self, frame: usize) {
+        self.anchors.retain(|anchor| anchor.frame != frame);
+        self.start_again();
+    }
+
+    fn start_again(&mut self) {
+        self.track = None;
+        let Some(layout) = &self.layout else { return };
+        let anchors = self.anchors.iter().map(|click| seen(&self.strips, layout, click)).collect();
+        if let Some(solving) = &mut self.solving {
+            solving.again(anchors);
+        }
+    }
+
+    /// Continues the search by as many steps, each of which does the work of about one frame (less than a millisecond). True
+    /// once the track is complete.
+    ///
+    /// # Errors
+    ///
+    /// Where there are too few frames, or the clicked place is uniform.
+    pub fn advance(&mut self, steps: usize) -> Result<bool, Refusal> {
+        let short = Refusal::Short { frames: FEWEST };
+        let Some(layout) = self.layout.as_ref().filter(|_| self.strips.len() >= FEWEST) else { return Err(short) };
+        let solving = match &mut self.solving {
+            Some(solving) => solving,
+            empty => {
+                empty.insert(Solving::new(task(&self.settings, &self.anchors, &self.strips, layout), &self.strips))
+            }
+        };
+        for _ in 0..steps {
+            if self.track.is_some() {
+                break;
+            }
+            if solving.step(&self.strips)? {
+                self.track = Some(joined(&self.settings, layout, &self.strips, solving));
+            }
+        }
+        Ok(self.track.is_some())
+    }
+
+    /// The whole search at once.
+    ///
+    /// # Errors
+    ///
+    /// As [`Column::advance`].
+    pub fn finish(&mut self) -> Result<Track, Refusal> {
+        while !self.advance(usize::MAX)? {}
+        Ok(self.track.clone().unwrap_or_default())
+    }
+
+    /// The track, once it is complete.
+    pub fn track(&self) -> Option<&Track> {
+        self.track.as_ref()
+    }
+
+    /// The space-time picture, once the first part of the search is done.
+    pub fn space_time(&self) -> Option<SpaceTime> {
+        let (layout, solving) = self.layout.as_ref().zip(self.solving.as_ref())?;
+        let grey = |profile: &Vec<f32>| profile.iter().map(|value| value.round() as u8).collect();
+        let columns = solving.profiles().iter().map(grey).collect();
+        let (grid, (first, end)) = (layout.grid, solving.task.bins);
+        let bore = [first, end].map(|bin| (bin as f64 - grid.bins as f64 / 2.0) * grid.width);
+        Some(SpaceTime { columns, origin: layout.line.origin, direction: layout.line.direction, bore })
+    }
+}
+
+fn task(settings: &Settings, anchors: &[Click], strips: &[Strip], layout: &Layout) -> Task {
+    Task {
+        grid: layout.grid,
+        bins: layout.changes.bore(layout.grid),
+        clicked: seen(strips, layout, &settings.click),
+        anchors: anchors.iter().map(|click| seen(strips, layout, click)).collect(),
+        reach: REACH * layout.size.1 as f64,
+        exposure: settings.exposure,
+    }
+}
+
+/// The strip and the row of a click; the nearest strip where its frame was not taken.
+fn seen(strips: &[Strip], layout: &Layout, click: &Click) -> (usize, f64) {
+    let at = strips.partition_point(|strip| strip.frame < click.frame).min(strips.len().saturating_sub(1));
+    let row = strips.get(at).map_or(0.0, |strip| strip.line.row(click.position));
+    (at, row.min(layout.grid.rows as f64 - 1.0).max(0.0))
+}
+
+/// The track with times and errors.
+fn joined(settings: &Settings, layout: &Layout, strips: &[Strip], solving: &Solving) -> Track {
+    let found = strips.iter().zip(&solving.poses).zip(&solving.agreements);
+    let mut points = Vec::with_capacity(strips.len());
+    let (mut formal, mut read) = (Vec::new(), Vec::new());
+    for ((strip, pose), agreement) in found {
+        let seen = strip.line.at(pose.row);
+        // By which part of a frame's height the row is read after that in the middle.
+        read.push(seen[1] / layout.size.1 as f64 - 0.5);
+        formal.push(agreement.variance.sqrt());
+        points.push(Point {
+            frame: strip.frame,
+            time: strip.time,
+            position: strip.camera.undo(seen),
+            sigma: [0.0; 2],
+            score: agreement.score,
+            doubtful: agreement.score < SCORE || !agreement.settled,
+        });
+    }
+    let times: Vec<f64> = points.iter().map(|point| point.time).collect();
+    let along: Vec<f64> = points.iter().map(|point| layout.line.row(point.position)).collect();
+    let readout = match settings.readout {
+        Known::Seconds(seconds) => Some(Readout { seconds, sigma: 0.0 }),
+        Known::Estimated => readout::estimate(&times, &along, &read),
+    };
+    let seconds = readout.map_or(0.0, |readout| readout.seconds);
+    let times: Vec<f64> = times.iter().zip(&read).map(|(time, part)| time + seconds * part).collect();
+    let sigmas = scaled(&times, &along, &formal);
+    let outliers = outliers(&times, &along, &sigmas, DEVIATION);
+    let direction = layout.line.direction;
+    for (at, point) in points.iter_mut().enumerate() {
+        point.time = times[at];
+        point.sigma = direction.map(|part| part.abs() * sigmas[at]);
+        point.doubtful |= outliers[at];
+    }
+    Track { points, exposure: solving.exposure, readout, direction: Some(direction), lost: None }
+}

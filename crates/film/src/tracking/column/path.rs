@@ -1,0 +1,133 @@
+//! The path of the surface through the space-time picture: the cheapest sequence of rows (A. J. Viterbi, *IEEE Trans. Inf.
+//! Theory* 13 (1967) 260).
+
+/// Cost of a step by one row, where complete disagreement of the profiles costs 1.
+const STEP: f32 = 0.004;
+/// A profile weaker than this part of the median of the strongest ones counts as if it had this strength, so that noise in a
+/// uniform part does not resemble anything.
+const FLOOR: f64 = 0.3;
+
+/// The strength of a profile: the square root of its summed squares about their mean, around each row.
+pub(crate) fn strengths(profile: &[f32], half: usize) -> Vec<f64> {
+    let windows = |squares: bool| {
+        let value = move |row: i64| {
+            let value = f64::from(at(profile, row));
+            if squares { value * value } else { value }
+        };
+        let half = half as i64;
+        let mut sum: f64 = (-half..=half).map(value).sum();
+        (0..profile.len() as i64).map(move |row| {
+            let now = sum;
+            sum += value(row + half + 1) - value(row - half);
+            now
+        })
+    };
+    let count = (2 * half + 1) as f64;
+    windows(false).zip(windows(true)).map(|(sum, squares)| (squares - sum * sum / count).max(0.0).sqrt()).collect()
+}
+
+/// The value of a row; beyond the ends that of the last one.
+fn at(profile: &[f32], row: i64) -> f32 {
+    let last = profile.len().saturating_sub(1);
+    profile.get(usize::try_from(row).unwrap_or(0).min(last)).copied().unwrap_or(0.0)
+}
+
+/// The clicked profile around a row, less its mean; `None` where it is uniform.
+pub(crate) fn template(profile: &[f32], row: f64, half: usize) -> Option<Vec<f32>> {
+    let middle = row.round() as i64;
+    let mut values: Vec<f32> = (-(half as i64)..=half as i64).map(|k| at(profile, middle + k)).collect();
+    let mean = values.iter().sum::<f32>() / values.len() as f32;
+    values.iter_mut().for_each(|value| *value -= mean);
+    let norm = values.iter().map(|value| value * value).sum::<f32>().sqrt();
+    if norm < 1.0 {
+        return None;
+    }
+    values.iter_mut().for_each(|value| *value /= norm);
+    Some(values)
+}
+
+/// The search for the path, frame after frame.
+pub(crate) struct Search {
+    template: Vec<f32>,
+    floor: f64,
+    /// The cost of the cheapest path to each row of the frame before.
+    costs: Vec<f32>,
+    /// For each frame and row the row of the frame before.
+    before: Vec<Vec<u16>>,
+}
+
+impl Search {
+    /// `strongest` is the greatest strength of each frame.
+    pub(crate) fn new(template: Vec<f32>, mut strongest: Vec<f64>, rows: usize) -> Search {
+        strongest.sort_by(f64::total_cmp);
+        let median = strongest.get(strongest.len() / 2).copied().unwrap_or(0.0);
+        Search { template, floor: (FLOOR * median).max(1e-3), costs: vec![0.0; rows], before: Vec::new() }
+    }
+
+    /// Takes the next frame. The surface moves by at most `reach` rows since the frame before; `fixed` are the rows in which a
+    /// person saw it.
+    pub(crate) fn take(&mut self, profile: &[f32], reach: usize, fixed: Option<(usize, usize)>) {
+        let half = self.template.len() / 2;
+        let (mut costs, before) = nearest(&self.costs, reach);
+        let strengths = strengths(profile, half);
+        for (row, cost) in costs.iter_mut().enumerate() {
+            if fixed.is_some_and(|(first, last)| row < first || row > last) {
+                *cost += 1e6;
+                continue;
+            }
+            let start = row as i64 - half as i64;
+            let product: f32 = if start >= 0 && row + half < profile.len() {
+                self.template.iter().zip(&profile[start as usize..]).map(|(a, b)| a * b).sum()
+            } else {
+                self.template.iter().zip(start..).map(|(a, k)| a * at(profile, k)).sum()
+            };
+            let strength = strengths.get(row).copied().unwrap_or(0.0).max(self.floor);
+            *cost += 1.0 - (f64::from(product) / strength) as f32;
+        }
+        self.costs = costs;
+        self.before.push(before);
+    }
+
+    /// The row of each frame.
+    pub(crate) fn path(&self) -> Vec<usize> {
+        let cheapest = self.costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
+        let mut row = cheapest.map_or(0, |(row, _)| row);
+        let mut path = Vec::with_capacity(self.before.len());
+        for before in self.before.iter().rev() {
+            path.push(row);
+            row = before.get(row).copied().map_or(0, usize::from);
+        }
+        path.reverse();
+        path
+    }
+}
+
+/// For each row the cheapest way to it from one at most `reach` rows away: its cost, and that row.
+///
+/// With a cost proportional to the distance, the least value over a window that slides down, and that over one that slides up.
+fn nearest(costs: &[f32], reach: usize) -> (Vec<f32>, Vec<u16>) {
+    let mut best = vec![(f32::INFINITY, 0_u16); costs.len()];
+    for backward in [false, true] {
+        let mut window = std::collections::VecDeque::new();
+        for step in 0..costs.len() {
+            let row = if backward { costs.len() - 1 - step } else { step };
+            // The cost, had this row been reached from the beginning: differences are those of the steps.
+            let entry = costs[row] - STEP * step as f32;
+            while window.back().is_some_and(|(_, value)| *value > entry) {
+                window.pop_back();
+            }
+            window.push_back((step, entry));
+            while window.front().is_some_and(|(old, _)| old + reach < step) {
+                window.pop_front();
+            }
+            if let Some((from, value)) = window.front() {
+                let cost = value + STEP * step as f32;
+                if cost < best[row].0 {
+                    let from = if backward { costs.len() - 1 - from } else { *from };
+                    best[row] = (cost, from as u16);
+                }
+            }
+        }
+    }
+    best.into_iter().unzip()
+}

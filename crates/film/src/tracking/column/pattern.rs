@@ -1,0 +1,228 @@
+//! What the surface looks like: a grey value for each distance from it along the tube and each bin across the bore.
+//!
+//! The film is modelled as `gain * (pattern(row - surface) + background(row)) + offset`, with a gain and an offset for each frame.
+//! The pattern is a cubic spline with a knot for each pixel, fitted to the pixels of all frames by least squares, so that
+//! frames with different fractions of a pixel determine it more finely than one frame can. Smear during the exposure widens
+//! the splines and not the pattern: blurred frames determine the sharp pattern, too.
+
+use crate::tracking::column::strip::{Grid, Strip};
+use crate::tracking::linear::Banded;
+use crate::tracking::spline;
+
+/// Penalty on second differences of the pattern, relative to the mean weight of a knot: it bridges knots without data.
+const SMOOTHNESS: f64 = 1e-4;
+
+/// A frame's part of the model.
+#[derive(Clone, Debug)]
+pub(crate) struct Pose {
+    /// The row of the surface.
+    pub row: f64,
+    /// Contrast, relative to the mean of all frames.
+    pub gain: f64,
+    /// Grey values.
+    pub offset: f64,
+    /// By how many rows the surface is away from `row` at instants that divide the exposure equally.
+    pub smear: Vec<f64>,
+    /// Whether the frame counts for pattern and background.
+    pub trusted: bool,
+}
+
+/// The bins and rows that are compared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Window {
+    pub grid: Grid,
+    /// The bins of the bore, from the first to before the last.
+    pub bins: (usize, usize),
+    /// Rows to both sides of the surface.
+    pub half: f64,
+}
+
+impl Window {
+    pub(crate) fn width(&self) -> usize {
+        self.bins.1 - self.bins.0
+    }
+
+    /// The rows around the surface.
+    pub(crate) fn rows(&self, row: f64) -> std::ops::Range<usize> {
+        let first = (row - self.half).ceil().max(0.0) as usize;
+        let end = ((row + self.half).floor() + 1.0).max(0.0) as usize;
+        first.min(self.grid.rows)..end.min(self.grid.rows)
+    }
+}
+
+/// The weights of the knots in one row.
+#[derive(Default)]
+pub(crate) struct Weights {
+    /// The first knot.
+    pub first: usize,
+    /// Of the values.
+    pub values: Vec<f64>,
+    /// Of the derivatives.
+    pub slopes: Vec<f64>,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Pattern {
+    pub window: Window,
+    /// The distance of the first knot.
+    first: f64,
+    knots: usize,
+    /// For each knot, the bins.
+    coefficients: Vec<f64>,
+    /// For each row of the strip, the bins: what stands still.
+    pub background: Vec<f64>,
+}
+
+impl Pattern {
+    /// A pattern without content, wide enough for frames smeared by up to `smear` rows.
+    pub(crate) fn new(window: Window, smear: f64) -> Pattern {
+        let reach = (window.half + smear / 2.0).ceil();
+        let knots = 2 * reach as usize + 4;
+        Pattern {
+            window,
+            first: -reach - 1.0,
+            knots,
+            coefficients: vec![0.0; knots * window.width()],
+            background: vec![0.0; window.grid.rows * window.width()],
+        }
+    }
+
+    /// The weights of the knots for a row at this distance from the surface.
+    pub(crate) fn weights(&self, distance: f64, smear: &[f64], weights: &mut Weights) {
+        weights.values.clear();
+        weights.slopes.clear();
+        let part = 1.0 / smear.len() as f64;
+        // The greater of a number and of one that is none is the number.
+        let place = |shift: f64| (distance - shift - self.first - 1.0).max(0.0).min((self.knots - 4) as f64);
+        let lowest = smear.iter().map(|shift| place(*shift)).fold(f64::INFINITY, f64::min);
+        weights.first = lowest.floor() as usize;
+        for shift in smear {
+            let at = place(*shift);
+            let knot = at.floor();
+            let start = knot as usize - weights.first;
+            if weights.values.len() < start + 4 {
+                weights.values.resize(start + 4, 0.0);
+                weights.slopes.resize(start + 4, 0.0);
+            }
+            let (values, slopes) = (spline::values(at - knot), spline::slopes(at - knot));
+            for k in 0..4 {
+                weights.values[start + k] += part * values[k];
+                weights.slopes[start + k] += part * slopes[k];
+            }
+        }
+        // The rightmost place may lie on the last knot.
+        let room = self.knots - weights.first;
+        weights.values.truncate(room);
+        weights.slopes.truncate(room);
+    }
+
+    /// The pattern and its derivative by the row in the bins of one row of the strip, with the background.
+    pub(crate) fn row(&self, row: usize, weights: &Weights, out: &mut [(f64, f64)]) {
+        let width = self.window.width();
+        out.iter_mut().zip(&self.background[row * width..]).for_each(|(out, still)| *out = (*still, 0.0));
+        let knots = self.coefficients[weights.first * width..].chunks_exact(width);
+        for (knot, (value, slope)) in knots.zip(weights.values.iter().zip(&weights.slopes)) {
+            for (out, coefficient) in out.iter_mut().zip(knot) {
+                out.0 += value * coefficient;
+                out.1 += slope * coefficient;
+            }
+        }
+    }
+}
+
+/// The normal equations of the pattern.
+pub(crate) struct Fitting {
+    matrix: Banded,
+    sides: Vec<f64>,
+    weights: Weights,
+    gains: f64,
+    frames: f64,
+}
+
+impl Fitting {
+    pub(crate) fn new(pattern: &Pattern) -> Fitting {
+        Fitting {
+            matrix: Banded::new(pattern.knots, pattern.knots - 1),
+            sides: vec![0.0; pattern.coefficients.len()],
+            weights: Weights::default(),
+            gains: 0.0,
+            frames: 0.0,
+        }
+    }
+
+    /// Takes a frame.
+    pub(crate) fn take(&mut self, pattern: &Pattern, strip: &Strip, pose: &Pose) {
+        let window = pattern.window;
+        let width = window.width();
+        self.gains += pose.gain;
+        self.frames += 1.0;
+        for row in window.rows(pose.row) {
+            pattern.weights(row as f64 - pose.row, &pose.smear, &mut self.weights);
+            let (first, weights) = (self.weights.first, &self.weights.values);
+            for (k, weight) in weights.iter().enumerate() {
+                for (j, other) in weights.iter().enumerate().skip(k) {
+                    self.matrix.add(first + k, first + j, pose.gain * pose.gain * weight * other);
+                }
+            }
+            for (bin, value) in strip.values(window.grid, row, window.bins).enumerate() {
+                let still = pattern.background[row * width + bin];
+                let value = pose.gain * (value - pose.offset - pose.gain * still);
+                for (k, weight) in weights.iter().enumerate() {
+                    self.sides[(first + k) * width + bin] += weight * value;
+                }
+            }
+        }
+    }
+
+    /// Replaces the content of the pattern; returns the mean gain of the frames, which the pattern has taken over.
+    pub(crate) fn finish(mut self, pattern: &mut Pattern) -> f64 {
+        let penalty = SMOOTHNESS * self.matrix.scale() + f64::MIN_POSITIVE;
+        for knot in 0..pattern.knots {
+            self.matrix.add(knot, knot, 1e-6 * penalty);
+        }
+        for knot in 0..pattern.knots.saturating_sub(2) {
+            for (k, one) in [1.0, -2.0, 1.0].into_iter().enumerate() {
+                for (j, other) in [1.0, -2.0, 1.0].into_iter().enumerate().skip(k) {
+                    self.matrix.add(knot + k, knot + j, penalty * one * other);
+                }
+            }
+        }
+        let mean = self.gains / self.frames;
+        if self.frames == 0.0 || mean <= 0.0 || self.matrix.solve(&mut self.sides, pattern.window.width()).is_none() {
+            return 1.0;
+        }
+        self.sides.iter_mut().for_each(|value| *value *= mean);
+        pattern.coefficients = self.sides;
+        mean
+    }
+}
+
+/// The mean residual of each value of the strip, of which the background is made.
+pub(crate) struct Residuals {
+    /// Count, sum, sum of squares.
+    sums: Vec<(f64, f64, f64)>,
+}
+
+impl Residuals {
+    pub(crate) fn new(pattern: &Pattern) -> Residuals {
+        Residuals { sums: vec![(0.0, 0.0, 0.0); pattern.background.len()] }
+    }
+
+    pub(crate) fn take(&mut self, at: usize, residual: f64) {
+        if let Some(sum) = self.sums.get_mut(at) {
+            *sum = (sum.0 + 1.0, sum.1 + residual, sum.2 + residual * residual);
+        }
+    }
+
+    /// Adds to the background the part of each mean that its scatter does not explain (the positive-part estimator of W. James and
+    /// C. Stein, *Proc. 4th Berkeley Symp.* 1 (1961) 361).
+    pub(crate) fn finish(self, pattern: &mut Pattern) {
+        for ((count, sum, squares), still) in self.sums.into_iter().zip(&mut pattern.background) {
+            let mean = sum / count;
+            let variance = (squares / count - mean * mean) / (count - 1.0);
+            if count > 3.0 && mean * mean > variance {
+                *still += mean * (1.0 - variance / (mean * mean));
+            }
+        }
+    }
+}

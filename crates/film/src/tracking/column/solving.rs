@@ -1,0 +1,235 @@
+//! From the strips to the track, in portions of work.
+
+use crate::tracking::column::align::{Agreement, align, residuals};
+use crate::tracking::column::exposure::Candidates;
+use crate::tracking::column::path::{Search, strengths, template};
+use crate::tracking::column::pattern::{Fitting, Pattern, Pose, Residuals, Window};
+use crate::tracking::column::strip::{Grid, Strip};
+use crate::tracking::motion::{motion, smear};
+use crate::tracking::refusal::Refusal;
+use crate::tracking::track::{Exposure, Known};
+
+/// Rounds of pattern and positions before the exposure time is sought, and after.
+const ROUNDS: usize = 3;
+/// Positions that change by less than this many rows (root of the mean square) in a round need no other one.
+const SETTLED: f64 = 0.005;
+/// Rows that the surface may be away from the path, and from where a person clicked.
+const REACH: f64 = 4.0;
+
+/// What is sought.
+#[derive(Clone, Debug)]
+pub(crate) struct Task {
+    pub grid: Grid,
+    pub bins: (usize, usize),
+    /// The index of the clicked strip, and the row.
+    pub clicked: (usize, f64),
+    /// Further strips and rows.
+    pub anchors: Vec<(usize, f64)>,
+    /// Rows that the surface moves between frames at most, in the median time between frames.
+    pub reach: f64,
+    pub exposure: Known,
+}
+
+impl Task {
+    /// The part of the bore's width in which the surface shows on both sides of it.
+    fn window(&self) -> Window {
+        let width = (self.bins.1 - self.bins.0) as f64 * self.grid.width;
+        Window { grid: self.grid, bins: self.bins, half: (0.8 * width).clamp(7.0, 40.0) }
+    }
+
+    fn fixed(&self, at: usize) -> Option<(usize, usize)> {
+        let clicked = (self.clicked.0 == at).then_some(self.clicked.1);
+        let anchor = self.anchors.iter().rev().find(|anchor| anchor.0 == at).map(|anchor| anchor.1);
+        let row = anchor.or(clicked)?;
+        Some(((row - REACH).max(0.0) as usize, (row + REACH).max(0.0) as usize))
+    }
+}
+
+enum Stage {
+    Profiles,
+    Path(Search, usize),
+    Fitting(Fitting, usize),
+    Aligning(Residuals, usize),
+    Exposure(Box<Candidates>),
+    Finished,
+}
+
+/// The state between two portions.
+pub(crate) struct Solving {
+    pub task: Task,
+    times: Vec<f64>,
+    /// The median time between frames, and the shortest.
+    intervals: (f64, f64),
+    profiles: Vec<Vec<f32>>,
+    strongest: Vec<f64>,
+    stage: Stage,
+    round: usize,
+    /// The sum of the squared changes of positions in this round.
+    change: f64,
+    pattern: Pattern,
+    pub poses: Vec<Pose>,
+    pub agreements: Vec<Agreement>,
+    path: Vec<usize>,
+    pub exposure: Option<Exposure>,
+}
+
+impl Solving {
+    pub(crate) fn new(task: Task, strips: &[Strip]) -> Solving {
+        let times: Vec<f64> = strips.iter().map(|strip| strip.time).collect();
+        let mut intervals: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        intervals.sort_by(f64::total_cmp);
+        let at = |k: usize| intervals.get(k).copied().unwrap_or(1.0);
+        Solving {
+            intervals: (at(intervals.len() / 2), at(0)),
+            pattern: Pattern::new(task.window(), 0.0),
+            exposure: match task.exposure {
+                Known::Seconds(seconds) => Some(Exposure::Seconds(seconds)),
+                Known::Estimated => None,
+            },
+            task,
+            times,
+            profiles: Vec::new(),
+            strongest: Vec::new(),
+            stage: Stage::Profiles,
+            round: 0,
+            change: 0.0,
+            poses: Vec::new(),
+            agreements: Vec::new(),
+            path: Vec::new(),
+        }
+    }
+
+    /// The grey values of the space-time picture: for each frame the mean over the bore in every row.
+    pub(crate) fn profiles(&self) -> &[Vec<f32>] {
+        &self.profiles
+    }
+
+    /// Seeks the path again after anchors have changed.
+    pub(crate) fn again(&mut self, anchors: Vec<(usize, f64)>) {
+        self.task.anchors = anchors;
+        self.round = 0;
+        self.pattern = Pattern::new(self.task.window(), 0.0);
+        if self.task.exposure == Known::Estimated {
+            self.exposure = None;
+        }
+        self.stage = Stage::Profiles;
+    }
+
+    /// Does the work of one frame; true once all is done.
+    pub(crate) fn step(&mut self, strips: &[Strip]) -> Result<bool, Refusal> {
+        self.stage = match std::mem::replace(&mut self.stage, Stage::Finished) {
+            Stage::Profiles => self.profile(strips)?,
+            Stage::Path(search, at) => self.follow(search, at),
+            Stage::Fitting(fitting, at) => self.fit(fitting, at, strips),
+            Stage::Aligning(sums, at) => self.align(sums, at, strips),
+            Stage::Exposure(mut candidates) => match candidates.advance(&self.pattern, strips, &self.poses) {
+                Some(exposure) => {
+                    self.exposure = Some(exposure);
+                    self.begin_round()
+                }
+                None => Stage::Exposure(candidates),
+            },
+            Stage::Finished => Stage::Finished,
+        };
+        Ok(matches!(self.stage, Stage::Finished))
+    }
+
+    fn profile(&mut self, strips: &[Strip]) -> Result<Stage, Refusal> {
+        let half = self.task.window().half as usize;
+        let grid = self.task.grid;
+        if let Some(strip) = strips.get(self.profiles.len()) {
+            let bins = self.task.bins;
+            let mean = |row| strip.values(grid, row, bins).sum::<f64>() / (bins.1 - bins.0) as f64;
+            let profile: Vec<f32> = (0..grid.rows).map(|row| mean(row) as f32).collect();
+            self.strongest.push(strengths(&profile, half).into_iter().fold(0.0, f64::max));
+            self.profiles.push(profile);
+            return Ok(Stage::Profiles);
+        }
+        let (at, row) = self.task.clicked;
+        let profile = self.profiles.get(at).ok_or(Refusal::Plain)?;
+        let template = template(profile, row, half).ok_or(Refusal::Plain)?;
+        Ok(Stage::Path(Search::new(template, self.strongest.clone(), grid.rows), 0))
+    }
+
+    fn follow(&mut self, mut search: Search, at: usize) -> Stage {
+        if let Some(profile) = self.profiles.get(at) {
+            let late = if at == 0 { 0.0 } else { (self.times[at] - self.times[at - 1]) / self.intervals.0 };
+            let reach = (self.task.reach * late.max(1.0)).ceil().min(self.task.grid.rows as f64) as usize;
+            search.take(profile, reach, self.task.fixed(at));
+            return Stage::Path(search, at + 1);
+        }
+        self.path = search.path();
+        let pose =
+            |row: &usize| Pose { row: *row as f64, gain: 1.0, offset: f64::NAN, smear: vec![0.0], trusted: true };
+        self.poses = self.path.iter().map(pose).collect();
+        self.agreements = vec![Agreement::default(); self.poses.len()];
+        self.begin_round()
+    }
+
+    fn begin_round(&mut self) -> Stage {
+        let rows: Vec<f64> = self.poses.iter().map(|pose| pose.row).collect();
+        let exposure = match self.exposure {
+            Some(Exposure::Seconds(seconds)) => seconds,
+            _ => 0.0,
+        };
+        let mut widest = 0.0_f64;
+        for (at, pose) in self.poses.iter_mut().enumerate() {
+            // Positions of the path are whole rows: too coarse for accelerations.
+            if self.round > 0 {
+                pose.smear = smear(motion(&self.times, &rows, at), exposure);
+            }
+            widest = pose.smear.iter().filter(|_| pose.trusted).fold(widest, |widest, shift| widest.max(shift.abs()));
+        }
+        let background = std::mem::take(&mut self.pattern.background);
+        self.pattern = Pattern::new(self.task.window(), (2.0 * widest).min(self.task.grid.rows as f64));
+        self.pattern.background = background;
+        Stage::Fitting(Fitting::new(&self.pattern), 0)
+    }
+
+    fn fit(&mut self, mut fitting: Fitting, at: usize, strips: &[Strip]) -> Stage {
+        let Some((strip, pose)) = strips.get(at).zip(self.poses.get_mut(at)) else {
+            let gain = fitting.finish(&mut self.pattern);
+            self.poses.iter_mut().for_each(|pose| pose.gain /= gain);
+            return Stage::Aligning(Residuals::new(&self.pattern), 0);
+        };
+        if pose.offset.is_nan() {
+            let window = self.pattern.window;
+            let (mut sum, mut count) = (0.0, 0.0);
+            for value in window.rows(pose.row).flat_map(|row| strip.values(window.grid, row, window.bins)) {
+                sum += value;
+                count += 1.0;
+            }
+            pose.offset = sum / f64::max(count, 1.0);
+        }
+        if pose.trusted {
+            fitting.take(&self.pattern, strip, pose);
+        }
+        Stage::Fitting(fitting, at + 1)
+    }
+
+    fn align(&mut self, mut sums: Residuals, at: usize, strips: &[Strip]) -> Stage {
+        let Some((strip, pose)) = strips.get(at).zip(self.poses.get_mut(at)) else {
+            sums.finish(&mut self.pattern);
+            let settled = self.change < SETTLED * SETTLED * at as f64;
+            let last = if self.round < ROUNDS { ROUNDS } else { 2 * ROUNDS };
+            self.round = if settled { last } else { self.round + 1 };
+            self.change = 0.0;
+            return if self.round == ROUNDS && self.exposure.is_none() {
+                Stage::Exposure(Box::new(Candidates::new(&self.times, &self.poses, self.intervals.1)))
+            } else if self.round < 2 * ROUNDS {
+                self.begin_round()
+            } else {
+                Stage::Finished
+            };
+        };
+        let (path, before) = (self.path[at] as f64, pose.row);
+        let agreement = align(&self.pattern, strip, pose, (path - REACH, path + REACH));
+        self.change += (pose.row - before) * (pose.row - before);
+        pose.trusted = agreement.settled && agreement.score > 0.6 && pose.gain > 0.3;
+        if pose.trusted {
+            residuals(&self.pattern, strip, pose, &mut sums);
+        }
+        self.agreements[at] = agreement;
+        Stage::Aligning(sums, at + 1)
+    }
+}

@@ -1,0 +1,126 @@
+//! The strip along a tube in each frame.
+
+use crate::plane::Plane;
+use crate::tracking::similarity::Similarity;
+
+/// Grey values are kept in steps of 1/256.
+const STEPS: f64 = 256.0;
+
+/// The line along a tube, and the grid of a strip around it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Line {
+    /// The middle of the first row.
+    pub origin: [f64; 2],
+    /// Along the tube, of length 1; one row is one pixel.
+    pub direction: [f64; 2],
+}
+
+impl Line {
+    /// The point of a row.
+    pub(crate) fn at(&self, row: f64) -> [f64; 2] {
+        [self.origin[0] + row * self.direction[0], self.origin[1] + row * self.direction[1]]
+    }
+
+    /// The row nearest to a point.
+    pub(crate) fn row(&self, [x, y]: [f64; 2]) -> f64 {
+        (x - self.origin[0]) * self.direction[0] + (y - self.origin[1]) * self.direction[1]
+    }
+
+    /// The line where the camera has moved. It begins at most half a pixel further along the tube, so that rows of an upright
+    /// tube remain rows of the picture and need no interpolation along the tube.
+    fn moved(&self, camera: &Similarity) -> Line {
+        let origin = camera.apply(self.origin);
+        let turned = camera.turn(self.direction);
+        let length = (turned[0] * turned[0] + turned[1] * turned[1]).sqrt();
+        let direction = [turned[0] / length, turned[1] / length];
+        let along = usize::from(direction[1].abs() > direction[0].abs());
+        let late = (origin[along] - self.origin[along]).round() + self.origin[along] - origin[along];
+        let rows = late / direction[along];
+        Line { origin: [origin[0] + rows * direction[0], origin[1] + rows * direction[1]], direction }
+    }
+}
+
+/// How the strips of all frames are divided.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Grid {
+    /// Along the tube, a pixel each.
+    pub rows: usize,
+    /// Across the tube.
+    pub bins: usize,
+    /// Width of a bin in pixels.
+    pub width: f64,
+}
+
+/// The strip of one frame.
+#[derive(Clone, Debug)]
+pub(crate) struct Strip {
+    /// As the caller counts.
+    pub frame: usize,
+    /// Presentation time in seconds.
+    pub time: f64,
+    /// Where it lies in this frame.
+    pub line: Line,
+    /// How the camera has moved since the first frame.
+    pub camera: Similarity,
+    /// Grey values in steps of 1/256, row by row.
+    pub grey: Vec<u16>,
+}
+
+impl Strip {
+    /// Reads the strip from a frame.
+    pub(crate) fn read(frame: usize, time: f64, plane: &Plane, line: &Line, camera: Similarity, grid: Grid) -> Strip {
+        let line = if camera == Similarity::IDENTITY { *line } else { line.moved(&camera) };
+        let samples = grid.width.ceil().max(1.0);
+        let left = grid.bins as f64 * grid.width / 2.0;
+        // To the right of an upright tube.
+        let normal = [line.direction[1], -line.direction[0]];
+        let across = |bin: usize, sample: usize| (bin as f64 + (sample as f64 + 0.5) / samples) * grid.width - left;
+        let mut grey = Vec::with_capacity(grid.rows * grid.bins);
+        if line.direction == [0.0, 1.0] && (line.origin[1] - 0.5).fract() == 0.0 {
+            // The usual case: all rows of the strip are rows of the picture and have the same pixels in a bin.
+            let places = |bin| (0..samples as usize).map(move |sample| line.origin[0] + across(bin, sample));
+            let bins: Vec<Vec<(usize, f64)>> = (0..grid.bins).map(|bin| weights(places(bin), plane.width())).collect();
+            for row in (line.origin[1] as usize..plane.height()).take(grid.rows) {
+                let pixels = plane.grey().get(row * plane.width()..).unwrap_or_default();
+                for bin in &bins {
+                    let sum: f64 = bin.iter().map(|(column, weight)| weight * f64::from(pixels[*column])).sum();
+                    grey.push((sum / samples * STEPS).round() as u16);
+                }
+            }
+        }
+        for row in grey.len() / grid.bins..grid.rows {
+            let [x, y] = line.at(row as f64);
+            for bin in 0..grid.bins {
+                let place =
+                    |sample| plane.linear(x + across(bin, sample) * normal[0], y + across(bin, sample) * normal[1]);
+                let sum: f64 = (0..samples as usize).map(place).sum();
+                grey.push((sum / samples * STEPS).round() as u16);
+            }
+        }
+        Strip { frame, time, line, camera, grey }
+    }
+
+    /// The grey values of some neighbouring bins of a row.
+    pub(crate) fn values(&self, grid: Grid, row: usize, bins: (usize, usize)) -> impl Iterator<Item = f64> {
+        let start = row * grid.bins;
+        let values = self.grey.get(start + bins.0..start + bins.1).unwrap_or(&[]);
+        values.iter().map(|value| f64::from(*value) / STEPS)
+    }
+}
+
+/// The weights of the pixels of a row in the sum of the values at some places, linear between the middles of the pixels.
+fn weights(places: impl Iterator<Item = f64>, width: usize) -> Vec<(usize, f64)> {
+    let last = width.saturating_sub(1);
+    let mut weights: Vec<(usize, f64)> = Vec::new();
+    for place in places {
+        let at = (place - 0.5).max(0.0).min(last as f64);
+        let (column, right) = (at as usize, at.fract());
+        for (column, weight) in [(column, 1.0 - right), ((column + 1).min(last), right)] {
+            match weights.iter_mut().find(|one| one.0 == column) {
+                Some(one) => one.1 += weight,
+                None => weights.push((column, weight)),
+            }
+        }
+    }
+    weights
+}

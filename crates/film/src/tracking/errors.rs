@@ -1,0 +1,127 @@
+//! Standard errors from the track itself.
+//!
+//! Formal errors of a comparison of pixels take the noise of neighbouring pixels for independent, which compression makes
+//! untrue. A smooth motion vanishes in sixth differences, and noise does not: they tell how large the errors really are.
+
+/// Frames that a sixth difference joins.
+const JOINED: usize = 7;
+/// No position is better than this, in pixels: errors of interpolation follow the motion smoothly and vanish in differences, too.
+const LEAST: f64 = 0.005;
+
+/// The weights of the sixth divided difference at these times, so that independent errors of variance 1 give it variance 1.
+fn weights(times: &[f64]) -> Option<[f64; JOINED]> {
+    let mut weights = [0.0; JOINED];
+    for (k, weight) in weights.iter_mut().enumerate() {
+        let others = times.iter().enumerate().filter(|(j, _)| *j != k);
+        *weight = 1.0 / others.map(|(_, other)| times[k] - other).product::<f64>();
+    }
+    let norm = weights.iter().map(|weight| weight * weight).sum::<f64>().sqrt();
+    weights.iter_mut().for_each(|weight| *weight /= norm);
+    norm.is_finite().then_some(weights)
+}
+
+/// The sixth differences of a coordinate, each in units of one value's error; by the first of their seven frames.
+fn differences(times: &[f64], values: &[f64]) -> Vec<Option<f64>> {
+    let windows = times.windows(JOINED).zip(values.windows(JOINED));
+    windows.map(|(times, values)| Some(weights(times)?.iter().zip(values).map(|(a, b)| a * b).sum())).collect()
+}
+
+/// The standard error of a coordinate's values by the mean square of their sixth differences, without those beyond three times the error
+/// that their median gives; `None` for fewer than seven values.
+fn own(times: &[f64], values: &[f64]) -> Option<f64> {
+    let mut squares: Vec<f64> = differences(times, values).into_iter().flatten().map(|value| value * value).collect();
+    squares.sort_by(f64::total_cmp);
+    // The median of chi squared with one degree of freedom.
+    let limit = 9.0 * squares.get(squares.len() / 2)? / 0.4549;
+    let usual = &squares[..squares.partition_point(|square| *square <= limit)];
+    // What a normal distribution has within three standard deviations.
+    Some((usual.iter().sum::<f64>() / usual.len().max(1) as f64 / 0.9733).sqrt())
+}
+
+/// The standard errors of a coordinate: the formal ones, times a factor that makes them as large as the scatter of the track.
+pub(crate) fn scaled(times: &[f64], values: &[f64], formal: &[f64]) -> Vec<f64> {
+    let mut sorted: Vec<f64> = formal.iter().copied().filter(|error| error.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    // The median: a frame without a surface would decide the mean.
+    let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+    let factor = match own(times, values) {
+        Some(own) if usual > 0.0 => own / usual,
+        _ => 1.0,
+    };
+    formal.iter().map(|error| (error * factor).max(LEAST)).collect()
+}
+
+/// Which values lie further than `limit` of their errors from what their neighbours predict.
+pub(crate) fn outliers(times: &[f64], values: &[f64], sigmas: &[f64], limit: f64) -> Vec<bool> {
+    let windows = times.windows(JOINED).zip(values.windows(JOINED)).zip(sigmas.windows(JOINED));
+    let large: Vec<bool> = windows
+        .map(|((times, values), sigmas)| {
+            let Some(weights) = weights(times) else { return false };
+            let difference: f64 = weights.iter().zip(values).map(|(a, b)| a * b).sum();
+            let variance: f64 = weights.iter().zip(sigmas).map(|(a, b)| a * a * b * b).sum();
+            difference.abs() > limit * variance.sqrt()
+        })
+        .collect();
+    // The middle of seven has the largest weight in their difference. Values near an end are in no middle: they are wrong
+    // where the difference with them is large and the first one without them is not.
+    let (half, last) = (JOINED / 2, large.len().saturating_sub(1));
+    let is_large = |window: Option<usize>| window.and_then(|window| large.get(window)).copied().unwrap_or(false);
+    (0..values.len())
+        .map(|at| {
+            if at < half {
+                is_large(Some(0)) && !is_large(Some(at + 1))
+            } else if at > last + half {
+                is_large(Some(last)) && !is_large(at.checked_sub(JOINED))
+            } else {
+                is_large(Some(at - half))
+            }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A swing with 20 frames a period, seen at uneven times with errors of 0.1.
+    fn swing(count: u32) -> (Vec<f64>, Vec<f64>) {
+        let mut state = 7_u32;
+        let mut uniform = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(state >> 8) / f64::from(1 << 24) - 0.5
+        };
+        let times: Vec<f64> = (0..count).map(|k| f64::from(k) + 0.2 * uniform()).collect();
+        let error = |uniform: &mut dyn FnMut() -> f64| 0.1 * (0..12).map(|_| uniform()).sum::<f64>();
+        let value = |time: &f64| 60.0 * libm::sin(std::f64::consts::TAU / 20.0 * time) + error(&mut uniform);
+        let values = times.iter().map(value).collect();
+        (times, values)
+    }
+
+    #[test]
+    fn sixth_differences_show_the_errors_and_not_the_motion() {
+        let (times, values) = swing(300);
+        let own = own(&times, &values).expect("enough values");
+        assert!((0.085..0.115).contains(&own), "{own}");
+        assert_eq!(super::own(&times[..6], &values[..6]), None);
+    }
+
+    #[test]
+    fn formal_errors_keep_their_proportions() {
+        let (times, values) = swing(300);
+        let formal: Vec<f64> = (0..300).map(|k| if k == 100 { 0.04 } else { 0.02 }).collect();
+        let sigmas = scaled(&times, &values, &formal);
+        assert!((sigmas[100] / sigmas[0] - 2.0).abs() < 1e-12 && (0.085..0.115).contains(&sigmas[0]), "{}", sigmas[0]);
+    }
+
+    #[test]
+    fn a_wrong_value_is_an_outlier() {
+        let (times, mut values) = swing(100);
+        let sigmas = vec![0.1; 100];
+        assert!(!outliers(&times, &values, &sigmas, 6.0).contains(&true));
+        for wrong in [0, 2, 50, 99] {
+            let kept = std::mem::replace(&mut values[wrong], 100.0);
+            assert!(outliers(&times, &values, &sigmas, 6.0)[wrong], "{wrong}");
+            values[wrong] = kept;
+        }
+    }
+}

@@ -1,0 +1,18 @@
+//! Where something is in each frame.
+
+pub mod body;
+pub mod column;
+mod errors;
+mod linear;
+mod marks;
+mod motion;
+mod readout;
+mod refusal;
+mod similarity;
+mod spline;
+mod track;
+
+pub use marks::Marks;
+pub use refusal::Refusal;
+pub use similarity::Similarity;
+pub use track::{Exposure, Known, Point, Readout, Track};

@@ -1,0 +1,100 @@
+//! Why a film cannot be tracked.
+
+use units::{Words, words};
+
+/// Why a film, or one frame of it, cannot be tracked.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refusal {
+    /// A number of the settings is not finite, or a click lies outside the picture.
+    Click {
+        /// To the right, in pixels.
+        x: f64,
+        /// Downwards, in pixels.
+        y: f64,
+    },
+    /// The two points of a tube are closer than this many pixels.
+    Tube {
+        /// Their distance.
+        length: f64,
+        /// The shortest that works.
+        least: f64,
+    },
+    /// A frame does not have the size of the first one.
+    Size {
+        /// The frame.
+        frame: usize,
+    },
+    /// The time of a frame is not finite or not later than that of the frame before.
+    Order {
+        /// The frame.
+        frame: usize,
+    },
+    /// The film has more frames than fit into the memory that tracking may take.
+    Long {
+        /// How many fit.
+        frames: usize,
+    },
+    /// There are fewer frames than tracking needs.
+    Short {
+        /// How many it needs.
+        frames: usize,
+    },
+    /// The clicked place shows nothing that could be followed.
+    Plain,
+    /// A resting mark was lost.
+    Mark {
+        /// Which one, from 1.
+        number: usize,
+        /// In which frame.
+        frame: usize,
+    },
+    /// More bodies or marks than can be followed.
+    Many {
+        /// How many can.
+        greatest: usize,
+    },
+}
+
+impl Refusal {
+    /// The message for people: what happened, and what to do.
+    pub fn words(&self) -> Words {
+        match self {
+            Self::Click { x, y } => words!(
+                "The point ({x:.1}, {y:.1}) lies outside the picture. Click inside the picture.",
+                "El punto ({x:.1}, {y:.1}) está fuera de la imagen. Pulsa dentro de la imagen."
+            ),
+            Self::Tube { length, least } => words!(
+                "The two points of the tube are {length:.1} pixels apart. Choose points at least {least:.0} pixels apart.",
+                "Los dos puntos del tubo distan {length:.1} píxeles. Elige puntos a {least:.0} píxeles como mínimo."
+            ),
+            Self::Size { frame } => words!(
+                "Frame {frame} does not have the size of the first one. Cut the film there and track each part.",
+                "El fotograma {frame} no tiene el tamaño del primero. Corta ahí la película y sigue cada parte."
+            ),
+            Self::Order { frame } => words!(
+                "The time of frame {frame} does not follow that of the frame before it. Convert the film with ffmpeg.",
+                "El tiempo del fotograma {frame} no sigue al del anterior. Convierte la película con ffmpeg."
+            ),
+            Self::Long { frames } => words!(
+                "The film is too long to be tracked at once. Choose a part of at most {frames} frames.",
+                "La película es demasiado larga para seguirla de una vez. Elige una parte de {frames} fotogramas como máximo."
+            ),
+            Self::Short { frames } => words!(
+                "Tracking needs at least {frames} frames. Choose a longer part of the film.",
+                "El seguimiento necesita al menos {frames} fotogramas. Elige una parte más larga de la película."
+            ),
+            Self::Plain => words(
+                "The picture is uniform at the clicked place. Click an edge that moves.",
+                "La imagen es uniforme en el punto elegido. Pulsa un borde que se mueva.",
+            ),
+            Self::Mark { number, frame } => words!(
+                "Mark {number} cannot be found in frame {frame}. Choose marks that stay in the picture.",
+                "La marca {number} no se encuentra en el fotograma {frame}. Elige marcas que no salgan de la imagen."
+            ),
+            Self::Many { greatest } => words!(
+                "At most {greatest} can be followed at once.",
+                "Se pueden seguir {greatest} a la vez como máximo."
+            ),
+        }
+    }
+}

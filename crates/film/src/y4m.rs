@@ -1,0 +1,211 @@
+//! Uncompressed films in the format YUV4MPEG2 of the MJPEG tools, of which the grey values are read.
+
+use crate::plane::Plane;
+use units::{Words, words};
+
+/// Bytes of a header line.
+const LINE: usize = 1024;
+/// Pixels of a frame.
+const PIXELS: usize = 64 << 20;
+
+/// Why a film in this format cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// The file does not begin as one of this format does.
+    Signature,
+    /// The header has no valid width, height or frame rate.
+    Header {
+        /// The header.
+        line: String,
+    },
+    /// The pixels are stored in a way that is not read: with more than eight bits, for example.
+    Pixels {
+        /// The name of that way, as the header has it.
+        name: String,
+    },
+    /// What follows a frame is no frame.
+    Frame {
+        /// How many frames were read before.
+        read: usize,
+    },
+}
+
+impl Fault {
+    /// The message for people: what happened, and what to do.
+    pub fn words(&self) -> Words {
+        match self {
+            Self::Signature => words(
+                "The file is not a YUV4MPEG2 film. Convert it with `ffmpeg -i FILM -pix_fmt yuv420p film.y4m`.",
+                "El archivo no es una película YUV4MPEG2. Conviértelo con `ffmpeg -i PELÍCULA -pix_fmt yuv420p film.y4m`.",
+            ),
+            Self::Header { line } => words!(
+                "The header of the film has no valid size or frame rate: {line}",
+                "La cabecera de la película no tiene un tamaño o una frecuencia de fotogramas válidos: {line}"
+            ),
+            Self::Pixels { name } => words!(
+                "Pixels stored as {name} are not read. Convert the film with `ffmpeg -i FILM -pix_fmt yuv420p film.y4m`.",
+                "No se leen píxeles guardados como {name}. Convierte la película con `ffmpeg -i PELÍCULA -pix_fmt yuv420p film.y4m`."
+            ),
+            Self::Frame { read } => words!(
+                "The film is damaged after {read} frames.",
+                "La película está dañada después de {read} fotogramas."
+            ),
+        }
+    }
+}
+
+/// What the header says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Header {
+    /// Pixels in a row.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// Frames a second; `None` if it is not stated.
+    pub rate: Option<f64>,
+    /// Bytes of colour after the grey values of a frame.
+    colour: usize,
+}
+
+impl Header {
+    fn read(line: &[u8]) -> Result<Header, Fault> {
+        let line = String::from_utf8_lossy(line);
+        let mut words = line.split(' ');
+        if words.next() != Some("YUV4MPEG2") {
+            return Err(Fault::Signature);
+        }
+        let fault = || Fault::Header { line: line.chars().take(100).collect() };
+        let (mut width, mut height, mut rate, mut pixels) = (0_usize, 0_usize, None, "420jpeg");
+        for word in words {
+            let Some((key, value)) = word.split_at_checked(1) else { continue };
+            match key {
+                "W" => width = value.parse().map_err(|_| fault())?,
+                "H" => height = value.parse().map_err(|_| fault())?,
+                "F" => rate = quotient(value).ok_or_else(fault)?,
+                "C" => pixels = value,
+                _ => {}
+            }
+        }
+        let size = width.checked_mul(height).filter(|size| (1..=PIXELS).contains(size)).ok_or_else(fault)?;
+        let half = |size: usize| size.div_ceil(2);
+        let colour = match pixels {
+            "mono" => 0,
+            "420jpeg" | "420mpeg2" | "420paldv" | "420" => 2 * half(width) * half(height),
+            "422" => 2 * half(width) * height,
+            "444" => 2 * size,
+            name => return Err(Fault::Pixels { name: name.chars().take(40).collect() }),
+        };
+        Ok(Header { width, height, rate, colour })
+    }
+}
+
+/// A frame rate such as `30000:1001`; `0:0` says that it is not known.
+fn quotient(text: &str) -> Option<Option<f64>> {
+    let (above, below) = text.split_once(':')?;
+    let (above, below): (u32, u32) = (above.parse().ok()?, below.parse().ok()?);
+    match (above, below) {
+        (0, 0) => Some(None),
+        (0, _) | (_, 0) => None,
+        _ => Some(Some(f64::from(above) / f64::from(below))),
+    }
+}
+
+enum Part {
+    /// The line of the film's header.
+    Header(Vec<u8>),
+    /// The line before a frame.
+    Line(Vec<u8>),
+    /// Grey values.
+    Grey(Vec<u8>),
+    /// So many bytes of colour.
+    Colour(usize),
+}
+
+/// A reader that is given the bytes of a film in pieces of any size.
+pub struct Reader {
+    header: Option<Header>,
+    part: Part,
+    read: usize,
+}
+
+impl Default for Reader {
+    fn default() -> Self {
+        Reader { header: None, part: Part::Header(Vec::new()), read: 0 }
+    }
+}
+
+impl Reader {
+    /// What the header says, once it was read.
+    pub fn header(&self) -> Option<Header> {
+        self.header
+    }
+
+    /// Reads from the bytes until a frame is complete; `None` where more bytes are needed. The bytes that were read are taken
+    /// away from the slice.
+    ///
+    /// # Errors
+    ///
+    /// Where the bytes are not those of a film that can be read.
+    pub fn frame(&mut self, bytes: &mut &[u8]) -> Result<Option<Plane>, Fault> {
+        while !bytes.is_empty() {
+            match &mut self.part {
+                Part::Header(line) => {
+                    if take_line(line, bytes).map_err(|()| Fault::Signature)? {
+                        self.header = Some(Header::read(line)?);
+                        self.part = Part::Line(Vec::new());
+                    }
+                }
+                Part::Line(line) => {
+                    let fault = Fault::Frame { read: self.read };
+                    if take_line(line, bytes).map_err(|()| fault.clone())? {
+                        if !line.starts_with(b"FRAME") {
+                            return Err(fault);
+                        }
+                        self.part = Part::Grey(Vec::new());
+                    }
+                }
+                Part::Grey(grey) => {
+                    let Some(header) = self.header else { return Err(Fault::Signature) };
+                    let size = header.width * header.height;
+                    take(grey, size, bytes);
+                    if grey.len() == size {
+                        let grey = std::mem::take(grey);
+                        self.part =
+                            if header.colour == 0 { Part::Line(Vec::new()) } else { Part::Colour(header.colour) };
+                        self.read += 1;
+                        return Ok(Plane::new(header.width, header.height, grey));
+                    }
+                }
+                Part::Colour(left) => {
+                    let passed = (*left).min(bytes.len());
+                    *bytes = bytes.get(passed..).unwrap_or_default();
+                    *left -= passed;
+                    if *left == 0 {
+                        self.part = Part::Line(Vec::new());
+                    }
+                }
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// Moves bytes until there are `size` of them.
+fn take(into: &mut Vec<u8>, size: usize, bytes: &mut &[u8]) {
+    let (now, rest) = bytes.split_at(size.saturating_sub(into.len()).min(bytes.len()));
+    into.extend_from_slice(now);
+    *bytes = rest;
+}
+
+/// Moves bytes up to the end of a line; whether it was reached. An error where the line is too long.
+fn take_line(line: &mut Vec<u8>, bytes: &mut &[u8]) -> Result<bool, ()> {
+    let end = bytes.iter().position(|byte| *byte == b'\n');
+    take(line, line.len() + end.unwrap_or(bytes.len()).min(LINE + 1), bytes);
+    if line.len() > LINE {
+        return Err(());
+    }
+    if end.is_some() {
+        *bytes = bytes.get(1..).unwrap_or_default();
+    }
+    Ok(end.is_some())
+}

@@ -3,7 +3,7 @@
 
 use crate::app::App;
 use crate::links::Arrival;
-use crate::{fit, intake, saved, visited};
+use crate::{fit, intake, saved, visited, write};
 use desk::Desk;
 use document::page::{self, Source};
 use view::{browser, messages};
@@ -73,6 +73,7 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
         desk.set_language(language.tag());
         if state.is_empty() { None } else { restored(desk, state).1 }
     });
+    write::resume(app);
     messages::leave_document(app.page);
     app.rebuild();
     if let Some(refusal) = refusal {
@@ -130,15 +131,16 @@ pub fn check_again(app: App, sources: Vec<Source>) {
 
 /// Saves what there is of the open document before another one takes its place.
 pub fn leave(app: App) {
+    write::flush(app);
     saved::now(app);
 }
 
 /// Saves everything for the next visit, whenever the page is about to go out of sight: the only moment that every browser
 /// announces.
 pub fn save_when_left(app: App) {
-    browser::listen("pagehide", move |_: &Event| saved::now(app));
+    browser::listen("pagehide", move |_: &Event| leave(app));
     browser::listen("visibilitychange", move |_: &Event| {
-        saved::now(app);
+        leave(app);
         // Back in sight, the frames go on.
         app.page.wake();
     });

@@ -129,6 +129,23 @@ table_of_words! {
     fit_all: "All of them", "Todos";
     fit_errors: "The standard errors allow for autocorrelated residuals.", "Los errores típicos tienen en cuenta que los residuos pueden estar autocorrelacionados.";
 
+    // Writing.
+    tab_write: "Write", "Escribir";
+    editor_label: "Text of the document", "Texto del documento";
+    editor_waiting: "The editor is loading ...", "El editor se está cargando ...";
+    editor_missing: "The editor could not be loaded. Load the page again.", "No se ha podido cargar el editor. Vuelve a cargar la página.";
+    writing_file: "File", "Archivo";
+    save_writing: "Save", "Guardar";
+    save_writing_title: "Save the text as a file", "Guardar el texto como archivo";
+    new_document: "New", "Nuevo";
+    new_document_from: "Begin a new document with", "Empezar un documento nuevo con";
+    text_runs: "The simulation runs as written.", "La simulación funciona tal como está escrita.";
+    text_waits: "The last version without errors is running.", "Sigue funcionando la última versión sin errores.";
+    one_error: "error", "error";
+    many_errors: "errors", "errores";
+    one_warning: "remark", "observación";
+    many_warnings: "remarks", "observaciones";
+
     // Diagnostics.
     broken: "This document does not run yet", "Este documento aún no funciona";
     broken_intro: "Meniscus found errors in it. Each is shown with its place.", "Meniscus encontró errores en él. Cada uno se muestra con su lugar.";

@@ -1,0 +1,60 @@
+//! The tab *Write*: the texts of the open document in an editor, what is wrong with them, and new documents.
+
+mod changes;
+mod editor;
+mod findings;
+mod tools;
+
+pub use changes::resume;
+pub use editor::Editor;
+pub use tools::flush;
+
+use crate::app::App;
+use view::views::*;
+use web_sys::Element;
+
+/// The tab.
+pub fn view(app: App) -> View {
+    let fresh = changes::begin(app);
+    let mut place = div().class("editor-place");
+    let node: Element = place.node();
+    let waiting = create_signal(true);
+    let wait = move || if waiting.get() { note(app.words().editor_waiting).into() } else { View::new() };
+    wasm_bindgen_futures::spawn_local(async move {
+        let shown = show(app, &node, fresh).await;
+        waiting.set(false);
+        if shown.is_none() {
+            app.complain(app.words().editor_missing.to_owned());
+        }
+    });
+    div()
+        .class("writing")
+        .child(tools::view(app))
+        .child(place.child(changing(wait)))
+        .child(findings::status(app))
+        .child(findings::view(app))
+        .into()
+}
+
+/// Puts the editor into its place; starts it if it is needed for the first time.
+async fn show(app: App, place: &Element, fresh: bool) -> Option<()> {
+    let started = app.with(|lab| lab.editor.clone()).flatten();
+    let is_new = started.is_none();
+    let editor = match started {
+        Some(editor) => editor,
+        None => Editor::start(move |file, text| changes::written(app, file, text)).await?,
+    };
+    app.with(|lab| lab.editor = Some(editor.clone()));
+    if fresh || is_new {
+        let texts = app.read_desk(|desk| desk.writing().texts().to_vec());
+        app.written_file.set(0);
+        editor.open(&texts);
+    }
+    editor.mount(place);
+    editor.speak(app.words().editor_label, app.language.get_untracked());
+    findings::mark(app);
+    if app.with(|lab| std::mem::take(&mut lab.focuses_editor))? {
+        editor.focus();
+    }
+    Some(())
+}

@@ -46,6 +46,4 @@ export const theme = EditorView.theme({
   ".cm-tooltip.cm-tooltip-autocomplete > ul > li[aria-selected]": { backgroundColor: "var(--tint)", color: "var(--ink)" },
   ".cm-completionDetail": { color: "var(--soft)", fontFamily: "var(--sans)", fontStyle: "normal" },
   ".cm-completionInfo": { padding: "6px 10px", fontSize: "13px" },
-  // Smaller letters than these make phones zoom in on what is tapped.
-  "@media (pointer: coarse)": { "&": { fontSize: "16px" }, ".cm-textfield": { fontSize: "16px" } },
 });

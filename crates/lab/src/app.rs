@@ -41,6 +41,10 @@ pub struct Lab {
     pub reads_equations: bool,
     /// The editor, once it has been started.
     pub editor: Option<Editor>,
+    /// Under which name the browser keeps what is written of the open document.
+    pub written_as: Option<String>,
+    /// Whether the editor shows the open document, and not the one before it.
+    pub editor_is_current: bool,
     /// Whether the editor takes the focus when it is there.
     pub focuses_editor: bool,
     /// Whether fits are being worked on.

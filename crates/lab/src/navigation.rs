@@ -8,9 +8,9 @@ use web_sys::Event;
 /// Follows the history, and links to other states of this page.
 pub fn listen(app: App) {
     browser::listen("popstate", move |_: &Event| {
-        if let Some(before) = visited::present().filter(|before| *before != visited::sources(app)) {
+        if let Some(before) = visited::present().filter(|before| before.sources != visited::sources(app)) {
             opening::leave(app);
-            opening::open(app, before, "");
+            opening::open(app, before.sources, "");
         }
     });
     browser::listen("hashchange", move |_: &Event| {

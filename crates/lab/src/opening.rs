@@ -3,6 +3,7 @@
 
 use crate::app::App;
 use crate::links::Arrival;
+use crate::visited::Visited;
 use crate::{fit, intake, saved, visited, write};
 use desk::Desk;
 use document::page::{self, Source};
@@ -61,6 +62,8 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
             saved::restore_answers(&mut lab.saved, &sources, desk);
         }
         lab.drafts.clear();
+        lab.written_as = None;
+        lab.editor_is_current = false;
         lab.desk = desk;
         lab.sources = sources;
         lab.findings = findings;
@@ -73,7 +76,7 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
         desk.set_language(language.tag());
         if state.is_empty() { None } else { restored(desk, state).1 }
     });
-    write::resume(app);
+    write::resume(app, visited::present());
     messages::leave_document(app.page);
     app.rebuild();
     if let Some(refusal) = refusal {
@@ -105,6 +108,13 @@ fn go_to(app: App, sources: Vec<Source>, state: &str) {
     visited::step(app);
     // What is wrong with it stands at the top, too.
     browser::scroll_to(0.0);
+}
+
+/// Opens what was written earlier.
+pub fn open_kept(app: App, kept: Visited) {
+    go_to(app, kept.sources.clone(), "");
+    write::resume(app, Some(kept));
+    visited::note(app, None);
 }
 
 /// Opens another theory for the records that are being fitted: the page stays where it is scrolled to.

@@ -12,40 +12,53 @@ use web_sys::History;
 
 /// What the state of a step begins with.
 const OURS: &str = "meniscus ";
-/// What the state of a step goes on with where its text does not run.
-const DRAFT: &str = "draft";
+
+/// A document as a step remembers it.
+pub struct Visited {
+    /// The files that run.
+    pub sources: Vec<Source>,
+    /// The texts in the editor, where they are not those that run.
+    pub draft: Option<Vec<String>>,
+}
 
 /// The document of the present step; `None` where the page has not been here yet.
-pub fn present() -> Option<Vec<Source>> {
+pub fn present() -> Option<Visited> {
     let state = history()?.state().ok()?.as_string()?;
-    match state.strip_prefix(OURS)?.split_once(' ')? {
-        ("home", _) => Some(library::home()),
-        ("library", name) => library::find(name),
-        ("own", list) => page::read_list(list),
-        (DRAFT, lists) => Some(read_draft(lists)?.runs),
+    read(state.strip_prefix(OURS)?)
+}
+
+/// Reads what [`describe`] has written.
+pub fn read(description: &str) -> Option<Visited> {
+    let document = |sources| Some(Visited { sources, draft: None });
+    match description.split_once(' ')? {
+        ("home", _) => document(library::home()),
+        ("library", name) => document(library::find(name)?),
+        ("own", list) => document(page::read_list(list)?),
+        ("draft", list) => {
+            let mut sources = page::read_list(list)?;
+            let texts = sources.split_off(sources.len() / 2);
+            let draft = (sources.len() == texts.len()).then(|| texts.into_iter().map(|file| file.text).collect());
+            Some(Visited { sources, draft })
+        }
         _ => None,
     }
 }
 
-/// A document whose text does not run as it stands in the editor.
-pub struct Draft {
-    /// The files that run.
-    pub runs: Vec<Source>,
-    /// The texts in the editor.
-    pub texts: Vec<String>,
-}
-
-/// What this step was writing that does not run yet.
-pub fn draft() -> Option<Draft> {
-    let state = history()?.state().ok()?.as_string()?;
-    read_draft(state.strip_prefix(OURS)?.strip_prefix(DRAFT)?.trim_start())
-}
-
-/// One list: the files that run, and the same files as they stand in the editor.
-fn read_draft(list: &str) -> Option<Draft> {
-    let mut runs = page::read_list(list)?;
-    let texts = runs.split_off(runs.len() / 2);
-    (runs.len() == texts.len()).then(|| Draft { runs, texts: texts.into_iter().map(|file| file.text).collect() })
+/// What a step remembers of the open document: the name of one of the library, an own one with its text. Where the text in the
+/// editor does not run, its files follow those that do.
+pub fn describe(app: App) -> String {
+    let sources = sources(app);
+    let draft = app.read_desk(|desk| (!desk.writing().runs()).then(|| desk.writing().texts().to_vec()));
+    if let Some(draft) = draft.filter(|draft| draft.len() == sources.len()) {
+        let names = sources.iter().map(|file| file.name.clone());
+        let files: Vec<Source> = names.zip(draft).map(|(name, text)| Source { name, text }).collect();
+        return format!("draft {}", page::write_list(&[sources, files].concat()));
+    }
+    match library::subject(&sources) {
+        Subject::Home => "home ".to_owned(),
+        Subject::Library(name) => format!("library {name}"),
+        Subject::Packed(_) | Subject::File(_) => format!("own {}", page::write_list(&sources)),
+    }
 }
 
 /// Makes the open document a new step. A document of the library has its name in the address.
@@ -81,19 +94,6 @@ pub fn sources(app: App) -> Vec<Source> {
     app.with(|lab| lab.sources.clone()).unwrap_or_default()
 }
 
-/// What a step remembers.
 fn state(app: App) -> JsValue {
-    let sources = sources(app);
-    let draft = app.read_desk(|desk| (!desk.writing().runs()).then(|| desk.writing().texts().to_vec()));
-    if let Some(draft) = draft.filter(|draft| draft.len() == sources.len()) {
-        let names = sources.iter().map(|file| file.name.clone());
-        let files: Vec<Source> = names.zip(draft).map(|(name, text)| Source { name, text }).collect();
-        return format!("{OURS}{DRAFT} {}", page::write_list(&[sources, files].concat())).into();
-    }
-    let what = match library::subject(&sources) {
-        Subject::Home => "home ".to_owned(),
-        Subject::Library(name) => format!("library {name}"),
-        Subject::Packed(_) | Subject::File(_) => format!("own {}", page::write_list(&sources)),
-    };
-    format!("{OURS}{what}").into()
+    format!("{OURS}{}", describe(app)).into()
 }

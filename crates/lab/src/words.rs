@@ -139,6 +139,8 @@ table_of_words! {
     save_writing_title: "Save the text as a file", "Guardar el texto como archivo";
     new_document: "New", "Nuevo";
     new_document_from: "Begin a new document with", "Empezar un documento nuevo con";
+    kept_documents: "Go on with what you wrote", "Seguir con lo que escribiste";
+    new_empty: "Empty document", "Documento vacío";
     text_runs: "The simulation runs as written.", "La simulación funciona tal como está escrita.";
     text_waits: "The last version without errors is running.", "Sigue funcionando la última versión sin errores.";
     one_error: "error", "error";

@@ -17,6 +17,11 @@ impl Template {
         language.pick(self.english, self.spanish)
     }
 
+    /// Whether it says no more than where things go.
+    pub fn is_empty(&self) -> bool {
+        self.name == TEMPLATES[0].name
+    }
+
     /// Its title in a language.
     pub fn title(&self, language: Language) -> String {
         document::card(self.text(language)).title

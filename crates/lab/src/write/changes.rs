@@ -1,35 +1,34 @@
 //! What a change of the text does in the page: the document is checked and runs, and this visit remembers it.
 
-use super::findings;
+use super::{findings, kept};
 use crate::app::{App, Lab};
+use crate::visited::Visited;
 use crate::{library, saved, tabs, visited};
 use document::page::Source;
 use play::Subject;
 
-/// Begins to write at the open document, unless that has been done. Whether it has begun now.
-pub fn begin(app: App) -> bool {
+/// Begins to write at the open document, unless that has been done.
+pub fn begin(app: App) {
     app.with(|lab| {
-        let Lab { desk: Some(desk), sources, .. } = lab else { return false };
-        let fresh = !desk.writing().has_begun();
-        if fresh {
+        let Lab { desk: Some(desk), sources, .. } = lab else { return };
+        if !desk.writing().has_begun() {
             desk.begin_writing(sources.iter().map(|source| source.text.clone()).collect());
         }
-        fresh
-    })
-    .unwrap_or_default()
+    });
 }
 
-/// Takes up what this step of the visit was writing and what did not run yet.
-pub fn resume(app: App) {
-    let draft = visited::draft();
+/// Takes up what was being written of the open document and did not run yet.
+pub fn resume(app: App, visited: Option<Visited>) {
     let resumed = app.with(|lab| {
         let Lab { desk: Some(desk), sources, .. } = lab else { return false };
-        let Some(draft) = draft.filter(|draft| draft.runs == *sources) else { return false };
+        let draft = visited.filter(|visited| visited.sources == *sources).and_then(|visited| visited.draft);
+        let Some(draft) = draft else { return false };
         desk.begin_writing(sources.iter().map(|source| source.text.clone()).collect());
-        desk.write_all(draft.texts);
+        desk.write_all(draft);
         true
     });
     if resumed == Some(true) {
+        app.written.update(|count| *count += 1);
         app.tab.set(tabs::WRITE);
     }
 }
@@ -41,6 +40,7 @@ pub fn written(app: App, file: usize, text: String) {
         // What is seen of a document of the library stays its: what is written is a copy of one's own.
         saved::now(app);
     }
+    kept::begin(app);
     let runs = app.with(|lab| {
         let before = saved::key(lab);
         let Lab { desk: Some(desk), sources, findings, .. } = lab else { return false };
@@ -64,6 +64,7 @@ pub fn written(app: App, file: usize, text: String) {
     } else {
         visited::note(app, None);
     }
+    kept::keep(app);
     app.written.update(|count| *count += 1);
     findings::mark(app);
 }

@@ -3,6 +3,7 @@
 mod changes;
 mod editor;
 mod findings;
+mod kept;
 mod tools;
 
 pub use changes::resume;
@@ -15,13 +16,13 @@ use web_sys::Element;
 
 /// The tab.
 pub fn view(app: App) -> View {
-    let fresh = changes::begin(app);
+    changes::begin(app);
     let mut place = div().class("editor-place");
     let node: Element = place.node();
     let waiting = create_signal(true);
     let wait = move || if waiting.get() { note(app.words().editor_waiting).into() } else { View::new() };
     wasm_bindgen_futures::spawn_local(async move {
-        let shown = show(app, &node, fresh).await;
+        let shown = show(app, &node).await;
         waiting.set(false);
         if shown.is_none() {
             app.complain(app.words().editor_missing.to_owned());
@@ -37,15 +38,14 @@ pub fn view(app: App) -> View {
 }
 
 /// Puts the editor into its place; starts it if it is needed for the first time.
-async fn show(app: App, place: &Element, fresh: bool) -> Option<()> {
+async fn show(app: App, place: &Element) -> Option<()> {
     let started = app.with(|lab| lab.editor.clone()).flatten();
-    let is_new = started.is_none();
     let editor = match started {
         Some(editor) => editor,
         None => Editor::start(move |file, text| changes::written(app, file, text)).await?,
     };
     app.with(|lab| lab.editor = Some(editor.clone()));
-    if fresh || is_new {
+    if !app.with(|lab| std::mem::replace(&mut lab.editor_is_current, true))? {
         let texts = app.read_desk(|desk| desk.writing().texts().to_vec());
         app.written_file.set(0);
         editor.open(&texts);

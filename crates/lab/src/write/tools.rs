@@ -1,7 +1,8 @@
 //! What stands above the editor: which file is shown, new documents, saving.
 
-use super::changes;
+use super::{changes, kept};
 use crate::app::App;
+use crate::visited::Visited;
 use crate::{opening, visited};
 use desk::{TEMPLATES, Template};
 use document::page::Source;
@@ -20,7 +21,8 @@ pub fn view(app: App) -> HtmlDiv {
     let language = app.language.get_untracked();
     let template = move |template: &Template| {
         let template = *template;
-        button().class("chip").when(events::click, move |_| begin_with(app, template)).child(template.title(language))
+        let name = if template.is_empty() { words.new_empty.to_owned() } else { template.title(language) };
+        button().class("chip").when(events::click, move |_| begin_with(app, template)).child(name)
     };
     let chips =
         div().class("chips").role("group").attr("aria-label", words.new_document_from).each(&TEMPLATES, template);
@@ -32,13 +34,25 @@ pub fn view(app: App) -> HtmlDiv {
         .attr("aria-expanded", move || choosing.get().to_string())
         .when(events::click, move |_| choosing.update(|choosing| *choosing = !*choosing))
         .child(words.new_document);
+    let kept = move || {
+        let documents = if choosing.get() { kept::documents() } else { Vec::new() };
+        let document = |(title, kept): (String, Visited)| {
+            let mut kept = Some(kept);
+            let open = move |_| kept.take().into_iter().for_each(|kept| opening::open_kept(app, kept));
+            button().class("chip").when(events::click, open).child(title)
+        };
+        let chips = |documents: Vec<(String, Visited)>| {
+            div().class("chips").role("group").attr("aria-label", words.kept_documents).each(documents, document)
+        };
+        if documents.is_empty() { View::new() } else { View::from((note(words.kept_documents), chips(documents))) }
+    };
     let templates = div().class("templates").id("templates").hidden(move || !choosing.get());
     div()
         .class("writing-tools")
         .child(new)
         .child(save)
         .maybe(file_choice(app))
-        .child(templates.child(note(words.new_document_from)).child(chips))
+        .child(templates.child(note(words.new_document_from)).child(chips).child(changing(kept)))
 }
 
 /// Which file is shown, where there are several.

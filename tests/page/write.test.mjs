@@ -142,6 +142,30 @@ visit("Tab leads out of the text, and Control with M lets it indent", async (lab
   assert.ok(!(await editor(lab).evaluate((content) => content.contains(document.activeElement))));
 });
 
+visit("names, functions and units are proposed with their meaning, and Enter takes none that was not chosen", async (lab) => {
+  await write(lab);
+  await begin(lab, "A mass on a spring");
+  await replace(lab, "E = m*y'^2/2", "E = sq");
+  const proposal = (name) => lab.page.locator(".cm-tooltip-autocomplete li").filter({ has: lab.page.getByText(name, { exact: true }) });
+  await lab.page.keyboard.type("r");
+  await proposal("sqrt").getByText("square root").waitFor();
+  await lab.keys("ArrowDown", "Enter");
+  await eventually(async () => assert.match(await text(lab), /E = sqrt \+ k/));
+  await lab.page.keyboard.type("(y_0/1 [c");
+  await proposal("cm").getByText("centimetre").waitFor();
+  await lab.keys("Escape");
+  await replace(lab, "E = sqrt(y_0/1 [c]) + k", "E = b");
+  await lab.page.keyboard.type("*y_");
+  await proposal("y_0").getByText("Displacement at the start [cm]").waitFor();
+  await lab.keys("Enter");
+  await eventually(async () => assert.match(await text(lab), /E = b\*y_\n/));
+  // In prose nothing is proposed.
+  await replace(lab, "Drag it", "Dra");
+  await lab.page.keyboard.type("g s");
+  await lab.page.waitForTimeout(400);
+  assert.equal(await lab.page.locator(".cm-tooltip-autocomplete").count(), 0);
+});
+
 visit("in Spanish, templates and messages are Spanish", { language: "es-ES" }, async (lab) => {
   await write(lab, "Escribir");
   await begin(lab, "Una masa en un resorte", "Nuevo");

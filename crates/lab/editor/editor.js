@@ -1,7 +1,7 @@
 // The editor of the tab Write: CodeMirror around the texts of a document. It knows nothing of what they mean; the laboratory checks
 // them and gives back what was found.
 
-import { closeBrackets, closeBracketsKeymap } from "@codemirror/autocomplete";
+import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
 import { bracketMatching } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
@@ -17,6 +17,7 @@ import {
   keymap,
   lineNumbers,
 } from "@codemirror/view";
+import { completions } from "./completion.js";
 import { language } from "./language.js";
 import { spanish } from "./phrases.js";
 import { theme } from "./theme.js";
@@ -36,6 +37,7 @@ globalThis.meniscusEditor = (changed) => {
   let since = 0;
   const words = new Compartment();
   let phrases = [];
+  let proposed = [];
 
   const flush = () => {
     if (!timer) return;
@@ -60,12 +62,14 @@ globalThis.meniscusEditor = (changed) => {
     dropCursor(),
     bracketMatching(),
     closeBrackets(),
+    // Nothing is chosen until an arrow key does: Enter ends the line of who has typed a name to its end.
+    autocompletion({ override: [completions(() => proposed)], icons: false, selectOnOpen: false }),
     search({ top: true }),
     highlightSelectionMatches(),
     EditorView.lineWrapping,
     EditorState.tabSize.of(4),
     // Tab is left to the page: it leads out of the editor.
-    keymap.of([...closeBracketsKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
+    keymap.of([...closeBracketsKeymap, ...completionKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
     EditorView.updateListener.of((update) => update.docChanged && later()),
     EditorView.contentAttributes.of({ tabindex: "0", spellcheck: "false", autocorrect: "off", autocapitalize: "off" }),
     language,
@@ -103,6 +107,10 @@ globalThis.meniscusEditor = (changed) => {
       const most = view.state.doc.length;
       const within = found.map((one) => ({ ...one, from: Math.min(one.from, most), to: Math.min(one.to, most) }));
       view.dispatch(setDiagnostics(view.state, within));
+    },
+    /** What is proposed while somebody types: `{ label, type, detail }`, the type one of variable, function, keyword, unit. */
+    propose(words) {
+      proposed = words;
     },
     /** Goes to a place in the text shown. */
     go(from, to) {

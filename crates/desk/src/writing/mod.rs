@@ -4,7 +4,9 @@ mod mark;
 mod rewriting;
 mod state;
 mod template;
+mod vocabulary;
 
 pub use mark::Mark;
 pub use state::Writing;
 pub use template::{TEMPLATES, Template};
+pub use vocabulary::{Word, WordKind};

@@ -1,7 +1,7 @@
 //! A document is written while it runs.
 
 use crate::support::{UTUBE, UTUBE_ES, open, parameter, play, set, state, utube};
-use desk::{Desk, TEMPLATES};
+use desk::{Desk, TEMPLATES, WordKind};
 use units::Language;
 
 /// A desk at which writing has begun.
@@ -137,4 +137,26 @@ fn sizes_that_were_set_stay() {
     assert_eq!(state(&desk).len(), 5);
     assert!(desk.write(0, text.replace("size N", "size M").replace("1..N", "1..M")));
     assert_eq!(state(&desk).len(), 3);
+}
+
+#[test]
+fn what_can_be_written_is_known_to_the_language() {
+    let mut desk = writing();
+    desk.set_language("es");
+    let words = desk.vocabulary();
+    let of = |kind: WordKind| words.iter().filter(move |word| word.kind == kind);
+    // What stands for a draw has a name that no text can give.
+    for function in program::functions::FUNCTIONS.iter().filter(|function| !function.name.contains(' ')) {
+        assert!(of(WordKind::Function).any(|word| word.text == function.name), "{} is not explained", function.name);
+    }
+    for unit in of(WordKind::Unit) {
+        assert!(units::Unit::parse(&unit.text).is_ok(), "{}", unit.text);
+    }
+    let names: Vec<&str> = of(WordKind::Name).map(|word| word.text.as_str()).collect();
+    for name in ["g", "rho", "y", "omega_0"] {
+        assert_eq!(names.iter().filter(|other| **other == name).count(), 1, "{name} in {names:?}");
+    }
+    let damping = of(WordKind::Name).find(|word| word.text == "b").unwrap();
+    assert_eq!(damping.about, "Amortiguamiento [kg/s]");
+    assert!(words.iter().all(|word| word.kind == WordKind::Name || !word.about.is_empty()));
 }

@@ -2,7 +2,7 @@
 //! a site the script is a file of its own. Places in a text are counted in UTF-16, as browsers do.
 
 use crate::packing;
-use desk::Mark;
+use desk::{Mark, Word, WordKind};
 use js_sys::{Array, Function, Object, Promise, Reflect};
 use model::Severity;
 use units::Language;
@@ -69,19 +69,32 @@ impl Editor {
             let severity = if mark.severity == Severity::Error { "error" } else { "warning" };
             let sentences: Vec<&str> =
                 std::iter::once(&mark.message).chain(&mark.remedies).map(|words| words.text(language)).collect();
-            let fields: [(&str, JsValue); 4] = [
+            object([
                 ("from", (mark.from as f64).into()),
                 ("to", (mark.to as f64).into()),
                 ("severity", severity.into()),
                 ("message", sentences.join("\n").into()),
-            ];
-            let object = Object::new();
-            for (name, value) in fields {
-                let _ = Reflect::set(&object, &name.into(), &value);
-            }
-            JsValue::from(object)
+            ])
         };
         self.call("mark", &[marks.iter().map(mark).collect::<Array>().into()]);
+    }
+
+    /// What it proposes while somebody types.
+    pub fn propose(&self, words: &[Word]) {
+        let word = |word: &Word| {
+            let kind = match word.kind {
+                WordKind::Name => "variable",
+                WordKind::Function => "function",
+                WordKind::Keyword => "keyword",
+                WordKind::Unit => "unit",
+            };
+            object([
+                ("label", word.text.as_str().into()),
+                ("type", kind.into()),
+                ("detail", word.about.as_str().into()),
+            ])
+        };
+        self.call("propose", &[words.iter().map(word).collect::<Array>().into()]);
     }
 
     /// Goes to a place in the text shown.
@@ -98,6 +111,15 @@ impl Editor {
     pub fn flush(&self) {
         self.call("flush", &[]);
     }
+}
+
+/// An object with these fields.
+fn object<const COUNT: usize>(fields: [(&str, JsValue); COUNT]) -> JsValue {
+    let object = Object::new();
+    for (name, value) in fields {
+        let _ = Reflect::set(&object, &name.into(), &value);
+    }
+    object.into()
 }
 
 /// Loads the script, unless it is there already.

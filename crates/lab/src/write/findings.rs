@@ -5,12 +5,13 @@ use crate::app::App;
 use crate::diagnostics;
 use view::views::*;
 
-/// Marks what was found in the text shown.
+/// Marks what was found in the text shown, and proposes the names of the model that runs.
 pub fn mark(app: App) {
     let file = app.written_file.get_untracked();
     let marks = app.read_desk(|desk| desk.writing().marks(file));
     if let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() {
         editor.mark(&marks, app.language.get_untracked());
+        editor.propose(&app.read_desk(|desk| desk.vocabulary()));
     }
 }
 

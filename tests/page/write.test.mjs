@@ -140,6 +140,12 @@ visit("Tab leads out of the text, and Control with M lets it indent", async (lab
   await eventually(async () => assert.ok(await editor(lab).evaluate((content) => content === document.activeElement)));
   await lab.keys("Tab");
   assert.ok(!(await editor(lab).evaluate((content) => content.contains(document.activeElement))));
+  await editor(lab).click();
+  await lab.keys("Control+Home", "Control+m", "Tab");
+  assert.match(await text(lab), /^\s+---/);
+  assert.ok(await editor(lab).evaluate((content) => content === document.activeElement));
+  await lab.keys("Control+m", "Tab");
+  assert.ok(!(await editor(lab).evaluate((content) => content.contains(document.activeElement))));
 });
 
 visit("names, functions and units are proposed with their meaning, and Enter takes none that was not chosen", async (lab) => {

@@ -2,7 +2,7 @@
 // them and gives back what was found.
 
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
+import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { bracketMatching } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
@@ -68,14 +68,18 @@ globalThis.meniscusEditor = (changed) => {
     highlightSelectionMatches(),
     EditorView.lineWrapping,
     EditorState.tabSize.of(4),
-    // Tab is left to the page: it leads out of the editor.
-    keymap.of([...closeBracketsKeymap, ...completionKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
+    keymap.of([indentWithTab, ...closeBracketsKeymap, ...completionKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
     EditorView.updateListener.of((update) => update.docChanged && later()),
     EditorView.contentAttributes.of({ tabindex: "0", spellcheck: "false", autocorrect: "off", autocapitalize: "off" }),
     language,
     theme,
   ];
   const view = new EditorView();
+  const show = (state) => {
+    view.setState(state);
+    // Tab leads out of the text, as everywhere in the page, until Control with M lets it indent.
+    view.setTabFocusMode(true);
+  };
 
   return {
     /** The element of the editor. */
@@ -86,7 +90,7 @@ globalThis.meniscusEditor = (changed) => {
       timer = since = 0;
       states = texts.map((doc) => EditorState.create({ doc, extensions: extensions() }));
       file = 0;
-      if (states[0]) view.setState(states[0]);
+      if (states[0]) show(states[0]);
     },
     /** Shows another file. */
     select(next) {
@@ -94,12 +98,12 @@ globalThis.meniscusEditor = (changed) => {
       flush();
       states[file] = view.state;
       file = next;
-      view.setState(states[file]);
+      show(states[file]);
       view.dispatch({ effects: words.reconfigure(phrases) });
     },
     /** The name of the text for screen readers, and the language of the editor's own words. */
     speak(label, tag) {
-      phrases = [EditorState.phrases.of(tag === "es" ? spanish : {}), EditorView.contentAttributes.of({ "aria-label": label })];
+      phrases = [EditorState.phrases.of(tag === "es" ? spanish : {}), EditorView.contentAttributes.of({ "aria-label": label, "aria-describedby": "editor-keys" })];
       view.dispatch({ effects: words.reconfigure(phrases) });
     },
     /** Marks what was found in the text shown: `{ from, to, severity, message }`, in UTF-16. */

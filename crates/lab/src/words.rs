@@ -132,6 +132,7 @@ table_of_words! {
     // Writing.
     tab_write: "Write", "Escribir";
     editor_label: "Text of the document", "Texto del documento";
+    editor_keys: "Tab leads out of the text. Control with M lets it indent, and again lead out. Control with F searches.", "El tabulador lleva fuera del texto. Control con M hace que ponga sangría, y otra vez que lleve fuera. Control con F busca.";
     editor_waiting: "The editor is loading ...", "El editor se está cargando ...";
     editor_missing: "The editor could not be loaded. Load the page again.", "No se ha podido cargar el editor. Vuelve a cargar la página.";
     writing_file: "File", "Archivo";

@@ -2,6 +2,7 @@
 
 use crate::support::{UTUBE, UTUBE_ES, open, parameter, play, set, state, utube};
 use desk::{Desk, TEMPLATES, WordKind};
+use proptest::prelude::*;
 use units::Language;
 
 /// A desk at which writing has begun.
@@ -159,4 +160,36 @@ fn what_can_be_written_is_known_to_the_language() {
     let damping = of(WordKind::Name).find(|word| word.text == "b").unwrap();
     assert_eq!(damping.about, "Amortiguamiento [kg/s]");
     assert!(words.iter().all(|word| word.kind == WordKind::Name || !word.about.is_empty()));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    /// Whatever is typed in between, the text as it was is the document as it was, and the run is the same.
+    #[test]
+    fn any_typing_can_be_taken_back(
+        typing in prop::collection::vec((0.0..1.0_f64, 0_usize..40, "[ -~\\n]{0,12}|```\n|\\]|'|2[.]5|\u{1f600}"), 1..5),
+    ) {
+        let mut desk = writing();
+        play(&mut desk, [0.05; 4]);
+        let before = (state(&desk), desk.play().time());
+        let mut letters: Vec<char> = UTUBE.chars().collect();
+        for (place, removed, typed) in typing {
+            let from = (place * letters.len() as f64) as usize;
+            let to = (from + removed).min(letters.len());
+            letters.splice(from..to, typed.chars());
+            let text: String = letters.iter().collect();
+            let runs = desk.write(0, text.clone());
+            prop_assert!(!runs || desk.document().source == text);
+            let length = text.encode_utf16().count();
+            prop_assert!(desk.writing().marks(0).iter().all(|mark| mark.from <= mark.to && mark.to <= length));
+            desk.follow();
+        }
+        desk.write_all(vec![UTUBE.to_owned(), UTUBE_ES.to_owned()]);
+        prop_assert!(desk.writing().runs() && desk.writing().findings().is_empty());
+        prop_assert_eq!(&desk.document().source, UTUBE);
+        if desk.play().time() == before.1 {
+            prop_assert_eq!(state(&desk), before.0);
+        }
+    }
 }

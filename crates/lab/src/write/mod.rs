@@ -31,6 +31,7 @@ pub fn view(app: App) -> View {
     div()
         .class("writing")
         .child(tools::view(app))
+        .child(p().id("editor-keys").hidden(true).child(app.words().editor_keys))
         .child(place.child(changing(wait)))
         .child(findings::status(app))
         .child(findings::view(app))

@@ -48,11 +48,10 @@ pub fn read(description: &str) -> Option<Visited> {
 /// editor does not run, its files follow those that do.
 pub fn describe(app: App) -> String {
     let sources = sources(app);
-    let draft = app.read_desk(|desk| (!desk.writing().runs()).then(|| desk.writing().texts().to_vec()));
-    if let Some(draft) = draft.filter(|draft| draft.len() == sources.len()) {
-        let names = sources.iter().map(|file| file.name.clone());
-        let files: Vec<Source> = names.zip(draft).map(|(name, text)| Source { name, text }).collect();
-        return format!("draft {}", page::write_list(&[sources, files].concat()));
+    let runs = app.read_desk(|desk| desk.writing().runs());
+    let written = if runs { Vec::new() } else { written(app) };
+    if !written.is_empty() {
+        return format!("draft {}", page::write_list(&[sources, written].concat()));
     }
     match library::subject(&sources) {
         Subject::Home => "home ".to_owned(),
@@ -92,6 +91,13 @@ fn history() -> Option<History> {
 /// The files of the open document.
 pub fn sources(app: App) -> Vec<Source> {
     app.with(|lab| lab.sources.clone()).unwrap_or_default()
+}
+
+/// The files as they stand in the editor; none where writing has not begun.
+pub fn written(app: App) -> Vec<Source> {
+    let texts = app.read_desk(|desk| desk.writing().texts().to_vec());
+    let names = sources(app).into_iter().map(|source| source.name);
+    names.zip(texts).map(|(name, text)| Source { name, text }).collect()
 }
 
 fn state(app: App) -> JsValue {

@@ -2,9 +2,7 @@
 
 use super::{findings, kept};
 use crate::app::{App, Lab};
-use crate::visited::Visited;
-use crate::{library, saved, tabs, visited};
-use document::page::Source;
+use crate::{library, saved, visited};
 use play::Subject;
 
 /// Begins to write at the open document, unless that has been done.
@@ -15,22 +13,6 @@ pub fn begin(app: App) {
             desk.begin_writing(sources.iter().map(|source| source.text.clone()).collect());
         }
     });
-}
-
-/// Takes up what was being written of the open document and did not run yet.
-pub fn resume(app: App, visited: Option<Visited>) {
-    let resumed = app.with(|lab| {
-        let Lab { desk: Some(desk), sources, .. } = lab else { return false };
-        let draft = visited.filter(|visited| visited.sources == *sources).and_then(|visited| visited.draft);
-        let Some(draft) = draft else { return false };
-        desk.begin_writing(sources.iter().map(|source| source.text.clone()).collect());
-        desk.write_all(draft);
-        true
-    });
-    if resumed == Some(true) {
-        app.written.update(|count| *count += 1);
-        app.tab.set(tabs::WRITE);
-    }
 }
 
 /// Takes a text as it stands in the editor.
@@ -72,11 +54,4 @@ pub fn written(app: App, file: usize, text: String) {
 /// Whether the open document is neither the page's nor of its library.
 fn is_own(app: App) -> bool {
     matches!(library::subject(&visited::sources(app)), Subject::File(_))
-}
-
-/// The files as they stand in the editor.
-pub fn files(app: App) -> Vec<Source> {
-    let texts = app.read_desk(|desk| desk.writing().texts().to_vec());
-    let names = visited::sources(app).into_iter().map(|source| source.name);
-    names.zip(texts).map(|(name, text)| Source { name, text }).collect()
 }

@@ -1,8 +1,7 @@
 //! What is wrong with the text: marked in it, counted in a line, and listed with reasons and remedies.
 
-use super::changes;
 use crate::app::App;
-use crate::diagnostics;
+use crate::{diagnostics, visited};
 use view::views::*;
 
 /// Marks what was found in the text shown, and proposes the names of the model that runs.
@@ -54,7 +53,7 @@ pub fn view(app: App) -> View {
             return View::new();
         }
         let go = move |file, place| go_to(app, file, place);
-        diagnostics::list(app, &changes::files(app), &findings, Some(std::rc::Rc::new(go))).into()
+        diagnostics::list(app, &visited::written(app), &findings, Some(std::rc::Rc::new(go))).into()
     })
 }
 

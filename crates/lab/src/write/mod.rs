@@ -1,14 +1,14 @@
 //! The tab *Write*: the texts of the open document in an editor, what is wrong with them, and new documents.
 
 mod changes;
+mod draft;
 mod editor;
 mod findings;
 mod kept;
 mod tools;
 
-pub use changes::resume;
+pub use draft::{flush, resume};
 pub use editor::Editor;
-pub use tools::flush;
 
 use crate::app::App;
 use view::views::*;

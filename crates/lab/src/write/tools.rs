@@ -1,6 +1,7 @@
 //! What stands above the editor: which file is shown, new documents, saving.
 
-use super::{changes, kept};
+use super::draft::flush;
+use super::kept;
 use crate::app::App;
 use crate::visited::Visited;
 use crate::{opening, visited};
@@ -87,15 +88,8 @@ fn begin_with(app: App, template: Template) {
 /// Saves the file that is shown, as it stands in the editor.
 fn save(app: App) {
     flush(app);
-    if let Some(file) = changes::files(app).get(app.written_file.get_untracked()) {
+    if let Some(file) = visited::written(app).get(app.written_file.get_untracked()) {
         let name = file.name.rsplit('/').next().unwrap_or_default();
         browser::save_text(name, "text/markdown", &file.text);
-    }
-}
-
-/// Has what was typed last checked now.
-pub fn flush(app: App) {
-    if let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() {
-        editor.flush();
     }
 }

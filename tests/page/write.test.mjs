@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { STILL, eventually, number, visit } from "./lab.mjs";
+import { Lab, STILL, eventually, number, visit } from "./lab.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const editor = (lab) => lab.page.locator(".cm-content");
@@ -122,6 +122,46 @@ visit("a document is begun, written, saved, and there again after a reload, also
   await eventually(async () => assert.match(await text(lab), /kk\*y = 0/));
 });
 
+visit("a link holds what was written", async (lab) => {
+  await write(lab);
+  await begin(lab, "A mass on a spring");
+  await replace(lab, "title: A mass on a spring", "title: My spring");
+  await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "My spring"));
+  await lab.press("Copy link");
+  await eventually(() => assert.match(lab.page.url(), /#1&s=/));
+  const other = await Lab.open();
+  try {
+    await other.page.goto("about:blank");
+    await other.go(lab.page.url());
+    await write(other);
+    assert.equal(await text(other), await text(lab));
+    other.wasQuiet();
+  } finally {
+    await other.context.close();
+  }
+});
+
+visit("a translation is written beside its document, and each file has its own undoing", { language: "es-ES" }, async (lab) => {
+  await write(lab, "Escribir");
+  await lab.page.getByLabel("Archivo").selectOption("utube.es.md");
+  await eventually(async () => assert.match(await text(lab), /translates: utube\.md/));
+  await replace(lab, "title: Oscilaciones", "title: Mis oscilaciones");
+  const title = (expected) => eventually(async () => assert.match(await lab.page.getByRole("heading", { level: 1 }).innerText(), expected));
+  await title(/^Mis oscilaciones/);
+  await lab.page.getByLabel("Archivo").selectOption("utube.md");
+  await replace(lab, "title: Oscillations", "title: My oscillations");
+  await lab.press("EN – English");
+  await title(/^My oscillations/);
+  await editor(lab).click();
+  await lab.keys("Control+z");
+  await title(/^Oscillations/);
+  await lab.page.getByLabel("File").selectOption("utube.es.md");
+  assert.match(await text(lab), /title: Mis oscilaciones/);
+  await editor(lab).click();
+  await lab.keys("Control+z");
+  await eventually(async () => assert.match(await text(lab), /title: Oscilaciones/));
+});
+
 visit("tabs, questions and plots follow the text", async (lab) => {
   await write(lab);
   await begin(lab, "My simulation", "New", "Empty document");
@@ -134,7 +174,7 @@ visit("tabs, questions and plots follow the text", async (lab) => {
   assert.ok(await editor(lab).evaluate((content) => content === document.activeElement), "the writer goes on writing");
 });
 
-visit("Tab leads out of the text, and Control with M lets it indent", async (lab) => {
+visit("Tab leads out of the text, until Control with M lets it indent", async (lab) => {
   await write(lab);
   await begin(lab, "My simulation", "New", "Empty document");
   await eventually(async () => assert.ok(await editor(lab).evaluate((content) => content === document.activeElement)));
@@ -165,6 +205,9 @@ visit("names, functions and units are proposed with their meaning, and Enter tak
   await proposal("y_0").getByText("Displacement at the start [cm]").waitFor();
   await lab.keys("Enter");
   await eventually(async () => assert.match(await text(lab), /E = b\*y_\n/));
+  // A prime is no quotation mark that wants another one.
+  await lab.page.keyboard.type("x[i]' ");
+  await eventually(async () => assert.match(await text(lab), /\n\s*x\[i\]' \*y/));
   // In prose nothing is proposed.
   await replace(lab, "Drag it", "Dra");
   await lab.page.keyboard.type("g s");

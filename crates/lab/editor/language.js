@@ -101,7 +101,8 @@ const documents = StreamLanguage.define({
     strong: tags.strong,
     emphasis: tags.emphasis,
   },
-  languageData: { commentTokens: { line: "#" } },
+  // A prime is no quotation mark: x[i]' is a first derivative.
+  languageData: { commentTokens: { line: "#" }, closeBrackets: { brackets: ["(", "[", "{", '"'] } },
 });
 
 /** In the colours of the page. */

@@ -1,7 +1,7 @@
 //! Follows the browser's history, and links to other states of this page.
 
 use crate::app::App;
-use crate::{links, opening, visited};
+use crate::{links, opening, saved, visited};
 use view::browser;
 use web_sys::Event;
 
@@ -9,7 +9,8 @@ use web_sys::Event;
 pub fn listen(app: App) {
     browser::listen("popstate", move |_: &Event| {
         if let Some(before) = visited::present().filter(|before| before.sources != visited::sources(app)) {
-            opening::leave(app);
+            // The step has changed already: what is typed in this moment is not noted in it.
+            saved::now(app);
             opening::open(app, before.sources, "");
         }
     });

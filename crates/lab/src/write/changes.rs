@@ -17,6 +17,10 @@ pub fn begin(app: App) {
 
 /// Takes a text as it stands in the editor.
 pub fn written(app: App, file: usize, text: String) {
+    if app.with(|lab| lab.editor_is_current) != Some(true) {
+        // Of a document that has been left.
+        return;
+    }
     let was_own = is_own(app);
     if !was_own {
         // What is seen of a document of the library stays its: what is written is a copy of one's own.

@@ -127,7 +127,8 @@ async fn load() -> Option<()> {
     if Reflect::has(&js_sys::global(), &MAKER.into()).ok()? {
         return Some(());
     }
-    let part: HtmlElement = browser::by_id("editor")?;
+    // A heading of a document may have this id, too; a script it cannot be.
+    let part = document().query_selector("script#editor").ok()??;
     let script: HtmlElement = document().create_element("script").ok()?.dyn_into().ok()?;
     let head = document().head()?;
     if let Some(address) = part.get_attribute("data-script") {

@@ -8,7 +8,7 @@ table_of_words! {
     // The page.
     link_without_translations: "The translations are too long for a link", "Las traducciones son demasiado largas para un enlace";
     link_needs_file: "The document is too long for a link; whoever opens it also needs the file", "El documento es demasiado largo para un enlace; quien lo abra necesita también el archivo";
-    not_saved: "The browser does not let this page store anything (storage full or forbidden): records, fits and answers will be lost when the page is closed", "El navegador no deja que esta página guarde nada (almacenamiento lleno o prohibido): los registros, los ajustes y las respuestas se perderán al cerrar la página";
+    not_saved: "The browser does not let this page store anything (storage full or forbidden): records, fits, answers and what is written will be lost when the page is closed", "El navegador no deja que esta página guarde nada (almacenamiento lleno o prohibido): los registros, los ajustes, las respuestas y lo que se escriba se perderán al cerrar la página";
     records_closed: "More records are stored than can be open at once. Remove one and load the page again to see the others", "Hay más registros guardados de los que pueden estar abiertos a la vez. Quita uno y vuelve a cargar la página para ver los demás";
     open: "Open", "Abrir";
     open_title: "Open a simulation document or an exported page", "Abrir un documento de simulación o una página exportada";

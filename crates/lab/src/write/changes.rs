@@ -17,8 +17,9 @@ pub fn begin(app: App) {
 
 /// Takes a text as it stands in the editor.
 pub fn written(app: App, file: usize, text: String) {
-    if app.with(|lab| lab.editor_is_current) != Some(true) {
-        // Of a document that has been left.
+    let is_current = app.with(|lab| lab.editor_is_current) == Some(true);
+    // Of a document that has been left; or typed and taken back at once.
+    if !is_current || app.read_desk(|desk| desk.writing().texts().get(file) == Some(&text)) {
         return;
     }
     let was_own = is_own(app);

@@ -7,7 +7,7 @@ use view::browser;
 
 const PREFIX: &str = "written:";
 /// More of them are not kept; the oldest go.
-const MOST: usize = 12;
+const MOST: usize = 50;
 
 /// Finds the name for what is about to be written: that of the document as it is, if it was written before.
 pub fn begin(app: App) {
@@ -30,15 +30,10 @@ pub fn keep(app: App) {
     others.sort_unstable();
     let excess = (others.len() + 1).saturating_sub(MOST);
     others.drain(..excess).for_each(|other| browser::forget(&other));
-    // Where there is no room, the oldest one makes it.
-    while !browser::remember(&name, &text) {
-        if others.is_empty() {
-            if app.with(|lab| std::mem::replace(&mut lab.saved.refused, true)) == Some(false) {
-                app.complain(app.words().not_saved.to_owned());
-            }
-            return;
-        }
-        browser::forget(&others.remove(0));
+    if !browser::remember(&name, &text)
+        && app.with(|lab| std::mem::replace(&mut lab.saved.refused, true)) == Some(false)
+    {
+        app.complain(app.words().not_saved.to_owned());
     }
 }
 

@@ -23,7 +23,10 @@ pub fn view(app: App) -> View {
     let wait = move || if waiting.get() { note(app.words().editor_waiting).into() } else { View::new() };
     wasm_bindgen_futures::spawn_local(async move {
         let shown = show(app, &node).await;
-        waiting.set(false);
+        // Another language may have built the tab again meanwhile.
+        if waiting.is_alive() {
+            waiting.set(false);
+        }
         if shown.is_none() {
             app.complain(app.words().editor_missing.to_owned());
         }
@@ -43,9 +46,12 @@ async fn show(app: App, place: &Element) -> Option<()> {
     let started = app.with(|lab| lab.editor.clone()).flatten();
     let editor = match started {
         Some(editor) => editor,
-        None => Editor::start(move |file, text| changes::written(app, file, text)).await?,
+        None => {
+            let started = Editor::start(move |file, text| changes::written(app, file, text)).await?;
+            // The tab may have been built twice while the script was loading.
+            app.with(|lab| lab.editor.get_or_insert(started).clone())?
+        }
     };
-    app.with(|lab| lab.editor = Some(editor.clone()));
     if !app.with(|lab| std::mem::replace(&mut lab.editor_is_current, true))? {
         let texts = app.read_desk(|desk| desk.writing().texts().to_vec());
         app.written_file.set(0);

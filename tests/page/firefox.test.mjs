@@ -185,6 +185,26 @@ visit("a record is read and fitted, and is there again after a reload", "#1&d=th
   await eventually(() => estimate("Length of the column"));
 });
 
+visit("a document is begun and written", "", async (visitor) => {
+  await visitor.openTab("Write");
+  const status = () => visitor.page.$eval("#writing-status", (status) => status.textContent);
+  const runs = () => eventually(async () => assert.match(await status(), /^The simulation runs as written/));
+  await eventually(() => visitor.page.$eval(".cm-content", (content) => content.checkVisibility() || assert.fail()));
+  await visitor.press("New");
+  await visitor.press("A mass on a spring");
+  await eventually(async () => assert.match(await visitor.page.title(), /^A mass on a spring/));
+  await runs();
+  await eventually(async () => assert.ok(await visitor.page.$eval(".cm-content", (content) => content === document.activeElement)));
+  await visitor.page.keyboard.down("Control");
+  await visitor.page.keyboard.press("End");
+  await visitor.page.keyboard.up("Control");
+  await visitor.page.keyboard.type("```model\nz = q\n```\n");
+  await eventually(async () => assert.match(await status(), /^1 error/));
+  for (const key of ["ArrowUp", "ArrowUp", "End", "Backspace"]) await visitor.page.keyboard.press(key);
+  await visitor.page.keyboard.type("k");
+  await runs();
+});
+
 visit("a link opens the same state for somebody else", "", async (visitor) => {
   await visitor.openTab("Play");
   await (await visitor.find("textbox", "Damping")).click({ count: 3 });

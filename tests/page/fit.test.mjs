@@ -201,7 +201,7 @@ visit("from the sample to the result by keyboard alone", async (lab) => {
   await lab.keys("Enter");
   await eventually(async () => assert.equal((await lab.focused()).id, "browse"));
   await lab.tabTo("[role=tab]");
-  await lab.keys("End", "ArrowLeft", "ArrowLeft");
+  await lab.keys("End", "ArrowLeft", "ArrowLeft", "ArrowLeft");
   await lab.tabTo(".intake .chip");
   await lab.keys("Enter");
   await records(lab).waitFor();

@@ -72,6 +72,20 @@ online("from the list to a simulation, and on to the laboratory with what was se
   await page.getByRole("heading", { name: "A bouncing ball" }).waitFor();
 });
 
+online("the editor of the laboratory is asked for when it is first opened, and kept for visits without a network", {}, async (lab) => {
+  const { page } = lab;
+  await kept(page);
+  await lab.context.setOffline(true);
+  await page.goto(`${address}laboratory.html`);
+  await page.getByRole("heading", { level: 1 }).waitFor();
+  const scripts = () => page.locator('script[src*="editor-"]').count();
+  assert.equal(await scripts(), 0);
+  await lab.tab("Write");
+  await page.locator(".cm-content").waitFor();
+  assert.equal(await scripts(), 1);
+  await eventually(async () => assert.match(await page.locator("#writing-status").innerText(), /^The simulation runs as written/));
+});
+
 online("after one visit every page opens without a network", {}, async (lab) => {
   const { page } = lab;
   await kept(page);

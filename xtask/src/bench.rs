@@ -181,7 +181,7 @@ fn in_wasm(browser: Option<std::path::PathBuf>) -> Result<Numbers> {
         .env("PROFILES", profiles());
     measure.env_remove("CHROME");
     if let Some(browser) = browser {
-        tools::browser_packages()?;
+        tools::packages(&steps::root().join("tests").join("page"))?;
         measure.env("CHROME", browser);
     }
     steps::output(&mut measure).map(|text| numbers(&text))

@@ -32,9 +32,9 @@ fn lints() -> Result<()> {
 
 fn browsers() -> Result<()> {
     let node = tools::node()?;
-    tools::browser_packages()?;
-    let program = steps::target().join("debug").join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
     let directory = steps::root().join("tests").join("page");
+    tools::packages(&directory)?;
+    let program = steps::target().join("debug").join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
     let mut tests = std::process::Command::new(node);
     tests.args(["--test", "--test-reporter=spec"]).current_dir(directory);
     for browser in [tools::CHROMIUM, tools::FIREFOX] {

@@ -2,6 +2,7 @@
 
 mod bench;
 mod checks;
+mod editor;
 mod golden;
 mod page;
 mod steps;

@@ -1,8 +1,8 @@
 //! Builds the laboratory and the player into one HTML file each: template, styles, JavaScript glue, and the WebAssembly module, gzipped,
 //! as base64. Nothing is fetched when the file is opened, so that it works from a disk, from any host and inside a frame.
 
-use crate::steps;
 use crate::wasm::{self, Host};
+use crate::{editor, steps};
 use anyhow::{Context, Result, bail};
 use base64::Engine as _;
 use document::page::{self, Source};
@@ -26,8 +26,8 @@ struct Kind {
     package: &'static str,
     /// Its style sheets, below `crates`, in their order.
     styles: &'static [&'static str],
-    /// Whether it carries the documents that ship.
-    has_library: bool,
+    /// Whether it is the laboratory: that carries the documents that ship, and the editor.
+    is_laboratory: bool,
     /// Where it goes.
     path: fn() -> PathBuf,
 }
@@ -42,10 +42,11 @@ const KINDS: [Kind; 2] = [
             "view/page/panel.css",
             "lab/page/measure.css",
             "lab/page/library.css",
+            "lab/page/write.css",
             "view/page/narrow.css",
             "view/page/print.css",
         ],
-        has_library: true,
+        is_laboratory: true,
         path: steps::page,
     },
     Kind {
@@ -57,7 +58,7 @@ const KINDS: [Kind; 2] = [
             "view/page/narrow.css",
             "view/page/print.css",
         ],
-        has_library: false,
+        is_laboratory: false,
         path: steps::player,
     },
 ];
@@ -70,8 +71,9 @@ pub fn build() -> Result<PathBuf> {
         let glue = read(&directory.join(format!("{}.js", kind.package)))?;
         let module = directory.join(format!("{}_bg.wasm", kind.package));
         let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
-        let packed = pack(&module)?;
-        let page = assemble(kind, &glue, &packed)?;
+        let packed = pack(zopfli::Format::Gzip, &module)?;
+        let editor = if kind.is_laboratory { editor::bundle()? } else { String::new() };
+        let page = assemble(kind, &glue, &packed, &editor)?;
         let path = (kind.path)();
         write_whole(&path, page.as_bytes()).with_context(|| format!("cannot write {}", path.display()))?;
         println!("{}", kind.package);
@@ -79,6 +81,7 @@ pub fn build() -> Result<PathBuf> {
             ("page", page.len(), gzip(page.as_bytes())?.len()),
             ("glue", glue.len(), gzip(glue.as_bytes())?.len()),
             ("module", module.len(), packed.len()),
+            ("editor", editor.len(), gzip(editor.as_bytes())?.len()),
         ] {
             println!("  {name:10}{:8.1} kB, gzipped {:6.1} kB", bytes as f64 / 1000.0, sent as f64 / 1000.0);
         }
@@ -86,16 +89,16 @@ pub fn build() -> Result<PathBuf> {
     Ok(steps::page())
 }
 
-/// The module as gzip, which the browser inflates.
-fn pack(module: &[u8]) -> Result<Vec<u8>> {
+/// A part in a compressed form, which the browser inflates.
+fn pack(format: zopfli::Format, part: &[u8]) -> Result<Vec<u8>> {
     let mut packed = Vec::new();
     let options = zopfli::Options { iteration_count: SEARCHES, ..zopfli::Options::default() };
-    zopfli::compress(options, zopfli::Format::Gzip, module, &mut packed)?;
+    zopfli::compress(options, format, part, &mut packed)?;
     Ok(packed)
 }
 
 /// Puts the parts into the template's places.
-fn assemble(kind: &Kind, glue: &str, packed: &[u8]) -> Result<String> {
+fn assemble(kind: &Kind, glue: &str, packed: &[u8], editor: &str) -> Result<String> {
     let crates = steps::root().join("crates");
     let source = crates.join("view").join("page");
     let base64 = |bytes: &[u8]| base64::engine::general_purpose::STANDARD.encode(bytes);
@@ -105,8 +108,13 @@ fn assemble(kind: &Kind, glue: &str, packed: &[u8]) -> Result<String> {
     let style = styles.replace("/*math-font*/", &base64(&font));
     let boot = read(&source.join("boot.js"))?;
     let module = format!("<script type=\"application/octet-stream\" id=\"module\">{}</script>", base64(packed));
-    let list = || Ok(format!("<script type=\"application/json\" id=\"library\">{}</script>", library()?));
-    let library: Result<String> = if kind.has_library { list() } else { Ok(String::new()) };
+    let (mut carried, mut lazy) = (String::new(), String::new());
+    if kind.is_laboratory {
+        carried = format!("<script type=\"application/json\" id=\"library\">{}</script>", library()?);
+        // Deflated, as texts in links are. It is inflated and started when it is first needed.
+        let packed = pack(zopfli::Format::Deflate, editor.as_bytes())?;
+        lazy = format!("{}{}</script>", page::EDITOR, base64(&packed));
+    }
     let mut html = read(&source.join("index.html"))?;
     let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">", page::POLICY);
     for (marker, text) in [
@@ -114,8 +122,9 @@ fn assemble(kind: &Kind, glue: &str, packed: &[u8]) -> Result<String> {
         ("<!--style-->", format!("<style>\n{style}</style>")),
         ("<!--glue-->", script(glue)),
         ("<!--module-->", module),
-        ("<!--library-->", library?),
+        ("<!--library-->", carried),
         ("<!--boot-->", script(&boot)),
+        ("<!--editor-->", lazy),
     ] {
         if html.matches(marker).count() != 1 {
             bail!("crates/view/page/index.html must contain {marker} once");

@@ -21,7 +21,7 @@ pub fn wasm_target() -> Result<()> {
 
 /// Node, at least version 20.
 pub fn node() -> Result<PathBuf> {
-    const HOW: &str = "the tests in WebAssembly and in the browser need Node 20 or later: https://nodejs.org";
+    const HOW: &str = "the page's editor and the tests in the browser need Node 20 or later: https://nodejs.org";
     let node = find("node").context(HOW)?;
     let version = steps::output(Command::new(&node).arg("--version"))?;
     let major = version.trim().trim_start_matches('v').split('.').next().and_then(|text| text.parse::<u32>().ok());
@@ -31,17 +31,18 @@ pub fn node() -> Result<PathBuf> {
     }
 }
 
-/// The packages of the browser tests, exactly as locked. Nothing is done when they are there already.
-pub fn browser_packages() -> Result<()> {
-    let directory = steps::root().join("tests").join("page");
-    let lock = std::fs::read_to_string(directory.join("package-lock.json"))
-        .context("cannot read tests/page/package-lock.json")?;
+/// The packages of a directory with a `package-lock.json`, exactly as locked. Nothing is done when they are there already. No package
+/// may run a script of its own.
+pub fn packages(directory: &Path) -> Result<()> {
+    let lock = directory.join("package-lock.json");
+    let lock = std::fs::read_to_string(&lock).with_context(|| format!("cannot read {}", lock.display()))?;
     let stamp = directory.join("node_modules").join(".installed-from");
     if std::fs::read_to_string(&stamp).is_ok_and(|installed| installed == lock) {
         return Ok(());
     }
     let npm = find("npm").context("npm is missing; it comes with Node: https://nodejs.org")?;
-    steps::run(Command::new(npm).args(["ci", "--no-fund", "--no-audit"]).current_dir(&directory))?;
+    let words = ["ci", "--ignore-scripts", "--no-fund", "--no-audit"];
+    steps::run(Command::new(npm).args(words).current_dir(directory))?;
     std::fs::write(&stamp, lock).with_context(|| format!("cannot write {}", stamp.display()))
 }
 

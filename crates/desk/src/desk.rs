@@ -7,6 +7,7 @@ use crate::fits::state::Fits;
 use crate::measured::data::Data;
 use crate::records::incoming::Intake;
 use crate::removed::Removed;
+use crate::writing::Writing;
 use document::Document;
 use play::{Play, PlotId};
 
@@ -40,6 +41,8 @@ pub struct Desk {
     pub(crate) cycle_plot: PlotId,
     /// The last removal and its number.
     pub(crate) removed: Option<(u32, Removed)>,
+    /// The texts in the editor.
+    pub(crate) writing: Writing,
 }
 
 impl Desk {
@@ -59,6 +62,7 @@ impl Desk {
             residual_plot,
             cycle_plot,
             removed: None,
+            writing: Writing::default(),
             document,
         };
         let program = &desk.document.program;

@@ -1,4 +1,4 @@
-//! What a measurer does in the laboratory, as plain state and transitions: records beside a simulation, their cycles, fits
+//! What a measurer and an author do in the laboratory, as plain state and transitions: records beside a simulation, their cycles, fits
 //! of theories to them, reports, and what is kept for the next visit. No DOM, no clock, no storage.
 //!
 //! | folder | what it holds |
@@ -8,6 +8,7 @@
 //! | `cycles` | an oscillation cycle by cycle |
 //! | `fits` | what is varied, the queue, the results, the fit in the sliders, reports |
 //! | `saved` | records, fits and answers for the next visit, in one format |
+//! | `writing` | the texts of the document while they are written, templates for new ones |
 //!
 //! A [`Refusal`] is the answer to input that cannot be taken; nothing has changed then. Getters that return texts use
 //! the chosen language. No method panics; an index that does not exist is ignored or refused.
@@ -25,6 +26,7 @@ mod sizes;
 mod undo;
 mod words;
 mod workbook;
+mod writing;
 
 pub use analysis::derivative::Differentiation;
 pub use document;
@@ -44,3 +46,4 @@ pub use records::{
 };
 pub use refusal::Refusal;
 pub use saved::{Change, Item, Left, Shelf};
+pub use writing::{Mark, TEMPLATES, Template, Word, WordKind, Writing};

@@ -28,6 +28,9 @@ pub struct Options {
 pub const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; \
                           img-src data: blob:; font-src data:; base-uri 'none'; form-action 'none'";
 
+/// Opens the element with the editor of the laboratory: a script, deflated, in base64.
+pub const EDITOR: &str = "<script type=\"application/octet-stream\" id=\"editor\">";
+
 /// The place in a page where the documents go.
 pub const MARKER: &str = "<!--documents-->";
 

@@ -4,6 +4,7 @@ mod host;
 
 use crate::stored::Saved;
 use crate::words::{Words, words_in};
+use crate::write::Editor;
 use desk::{Desk, FitProgress, RecordProgress, Refusal};
 use document::page::Source;
 use model::Diagnostic;
@@ -38,6 +39,14 @@ pub struct Lab {
     pub awaited: Option<(String, String)>,
     /// Whether the equations of the theories have been asked for.
     pub reads_equations: bool,
+    /// The editor, once it has been started.
+    pub editor: Option<Editor>,
+    /// Under which name the browser keeps what is written of the open document.
+    pub written_as: Option<String>,
+    /// Whether the editor shows the open document, and not the one before it.
+    pub editor_is_current: bool,
+    /// Whether the editor takes the focus when it is there.
+    pub focuses_editor: bool,
     /// Whether fits are being worked on.
     pub fitting: bool,
     /// Files that are to be read as records, and whether one is being read.
@@ -71,6 +80,10 @@ pub struct Laboratory {
     pub record_refusal: Signal<Option<String>>,
     /// Whether the list of documents has been asked for.
     pub library_asked_for: Signal<bool>,
+    /// Raised when a text in the editor has been checked.
+    pub written: Signal<u64>,
+    /// Which file the editor shows.
+    pub written_file: Signal<usize>,
     /// The first equation of each theory that has been read so far, by its file.
     pub equations: Signal<BTreeMap<String, String>>,
 }
@@ -124,6 +137,8 @@ impl App {
             record_progress: create_signal(None),
             record_refusal: create_signal(None),
             library_asked_for: create_signal(false),
+            written: counter(),
+            written_file: create_signal(0),
             equations: create_signal(BTreeMap::new()),
         };
         let app = Self(Box::leak(Box::new(laboratory)));

@@ -4,8 +4,12 @@ use crate::app::App;
 use crate::{correction, library_list, opening, titles};
 use document::page::Source;
 use model::{Diagnostic, Label, Severity};
+use std::rc::Rc;
 use units::{Language, Words};
 use view::views::*;
+
+/// Goes to a place, in bytes, in the text of a file, by its number.
+pub type Go = Rc<dyn Fn(usize, usize)>;
 
 /// In place of the apparatus, for a document that does not run: what is wrong, the text to correct it, and the ways back.
 pub fn view(app: App) -> View {
@@ -20,7 +24,7 @@ pub fn view(app: App) -> View {
     page.child(h2().id("broken-title").child(words.broken))
         .child(p().child(words.broken_intro))
         .child(ways_back(app))
-        .child(list(app, &sources, &findings, true))
+        .child(list(app, &sources, &findings, Some(Rc::new(correction::go_to))))
         .child(correction::view(app, sources))
         .into()
 }
@@ -51,20 +55,20 @@ pub fn remarks(app: App) -> View {
     if findings.is_empty() {
         return View::new();
     }
-    let list = list(app, &sources, &findings, false);
+    let list = list(app, &sources, &findings, None);
     section().child(h3().child(words.warnings)).child(list).into()
 }
 
-/// The findings; where the text stands below them to be corrected, each place leads to its line there.
-fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)], correctable: bool) -> HtmlOl {
+/// The findings; where the text can be corrected, each place leads to it there.
+pub fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)], go: Option<Go>) -> HtmlOl {
     let item = |(file, diagnostic): &(usize, Diagnostic)| {
-        let correctable = correctable.then_some(*file);
-        li().child(finding(app, sources.get(*file), diagnostic, correctable))
+        let go = go.clone().map(|go| (go, *file));
+        li().child(finding(app, sources.get(*file), diagnostic, go))
     };
     ol().class("findings").each(findings, item)
 }
 
-fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic, correctable: Option<usize>) -> HtmlArticle {
+fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic, go: Option<(Go, usize)>) -> HtmlArticle {
     let (words, language) = (app.words(), app.language.get_untracked());
     let (kind, class) = match diagnostic.severity {
         Severity::Error => (words.error, "finding error"),
@@ -81,7 +85,7 @@ fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic, correctab
         .class(class)
         .child(h3().child(span().class("badge").child(kind)).child(" ").child(title))
         .child(p().class("what").child(with_code(&capitalised(diagnostic.message.text(language)))).child("."))
-        .each(places, |place| place.view(app, name, correctable))
+        .each(places, |place| place.view(app, name, go.clone()))
         .each(&diagnostic.notes, note)
         .each(&diagnostic.hints, hint)
 }
@@ -168,15 +172,12 @@ impl Place {
         Self { number: text[..first].matches('\n').count() + 1, start, pieces, remarks }
     }
 
-    /// `correctable` is the number of the file whose text stands below.
-    fn view(self, app: App, file: &str, correctable: Option<usize>) -> View {
+    /// `go` leads to the text of a file, and the number of this file.
+    fn view(self, app: App, file: &str, go: Option<(Go, usize)>) -> View {
         let head = format!("{file}, {} {}", app.words().line, self.number);
         let start = self.start;
-        let head: View = match correctable {
-            Some(file) => {
-                let go = move |_| correction::go_to(file, start);
-                button().class("pick").when(events::click, go).child(head).into()
-            }
+        let head: View = match go {
+            Some((go, file)) => button().class("pick").when(events::click, move |_| go(file, start)).child(head).into(),
             None => head.into(),
         };
         let piece =

@@ -4,11 +4,13 @@
 use document::page::{self, Source};
 use document::{Card, Document};
 use play::Subject;
+use std::cell::OnceCell;
 
 /// Where the theories stand.
 pub const THEORIES: &str = "theories/";
 
 /// A document and its translations.
+#[derive(Clone)]
 pub struct Entry {
     /// Its files, the document first.
     pub files: Vec<Source>,
@@ -47,8 +49,34 @@ impl Entry {
     }
 }
 
+/// What the page carries, which does not change while it is open. It is asked for at each change of a text.
+struct Carried {
+    home: Vec<Source>,
+    entries: Vec<Entry>,
+}
+
+/// What the page carries, read when it is first asked for.
+fn carried() -> &'static Carried {
+    thread_local! {
+        static CARRIED: OnceCell<&'static Carried> = const { OnceCell::new() };
+    }
+    let read = || {
+        let entries = read_entries();
+        let element = view::views::document().get_element_by_id("documents");
+        let exported = element.and_then(|element| page::read(&element.outer_html()));
+        let first = || entries.first().map_or_else(Vec::new, |entry| entry.files.clone());
+        let carried: &'static Carried = Box::leak(Box::new(Carried { home: exported.unwrap_or_else(first), entries }));
+        carried
+    };
+    CARRIED.with(|cell| *cell.get_or_init(read))
+}
+
 /// All entries, in the order in which the page carries them.
 pub fn entries() -> Vec<Entry> {
+    carried().entries.clone()
+}
+
+fn read_entries() -> Vec<Entry> {
     let text = document_text("library");
     let mut entries: Vec<Entry> = Vec::new();
     let (bases, translations): (Vec<Source>, Vec<Source>) = page::read_list(&text)
@@ -74,22 +102,20 @@ pub fn theories() -> Vec<Entry> {
 
 /// What the page opens with: the document it was exported with, else the first of the library.
 pub fn home() -> Vec<Source> {
-    let element = view::views::document().get_element_by_id("documents");
-    let exported = element.and_then(|element| page::read(&element.outer_html()));
-    exported.unwrap_or_else(|| entries().into_iter().next().map_or_else(Vec::new, |entry| entry.files))
+    carried().home.clone()
 }
 
 /// The files of the entry of this name.
 pub fn find(name: &str) -> Option<Vec<Source>> {
-    entries().into_iter().find(|entry| entry.file() == name).map(|entry| entry.files)
+    carried().entries.iter().find(|entry| entry.file() == name).map(|entry| entry.files.clone())
 }
 
 /// What a link calls a document: the page's own, one of the library, or one that only its author has.
 pub fn subject(files: &[Source]) -> Subject {
-    if files == home() {
+    if files == carried().home {
         return Subject::Home;
     }
-    let entry = entries().into_iter().find(|entry| entry.files == files);
+    let entry = carried().entries.iter().find(|entry| entry.files == files);
     let name = files.first().map_or("", |file| &file.name).to_owned();
     if entry.is_some() { Subject::Library(name) } else { Subject::File(name) }
 }

@@ -21,7 +21,9 @@ pub struct Arrival {
 /// What the page opens with: the document of this step of the history, else what its address says.
 pub async fn first() -> Arrival {
     match visited::present() {
-        Some(sources) => Arrival { sources, state: String::new(), refusal: None, awaited: None },
+        Some(visited::Visited { sources, .. }) => {
+            Arrival { sources, state: String::new(), refusal: None, awaited: None }
+        }
         None => read(&fragment()).await,
     }
 }

@@ -30,6 +30,7 @@ mod virtual_form;
 mod visited;
 mod words;
 mod workspace;
+mod write;
 
 fn main() {
     workspace::start();

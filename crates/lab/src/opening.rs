@@ -3,7 +3,8 @@
 
 use crate::app::App;
 use crate::links::Arrival;
-use crate::{fit, intake, saved, visited};
+use crate::visited::Visited;
+use crate::{fit, intake, saved, visited, write};
 use desk::Desk;
 use document::page::{self, Source};
 use view::{browser, messages};
@@ -61,6 +62,8 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
             saved::restore_answers(&mut lab.saved, &sources, desk);
         }
         lab.drafts.clear();
+        lab.written_as = None;
+        lab.editor_is_current = false;
         lab.desk = desk;
         lab.sources = sources;
         lab.findings = findings;
@@ -73,6 +76,7 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
         desk.set_language(language.tag());
         if state.is_empty() { None } else { restored(desk, state).1 }
     });
+    write::resume(app, visited::present());
     messages::leave_document(app.page);
     app.rebuild();
     if let Some(refusal) = refusal {
@@ -106,6 +110,13 @@ fn go_to(app: App, sources: Vec<Source>, state: &str) {
     browser::scroll_to(0.0);
 }
 
+/// Opens what was written earlier.
+pub fn open_kept(app: App, kept: Visited) {
+    go_to(app, kept.sources.clone(), "");
+    write::resume(app, Some(kept));
+    visited::note(app, None);
+}
+
 /// Opens another theory for the records that are being fitted: the page stays where it is scrolled to.
 pub fn change_theory(app: App, sources: Vec<Source>) {
     let place = browser::scrolled();
@@ -130,15 +141,16 @@ pub fn check_again(app: App, sources: Vec<Source>) {
 
 /// Saves what there is of the open document before another one takes its place.
 pub fn leave(app: App) {
+    write::flush(app);
     saved::now(app);
 }
 
 /// Saves everything for the next visit, whenever the page is about to go out of sight: the only moment that every browser
 /// announces.
 pub fn save_when_left(app: App) {
-    browser::listen("pagehide", move |_: &Event| saved::now(app));
+    browser::listen("pagehide", move |_: &Event| leave(app));
     browser::listen("visibilitychange", move |_: &Event| {
-        saved::now(app);
+        leave(app);
         // Back in sight, the frames go on.
         app.page.wake();
     });

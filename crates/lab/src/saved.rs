@@ -15,21 +15,42 @@ use wasm_bindgen::closure::Closure;
 const RECORDS: &str = "record:";
 const FITS: &str = "fit:";
 
+/// What the state of a document is stored under begins with.
+const STATE: &str = "state:";
+/// What the names of own documents begin with.
+const OWN: &str = "own:";
+
 /// Changes are saved so many milliseconds later, all of them at once.
 const DELAY: i32 = 300;
 
 /// A document's name in the storage: by its file and title. Own documents keep apart from those of the page, which a link
 /// from a stranger could otherwise give another state.
 fn document_key(sources: &[Source], desk: &Desk) -> String {
-    let own = if matches!(library::subject(sources), Subject::File(_)) { "own:" } else { "" };
+    let own = if matches!(library::subject(sources), Subject::File(_)) { OWN } else { "" };
     let name = sources.first().map_or("", |file| &file.name);
     format!("{own}{name}:{}", desk.document().program.title)
 }
 
+/// The name of the open document in the storage.
+pub fn key(lab: &Lab) -> Option<String> {
+    lab.desk.as_ref().map(|desk| document_key(&lab.sources, desk))
+}
+
 /// The state in which a document was left.
 pub fn state(app: App) -> String {
-    let key = app.with(|lab| lab.desk.as_ref().map(|desk| document_key(&lab.sources, desk))).flatten();
-    key.and_then(|key| browser::remembered(&format!("state:{key}"))).unwrap_or_default()
+    let key = app.with(|lab| key(lab)).flatten();
+    key.and_then(|key| browser::remembered(&format!("{STATE}{key}"))).unwrap_or_default()
+}
+
+/// The open document had the name `before` in the storage and may have another now: one that is written has another title after
+/// each letter. What was stored of an own document under its former name is forgotten.
+pub fn rename(lab: &mut Lab, before: Option<String>) {
+    let Some(before) = before.filter(|before| key(lab).as_ref() != Some(before)) else { return };
+    lab.saved.answers = Shelf::default();
+    if before.starts_with(OWN) {
+        browser::forget(&format!("{STATE}{before}"));
+        browser::all_remembered(&answers_of(&before)).iter().for_each(|(key, _)| browser::forget(key));
+    }
 }
 
 /// Brings back records and fits. How many records there was no room for.
@@ -86,7 +107,7 @@ fn save(lab: &mut Lab) -> bool {
     let Lab { desk: Some(desk), saved, sources, .. } = lab else { return false };
     saved.is_due = false;
     let key = document_key(sources, desk);
-    let mut stored = browser::remember(&format!("state:{key}"), &desk.play().share());
+    let mut stored = browser::remember(&format!("{STATE}{key}"), &desk.play().share());
     let now = js_sys::Date::now() as u64;
     for (shelf, prefix, items) in [
         (&mut saved.records, RECORDS.to_owned(), desk.saved_records()),

@@ -4,3 +4,5 @@
 pub const MEASURE: &str = "measure";
 /// The tab of fits.
 pub const FIT: &str = "fit";
+/// The tab of the editor.
+pub const WRITE: &str = "write";

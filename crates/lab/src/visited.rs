@@ -13,14 +13,50 @@ use web_sys::History;
 /// What the state of a step begins with.
 const OURS: &str = "meniscus ";
 
+/// A document as a step remembers it.
+pub struct Visited {
+    /// The files that run.
+    pub sources: Vec<Source>,
+    /// The texts in the editor, where they are not those that run.
+    pub draft: Option<Vec<String>>,
+}
+
 /// The document of the present step; `None` where the page has not been here yet.
-pub fn present() -> Option<Vec<Source>> {
+pub fn present() -> Option<Visited> {
     let state = history()?.state().ok()?.as_string()?;
-    match state.strip_prefix(OURS)?.split_once(' ')? {
-        ("home", _) => Some(library::home()),
-        ("library", name) => library::find(name),
-        ("own", list) => page::read_list(list),
+    read(state.strip_prefix(OURS)?)
+}
+
+/// Reads what [`describe`] has written.
+pub fn read(description: &str) -> Option<Visited> {
+    let document = |sources| Some(Visited { sources, draft: None });
+    match description.split_once(' ')? {
+        ("home", _) => document(library::home()),
+        ("library", name) => document(library::find(name)?),
+        ("own", list) => document(page::read_list(list)?),
+        ("draft", list) => {
+            let mut sources = page::read_list(list)?;
+            let texts = sources.split_off(sources.len() / 2);
+            let draft = (sources.len() == texts.len()).then(|| texts.into_iter().map(|file| file.text).collect());
+            Some(Visited { sources, draft })
+        }
         _ => None,
+    }
+}
+
+/// What a step remembers of the open document: the name of one of the library, an own one with its text. Where the text in the
+/// editor does not run, its files follow those that do.
+pub fn describe(app: App) -> String {
+    let sources = sources(app);
+    let runs = app.read_desk(|desk| desk.writing().runs());
+    let written = if runs { Vec::new() } else { written(app) };
+    if !written.is_empty() {
+        return format!("draft {}", page::write_list(&[sources, written].concat()));
+    }
+    match library::subject(&sources) {
+        Subject::Home => "home ".to_owned(),
+        Subject::Library(name) => format!("library {name}"),
+        Subject::Packed(_) | Subject::File(_) => format!("own {}", page::write_list(&sources)),
     }
 }
 
@@ -57,13 +93,13 @@ pub fn sources(app: App) -> Vec<Source> {
     app.with(|lab| lab.sources.clone()).unwrap_or_default()
 }
 
-/// What a step remembers.
+/// The files as they stand in the editor; none where writing has not begun.
+pub fn written(app: App) -> Vec<Source> {
+    let texts = app.read_desk(|desk| desk.writing().texts().to_vec());
+    let names = sources(app).into_iter().map(|source| source.name);
+    names.zip(texts).map(|(name, text)| Source { name, text }).collect()
+}
+
 fn state(app: App) -> JsValue {
-    let sources = sources(app);
-    let what = match library::subject(&sources) {
-        Subject::Home => "home ".to_owned(),
-        Subject::Library(name) => format!("library {name}"),
-        Subject::Packed(_) | Subject::File(_) => format!("own {}", page::write_list(&sources)),
-    };
-    format!("{OURS}{what}").into()
+    format!("{OURS}{}", describe(app)).into()
 }

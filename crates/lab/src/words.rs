@@ -8,7 +8,7 @@ table_of_words! {
     // The page.
     link_without_translations: "The translations are too long for a link", "Las traducciones son demasiado largas para un enlace";
     link_needs_file: "The document is too long for a link; whoever opens it also needs the file", "El documento es demasiado largo para un enlace; quien lo abra necesita también el archivo";
-    not_saved: "The browser does not let this page store anything (storage full or forbidden): records, fits and answers will be lost when the page is closed", "El navegador no deja que esta página guarde nada (almacenamiento lleno o prohibido): los registros, los ajustes y las respuestas se perderán al cerrar la página";
+    not_saved: "The browser does not let this page store anything (storage full or forbidden): records, fits, answers and what is written will be lost when the page is closed", "El navegador no deja que esta página guarde nada (almacenamiento lleno o prohibido): los registros, los ajustes, las respuestas y lo que se escriba se perderán al cerrar la página";
     records_closed: "More records are stored than can be open at once. Remove one and load the page again to see the others", "Hay más registros guardados de los que pueden estar abiertos a la vez. Quita uno y vuelve a cargar la página para ver los demás";
     open: "Open", "Abrir";
     open_title: "Open a simulation document or an exported page", "Abrir un documento de simulación o una página exportada";
@@ -128,6 +128,26 @@ table_of_words! {
     save_report: "Report", "Informe";
     fit_all: "All of them", "Todos";
     fit_errors: "The standard errors allow for autocorrelated residuals.", "Los errores típicos tienen en cuenta que los residuos pueden estar autocorrelacionados.";
+
+    // Writing.
+    tab_write: "Write", "Escribir";
+    editor_label: "Text of the document", "Texto del documento";
+    editor_keys: "Tab leads out of the text. Control with M lets it indent, and again lead out. Control with F searches.", "El tabulador lleva fuera del texto. Control con M hace que ponga sangría, y otra vez que lleve fuera. Control con F busca.";
+    editor_waiting: "The editor is loading ...", "El editor se está cargando ...";
+    editor_missing: "The editor could not be loaded. Load the page again.", "No se ha podido cargar el editor. Vuelve a cargar la página.";
+    writing_file: "File", "Archivo";
+    save_writing: "Save", "Guardar";
+    save_writing_title: "Save the text as a file", "Guardar el texto como archivo";
+    new_document: "New", "Nuevo";
+    new_document_from: "Begin a new document with", "Empezar un documento nuevo con";
+    kept_documents: "Go on with what you wrote", "Seguir con lo que escribiste";
+    new_empty: "Empty document", "Documento vacío";
+    text_runs: "The simulation runs as written.", "La simulación funciona tal como está escrita.";
+    text_waits: "The last version without errors is running.", "Sigue funcionando la última versión sin errores.";
+    one_error: "error", "error";
+    many_errors: "errors", "errores";
+    one_warning: "remark", "observación";
+    many_warnings: "remarks", "observaciones";
 
     // Diagnostics.
     broken: "This document does not run yet", "Este documento aún no funciona";

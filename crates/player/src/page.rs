@@ -36,8 +36,8 @@ pub fn start() {
 }
 
 fn content(app: App) -> View {
-    let tabs = [Some(Tab::play(app)), Tab::activities(app), Some(Tab::theory(app, View::new))];
-    let panel = panel::view(app, tabs.into_iter().flatten().collect());
+    let tabs = vec![Tab::play(app), Tab::activities(app), Tab::theory(app, View::new)];
+    let panel = panel::view(app, tabs);
     let own = View::from((site::links(app), source::button_of(app)));
     let head = header::view(app, own, move || share(app));
     View::from((head, main().class("laboratory").child(stage::view(app)).child(panel)))

@@ -119,6 +119,8 @@ impl News {
 pub struct Changes {
     /// Another document, or the document in another language.
     pub document: Signal<u64>,
+    /// Another program in the place of the present one, while its text is written.
+    pub program: Signal<u64>,
     /// Parameters, presets, method and step.
     pub parameters: Signal<u64>,
     /// Status, speed and problem.
@@ -193,6 +195,7 @@ impl App {
             seen_frame: Cell::default(),
             changes: Changes {
                 document: counter(),
+                program: counter(),
                 parameters: counter(),
                 transport: counter(),
                 runs: counter(),
@@ -360,6 +363,14 @@ impl App {
     /// Everything is built again: for another document or language.
     pub fn rebuild(self) {
         self.changes.document.update(|count| *count += 1);
+        self.acted(false);
+    }
+
+    /// What shows the program is built again: another one has taken its place. What lasts, such as the editor of its text, stays as
+    /// it is.
+    pub fn rebuild_program(self) {
+        self.nodes(Nodes::clear);
+        self.changes.program.update(|count| *count += 1);
         self.acted(false);
     }
 

@@ -30,7 +30,10 @@ pub fn view(app: App, own: View, share: impl Fn() + 'static) -> HtmlHeader {
     header()
         .class("head")
         .child(p().class("brand").child(icons::mark()).child(span().child("Meniscus")))
-        .child(h1().child(title(app)))
+        .child(h1().child(text(move || {
+            app.changes.program.track();
+            title(app)
+        })))
         .child(tools)
 }
 

@@ -14,14 +14,23 @@ pub struct Tab {
     pub id: &'static str,
     /// Its title.
     pub title: &'static str,
-    /// What it shows; built when it is first looked at.
+    /// What it shows; built when it is first looked at, and again for another program.
     pub content: std::rc::Rc<dyn Fn() -> View>,
+    /// Whether there is anything in it for the present program.
+    offered: fn(App) -> bool,
+    /// Whether its content stays as it is when another program takes the place of the present one.
+    lasting: bool,
 }
 
 impl Tab {
     /// A tab.
     pub fn new(id: &'static str, title: &'static str, content: impl Fn() -> View + 'static) -> Self {
-        Self { id, title, content: std::rc::Rc::new(content) }
+        Self { id, title, content: std::rc::Rc::new(content), offered: |_| true, lasting: false }
+    }
+
+    /// A tab whose content follows other programs by itself.
+    pub fn lasting(id: &'static str, title: &'static str, content: impl Fn() -> View + 'static) -> Self {
+        Self { lasting: true, ..Self::new(id, title, content) }
     }
 
     /// Parameters, presets and values.
@@ -29,26 +38,39 @@ impl Tab {
         Self::new(PLAY, app.words().tab_play, move || playing::view(app).into())
     }
 
-    /// The questions; nothing where the document asks none.
-    pub fn activities(app: App) -> Option<Self> {
-        let tab = || Self::new(ACTIVITIES, app.words().tab_activities, move || reading::activities(app).into());
-        reading::asks(app).then(tab)
+    /// The questions; not offered where the document asks none.
+    pub fn activities(app: App) -> Self {
+        let content = move || reading::activities(app).into();
+        Self { offered: reading::asks, ..Self::new(ACTIVITIES, app.words().tab_activities, content) }
     }
 
     /// Prose and equations, and what the page has to say besides.
     pub fn theory(app: App, besides: impl Fn() -> View + 'static) -> Self {
         Self::new(THEORY, app.words().tab_theory, move || reading::theory(app, besides()).into())
     }
+
+    fn is_offered(&self, app: App) -> bool {
+        (self.offered)(app)
+    }
 }
 
 /// The panel.
 pub fn view(app: App, tabs: Vec<Tab>) -> HtmlSection {
     let words = app.words();
-    let all: Vec<&'static str> = tabs.iter().map(|tab| tab.id).collect();
-    if !all.contains(&app.tab.get_untracked()) {
-        app.tab.set(all.first().copied().unwrap_or(PLAY));
-    }
-    let turn = move |event: KeyboardEvent| turn(app, &all, &event);
+    let all = tabs.clone();
+    effect(move || {
+        app.changes.program.track();
+        let mut offered = all.iter().filter(|tab| tab.is_offered(app)).map(|tab| tab.id).peekable();
+        let first = offered.peek().copied().unwrap_or(PLAY);
+        if !offered.any(|id| id == app.tab.get_untracked()) {
+            app.tab.set(first);
+        }
+    });
+    let all = tabs.clone();
+    let turn = move |event: KeyboardEvent| {
+        let offered: Vec<&'static str> = all.iter().filter(|tab| tab.is_offered(app)).map(|tab| tab.id).collect();
+        turn(app, &offered, &event);
+    };
     let buttons = div().class("tabs").role("tablist").attr("aria-label", words.panel).when(events::keydown, turn);
     let buttons = buttons.each(&tabs, |tab| head(app, tab));
     part("panel", "panel", words.panel)
@@ -58,28 +80,35 @@ pub fn view(app: App, tabs: Vec<Tab>) -> HtmlSection {
 }
 
 fn head(app: App, tab: &Tab) -> HtmlButton {
-    let id = tab.id;
+    let (id, offered) = (tab.id, tab.offered);
     let selected = move || app.tab.get() == id;
+    let hidden = move || {
+        app.changes.program.track();
+        !offered(app)
+    };
     button()
         .role("tab")
         .id(format!("tab-{id}"))
         .attr("aria-controls", format!("panel-{id}"))
         .attr("aria-selected", move || selected().to_string())
         .tabindex(move || if selected() { "0" } else { "-1" })
+        .hidden(hidden)
         .when(events::click, move |_| show(app, id))
         .child(tab.title)
 }
 
-/// Built when it is first looked at.
+/// Built when it is first looked at, and when it is first looked at with another program.
 fn body(app: App, tab: Tab) -> HtmlDiv {
-    let (id, content) = (tab.id, tab.content);
+    let Tab { id, content, lasting, .. } = tab;
     let selected = move || app.tab.get() == id;
-    let mut seen = false;
+    let mut seen = None;
+    // The number of the program for which it stands there.
     let seen = memo(move || {
-        seen = seen || selected();
+        let program = if lasting { 0 } else { app.changes.program.get() };
+        seen = if selected() { Some(program) } else { seen.filter(|seen| *seen == program) };
         seen
     });
-    let built = move || if seen.get() { untrack(|| content()) } else { View::new() };
+    let built = move || if seen.get().is_some() { untrack(|| content()) } else { View::new() };
     div()
         .role("tabpanel")
         .id(format!("panel-{id}"))

@@ -25,10 +25,14 @@ pub fn view(app: App, mut content: impl FnMut() -> View + 'static) -> View {
         if let Some(root) = document().document_element() {
             let _ = root.set_attribute("lang", app.language.get_untracked().tag());
         }
-        let title = title(app);
-        document().set_title(&if title == "Meniscus" { title } else { format!("{title} · Meniscus") });
         View::from((a().class("skip").href("#apparatus").child(app.words().skip), content(), keys::dialog(app)))
     };
+    effect(move || {
+        app.changes.document.track();
+        app.changes.program.track();
+        let title = title(app);
+        document().set_title(&if title == "Meniscus" { title } else { format!("{title} · Meniscus") });
+    });
     View::from((
         changing(build),
         p().class("visually-hidden")

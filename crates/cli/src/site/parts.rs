@@ -5,7 +5,9 @@ use super::names::{FROM_DISK, WORKER};
 use crate::failure::Failure;
 use crate::page;
 use base64::Engine as _;
-use document::page::POLICY;
+use document::page::{EDITOR, POLICY};
+use flate2::read::DeflateDecoder;
+use std::io::Read as _;
 
 /// Stands for the way from a page to the top of the site. No document can contain it where it is replaced.
 pub const ROOT: &str = "<!--root-->";
@@ -57,6 +59,10 @@ impl Parts {
                 }
                 "<script>" => scripts.push(content),
                 MODULE => module = Some(content),
+                EDITOR => {
+                    let script = files.share("editor", "js", inflated(content).ok_or_else(page::no_place)?);
+                    html.push_str(&EDITOR.replace('>', &format!(" data-script=\"{ROOT}{script}\"></script>")));
+                }
                 _ => html.push_str(&rest[..end]),
             }
             rest = &rest[end..];
@@ -97,6 +103,14 @@ fn begin(first_script: &str, root: &str, module: &str) -> String {
 const HEAD: &str = "<!--head-->";
 const FIRST_SCRIPT: &str = "<!--first-script-->";
 
+/// A script that stands in the page deflated, in base64.
+fn inflated(text: &str) -> Option<String> {
+    let bytes = base64::engine::general_purpose::STANDARD.decode(text).ok()?;
+    let mut script = String::new();
+    DeflateDecoder::new(bytes.as_slice()).read_to_string(&mut script).ok()?;
+    Some(script)
+}
+
 /// What stands between two texts.
 pub fn between<'a>(text: &'a str, before: &str, after: &str) -> Option<&'a str> {
     let rest = &text[text.find(before)? + before.len()..];
@@ -111,7 +125,8 @@ mod tests {
     fn a_page_is_taken_apart_and_put_together_by_its_addresses() {
         let whole = format!(
             "<head><meta content=\"{POLICY}\"><style>\nb {{}}</style><script>\n1;\n</script></head>\
-             <body><!--documents-->{LIBRARY}[]</script><script>\n2;\n</script>{MODULE}AAEC</script><script>\n3;\n</script></body>"
+             <body><!--documents-->{LIBRARY}[]</script><script>\n2;\n</script>{MODULE}AAEC</script><script>\n3;\n</script>\
+             {EDITOR}M7EGAA==</script></body>"
         );
         let mut files = Files::default();
         let parts = Parts::of(&whole, "page", &mut files).expect("a page");
@@ -125,6 +140,15 @@ mod tests {
         assert_eq!(content, b"2;\n\n3;\n");
         assert!(parts.html.contains(&format!("<script defer src=\"{ROOT}{script}\"></script>")), "{}", parts.html);
         assert!(parts.html.contains(SITE_POLICY) && !parts.html.contains("AAEC"), "{}", parts.html);
-        assert!(parts.html.ends_with(&format!("<body><!--documents-->{LIBRARY}[]</script></body>")), "{}", parts.html);
+        // The editor is a script of its own, which the laboratory asks for when it is needed.
+        let editor = files.iter().find(|(path, _)| path.starts_with("assets/editor-")).expect("the editor");
+        assert_eq!(editor.1, b"4;");
+        let lazy = format!("id=\"editor\" data-script=\"{ROOT}{}\"></script>", editor.0);
+        assert!(parts.html.ends_with(&format!("{lazy}</body>")), "{}", parts.html);
+        assert!(
+            parts.html.contains(&format!("<body><!--documents-->{LIBRARY}[]</script><script type")),
+            "{}",
+            parts.html
+        );
     }
 }

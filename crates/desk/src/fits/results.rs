@@ -130,8 +130,11 @@ impl Desk {
     }
 
     pub(crate) fn is_applicable(&self, fit: &Fitted) -> bool {
-        fit.document.program.title == self.document.program.title
-            && fit.outcome.settings.first().is_some_and(|all| all.len() == self.play.model().parameters.len())
+        let (fitted, present) = (&fit.document.program, &self.document.program);
+        let names = |program: &program::Program| -> Vec<String> {
+            program.model.parameters.iter().map(|parameter| parameter.name.clone()).collect()
+        };
+        fitted.title == present.title && names(fitted) == names(present)
     }
 
     /// A fit in detail.

@@ -13,3 +13,4 @@ mod saved;
 mod support;
 mod understood;
 mod undo;
+mod writing;

@@ -32,6 +32,8 @@ impl Host for Store {
             while let Some(announcement) = desk.take_announcement() {
                 match &announcement {
                     Announcement::Play(play::Announcement::ParameterSet(..)) if by_slider => {}
+                    // The editor says that the text runs.
+                    Announcement::Play(play::Announcement::Replaced(lost)) if lost.is_empty() => {}
                     Announcement::Play(of_play) => news.push(News::of_play(desk.play(), of_play)),
                     own => {
                         if matches!(own, Announcement::RecordAdded(_)) {

@@ -1,22 +1,23 @@
-//! The tabs of the panel: those of the simulation, and those of measuring and fitting.
+//! The tabs of the panel: those of the simulation, and those of measuring, fitting and writing.
 
 mod source;
 
 use crate::app::App;
-use crate::tabs::{FIT, MEASURE};
-use crate::{fit, measurements};
+use crate::tabs::{FIT, MEASURE, WRITE};
+use crate::{fit, measurements, write};
 use view::panel::Tab;
 use view::views::*;
 
 /// The panel.
 pub fn view(app: App) -> HtmlSection {
     let words = app.words();
-    let tabs = [
-        Some(Tab::play(app.page)),
+    let tabs = vec![
+        Tab::play(app.page),
         Tab::activities(app.page),
-        Some(Tab::new(MEASURE, words.tab_measure, move || measurements::view(app).into())),
-        Some(Tab::new(FIT, words.tab_fit, move || fit::view(app))),
-        Some(Tab::theory(app.page, move || source::view(app))),
+        Tab::new(MEASURE, words.tab_measure, move || measurements::view(app).into()),
+        Tab::new(FIT, words.tab_fit, move || fit::view(app)),
+        Tab::theory(app.page, move || source::view(app)),
+        Tab::lasting(WRITE, words.tab_write, move || write::view(app)),
     ];
-    view::panel::view(app.page, tabs.into_iter().flatten().collect())
+    view::panel::view(app.page, tabs)
 }

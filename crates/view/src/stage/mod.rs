@@ -22,9 +22,17 @@ use crate::app::App;
 use crate::scene::SceneNodes;
 use crate::views::*;
 use crate::{icons, transport};
+use sycamore_reactive::untrack;
 
-/// The stage.
-pub fn view(app: App) -> HtmlSection {
+/// The stage, which is built again for another program.
+pub fn view(app: App) -> View {
+    changing(move || {
+        app.changes.program.track();
+        untrack(|| stage(app))
+    })
+}
+
+fn stage(app: App) -> HtmlSection {
     let words = app.words();
     let body = div().class("stage-body").child(scene(app)).child(plots::view(app));
     section()

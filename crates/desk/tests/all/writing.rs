@@ -1,0 +1,195 @@
+//! A document is written while it runs.
+
+use crate::support::{UTUBE, UTUBE_ES, open, parameter, play, set, state, utube};
+use desk::{Desk, TEMPLATES, WordKind};
+use proptest::prelude::*;
+use units::Language;
+
+/// A desk at which writing has begun.
+fn writing() -> Desk {
+    let mut desk = utube();
+    desk.begin_writing(vec![UTUBE.to_owned(), UTUBE_ES.to_owned()]);
+    desk
+}
+
+#[test]
+fn every_template_is_without_faults_and_the_same_model_in_both_languages() {
+    for template in TEMPLATES {
+        let programs = Language::ALL.map(|language| {
+            let opened = desk::document::open(template.text(language), &[]);
+            assert!(opened.diagnostics.is_empty(), "{} {language:?}: {:#?}", template.name, opened.diagnostics);
+            let program = opened.document.unwrap().program;
+            assert_eq!(program.language, language.tag(), "{}", template.name);
+            assert_eq!(program.title, template.title(language));
+            program
+        });
+        let [english, spanish] = &programs;
+        assert!(english.model.moves_like(&spanish.model), "{}", template.name);
+        assert_eq!(english.plots.len(), spanish.plots.len());
+        assert_ne!(english.title, spanish.title);
+        // It runs for a second without a problem.
+        let mut desk = open(template.text(Language::English), &[]);
+        play(&mut desk, [0.01; 100]);
+        assert_eq!(desk.play().problem(), None, "{}", template.name);
+    }
+}
+
+#[test]
+fn another_default_replaces_the_program_and_the_time_stays() {
+    let mut desk = writing();
+    play(&mut desk, [0.05; 20]);
+    let (time, before) = (desk.play().time(), state(&desk));
+    let density = UTUBE.replace("parameter b   = 50 ", "parameter b   = 500");
+    assert_ne!(density, UTUBE);
+    assert!(desk.write(0, density.clone()));
+    assert!(desk.writing().runs() && desk.writing().findings().is_empty());
+    assert_eq!(desk.play().time(), time);
+    assert_ne!(state(&desk), before);
+    let damping = parameter(&desk, "b");
+    assert_eq!(desk.play().parameters()[damping].value, 500.0);
+    assert_eq!(desk.document().source, density);
+    // The same text again changes nothing.
+    let revision = desk.revision();
+    assert!(!desk.write(0, density));
+    assert_eq!(desk.revision(), revision);
+}
+
+#[test]
+fn a_faulty_text_leaves_the_last_good_one_running_and_is_marked() {
+    let mut desk = writing();
+    play(&mut desk, [0.05; 20]);
+    let before = state(&desk);
+    let faulty = UTUBE.replace("2*rho*S*g*y = 0", "2*rho*S*gg*y = 0");
+    assert_ne!(faulty, UTUBE);
+    assert!(!desk.write(0, faulty.clone()));
+    assert!(!desk.writing().runs());
+    assert_eq!((desk.writing().errors(), state(&desk)), (1, before.clone()));
+    assert_eq!(desk.document().source, UTUBE);
+    let [mark] = &desk.writing().marks(0)[..] else { panic!("one mark") };
+    let units: Vec<u16> = faulty.encode_utf16().collect();
+    assert_eq!(String::from_utf16(&units[mark.from..mark.to]).unwrap(), "gg");
+    assert!(!mark.remedies.is_empty());
+    assert!(desk.writing().marks(1).is_empty());
+    // Mended, it runs.
+    assert!(desk.write(0, UTUBE.to_owned()));
+    assert_eq!(state(&desk), before);
+}
+
+#[test]
+fn marks_are_counted_as_browsers_do() {
+    let text = "---\ntitle: 😀 Ωé\n---\n\n```model\ny' = 😀q\ny(0) = 1 [m]\n```\n";
+    let mut desk = writing();
+    assert!(!desk.write_all(vec![text.to_owned()]));
+    let units: Vec<u16> = text.encode_utf16().collect();
+    let marks = desk.writing().marks(0);
+    let marked: Vec<String> =
+        marks.iter().map(|mark| String::from_utf16(&units[mark.from..mark.to]).unwrap()).collect();
+    assert!(marked.contains(&"😀".to_owned()), "{marked:?}");
+}
+
+#[test]
+fn parameters_that_were_set_stay_by_name_also_where_others_come_before_them() {
+    let mut desk = writing();
+    set(&mut desk, "b", 400.0);
+    let text = UTUBE.replace("parameter g ", "parameter extra = 1 [kg] in 0..2 \"Further\"\nparameter g ");
+    let translation = UTUBE_ES.replace("```translations\n", "```translations\n\"Further\" = \"Otro\"\n");
+    assert!(desk.write_all(vec![text, translation]), "{:#?}", desk.writing().findings());
+    let damping = parameter(&desk, "b");
+    assert_eq!(desk.play().parameters()[damping].value, 400.0);
+    assert_eq!(parameter(&desk, "extra"), 0);
+}
+
+#[test]
+fn another_plot_leaves_residuals_and_cycles_behind_those_of_the_document() {
+    let mut desk = writing();
+    let own = desk.document().program.plots.len();
+    let text = UTUBE.replace("```plots\n", "```plots\n\"Further\": y against t\n");
+    let translation = UTUBE_ES.replace("```translations\n", "```translations\n\"Further\" = \"Otra\"\n");
+    assert!(desk.write_all(vec![text, translation]), "{:#?}", desk.writing().findings());
+    assert_eq!(desk.document().program.plots.len(), own + 1);
+    assert_eq!((desk.residual_plot().place(), desk.cycle_plot().place()), (own + 1, own + 2));
+    let plots = desk.play().plots();
+    assert_eq!(plots.len(), own + 3);
+    assert!(plots[own + 2].apart);
+}
+
+#[test]
+fn a_text_that_came_with_an_error_can_be_written_on() {
+    let faulty = UTUBE.replace("```plots\n", "```plots\n\"Nothing\": nought against t\n");
+    let opened = desk::document::open(&faulty, &[]);
+    let mut desk = Desk::open(opened.document.expect("only a plot is missing"));
+    desk.begin_writing(vec![faulty.clone()]);
+    assert_eq!(desk.writing().errors(), 1);
+    assert!(desk.write(0, faulty.replace("parameter b   = 50 ", "parameter b   = 60 ")));
+    assert!(!desk.write(0, faulty.replace("parameter b   = 50 ", "parameter b   = 60 [")));
+    assert!(desk.write(0, UTUBE.to_owned()));
+    // From here on that error is one too many.
+    assert!(!desk.write(0, faulty));
+}
+
+#[test]
+fn sizes_that_were_set_stay() {
+    let text = "```model\nsize N = 3 in 2..9\nx[i]' = 1 [m/s] for i in 1..N\nx[i](0) = 0 [m] for i in 1..N\n```\n";
+    let opened = desk::document::open(text, &[]);
+    let mut desk = Desk::open(opened.document.unwrap());
+    desk.begin_writing(vec![text.to_owned()]);
+    desk.resize(&[("N", 5)]).unwrap();
+    assert!(desk.write(0, text.replace("1 [m/s]", "2 [m/s]")));
+    assert_eq!(state(&desk).len(), 5);
+    assert!(desk.write(0, text.replace("size N", "size M").replace("1..N", "1..M")));
+    assert_eq!(state(&desk).len(), 3);
+}
+
+#[test]
+fn what_can_be_written_is_known_to_the_language() {
+    let mut desk = writing();
+    desk.set_language("es");
+    let words = desk.vocabulary();
+    let of = |kind: WordKind| words.iter().filter(move |word| word.kind == kind);
+    // What stands for a draw has a name that no text can give.
+    for function in program::functions::FUNCTIONS.iter().filter(|function| !function.name.contains(' ')) {
+        assert!(of(WordKind::Function).any(|word| word.text == function.name), "{} is not explained", function.name);
+    }
+    for unit in of(WordKind::Unit) {
+        assert!(units::Unit::parse(&unit.text).is_ok(), "{}", unit.text);
+    }
+    let names: Vec<&str> = of(WordKind::Name).map(|word| word.text.as_str()).collect();
+    for name in ["g", "rho", "y", "omega_0"] {
+        assert_eq!(names.iter().filter(|other| **other == name).count(), 1, "{name} in {names:?}");
+    }
+    let damping = of(WordKind::Name).find(|word| word.text == "b").unwrap();
+    assert_eq!(damping.about, "Amortiguamiento [kg/s]");
+    assert!(words.iter().all(|word| word.kind == WordKind::Name || !word.about.is_empty()));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    /// Whatever is typed in between, the text as it was is the document as it was, and the run is the same.
+    #[test]
+    fn any_typing_can_be_taken_back(
+        typing in prop::collection::vec((0.0..1.0_f64, 0_usize..40, "[ -~\\n]{0,12}|```\n|\\]|'|2[.]5|\u{1f600}"), 1..5),
+    ) {
+        let mut desk = writing();
+        play(&mut desk, [0.05; 4]);
+        let before = (state(&desk), desk.play().time());
+        let mut letters: Vec<char> = UTUBE.chars().collect();
+        for (place, removed, typed) in typing {
+            let from = (place * letters.len() as f64) as usize;
+            let to = (from + removed).min(letters.len());
+            letters.splice(from..to, typed.chars());
+            let text: String = letters.iter().collect();
+            let runs = desk.write(0, text.clone());
+            prop_assert!(!runs || desk.document().source == text);
+            let length = text.encode_utf16().count();
+            prop_assert!(desk.writing().marks(0).iter().all(|mark| mark.from <= mark.to && mark.to <= length));
+            desk.follow();
+        }
+        desk.write_all(vec![UTUBE.to_owned(), UTUBE_ES.to_owned()]);
+        prop_assert!(desk.writing().runs() && desk.writing().findings().is_empty());
+        prop_assert_eq!(&desk.document().source, UTUBE);
+        if desk.play().time() == before.1 {
+            prop_assert_eq!(state(&desk), before.0);
+        }
+    }
+}

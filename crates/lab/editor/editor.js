@@ -1,0 +1,130 @@
+// The editor of the tab Write: CodeMirror around the texts of a document. It knows nothing of what they mean; the laboratory checks
+// them and gives back what was found.
+
+import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
+import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { bracketMatching } from "@codemirror/language";
+import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
+import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
+import { Compartment, EditorState } from "@codemirror/state";
+import {
+  EditorView,
+  drawSelection,
+  dropCursor,
+  highlightActiveLine,
+  highlightActiveLineGutter,
+  highlightSpecialChars,
+  keymap,
+  lineNumbers,
+} from "@codemirror/view";
+import { completions } from "./completion.js";
+import { language } from "./language.js";
+import { spanish } from "./phrases.js";
+import { theme } from "./theme.js";
+
+/** So many milliseconds after the last key the text is checked. */
+const REST = 150;
+/** Who never rests has the text checked after so many. */
+const LONGEST = 2000;
+
+/**
+ * Makes an editor. `changed(file, text)` is called when a text has changed and its writer rests.
+ */
+globalThis.meniscusEditor = (changed) => {
+  let states = [];
+  let file = 0;
+  let timer = 0;
+  let since = 0;
+  const words = new Compartment();
+  let phrases = [];
+  let proposed = [];
+
+  const flush = () => {
+    if (!timer) return;
+    clearTimeout(timer);
+    timer = since = 0;
+    changed(file, view.state.doc.toString());
+  };
+  const later = () => {
+    since ||= Date.now();
+    clearTimeout(timer);
+    timer = setTimeout(flush, Math.max(0, Math.min(REST, since + LONGEST - Date.now())));
+  };
+  const extensions = () => [
+    words.of(phrases),
+    lineNumbers(),
+    lintGutter(),
+    highlightActiveLine(),
+    highlightActiveLineGutter(),
+    highlightSpecialChars(),
+    history(),
+    drawSelection(),
+    dropCursor(),
+    bracketMatching(),
+    closeBrackets(),
+    // Nothing is chosen until an arrow key does: Enter ends the line of who has typed a name to its end.
+    autocompletion({ override: [completions(() => proposed)], icons: false, selectOnOpen: false }),
+    search({ top: true }),
+    highlightSelectionMatches(),
+    EditorView.lineWrapping,
+    EditorState.tabSize.of(4),
+    keymap.of([indentWithTab, ...closeBracketsKeymap, ...completionKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
+    EditorView.updateListener.of((update) => update.docChanged && later()),
+    EditorView.contentAttributes.of({ tabindex: "0", spellcheck: "false", autocorrect: "off", autocapitalize: "off" }),
+    language,
+    theme,
+  ];
+  const view = new EditorView();
+  const show = (state) => {
+    view.setState(state);
+    // Tab leads out of the text, as everywhere in the page, until Control with M lets it indent.
+    view.setTabFocusMode(true);
+  };
+
+  return {
+    /** The element of the editor. */
+    dom: view.dom,
+    /** Opens other texts; what could be undone of the ones before is forgotten. */
+    open(texts) {
+      clearTimeout(timer);
+      timer = since = 0;
+      states = texts.map((doc) => EditorState.create({ doc, extensions: extensions() }));
+      file = 0;
+      if (states[0]) show(states[0]);
+    },
+    /** Shows another file. */
+    select(next) {
+      if (next === file || !states[next]) return;
+      flush();
+      states[file] = view.state;
+      file = next;
+      show(states[file]);
+      view.dispatch({ effects: words.reconfigure(phrases) });
+    },
+    /** The name of the text for screen readers, and the language of the editor's own words. */
+    speak(label, tag) {
+      phrases = [EditorState.phrases.of(tag === "es" ? spanish : {}), EditorView.contentAttributes.of({ "aria-label": label, "aria-describedby": "editor-keys" })];
+      view.dispatch({ effects: words.reconfigure(phrases) });
+    },
+    /** Marks what was found in the text shown: `{ from, to, severity, message }`, in UTF-16. */
+    mark(found) {
+      const most = view.state.doc.length;
+      const within = found.map((one) => ({ ...one, from: Math.min(one.from, most), to: Math.min(one.to, most) }));
+      view.dispatch(setDiagnostics(view.state, within));
+    },
+    /** What is proposed while somebody types: `{ label, type, detail }`, the type one of variable, function, keyword, unit. */
+    propose(words) {
+      proposed = words;
+    },
+    /** Goes to a place in the text shown. */
+    go(from, to) {
+      const most = view.state.doc.length;
+      const selection = { anchor: Math.min(from, most), head: Math.min(to, most) };
+      view.dispatch({ selection, effects: EditorView.scrollIntoView(selection.anchor, { y: "center" }) });
+      view.focus();
+    },
+    focus: () => view.focus(),
+    /** Has a pending change checked now. */
+    flush,
+  };
+};

@@ -1,0 +1,26 @@
+// CodeMirror's own words in Spanish.
+
+export const spanish = {
+  "Find": "Buscar",
+  "Replace": "Reemplazar",
+  "next": "siguiente",
+  "previous": "anterior",
+  "all": "todos",
+  "match case": "mayúsculas y minúsculas",
+  "by word": "palabra completa",
+  "regexp": "expresión regular",
+  "replace": "reemplazar",
+  "replace all": "reemplazar todo",
+  "close": "cerrar",
+  "current match": "coincidencia actual",
+  "replaced match on line $": "coincidencia reemplazada en la línea $",
+  "replaced $ matches": "$ coincidencias reemplazadas",
+  "on line": "en la línea",
+  "Go to line": "Ir a la línea",
+  "go": "ir",
+  "Control character": "Carácter de control",
+  "Selection deleted": "Selección borrada",
+  "Completions": "Sugerencias",
+  "Diagnostics": "Diagnósticos",
+  "No diagnostics": "Sin diagnósticos",
+};

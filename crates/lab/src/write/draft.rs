@@ -1,0 +1,28 @@
+//! What has been typed and does not run, or has not been checked yet, when a document is opened or left.
+
+use crate::app::{App, Lab};
+use crate::tabs;
+use crate::visited::Visited;
+
+/// Takes up what was being written of the open document and did not run yet.
+pub fn resume(app: App, visited: Option<Visited>) {
+    let resumed = app.with(|lab| {
+        let Lab { desk: Some(desk), sources, .. } = lab else { return false };
+        let draft = visited.filter(|visited| visited.sources == *sources).and_then(|visited| visited.draft);
+        let Some(draft) = draft else { return false };
+        desk.begin_writing(sources.iter().map(|source| source.text.clone()).collect());
+        desk.write_all(draft);
+        true
+    });
+    if resumed == Some(true) {
+        app.written.update(|count| *count += 1);
+        app.tab.set(tabs::WRITE);
+    }
+}
+
+/// Has what was typed last checked now.
+pub fn flush(app: App) {
+    if let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() {
+        editor.flush();
+    }
+}

@@ -1,0 +1,149 @@
+//! The editor: CodeMirror, which the page carries as a deflated script (`crates/lab/editor`) and starts when it is first needed. In
+//! a site the script is a file of its own. Places in a text are counted in UTF-16, as browsers do.
+
+use crate::packing;
+use desk::{Mark, Word, WordKind};
+use js_sys::{Array, Function, Object, Promise, Reflect};
+use model::Severity;
+use units::Language;
+use view::browser;
+use view::views::{document, window};
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{Element, HtmlElement};
+
+/// The script is not larger than this.
+const LONGEST: usize = 4_000_000;
+/// What the script calls itself.
+const MAKER: &str = "meniscusEditor";
+
+/// The editor, as long as the page is open. A call of a method that fails is ignored: the script is the page's own.
+#[derive(Clone)]
+pub struct Editor(JsValue);
+
+impl Editor {
+    /// Starts the editor. `changed` is called with the number of a text and the text when its writer rests.
+    pub async fn start(mut changed: impl FnMut(usize, String) + 'static) -> Option<Self> {
+        load().await?;
+        let maker: Function = Reflect::get(&js_sys::global(), &MAKER.into()).ok()?.dyn_into().ok()?;
+        let told = Closure::<dyn FnMut(f64, String)>::new(move |file: f64, text| changed(file as usize, text));
+        let editor = maker.call1(&JsValue::UNDEFINED, told.as_ref()).ok()?;
+        // It is called as long as the page is open.
+        told.forget();
+        Some(Self(editor))
+    }
+
+    fn call(&self, method: &str, arguments: &[JsValue]) {
+        let method = Reflect::get(&self.0, &method.into()).ok().and_then(|method| method.dyn_into::<Function>().ok());
+        if let Some(method) = method {
+            let _ = method.apply(&self.0, &arguments.iter().collect::<Array>());
+        }
+    }
+
+    /// Puts the editor into an element.
+    pub fn mount(&self, place: &Element) {
+        let dom = Reflect::get(&self.0, &"dom".into()).ok().and_then(|dom| dom.dyn_into::<Element>().ok());
+        if let Some(dom) = dom {
+            let _ = place.append_child(&dom);
+        }
+    }
+
+    /// Opens other texts and shows the first.
+    pub fn open(&self, texts: &[String]) {
+        self.call("open", &[texts.iter().map(JsValue::from).collect::<Array>().into()]);
+    }
+
+    /// Shows another text.
+    pub fn select(&self, file: usize) {
+        self.call("select", &[(file as f64).into()]);
+    }
+
+    /// Names the text for screen readers, and chooses the language of the editor's own words.
+    pub fn speak(&self, label: &str, language: Language) {
+        self.call("speak", &[label.into(), language.tag().into()]);
+    }
+
+    /// Marks what was found in the text shown.
+    pub fn mark(&self, marks: &[Mark], language: Language) {
+        let mark = |mark: &Mark| {
+            let severity = if mark.severity == Severity::Error { "error" } else { "warning" };
+            let sentences: Vec<&str> =
+                std::iter::once(&mark.message).chain(&mark.remedies).map(|words| words.text(language)).collect();
+            object([
+                ("from", (mark.from as f64).into()),
+                ("to", (mark.to as f64).into()),
+                ("severity", severity.into()),
+                ("message", sentences.join("\n").into()),
+            ])
+        };
+        self.call("mark", &[marks.iter().map(mark).collect::<Array>().into()]);
+    }
+
+    /// What it proposes while somebody types.
+    pub fn propose(&self, words: &[Word]) {
+        let word = |word: &Word| {
+            let kind = match word.kind {
+                WordKind::Name => "variable",
+                WordKind::Function => "function",
+                WordKind::Keyword => "keyword",
+                WordKind::Unit => "unit",
+            };
+            object([
+                ("label", word.text.as_str().into()),
+                ("type", kind.into()),
+                ("detail", word.about.as_str().into()),
+            ])
+        };
+        self.call("propose", &[words.iter().map(word).collect::<Array>().into()]);
+    }
+
+    /// Goes to a place in the text shown.
+    pub fn go(&self, place: usize) {
+        self.call("go", &[(place as f64).into(), (place as f64).into()]);
+    }
+
+    /// Moves the focus into the text.
+    pub fn focus(&self) {
+        self.call("focus", &[]);
+    }
+
+    /// Has a change checked now that is waiting for its writer to rest.
+    pub fn flush(&self) {
+        self.call("flush", &[]);
+    }
+}
+
+/// An object with these fields.
+fn object<const COUNT: usize>(fields: [(&str, JsValue); COUNT]) -> JsValue {
+    let object = Object::new();
+    for (name, value) in fields {
+        let _ = Reflect::set(&object, &name.into(), &value);
+    }
+    object.into()
+}
+
+/// Loads the script, unless it is there already.
+async fn load() -> Option<()> {
+    if Reflect::has(&js_sys::global(), &MAKER.into()).ok()? {
+        return Some(());
+    }
+    // A heading of a document may have this id, too; a script it cannot be.
+    let part = document().query_selector("script#editor").ok()??;
+    let script: HtmlElement = document().create_element("script").ok()?.dyn_into().ok()?;
+    let head = document().head()?;
+    if let Some(address) = part.get_attribute("data-script") {
+        let loaded = Promise::new(&mut |done, failed| {
+            script.set_onload(Some(&done));
+            script.set_onerror(Some(&failed));
+        });
+        script.set_attribute("src", &address).ok()?;
+        head.append_child(&script).ok()?;
+        browser::wait(loaded).await.ok()?;
+    } else {
+        let letters = window().atob(&part.text_content()?).ok()?;
+        let bytes: Vec<u8> = letters.chars().map(|letter| letter as u8).collect();
+        script.set_text_content(Some(&packing::inflate(&bytes, LONGEST).await?));
+        head.append_child(&script).ok()?;
+    }
+    Some(())
+}

@@ -1,0 +1,70 @@
+//! What is wrong with the text: marked in it, counted in a line, and listed with reasons and remedies.
+
+use crate::app::App;
+use crate::{diagnostics, visited};
+use view::views::*;
+
+/// Marks what was found in the text shown, and proposes the names of the model that runs.
+pub fn mark(app: App) {
+    let file = app.written_file.get_untracked();
+    let marks = app.read_desk(|desk| desk.writing().marks(file));
+    if let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() {
+        editor.mark(&marks, app.language.get_untracked());
+        editor.propose(&app.read_desk(|desk| desk.vocabulary()));
+    }
+}
+
+/// Whether the text runs, for those who see it and those who hear it.
+pub fn status(app: App) -> HtmlP {
+    let words = app.words();
+    let counts = move || {
+        app.written.track();
+        app.read_desk(|desk| {
+            let writing = desk.writing();
+            (writing.errors(), writing.findings().len() - writing.errors(), writing.runs())
+        })
+    };
+    let sentence = move || {
+        let (errors, warnings, runs) = counts();
+        let count = |number: usize, one: &str, many: &str| match number {
+            1 => format!("1 {one}"),
+            number => format!("{number} {many}"),
+        };
+        let mut found = Vec::new();
+        if errors > 0 {
+            found.push(count(errors, words.one_error, words.many_errors));
+        }
+        if warnings > 0 {
+            found.push(count(warnings, words.one_warning, words.many_warnings));
+        }
+        let state = if runs { words.text_runs } else { words.text_waits };
+        if found.is_empty() { state.to_owned() } else { format!("{}. {state}", found.join(", ")) }
+    };
+    let class = move || if counts().0 > 0 { "writing-status faulty" } else { "writing-status" };
+    p().class(class).role("status").id("writing-status").child(text(sentence))
+}
+
+/// The findings. Each place leads to it in the text.
+pub fn view(app: App) -> View {
+    changing(move || {
+        app.written.track();
+        let findings = app.read_desk(|desk| desk.writing().findings().to_vec());
+        if findings.is_empty() {
+            return View::new();
+        }
+        let go = move |file, place| go_to(app, file, place);
+        diagnostics::list(app, &visited::written(app), &findings, Some(std::rc::Rc::new(go))).into()
+    })
+}
+
+/// Goes to a place in a text, given in bytes.
+fn go_to(app: App, file: usize, place: usize) {
+    let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() else { return };
+    let place = app.read_desk(|desk| desk.writing().in_utf16(file, place));
+    if app.written_file.get_untracked() != file {
+        app.written_file.set(file);
+        editor.select(file);
+        mark(app);
+    }
+    editor.go(place);
+}

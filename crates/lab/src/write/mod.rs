@@ -1,0 +1,67 @@
+//! The tab *Write*: the texts of the open document in an editor, what is wrong with them, and new documents.
+
+mod changes;
+mod draft;
+mod editor;
+mod findings;
+mod kept;
+mod tools;
+
+pub use draft::{flush, resume};
+pub use editor::Editor;
+
+use crate::app::App;
+use view::views::*;
+use web_sys::Element;
+
+/// The tab.
+pub fn view(app: App) -> View {
+    changes::begin(app);
+    let mut place = div().class("editor-place");
+    let node: Element = place.node();
+    let waiting = create_signal(true);
+    let wait = move || if waiting.get() { note(app.words().editor_waiting).into() } else { View::new() };
+    wasm_bindgen_futures::spawn_local(async move {
+        let shown = show(app, &node).await;
+        // Another language may have built the tab again meanwhile.
+        if waiting.is_alive() {
+            waiting.set(false);
+        }
+        if shown.is_none() {
+            app.complain(app.words().editor_missing.to_owned());
+        }
+    });
+    div()
+        .class("writing")
+        .child(tools::view(app))
+        .child(p().id("editor-keys").hidden(true).child(app.words().editor_keys))
+        .child(place.child(changing(wait)))
+        .child(findings::status(app))
+        .child(findings::view(app))
+        .into()
+}
+
+/// Puts the editor into its place; starts it if it is needed for the first time.
+async fn show(app: App, place: &Element) -> Option<()> {
+    let started = app.with(|lab| lab.editor.clone()).flatten();
+    let editor = match started {
+        Some(editor) => editor,
+        None => {
+            let started = Editor::start(move |file, text| changes::written(app, file, text)).await?;
+            // The tab may have been built twice while the script was loading.
+            app.with(|lab| lab.editor.get_or_insert(started).clone())?
+        }
+    };
+    if !app.with(|lab| std::mem::replace(&mut lab.editor_is_current, true))? {
+        let texts = app.read_desk(|desk| desk.writing().texts().to_vec());
+        app.written_file.set(0);
+        editor.open(&texts);
+    }
+    editor.mount(place);
+    editor.speak(app.words().editor_label, app.language.get_untracked());
+    findings::mark(app);
+    if app.with(|lab| std::mem::take(&mut lab.focuses_editor))? {
+        editor.focus();
+    }
+    Some(())
+}

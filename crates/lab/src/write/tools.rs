@@ -1,0 +1,95 @@
+//! What stands above the editor: which file is shown, new documents, saving.
+
+use super::draft::flush;
+use super::kept;
+use crate::app::App;
+use crate::visited::Visited;
+use crate::{opening, visited};
+use desk::{TEMPLATES, Template};
+use document::page::Source;
+use view::browser;
+use view::views::*;
+
+/// The tools.
+pub fn view(app: App) -> HtmlDiv {
+    let words = app.words();
+    let save = button()
+        .class("quiet outlined")
+        .id("save-writing")
+        .title(words.save_writing_title)
+        .when(events::click, move |_| save(app))
+        .child(words.save_writing);
+    let language = app.language.get_untracked();
+    let template = move |template: &Template| {
+        let template = *template;
+        let name = if template.is_empty() { words.new_empty.to_owned() } else { template.title(language) };
+        button().class("chip").when(events::click, move |_| begin_with(app, template)).child(name)
+    };
+    let chips =
+        div().class("chips").role("group").attr("aria-label", words.new_document_from).each(&TEMPLATES, template);
+    let choosing = create_signal(false);
+    let new = button()
+        .class("quiet outlined")
+        .id("new-document")
+        .attr("aria-controls", "templates")
+        .attr("aria-expanded", move || choosing.get().to_string())
+        .when(events::click, move |_| choosing.update(|choosing| *choosing = !*choosing))
+        .child(words.new_document);
+    let kept = move || {
+        let documents = if choosing.get() { kept::documents() } else { Vec::new() };
+        let document = |(title, kept): (String, Visited)| {
+            let mut kept = Some(kept);
+            let open = move |_| kept.take().into_iter().for_each(|kept| opening::open_kept(app, kept));
+            button().class("chip").when(events::click, open).child(title)
+        };
+        let chips = |documents: Vec<(String, Visited)>| {
+            div().class("chips").role("group").attr("aria-label", words.kept_documents).each(documents, document)
+        };
+        if documents.is_empty() { View::new() } else { View::from((note(words.kept_documents), chips(documents))) }
+    };
+    let templates = div().class("templates").id("templates").hidden(move || !choosing.get());
+    div()
+        .class("writing-tools")
+        .child(new)
+        .child(save)
+        .maybe(file_choice(app))
+        .child(templates.child(note(words.new_document_from)).child(chips).child(changing(kept)))
+}
+
+/// Which file is shown, where there are several.
+fn file_choice(app: App) -> Option<HtmlSelect> {
+    let names: Vec<String> = visited::sources(app).into_iter().map(|source| source.name).collect();
+    if names.len() < 2 {
+        return None;
+    }
+    let option = |(number, name): (usize, String)| {
+        let selected = move || app.written_file.get() == number;
+        option().value(number.to_string()).prop("selected", selected).child(name)
+    };
+    let choose = move |event| {
+        let Ok(file) = value_of(&event).parse::<usize>() else { return };
+        let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() else { return };
+        editor.select(file);
+        app.written_file.set(file);
+        super::findings::mark(app);
+    };
+    let select = select().id("writing-file").attr("aria-label", app.words().writing_file).when(events::change, choose);
+    Some(select.each(names.into_iter().enumerate(), option))
+}
+
+/// Opens a template as a document of one's own.
+fn begin_with(app: App, template: Template) {
+    let text = template.text(app.language.get_untracked()).to_owned();
+    flush(app);
+    app.with(|lab| lab.focuses_editor = true);
+    opening::open_sources(app, vec![Source { name: format!("{}.md", template.name), text }]);
+}
+
+/// Saves the file that is shown, as it stands in the editor.
+fn save(app: App) {
+    flush(app);
+    if let Some(file) = visited::written(app).get(app.written_file.get_untracked()) {
+        let name = file.name.rsplit('/').next().unwrap_or_default();
+        browser::save_text(name, "text/markdown", &file.text);
+    }
+}

@@ -82,6 +82,19 @@ visit("with an error the last good version runs on; its place, reason and remedy
   await eventually(async () => assert.match(await status(lab).innerText(), /^1 error/));
 });
 
+visit("a remedy is carried out by a click, and taken back with a key", async (lab) => {
+  await write(lab);
+  await begin(lab, "A mass on a spring");
+  await runs(lab);
+  await replace(lab, "k*y = 0", "k*yy = 0");
+  await lab.page.locator(".writing .finding").getByRole("button", { name: "Replace yy by y" }).click();
+  await runs(lab);
+  assert.match(await text(lab), /k\*y = 0/);
+  assert.equal(await lab.page.locator(".writing .finding").count(), 0);
+  await lab.keys("Control+z");
+  await eventually(async () => assert.match(await status(lab).innerText(), /^1 error/));
+});
+
 visit("a document is begun, written, saved, and there again after a reload, also with an error in it", async (lab) => {
   await write(lab);
   for (const title of ["Two coupled bodies", "Discharge in an RLC circuit", "A projectile", "A damped oscillation as a formula", "A population from year to year", "A mass on a spring"]) {
@@ -198,11 +211,11 @@ visit("names, functions and units are proposed with their meaning, and Enter tak
   await lab.keys("ArrowDown", "Enter");
   await eventually(async () => assert.match(await text(lab), /E = sqrt \+ k/));
   await lab.page.keyboard.type("(y_0/1 [c");
-  await proposal("cm").getByText("centimetre").waitFor();
+  await proposal("cm").getByText("length").waitFor();
   await lab.keys("Escape");
   await replace(lab, "E = sqrt(y_0/1 [c]) + k", "E = b");
   await lab.page.keyboard.type("*y_");
-  await proposal("y_0").getByText("Displacement at the start [cm]").waitFor();
+  await proposal("y_0").getByText("Displacement at the start, parameter in cm").waitFor();
   await lab.keys("Enter");
   await eventually(async () => assert.match(await text(lab), /E = b\*y_\n/));
   // A prime is no quotation mark that wants another one.

@@ -46,4 +46,4 @@ pub use records::{
 };
 pub use refusal::Refusal;
 pub use saved::{Change, Item, Left, Shelf};
-pub use writing::{Mark, TEMPLATES, Template, Word, WordKind, Writing};
+pub use writing::{Mark, Proposals, TEMPLATES, Template, TextChange, Writing};

@@ -28,16 +28,16 @@ const REST = 150;
 const LONGEST = 2000;
 
 /**
- * Makes an editor. `changed(file, text)` is called when a text has changed and its writer rests.
+ * Makes an editor. `changed(file, text)` is called when a text has changed and its writer rests, `propose(text, place)` for what can
+ * stand at a place: `{ from, options }`.
  */
-globalThis.meniscusEditor = (changed) => {
+globalThis.meniscusEditor = (changed, propose) => {
   let states = [];
   let file = 0;
   let timer = 0;
   let since = 0;
   const words = new Compartment();
   let phrases = [];
-  let proposed = [];
 
   const flush = () => {
     if (!timer) return;
@@ -63,7 +63,7 @@ globalThis.meniscusEditor = (changed) => {
     bracketMatching(),
     closeBrackets(),
     // Nothing is chosen until an arrow key does: Enter ends the line of who has typed a name to its end.
-    autocompletion({ override: [completions(() => proposed)], icons: false, selectOnOpen: false }),
+    autocompletion({ override: [completions(propose)], icons: false, selectOnOpen: false }),
     search({ top: true }),
     highlightSelectionMatches(),
     EditorView.lineWrapping,
@@ -112,9 +112,12 @@ globalThis.meniscusEditor = (changed) => {
       const within = found.map((one) => ({ ...one, from: Math.min(one.from, most), to: Math.min(one.to, most) }));
       view.dispatch(setDiagnostics(view.state, within));
     },
-    /** What is proposed while somebody types: `{ label, type, detail }`, the type one of variable, function, keyword, unit. */
-    propose(words) {
-      proposed = words;
+    /** Changes the text shown: `{ from, to, insert }`. One that has not been checked since its last change is checked instead. */
+    change(changes) {
+      if (timer) return flush();
+      view.dispatch({ changes, userEvent: "input" });
+      view.focus();
+      flush();
     },
     /** Goes to a place in the text shown. */
     go(from, to) {

@@ -3,13 +3,22 @@
 use crate::app::App;
 use crate::{correction, library_list, opening, titles};
 use document::page::Source;
-use model::{Diagnostic, Label, Severity};
+use model::{Diagnostic, Fix, Label, Severity};
 use std::rc::Rc;
 use units::{Language, Words};
 use view::views::*;
 
-/// Goes to a place, in bytes, in the text of a file, by its number.
-pub type Go = Rc<dyn Fn(usize, usize)>;
+/// What can be done with a finding where its text is open. Files are meant by their numbers.
+#[derive(Clone)]
+pub struct Leads {
+    /// Goes to a place of a file, in bytes.
+    pub go: Rc<dyn Fn(usize, usize)>,
+    /// Changes a file as a remedy says, where that is possible.
+    pub fix: Option<CarryOut>,
+}
+
+/// Changes the file of a number as a remedy says.
+pub type CarryOut = Rc<dyn Fn(usize, &Fix)>;
 
 /// In place of the apparatus, for a document that does not run: what is wrong, the text to correct it, and the ways back.
 pub fn view(app: App) -> View {
@@ -24,7 +33,7 @@ pub fn view(app: App) -> View {
     page.child(h2().id("broken-title").child(words.broken))
         .child(p().child(words.broken_intro))
         .child(ways_back(app))
-        .child(list(app, &sources, &findings, Some(Rc::new(correction::go_to))))
+        .child(list(app, &sources, &findings, Some(Leads { go: Rc::new(correction::go_to), fix: None })))
         .child(correction::view(app, sources))
         .into()
 }
@@ -59,16 +68,16 @@ pub fn remarks(app: App) -> View {
     section().child(h3().child(words.warnings)).child(list).into()
 }
 
-/// The findings; where the text can be corrected, each place leads to it there.
-pub fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)], go: Option<Go>) -> HtmlOl {
+/// The findings; where the text can be corrected, each place leads to it there, and remedies can be carried out.
+pub fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)], leads: Option<Leads>) -> HtmlOl {
     let item = |(file, diagnostic): &(usize, Diagnostic)| {
-        let go = go.clone().map(|go| (go, *file));
-        li().child(finding(app, sources.get(*file), diagnostic, go))
+        let leads = leads.clone().map(|leads| (leads, *file));
+        li().child(finding(app, sources.get(*file), diagnostic, leads))
     };
     ol().class("findings").each(findings, item)
 }
 
-fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic, go: Option<(Go, usize)>) -> HtmlArticle {
+fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic, leads: Option<(Leads, usize)>) -> HtmlArticle {
     let (words, language) = (app.words(), app.language.get_untracked());
     let (kind, class) = match diagnostic.severity {
         Severity::Error => (words.error, "finding error"),
@@ -80,14 +89,24 @@ fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic, go: Optio
     let hint = |hint: &Words| {
         p().class("remedy").child(strong().child(words.help).child(": ")).child(with_code(hint.text(language)))
     };
+    let fixes = leads.as_ref().and_then(|(leads, file)| Some((leads.fix.clone()?, *file)));
+    let fix = |fix: &Fix| {
+        let (carry_out, file) = fixes.clone()?;
+        let own = fix.clone();
+        let title = with_code(&capitalised(fix.title(text).text(language)));
+        let press = move |_| carry_out(file, &own);
+        Some(button().class("quiet outlined fix").when(events::click, press).child(title))
+    };
+    let fixes: Vec<View> = diagnostic.fixes.iter().filter_map(fix).map(View::from).collect();
     let title = titles::title(diagnostic.code, language);
     article()
         .class(class)
         .child(h3().child(span().class("badge").child(kind)).child(" ").child(title))
         .child(p().class("what").child(with_code(&capitalised(diagnostic.message.text(language)))).child("."))
-        .each(places, |place| place.view(app, name, go.clone()))
+        .each(places, |place| place.view(app, name, leads.clone()))
         .each(&diagnostic.notes, note)
         .each(&diagnostic.hints, hint)
+        .maybe((!fixes.is_empty()).then(|| div().class("actions").child(fixes)))
 }
 
 /// With a capital at its beginning.
@@ -172,12 +191,14 @@ impl Place {
         Self { number: text[..first].matches('\n').count() + 1, start, pieces, remarks }
     }
 
-    /// `go` leads to the text of a file, and the number of this file.
-    fn view(self, app: App, file: &str, go: Option<(Go, usize)>) -> View {
+    /// `leads` go to the text of the file of this number.
+    fn view(self, app: App, file: &str, leads: Option<(Leads, usize)>) -> View {
         let head = format!("{file}, {} {}", app.words().line, self.number);
         let start = self.start;
-        let head: View = match go {
-            Some((go, file)) => button().class("pick").when(events::click, move |_| go(file, start)).child(head).into(),
+        let head: View = match leads {
+            Some((leads, file)) => {
+                button().class("pick").when(events::click, move |_| (leads.go)(file, start)).child(head).into()
+            }
             None => head.into(),
         };
         let piece =

@@ -1,8 +1,30 @@
 //! Places of findings as editors in browsers count them: in units of UTF-16.
 
-use model::{Diagnostic, Severity};
+use model::{Diagnostic, Edit, Fix, Severity};
 use std::collections::BTreeMap;
 use units::Words;
+
+/// A piece of text in the place of another one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TextChange {
+    /// Where it begins, in units of UTF-16.
+    pub from: usize,
+    /// Where it ends.
+    pub to: usize,
+    /// What stands there afterwards.
+    pub text: String,
+}
+
+/// The changes of a text that `fix` makes.
+pub(super) fn changes(text: &str, fix: &Fix) -> Vec<TextChange> {
+    let places = in_utf16(text, fix.edits.iter().flat_map(|edit| [edit.span.start, edit.span.end]));
+    let place = |bytes: usize| places.get(&bytes).copied().unwrap_or_default();
+    let change = |edit: &Edit| {
+        let (from, to) = (place(edit.span.start), place(edit.span.end));
+        TextChange { from, to: to.max(from), text: edit.text.clone() }
+    };
+    fix.edits.iter().map(change).collect()
+}
 
 /// The primary place of a finding.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,4 +70,16 @@ pub(super) fn in_utf16(text: &str, places: impl Iterator<Item = usize>) -> BTree
         *counted = units;
     }
     found
+}
+
+/// A place in UTF-16 as one in bytes; inside a character, that of its beginning.
+pub(super) fn from_utf16(text: &str, place: usize) -> usize {
+    let mut units = 0;
+    for (bytes, letter) in text.char_indices() {
+        units += letter.len_utf16();
+        if units > place {
+            return bytes;
+        }
+    }
+    text.len()
 }

@@ -1,7 +1,7 @@
 //! What is known of the texts in the editor.
 
-use super::mark::{Mark, in_utf16, marks};
-use model::{Diagnostic, Severity};
+use super::mark::{Mark, TextChange, changes, in_utf16, marks};
+use model::{Diagnostic, Fix, Severity};
 
 /// The texts of a document as they stand in the editor, the base document first, and what was found in them.
 #[derive(Clone, Debug, Default)]
@@ -43,6 +43,11 @@ impl Writing {
     pub fn in_utf16(&self, file: usize, place: usize) -> usize {
         let text = self.texts.get(file).map_or("", String::as_str);
         in_utf16(text, [place].into_iter()).into_values().next().unwrap_or_default()
+    }
+
+    /// The changes of one text that a remedy makes.
+    pub fn changes(&self, file: usize, fix: &Fix) -> Vec<TextChange> {
+        changes(self.texts.get(file).map_or("", String::as_str), fix)
     }
 
     /// The places of the findings in one text.

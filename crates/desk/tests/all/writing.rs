@@ -1,7 +1,7 @@
 //! A document is written while it runs.
 
 use crate::support::{UTUBE, UTUBE_ES, open, parameter, play, set, state, utube};
-use desk::{Desk, TEMPLATES, WordKind};
+use desk::{Desk, TEMPLATES};
 use proptest::prelude::*;
 use units::Language;
 
@@ -141,25 +141,27 @@ fn sizes_that_were_set_stay() {
 }
 
 #[test]
-fn what_can_be_written_is_known_to_the_language() {
+fn proposals_count_places_as_browsers_do() {
+    let desk = writing();
+    let text = "\u{1f600}\n```model\nparameter k = 1\nz = k + om\n```\n";
+    let place = text.find("om").unwrap() + 2 - "\u{1f600}".len() + 2;
+    let found = desk.propose(text, place);
+    assert_eq!(found.from, place - 2);
+    // The name of a quantity of the model that runs is none of this text's.
+    assert_eq!(found.suggestions, []);
+    let found = desk.propose(text, place - 2);
+    assert_eq!(found.suggestions.iter().take(2).map(|one| one.text.as_str()).collect::<Vec<_>>(), ["k", "z"]);
+}
+
+#[test]
+fn remedies_are_changes_as_browsers_count_them() {
+    let text = "\u{1f600}\n```model\nparameter mass = 1\nz = 2*mas\n```\n";
     let mut desk = writing();
-    desk.set_language("es");
-    let words = desk.vocabulary();
-    let of = |kind: WordKind| words.iter().filter(move |word| word.kind == kind);
-    // What stands for a draw has a name that no text can give.
-    for function in program::functions::FUNCTIONS.iter().filter(|function| !function.name.contains(' ')) {
-        assert!(of(WordKind::Function).any(|word| word.text == function.name), "{} is not explained", function.name);
-    }
-    for unit in of(WordKind::Unit) {
-        assert!(units::Unit::parse(&unit.text).is_ok(), "{}", unit.text);
-    }
-    let names: Vec<&str> = of(WordKind::Name).map(|word| word.text.as_str()).collect();
-    for name in ["g", "rho", "y", "omega_0"] {
-        assert_eq!(names.iter().filter(|other| **other == name).count(), 1, "{name} in {names:?}");
-    }
-    let damping = of(WordKind::Name).find(|word| word.text == "b").unwrap();
-    assert_eq!(damping.about, "Amortiguamiento [kg/s]");
-    assert!(words.iter().all(|word| word.kind == WordKind::Name || !word.about.is_empty()));
+    desk.write_all(vec![text.to_owned()]);
+    let (_, found) = &desk.writing().findings()[0];
+    let changes = desk.writing().changes(0, &found.fixes[0]);
+    let from = text.find("mas\n").unwrap() - "\u{1f600}".len() + 2;
+    assert_eq!(changes, [desk::TextChange { from, to: from + 3, text: "mass".to_owned() }]);
 }
 
 proptest! {

@@ -18,7 +18,7 @@ pub fn names(outline: &Outline, program: Option<&Program>) -> Vec<Suggestion> {
         let label = statement.label.as_ref().map(|label| label.text.as_str());
         for (text, what) in given(statement) {
             let kind = if what.english == FUNCTION.0 { SuggestionKind::Function } else { SuggestionKind::Name };
-            let meaning = described(text, label, what, program.map(|program| &program.model));
+            let meaning = described(text, label, what, program);
             add(Suggestion { kind, text: text.to_owned(), meaning });
         }
     }
@@ -63,8 +63,8 @@ fn given(statement: &Statement) -> Vec<(&str, Words)> {
 }
 
 /// `Damping, parameter in kg/s`
-fn described(name: &str, label: Option<&str>, what: Words, model: Option<&Model>) -> Words {
-    let unit = model.and_then(|model| unit(model, name)).filter(|unit| !unit.text.is_empty());
+fn described(name: &str, label: Option<&str>, what: Words, program: Option<&Program>) -> Words {
+    let unit = program.and_then(|program| unit(&program.model, name)).filter(|unit| !unit.text.is_empty());
     let what = match unit {
         Some(unit) => {
             words!("{what} in {unit}", "{what} en {unit}", what = what, unit = Words::same(unit.text.clone()))
@@ -72,9 +72,14 @@ fn described(name: &str, label: Option<&str>, what: Words, model: Option<&Model>
         None => what,
     };
     match label {
-        Some(label) => words!("{label}, {what}", "{label}, {what}", label = Words::same(label.to_owned()), what = what),
+        Some(label) => words!("{label}, {what}", "{label}, {what}", label = translated(label, program), what = what),
         None => what,
     }
+}
+
+/// A label in the languages in which the document has it.
+fn translated(label: &str, program: Option<&Program>) -> Words {
+    Words::each(|language| program.map_or(label, |program| program.text(language.tag(), label)).to_owned())
 }
 
 fn unit<'a>(model: &'a Model, name: &str) -> Option<&'a Unit> {

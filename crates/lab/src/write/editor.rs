@@ -2,7 +2,8 @@
 //! a site the script is a file of its own. Places in a text are counted in UTF-16, as browsers do.
 
 use crate::packing;
-use desk::{Mark, Word, WordKind};
+use desk::document::assist::{Suggestion, SuggestionKind};
+use desk::{Mark, Proposals, TextChange};
 use js_sys::{Array, Function, Object, Promise, Reflect};
 use model::Severity;
 use units::Language;
@@ -22,14 +23,23 @@ const MAKER: &str = "meniscusEditor";
 pub struct Editor(JsValue);
 
 impl Editor {
-    /// Starts the editor. `changed` is called with the number of a text and the text when its writer rests.
-    pub async fn start(mut changed: impl FnMut(usize, String) + 'static) -> Option<Self> {
+    /// Starts the editor. `changed` is called with the number of a text and the text when its writer rests, `propose` with the text
+    /// shown and a place in it.
+    pub async fn start(
+        mut changed: impl FnMut(usize, String) + 'static,
+        propose: impl Fn(String, usize) -> (Proposals, Language) + 'static,
+    ) -> Option<Self> {
         load().await?;
         let maker: Function = Reflect::get(&js_sys::global(), &MAKER.into()).ok()?.dyn_into().ok()?;
-        let told = Closure::<dyn FnMut(f64, String)>::new(move |file: f64, text| changed(file as usize, text));
-        let editor = maker.call1(&JsValue::UNDEFINED, told.as_ref()).ok()?;
-        // It is called as long as the page is open.
-        told.forget();
+        let changed = Closure::<dyn FnMut(f64, String)>::new(move |file: f64, text| changed(file as usize, text));
+        let propose = Closure::<dyn Fn(String, f64) -> JsValue>::new(move |text, place: f64| {
+            let (proposals, language) = propose(text, place as usize);
+            proposed(&proposals, language)
+        });
+        let editor = maker.call2(&JsValue::UNDEFINED, changed.as_ref(), propose.as_ref()).ok()?;
+        // They are called as long as the page is open.
+        changed.forget();
+        propose.forget();
         Some(Self(editor))
     }
 
@@ -79,22 +89,16 @@ impl Editor {
         self.call("mark", &[marks.iter().map(mark).collect::<Array>().into()]);
     }
 
-    /// What it proposes while somebody types.
-    pub fn propose(&self, words: &[Word]) {
-        let word = |word: &Word| {
-            let kind = match word.kind {
-                WordKind::Name => "variable",
-                WordKind::Function => "function",
-                WordKind::Keyword => "keyword",
-                WordKind::Unit => "unit",
-            };
+    /// Changes the text shown, unless it has changed since it was checked.
+    pub fn change(&self, changes: &[TextChange]) {
+        let change = |change: &TextChange| {
             object([
-                ("label", word.text.as_str().into()),
-                ("type", kind.into()),
-                ("detail", word.about.as_str().into()),
+                ("from", (change.from as f64).into()),
+                ("to", (change.to as f64).into()),
+                ("insert", change.text.as_str().into()),
             ])
         };
-        self.call("propose", &[words.iter().map(word).collect::<Array>().into()]);
+        self.call("change", &[changes.iter().map(change).collect::<Array>().into()]);
     }
 
     /// Goes to a place in the text shown.
@@ -111,6 +115,26 @@ impl Editor {
     pub fn flush(&self) {
         self.call("flush", &[]);
     }
+}
+
+/// Proposals as the editor takes them: `{ from, options: [{ label, type, detail }] }`.
+fn proposed(proposals: &Proposals, language: Language) -> JsValue {
+    let option = |suggestion: &Suggestion| {
+        let kind = match suggestion.kind {
+            SuggestionKind::Word => "keyword",
+            SuggestionKind::Name => "variable",
+            SuggestionKind::Function => "function",
+            SuggestionKind::Unit => "constant",
+            SuggestionKind::Part => "property",
+        };
+        object([
+            ("label", suggestion.text.as_str().into()),
+            ("type", kind.into()),
+            ("detail", suggestion.meaning.text(language).into()),
+        ])
+    };
+    let options: Array = proposals.suggestions.iter().map(option).collect();
+    object([("from", (proposals.from as f64).into()), ("options", options.into())])
 }
 
 /// An object with these fields.

@@ -1,16 +1,19 @@
 //! What is wrong with the text: marked in it, counted in a line, and listed with reasons and remedies.
 
+use super::Editor;
 use crate::app::App;
-use crate::{diagnostics, visited};
+use crate::diagnostics::{self, Leads};
+use crate::visited;
+use model::Fix;
+use std::rc::Rc;
 use view::views::*;
 
-/// Marks what was found in the text shown, and proposes the names of the model that runs.
+/// Marks what was found in the text shown.
 pub fn mark(app: App) {
     let file = app.written_file.get_untracked();
     let marks = app.read_desk(|desk| desk.writing().marks(file));
     if let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() {
         editor.mark(&marks, app.language.get_untracked());
-        editor.propose(&app.read_desk(|desk| desk.vocabulary()));
     }
 }
 
@@ -52,8 +55,11 @@ pub fn view(app: App) -> View {
         if findings.is_empty() {
             return View::new();
         }
-        let go = move |file, place| go_to(app, file, place);
-        diagnostics::list(app, &visited::written(app), &findings, Some(std::rc::Rc::new(go))).into()
+        let leads = Leads {
+            go: Rc::new(move |file, place| go_to(app, file, place)),
+            fix: Some(Rc::new(move |file, fix| carry_out(app, file, fix))),
+        };
+        diagnostics::list(app, &visited::written(app), &findings, Some(leads)).into()
     })
 }
 
@@ -61,10 +67,23 @@ pub fn view(app: App) -> View {
 fn go_to(app: App, file: usize, place: usize) {
     let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() else { return };
     let place = app.read_desk(|desk| desk.writing().in_utf16(file, place));
+    show(app, &editor, file);
+    editor.go(place);
+}
+
+/// Changes a text as a remedy says.
+fn carry_out(app: App, file: usize, fix: &Fix) {
+    let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() else { return };
+    let changes = app.read_desk(|desk| desk.writing().changes(file, fix));
+    show(app, &editor, file);
+    editor.change(&changes);
+}
+
+/// Shows a text in the editor.
+fn show(app: App, editor: &Editor, file: usize) {
     if app.written_file.get_untracked() != file {
         app.written_file.set(file);
         editor.select(file);
         mark(app);
     }
-    editor.go(place);
 }

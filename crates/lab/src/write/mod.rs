@@ -47,7 +47,10 @@ async fn show(app: App, place: &Element) -> Option<()> {
     let editor = match started {
         Some(editor) => editor,
         None => {
-            let started = Editor::start(move |file, text| changes::written(app, file, text)).await?;
+            let propose = move |text: String, place| {
+                (app.read_desk(|desk| desk.propose(&text, place)), app.language.get_untracked())
+            };
+            let started = Editor::start(move |file, text| changes::written(app, file, text), propose).await?;
             // The tab may have been built twice while the script was loading.
             app.with(|lab| lab.editor.get_or_insert(started).clone())?
         }

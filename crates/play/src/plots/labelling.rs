@@ -19,6 +19,24 @@ impl Play {
         self.revision.plots += 1;
     }
 
+    /// The names of the curves of an axis. An expression that is no name is what the author calls it; of several such the legend
+    /// tells all, and the axis has its unit alone.
+    fn axis_title(&self, curves: &[(&Curve, &String)]) -> String {
+        let is_name = |curve: &Curve| {
+            curve.expression.chars().all(|letter| letter.is_alphanumeric() || "_'[].,".contains(letter))
+        };
+        if curves.iter().all(|(curve, _)| is_name(curve)) {
+            return curves.iter().map(|(_, name)| name.as_str()).collect::<Vec<_>>().join(", ");
+        }
+        match curves {
+            [(curve, name)] => {
+                curve.label.as_ref().map_or_else(|| (*name).clone(), |label| self.text(label).to_owned())
+            }
+            _ if curves.iter().all(|(curve, _)| curve.label.is_some()) => String::new(),
+            _ => curves.iter().map(|(_, name)| name.as_str()).collect::<Vec<_>>().join(", "),
+        }
+    }
+
     fn labels_of(&self, index: usize) -> Option<Labels> {
         let plot = self.program.plots.get(index)?;
         let columns = self.columns.plot(index)?;
@@ -39,9 +57,10 @@ impl Play {
         });
         let legend = legend.collect();
         let axes = columns.axes.iter().enumerate().map(|(axis, unit)| {
-            let here = columns.curves.iter().zip(&curves).filter(|(columns, _)| columns.axis == axis);
-            let names: Vec<&str> = here.map(|(_, name)| name.as_str()).collect();
-            (names.join(", "), number::unit_text(&unit.text))
+            let places = columns.curves.iter().enumerate().filter(|(_, columns)| columns.axis == axis);
+            let here: Vec<(&Curve, &String)> =
+                places.filter_map(|(place, _)| plot.curves.get(place).zip(curves.get(place))).collect();
+            (self.axis_title(&here), number::unit_text(&unit.text))
         });
         let mut all_across: Vec<String> = plot.abscissas().map(|x| symbol(&x.expression)).collect();
         let across = (0..curves.len()).map(|curve| match plot.others.is_empty() {

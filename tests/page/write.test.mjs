@@ -86,10 +86,10 @@ visit("a remedy is carried out by a click, and taken back with a key", async (la
   await write(lab);
   await begin(lab, "A mass on a spring");
   await runs(lab);
-  await replace(lab, "k*y = 0", "k*yy = 0");
-  await lab.page.locator(".writing .finding").getByRole("button", { name: "Replace yy by y" }).click();
+  await replace(lab, "= y_0 in", "= y_00 in");
+  await lab.page.locator(".writing .finding").getByRole("button", { name: "Replace y_00 by y_0", exact: true }).click();
   await runs(lab);
-  assert.match(await text(lab), /k\*y = 0/);
+  assert.match(await text(lab), /= y_0 in/);
   assert.equal(await lab.page.locator(".writing .finding").count(), 0);
   await lab.keys("Control+z");
   await eventually(async () => assert.match(await status(lab).innerText(), /^1 error/));

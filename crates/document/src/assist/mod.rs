@@ -3,7 +3,10 @@
 
 mod names;
 mod place;
+mod suggestion;
 mod vocabulary;
+
+pub use suggestion::{Completion, Explanation, Suggestion, SuggestionKind};
 
 use crate::{Outline, scene};
 use model::Span;
@@ -11,50 +14,6 @@ use names::names;
 use place::{Place, attribute_around, attribute_at, place, word_at};
 use program::Program;
 use units::{QuantityName, Unit, Words, words};
-
-/// What a suggestion is, for the picture beside it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SuggestionKind {
-    /// A word of the language, a key of the front matter, the kind of a block.
-    Word,
-    /// A quantity, parameter or state of the model.
-    Name,
-    /// A function of the language or of the author.
-    Function,
-    /// A unit.
-    Unit,
-    /// A part or an element of a drawing, or one of its attributes.
-    Part,
-}
-
-/// Something that can stand at a place.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Suggestion {
-    /// What it is.
-    pub kind: SuggestionKind,
-    /// What is written.
-    pub text: String,
-    /// What it means, in a few words.
-    pub meaning: Words,
-}
-
-/// What can stand in a document.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Completion {
-    /// The beginning of a word that a suggestion replaces; empty where none has been begun.
-    pub span: Span,
-    /// In the order in which they are shown: names of the model first.
-    pub suggestions: Vec<Suggestion>,
-}
-
-/// What stands at a place of a document.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Explanation {
-    /// The word.
-    pub span: Span,
-    /// What it is.
-    pub meaning: Words,
-}
 
 /// What can stand where the cursor is, `offset` bytes from the beginning. `program` is the last that could be made of the text;
 /// it knows the units.

@@ -1,6 +1,6 @@
 //! The names of a model, with what is said of them.
 
-use super::{Suggestion, SuggestionKind};
+use super::suggestion::{Suggestion, SuggestionKind};
 use crate::Outline;
 use model::{Expression, ExpressionKind, Statement, StatementKind};
 use program::{Model, Program};

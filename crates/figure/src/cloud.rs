@@ -6,11 +6,11 @@
 //! added cost as much as they are.
 
 use crate::figure::Figure;
-use crate::items::{DATA_RADIUS, Entry, Ink, Scale};
+use crate::items::{Entry, Ink, Scale};
 use crate::limits::Extent;
 use crate::plot::{Plot, Series};
 use crate::raster::{Cloud, Raster};
-use crate::series::visible_rows;
+use crate::series::{radius, visible_rows};
 
 /// So many points for each column of pixels are drawn one by one; more are drawn as bars.
 const FEW_PER_COLUMN: f32 = 4.0;
@@ -71,9 +71,10 @@ impl Figure {
             self.unfinished |= end < rows.end;
             raster.take(series, end);
             let start = self.points.len();
-            raster.bars(&mut self.points);
+            let radius = radius(series, rows.len());
+            raster.bars(radius, &mut self.points);
             let (bars, ink) = (start..self.points.len(), Ink::Series(series.colour));
-            self.entries.push(Entry::Bars { bars, radius: DATA_RADIUS, ink });
+            self.entries.push(Entry::Bars { bars, radius, ink });
         }
         true
     }

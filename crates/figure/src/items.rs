@@ -6,6 +6,16 @@ use crate::plot::Interval;
 
 /// The radius of the dots of measured data.
 pub(crate) const DATA_RADIUS: f32 = 2.5;
+/// So many computed points have dots as large as those of measured data.
+const FULL_SIZE: f32 = 300.0;
+/// The radius of the smallest dots.
+const LEAST_RADIUS: f32 = 0.7;
+
+/// The radius of each of so many computed points. Beyond [`FULL_SIZE`] together they cover the same area, until they would be
+/// too small to be seen: the structure of a section or a bifurcation diagram is lost where dots overlap.
+pub(crate) fn radius_of(count: usize) -> f32 {
+    (DATA_RADIUS * libm::sqrtf(FULL_SIZE / (count as f32).max(FULL_SIZE))).max(LEAST_RADIUS)
+}
 
 /// A place in the figure, in CSS pixels from its upper left corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -3,7 +3,7 @@
 use crate::figure::Figure;
 use crate::items::{Anchor, DATA_RADIUS, Entry, Ink, Point, Rect, Scale};
 use crate::limits::{Extent, growing, sane, shared_limits};
-use crate::plot::{Axis, Interval, Plot, Series, Settings, Style};
+use crate::plot::{Axis, Interval, Plot, Series, Settings};
 use crate::series::stroke;
 use crate::spread;
 use crate::text::{fitted, width};
@@ -118,7 +118,7 @@ impl Figure {
     fn legend_entry(&mut self, series: &Series<'_>, x: f64, baseline: f64) {
         let font = self.font_size;
         let (from, to) = (point(x, baseline - 0.34 * font), point(x + SAMPLE * font, baseline - 0.34 * font));
-        if series.style == Style::Points {
+        if series.style.is_of_points() {
             let start = self.points.len();
             self.points.extend([(from.x + to.x) / 2.0, from.y]);
             let centres = start..self.points.len();

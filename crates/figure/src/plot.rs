@@ -84,8 +84,17 @@ pub enum Style {
     Run(u8),
     /// Separate points: measured data.
     Points,
+    /// Separate points that are computed, such as those of a section: the more there are, the smaller they are.
+    Dots,
     /// Upright bars from zero, about their abscissas: how often values occur.
     Bars,
+}
+
+impl Style {
+    /// Whether it consists of separate points.
+    pub fn is_of_points(self) -> bool {
+        matches!(self, Style::Points | Style::Dots)
+    }
 }
 
 /// A closed interval of values, `low` below `high`.

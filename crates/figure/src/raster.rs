@@ -1,6 +1,6 @@
 //! Which pixels of a panel hold a point of a long series, kept from frame to frame.
 
-use crate::items::{DATA_RADIUS, Rect, Scale};
+use crate::items::{Rect, Scale};
 use crate::limits::{Progressive, drawable};
 use crate::plot::Series;
 
@@ -94,11 +94,11 @@ impl Raster {
         self.next = self.next.max(end);
     }
 
-    /// Appends the bars: abscissa, upper and lower end of each.
-    pub fn bars(&self, out: &mut Vec<f32>) {
+    /// Appends the bars: abscissa, upper and lower end of each. The dots have this radius in pixels.
+    pub fn bars(&self, radius: f32, out: &mut Vec<f32>) {
         let words = self.rows.div_ceil(64);
         // Dots nearer than this overlap.
-        let apart = libm::ceilf(2.0 * DATA_RADIUS) as usize;
+        let apart = libm::ceilf(2.0 * radius) as usize;
         for (number, (column, ends)) in self.cells.chunks_exact(words).zip(&self.ends).enumerate() {
             let across = self.panel.x + number as f32 + 0.5;
             let first = out.len();

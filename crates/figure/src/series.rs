@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::figure::Figure;
-use crate::items::{DATA_RADIUS, Dash, Entry, Ink, Point, Rect, Scale, Stroke, crisp};
+use crate::items::{DATA_RADIUS, Dash, Entry, Ink, Point, Rect, Scale, Stroke, crisp, radius_of};
 use crate::limits::drawable;
 use crate::plot::{Plot, Series, Style};
 use crate::trace::{Tracer, scatter};
@@ -37,14 +37,14 @@ impl Figure {
             self.columns(series, rows, &x, &y);
             return;
         }
-        if series.style == Style::Points {
+        if series.style.is_of_points() {
             let ink = Ink::Series(series.colour);
             let area = grown(panel, 0.5);
             self.bars(series, rows.clone(), &x, &y);
             if self.cloud(plot, series, &x, &y) {
                 return;
             }
-            scatter(&mut self.points, &mut self.entries, area, ink, DATA_RADIUS, rows.filter_map(pixel));
+            scatter(&mut self.points, &mut self.entries, area, ink, radius(series, count), rows.filter_map(pixel));
             return;
         }
         let dense = plot.ordered && count as f32 > 2.0 * panel.width;
@@ -109,10 +109,15 @@ impl Figure {
     }
 }
 
+/// The radius of each of the `count` points of a series.
+pub(crate) fn radius(series: &Series<'_>, count: usize) -> f32 {
+    if series.style == Style::Dots { radius_of(count) } else { DATA_RADIUS }
+}
+
 /// How the line of a series is drawn.
 pub(crate) fn stroke(series: &Series<'_>) -> Stroke {
     match series.style {
-        Style::Line | Style::Points | Style::Bars => {
+        Style::Line | Style::Points | Style::Dots | Style::Bars => {
             Stroke { ink: Ink::Series(series.colour), width: 2.0, dash: Dash::Solid }
         }
         Style::Ghost => Stroke { ink: Ink::Ghost(series.colour), width: 1.25, dash: Dash::Solid },

@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::figure::Figure;
 use crate::items::{Dash, Entry, Ink, Point, Scale, Stroke};
 use crate::limits::{Extent, drawable};
-use crate::plot::{Plot, Series, Style};
+use crate::plot::{Plot, Series};
 use crate::series::visible_rows;
 
 /// Half the length of the line across the end of an error bar, in pixels.
@@ -26,7 +26,7 @@ impl Figure {
         let (Some(x), Some(y)) = (self.x, self.y.get(series.axis).copied()) else {
             return;
         };
-        if series.spread.is_empty() || series.style == Style::Points {
+        if series.spread.is_empty() || series.style.is_of_points() {
             return;
         }
         let rows = visible_rows(plot, series, &x);

@@ -6,6 +6,7 @@
 
 use document::page::Source;
 use play::{Play, Status};
+use program::Child;
 use std::cell::RefCell;
 use std::rc::{Rc, Weak};
 use sycamore_reactive::on_cleanup;
@@ -77,6 +78,8 @@ enum Content {
 struct Opened {
     play: Play,
     picture: Picture,
+    /// Where it is shown, once it shows a moment of the run.
+    place: Element,
     node: Element,
     /// The ticks that are left until it is shown.
     ahead: u32,
@@ -324,11 +327,12 @@ impl Opened {
         program.checks.clear();
         let node = page().create_element("div").ok()?;
         node.set_class_name("drawing");
-        let picture = Picture::build(program.scene(language)?, &node)?;
-        let _ = place.append_child(&node);
+        let mut scene = program.scene(language)?.clone();
+        remove_texts(&mut scene.root);
+        let picture = Picture::build(&scene, &node)?;
         let mut play = Play::open(program);
         play.set_language(language);
-        Some(Self { play, picture, node, ahead: TICKS, moved: 0.0 })
+        Some(Self { play, picture, place: place.clone(), node, ahead: TICKS, moved: 0.0 })
     }
 
     /// One tick towards the moment that is shown first.
@@ -338,6 +342,7 @@ impl Opened {
         self.ahead = if goes_on { self.ahead.saturating_sub(1) } else { 0 };
         if self.ahead == 0 {
             self.picture.draw(&mut self.play);
+            let _ = self.place.append_child(&self.node);
         }
     }
 
@@ -355,6 +360,18 @@ impl Opened {
         self.picture.draw(&mut self.play);
         self.play.status() != Status::Failed || self.play.time() > 0.0
     }
+}
+
+/// On a card they would be too small to be read.
+fn remove_texts(element: &mut program::Element) {
+    element.children.retain_mut(|child| match child {
+        Child::Element(child) if child.name == "text" => false,
+        Child::Element(child) => {
+            remove_texts(child);
+            true
+        }
+        Child::Text(_) => true,
+    });
 }
 
 impl Drop for Opened {

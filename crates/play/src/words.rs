@@ -297,7 +297,10 @@ impl Play {
             Announcement::Removed(name) => with("Run removed: {}", "Serie quitada: {}", name),
             Announcement::Undone => say("Undone", "Deshecho"),
             Announcement::Full => say("Paused: the recording is full", "En pausa: el registro está lleno"),
-            Announcement::Failed => self.problem().map_or_else(String::new, |problem| problem.message),
+            Announcement::Failed => {
+                let failure = || self.problem().map(|problem| problem.message);
+                self.ending().or_else(failure).unwrap_or_default()
+            }
             Announcement::Method(method) => with("Method: {}", "Método: {}", method_name(self.language, *method)),
             Announcement::Step(step) => {
                 with("Step: {}", "Paso: {}", &self.quantity_text(*step, &self.model().independent.unit))

@@ -204,12 +204,12 @@ fn fill_screen(app: App) -> Option<HtmlButton> {
     })
 }
 
-/// Says that the run is at the end which the document gives it, and offers to go on. The play announces it.
+/// Says that the run is at the end which the document gives it, and why, and offers to go on. The play announces it.
 fn ended(app: App) -> impl Into<View> {
     let words = app.words();
-    let at_end = memo(move || {
+    let ending = memo(move || {
         app.changes.transport.track();
-        app.read(|play| play.status() == Status::Ended)
+        app.read(|play| play.ending())
     });
     // The button goes away when it is used; the focus stays in the transport.
     let go_on = move |_| {
@@ -218,9 +218,12 @@ fn ended(app: App) -> impl Into<View> {
             let _ = play.focus();
         }
     };
-    changing(move || {
-        let go_on = button().id("go-on").child(words.go_on).when(events::click, go_on);
-        if at_end.get() { p().class("ended").child(words.ended).child(go_on).into() } else { View::new() }
+    changing(move || match ending.get_clone() {
+        Some(ending) => {
+            let go_on = button().class("action").id("go-on").child(words.go_on).when(events::click, go_on);
+            div().class("ended").child(p().child(ending)).child(go_on).into()
+        }
+        None => View::new(),
     })
 }
 
@@ -228,12 +231,12 @@ fn ended(app: App) -> impl Into<View> {
 fn trouble(app: App, announced: bool) -> String {
     let words = app.words();
     app.read(|play| match play.status() {
-        Status::Failed | Status::Ended if announced => {
+        Status::Failed if announced => {
             play.problem().map(|problem| format!("{} {}", problem.message, problem.hint)).unwrap_or_default()
         }
         Status::Full if announced => words.full.to_owned(),
         Status::Playing if !announced && play.slippage() > 0.5 => words.slow.to_owned(),
-        Status::Failed | Status::Full => String::new(),
+        Status::Failed | Status::Full | Status::Ended => String::new(),
         _ if announced => String::new(),
         _ => play.notice().map(|notice| format!("{} {}", notice.message, notice.hint)).unwrap_or_default(),
     })

@@ -91,7 +91,6 @@ table_of_words! {
     slow: "The computation cannot keep up with the clock at this speed.", "El cálculo no alcanza al reloj a esta velocidad.";
     full: "The recording is full. Go back to the start, or scrub back and continue from there.", "El registro está lleno. Vuelve al inicio, o retrocede y continúa desde ahí.";
 
-    ended: "End of the run.", "Fin de la serie.";
     go_on: "Go on", "Continuar";
 
     // Keys.

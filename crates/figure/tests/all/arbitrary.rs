@@ -23,7 +23,13 @@ fn interval() -> impl Strategy<Value = Interval> {
 }
 
 fn style() -> impl Strategy<Value = Style> {
-    prop_oneof![Just(Style::Line), Just(Style::Ghost), Just(Style::Points), any::<u8>().prop_map(Style::Kept)]
+    prop_oneof![
+        Just(Style::Line),
+        Just(Style::Ghost),
+        Just(Style::Points),
+        Just(Style::Dots),
+        any::<u8>().prop_map(Style::Kept)
+    ]
 }
 
 prop_compose! {

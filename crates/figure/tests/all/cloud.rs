@@ -108,3 +108,26 @@ fn a_very_long_series_is_drawn_in_several_layouts_when_it_is_new() {
     layout_into(&mut figure, &Plot { view, ..plot(&x, &y, 1, true) }, &SETTINGS);
     assert!(!figure.is_unfinished());
 }
+
+#[test]
+fn computed_points_are_the_smaller_the_more_there_are() {
+    let x: Vec<f64> = (0..ROWS).map(|row| ((row * 48_271) % 65_537) as f64).collect();
+    let y: Vec<f64> = (0..ROWS).map(|row| ((row * 16_807) % 65_521) as f64).collect();
+    let radius = |style, rows: usize| {
+        let series = vec![Series { style, x: &x[..rows], y: &y[..rows], ..Series::default() }];
+        let plot = Plot { y: vec![figure::Axis::default()], series, ..Plot::default() };
+        let figure = layout(&plot, &SETTINGS);
+        let found = figure.items().find_map(|item| match item {
+            Item::Dots { radius, .. } | Item::Bars { radius, .. } => Some(radius),
+            _ => None,
+        });
+        (found.expect("points"), figure.svg(&Palette::LIGHT))
+    };
+    for (rows, expected) in [(10, 2.5), (300, 2.5), (1200, 1.25), (3000, 0.79), (ROWS, 0.7)] {
+        let (dots, _) = radius(Style::Dots, rows);
+        assert!((dots - expected).abs() < 0.01, "{rows} points: {dots}");
+        assert_eq!(radius(Style::Points, rows).0, 2.5, "measured data are seen however many they are");
+    }
+    // A file has dots of the same size.
+    assert!(radius(Style::Dots, 1200).1.contains("r=\"1.25\""));
+}

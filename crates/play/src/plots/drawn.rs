@@ -108,7 +108,7 @@ impl Play {
         let curves = self.columns.plot(index)?.curves.len();
         let series = (0..curves).filter_map(|number| {
             let (x, y) = section.curve(number);
-            Some(Series { style: Style::Points, ..self.curve_alone(index, number, x, y)? })
+            Some(Series { style: Style::Dots, ..self.curve_alone(index, number, x, y)? })
         });
         Some(Plot {
             series: series.collect(),
@@ -120,7 +120,7 @@ impl Play {
     /// The curves over the values of a parameter, of which the present one is marked.
     fn swept_figure<'a>(&'a self, index: usize, swept: &'a Swept) -> Option<Plot<'a>> {
         let mut plot = self.empty_figure(index)?;
-        let style = if swept.is_of_points() { Style::Points } else { Style::Line };
+        let style = if swept.is_of_points() { Style::Dots } else { Style::Line };
         let curves = swept.y.iter().enumerate();
         let series =
             curves.filter_map(|(number, y)| Some(Series { style, ..self.curve_alone(index, number, &swept.x, y)? }));

@@ -115,7 +115,7 @@ impl PlotState {
                 Drawing::At(count) => Content::Section(Section::new(model, plot, Moments::Firings(*count), columns)),
                 Drawing::Sweep(sweep) => Content::Swept(Box::new(Swept::new(model, plot, sweep, columns.units()))),
                 Drawing::Profile(profile) => {
-                    let style = if profile.points { Style::Points } else { Style::Line };
+                    let style = if profile.points { Style::Dots } else { Style::Line };
                     Content::Profile(Snapshot::of_curves(model, plot, &profile.members, columns), style)
                 }
                 Drawing::Histogram(members) => Content::Histogram(Histogram::new(model, plot, members)),

@@ -212,11 +212,7 @@ impl Play {
         if self.added(index).is_some() {
             return Some(plot);
         }
-        let points = self.points_behind(index);
-        for (number, series) in plot.series.iter_mut().enumerate() {
-            if series.style == Style::Points && number >= points {
-                continue;
-            }
+        for series in &mut plot.series {
             if matches!(series.style, Style::Ghost | Style::Points) {
                 (series.x, series.y) = (&[], &[]);
             }

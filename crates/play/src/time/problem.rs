@@ -1,6 +1,11 @@
 //! Why a run cannot start or go on, in the chosen language.
 
-use crate::Play;
+use crate::{Play, Status};
+use engine::Subject;
+use units::number;
+
+/// Significant digits of the moment at which a run ends.
+const DIGITS: usize = 3;
 
 /// Why the run cannot go on, in the chosen language.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,6 +32,26 @@ impl Play {
 }
 
 impl Play {
+    /// Where the run has come to the end that the document gives it, and through which event; none while it has not.
+    pub fn ending(&self) -> Option<String> {
+        if self.status() != Status::Ended {
+            return None;
+        }
+        let independent = &self.model().independent;
+        let unit = self.small_times().map_or_else(|| independent.unit.clone(), |group| group.unit().clone());
+        let time = number::plain(unit.from_si(self.time()), DIGITS, self.style);
+        let moment = format!("{} = {}", independent.name, number::with_unit(&time, &unit));
+        let title = self.course.error().and_then(|error| match error.subject() {
+            Some(Subject::Event(event)) => self.model().events.get(event)?.title.as_deref(),
+            _ => None,
+        });
+        let ends = self.language.pick("The run ends at", "La serie termina en");
+        Some(match title {
+            Some(title) => sentence(&format!("{ends} {moment}: {}", self.text(title)), false),
+            None => sentence(&format!("{ends} {moment}"), false),
+        })
+    }
+
     /// What the run cannot promise up to the front, if there is anything; it goes on.
     pub fn notice(&self) -> Option<Problem> {
         let notice = self.course.notices().into_iter().find(|notice| notice.time <= self.course.front())?;

@@ -23,6 +23,10 @@ fn a_run_ends_at_an_event_and_goes_on_when_asked() {
     let problem = play.problem().expect("a reason");
     assert_eq!(problem.code, "ended");
     assert!(problem.message.ends_with("The stone has landed."), "{}", problem.message);
+    assert_eq!(play.ending().as_deref(), Some("The run ends at t = 1 s: The stone has landed."));
+    play.set_language("es");
+    assert_eq!(play.ending().as_deref(), Some("La serie termina en t = 1 s: The stone has landed."));
+    play.set_language("en");
     assert!(readout(&mut play, "T").starts_with('1'), "{}", readout(&mut play, "T"));
     // A link to the end leads to the end, and one beyond it beyond it.
     for more in [0.0, 1.0] {
@@ -36,7 +40,7 @@ fn a_run_ends_at_an_event_and_goes_on_when_asked() {
     }
     // Back before the end it ends again.
     play.scrub(0.5);
-    assert!(play.problem().is_none());
+    assert!(play.problem().is_none() && play.ending().is_none());
     go_on(&mut play, [2.0]);
     assert_eq!(play.problem().map(|problem| problem.code), Some("ended"));
 }

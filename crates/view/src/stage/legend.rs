@@ -49,7 +49,7 @@ pub fn sample(style: Style, colour: u8) -> SvgSvg {
     };
     let dashes: Vec<String> = dash.lengths().iter().map(f32::to_string).collect();
     match style {
-        Style::Points => drawing.child(tags::path().class("point").d("M12 4h0")),
+        Style::Points | Style::Dots => drawing.child(tags::path().class("point").d("M12 4h0")),
         _ => drawing.child(tags::path().d("M0 4h24").attr("stroke-dasharray", dashes.join(" "))),
     }
 }

@@ -60,7 +60,7 @@ fn scene(app: App) -> HtmlSection {
         .child(instruments(app, exists))
         .child(changing(move || outline_legend(app)))
         .maybe(draggable.then(|| drag_hint(app)))
-        .maybe((!exists).then(|| p().class("empty").child(words.no_scene)))
+        .maybe((!exists).then(|| note(words.no_scene).class("no-scene")))
 }
 
 /// The instruments that lie on the scene, and the buttons that take them there.

@@ -39,6 +39,7 @@ pub fn view(app: App) -> View {
         .class("plots")
         .attr("aria-labelledby", "plots-title")
         .id("plots")
+        .hidden(move || !(0..count).map(PlotId::at).any(offered))
         .child(
             div()
                 .class("plots-bar")

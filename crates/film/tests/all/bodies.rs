@@ -1,7 +1,7 @@
 //! Bodies.
 
-use crate::scenes::{Camera, Frame, Pendulum, film};
 use crate::agreement::{Agreement, agreement, assert_exact};
+use crate::scenes::{Camera, Frame, Pendulum, film};
 use film::Plane;
 use film::tracking::body::{Body, Settings, Sight};
 use film::tracking::column::Click;

@@ -1,7 +1,7 @@
 //! The surface in a tube.
 
-use crate::scenes::{Camera, Frame, HEIGHT, MARKS, Scene, Tube, WIDTH, film, held};
 use crate::agreement::{agreement, assert_exact};
+use crate::scenes::{Camera, Frame, HEIGHT, MARKS, Scene, Tube, WIDTH, film, held};
 use film::Plane;
 use film::tracking::column::{Click, Column, Settings};
 use film::tracking::{Exposure, Known, Marks, Refusal, Similarity, Track};

@@ -27,7 +27,7 @@ pub struct Track {
     pub films: Vec<PathBuf>,
 
     /// The surface of a liquid in a tube; twice for both arms
-    #[arg(long, value_name = "X,Y", value_parser = point, required_unless_present = "body", conflicts_with = "body")]
+    #[arg(long, value_name = "X,Y", value_parser = point, conflicts_with = "body")]
     pub surface: Vec<Point>,
 
     /// Two points of the axis of a tube that is not upright; one for each surface

@@ -13,6 +13,15 @@ const MOST_BODIES: usize = 4;
 /// Refuses what no film could satisfy.
 pub fn arguments(arguments: &Arguments) -> Result<(), Failure> {
     let (surfaces, bodies, tubes) = (arguments.surface.len(), arguments.body.len(), arguments.tube.len());
+    if surfaces + bodies == 0 {
+        return Err(Failure::in_words(
+            words("it is not said what to track", "no se dice qué seguir"),
+            words(
+                "click a liquid's surface, --surface X,Y, or a body, --body X,Y, in pixels of the first frame",
+                "indique la superficie de un líquido, --surface X,Y, o un cuerpo, --body X,Y, en píxeles del primer fotograma",
+            ),
+        ));
+    }
     if surfaces > MOST_SURFACES || bodies > MOST_BODIES {
         return Err(Failure::in_words(
             words("too many surfaces or bodies", "demasiadas superficies o cuerpos"),

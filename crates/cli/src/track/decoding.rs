@@ -42,7 +42,7 @@ impl Decoding {
         let failure = |error| Failure::file("read", &film.path, &error);
         match film.pixels {
             Pixels::Plain => Ok(Self::Plain(Frames::new(film.path.clone(), File::open(&film.path).map_err(failure)?))),
-            Pixels::Coded { scaled } => Ok(Self::Coded(Box::new(Decoder::begin(film, count, scaled)?))),
+            Pixels::Coded => Ok(Self::Coded(Box::new(Decoder::begin(film, count)?))),
         }
     }
 
@@ -72,7 +72,7 @@ impl Decoding {
 }
 
 impl Decoder {
-    fn begin(film: &Opened, count: usize, scaled: bool) -> Result<Self, Failure> {
+    fn begin(film: &Opened, count: usize) -> Result<Self, Failure> {
         let complaints = tempfile::tempfile().map_err(|error| Failure::file("write", &std::env::temp_dir(), &error))?;
         let for_child = complaints.try_clone().map_err(|error| Failure::file("read", &film.path, &error))?;
         // A name that looks like an option or an address is that of a file, and a film refers to no other file.
@@ -81,9 +81,8 @@ impl Decoder {
         let mut command = Command::new("ffmpeg");
         command.args(["-v", "error", "-nostdin", "-protocol_whitelist", "file", "-noautorotate", "-i"]).arg(name);
         command.args(["-map", "0:V:0", "-fps_mode", "passthrough", "-frames:v", &count.to_string()]);
-        if scaled {
-            command.args(["-vf", &format!("scale={}:{}", film.size[0], film.size[1])]);
-        }
+        // The size at which the film is shown: some films have pixels that are not square.
+        command.args(["-vf", &format!("scale={}:{}", film.size[0], film.size[1])]);
         // Grey values with a header and a mark before each frame: their size need not be guessed.
         command.args(["-f", "yuv4mpegpipe", "-pix_fmt", "gray", "-"]);
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::from(for_child));

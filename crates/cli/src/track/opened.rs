@@ -42,11 +42,8 @@ pub struct Opened {
 pub enum Pixels {
     /// The file holds grey values as they are.
     Plain,
-    /// `ffmpeg` decodes them; with another width to height of a pixel than 1, it also scales them to the size.
-    Coded {
-        /// Whether it scales them.
-        scaled: bool,
-    },
+    /// `ffmpeg` decodes them.
+    Coded,
 }
 
 impl Opened {
@@ -96,7 +93,7 @@ impl Opened {
         notes.insert(0, words!("{coding}, {width} x {height} pixels", "{coding}, {width} x {height} píxeles"));
         Self {
             path: path.to_owned(),
-            pixels: Pixels::Coded { scaled: film.pixel_aspect != [1, 1] },
+            pixels: Pixels::Coded,
             size: stored.map(|side| side.round() as usize),
             rotation,
             mirrored: film.orientation.mirrored,

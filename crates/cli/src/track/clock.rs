@@ -25,7 +25,7 @@ impl Clock {
     pub fn of(film: &Opened, arguments: &Arguments) -> Result<Self, Failure> {
         let intervals = Intervals::of(&film.times);
         let findings = intervals.as_ref().map_or_else(Vec::new, |intervals| intervals.findings(film.stated_rate));
-        let mut notes: Vec<Words> = findings.iter().map(Finding::words).collect();
+        let mut notes: Vec<Words> = findings.iter().map(said).collect();
         let stated =
             intervals.as_ref().zip(film.capture_rate).and_then(|(intervals, rate)| slow_motion(intervals, rate));
         let factor = match (arguments.rate, &stated) {
@@ -66,6 +66,17 @@ impl Clock {
             ));
         }
         Ok(Self { factor, times: base.times().to_vec(), frames, notes })
+    }
+}
+
+/// A finding in words. Frames with doubled times are not only found here but left out.
+fn said(finding: &Finding) -> Words {
+    match *finding {
+        Finding::Doubled { count, time } => words!(
+            "{count} frames have the same time as the one before and are left out, the first at {time:.2} s",
+            "{count} fotogramas tienen el mismo tiempo que el anterior y se excluyen, el primero en {time:.2} s"
+        ),
+        _ => finding.words(),
     }
 }
 

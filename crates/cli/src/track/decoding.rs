@@ -37,12 +37,12 @@ impl Drop for Decoder {
 }
 
 impl Decoding {
-    /// Begins with the first frame; `count` frames are wanted.
-    pub fn begin(film: &Opened, count: usize) -> Result<Self, Failure> {
+    /// Begins with the first frame, and ends after `most` frames if there are more.
+    pub fn begin(film: &Opened, most: Option<usize>) -> Result<Self, Failure> {
         let failure = |error| Failure::file("read", &film.path, &error);
         match film.pixels {
             Pixels::Plain => Ok(Self::Plain(Frames::new(film.path.clone(), File::open(&film.path).map_err(failure)?))),
-            Pixels::Coded => Ok(Self::Coded(Box::new(Decoder::begin(film, count)?))),
+            Pixels::Coded => Ok(Self::Coded(Box::new(Decoder::begin(film, most)?))),
         }
     }
 
@@ -57,7 +57,7 @@ impl Decoding {
         }
     }
 
-    /// Why there are fewer frames than expected, or frames of another size.
+    /// A number of frames that is not the one of the file, with what `ffmpeg` reports.
     pub fn failure(&mut self, film: &Opened, why: Words) -> Failure {
         let Self::Coded(decoder) = self else { return refused(&film.path, why) };
         let complaint = decoder.complaint();
@@ -72,7 +72,7 @@ impl Decoding {
 }
 
 impl Decoder {
-    fn begin(film: &Opened, count: usize) -> Result<Self, Failure> {
+    fn begin(film: &Opened, most: Option<usize>) -> Result<Self, Failure> {
         let complaints = tempfile::tempfile().map_err(|error| Failure::file("write", &std::env::temp_dir(), &error))?;
         let for_child = complaints.try_clone().map_err(|error| Failure::file("read", &film.path, &error))?;
         // A name that looks like an option or an address is that of a file, and a film refers to no other file.
@@ -80,7 +80,10 @@ impl Decoder {
         name.push(&film.path);
         let mut command = Command::new("ffmpeg");
         command.args(["-v", "error", "-nostdin", "-protocol_whitelist", "file", "-noautorotate", "-i"]).arg(name);
-        command.args(["-map", "0:V:0", "-fps_mode", "passthrough", "-frames:v", &count.to_string()]);
+        command.args(["-map", "0:V:0", "-fps_mode", "passthrough"]);
+        if let Some(most) = most {
+            command.args(["-frames:v", &most.to_string()]);
+        }
         // The size at which the film is shown: some films have pixels that are not square.
         command.args(["-vf", &format!("scale={}:{}", film.size[0], film.size[1])]);
         // Grey values with a header and a mark before each frame: their size need not be guessed.

@@ -6,7 +6,7 @@ use super::decoding::Decoding;
 use super::opened::{Opened, refused};
 use crate::failure::Failure;
 use film::Plane;
-use film::timing::{Finding, repeats};
+use film::timing::repeats;
 use film::tracking::body::{self, Body};
 use film::tracking::column::{Click, Column, Settings};
 use film::tracking::{Known, Marks, Refusal, Similarity, Track};
@@ -42,9 +42,11 @@ pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &Progres
     }
     let kept = clock.frames.iter().enumerate().filter(|(at, _)| repeated.binary_search(at).is_err());
     let kept: Vec<usize> = kept.map(|(_, frame)| *frame).collect();
-    let found = Finding::Repeated { count: repeated.len(), of: clock.frames.len() }.words();
-    let left_out = words("they are left out here", "aquí se excluyen");
-    let note = words!("{found}; {left_out}", "{found}; {left_out}", found = found, left_out = left_out);
+    let (count, of) = (repeated.len(), clock.frames.len());
+    let note = words!(
+        "{count} of {of} frames repeat the picture before and are left out: the film was converted to another rate; use the original one if you have it",
+        "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: la película se convirtió a otra frecuencia; use la original si la tiene"
+    );
     Ok(Followed { tracks: Pass::run(film, clock, arguments, &kept, bar)?.tracks()?, notes: vec![note] })
 }
 
@@ -75,7 +77,8 @@ impl<'a> Pass<'a> {
             marks: Marks::new(marks).map_err(refusal)?,
             differences: Vec::new(),
         };
-        let mut decoding = Decoding::begin(film, count)?;
+        let whole = count == film.times.len();
+        let mut decoding = Decoding::begin(film, if whole { None } else { Some(count) })?;
         let mut last: Option<Plane> = None;
         let mut wanted = frames.iter().peekable();
         bar.set_length(count as u64);
@@ -95,6 +98,18 @@ impl<'a> Pass<'a> {
             pass.take(frame, time, &plane).map_err(refusal)?;
             pass.differences.extend(last.as_ref().map(|last| difference(last, &plane)));
             last = Some(plane);
+        }
+        let mut further = 0_usize;
+        while whole && decoding.next()?.is_some() {
+            further += 1;
+        }
+        if further > 0 {
+            let decoded = count + further;
+            let why = words!(
+                "the file lists {count} frames, and {decoded} were decoded; which times belong to them is not certain",
+                "el archivo enumera {count} fotogramas y se decodificaron {decoded}; no es seguro qué tiempos les corresponden"
+            );
+            return Err(decoding.failure(film, why));
         }
         Ok(pass)
     }

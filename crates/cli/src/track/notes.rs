@@ -51,7 +51,8 @@ fn of_track(track: &Track, table: &Table) -> Vec<Words> {
         )),
         None => {}
     }
-    if let Some(readout) = track.readout {
+    // One that was stated has no error, and stands in the arguments.
+    if let Some(readout) = track.readout.filter(|readout| readout.sigma > 0.0) {
         notes.push(words!(
             "rolling shutter: {ms} ± {sigma} ms from the first row to the last; times are corrected for it",
             "obturador rodante: {ms} ± {sigma} ms de la primera fila a la última; los tiempos están corregidos",

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use film::calibration::Rotation;
-use film::containers::{Film, Opening};
+use film::containers::{Film, FilmError, MOST_SAMPLES, Opening};
 use film::y4m;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
@@ -107,9 +107,12 @@ impl Opened {
     /// A Y4M film, whose frames are counted by reading it once.
     fn plain(path: &Path, file: File) -> Result<Self, Failure> {
         let mut frames = Frames::new(path.to_owned(), file);
-        let mut count = 0_u32;
+        let mut count = 0_usize;
         while frames.next()?.is_some() {
             count += 1;
+            if count > MOST_SAMPLES {
+                return Err(refused(path, FilmError::TooLarge.words()));
+            }
         }
         let Some(header) = frames.reader.header() else {
             return Err(refused(path, y4m::Fault::Signature.words()));
@@ -123,6 +126,9 @@ impl Opened {
                 ),
             ));
         };
+        if count == 0 {
+            return Err(refused(path, FilmError::NoFrames.words()));
+        }
         let (width, height) = (header.width, header.height);
         Ok(Self {
             path: path.to_owned(),
@@ -131,7 +137,7 @@ impl Opened {
             rotation: Rotation::None,
             mirrored: false,
             // The format has nothing but a rate.
-            times: (0..count).map(|frame| f64::from(frame) / rate).collect(),
+            times: (0..count).map(|frame| frame as f64 / rate).collect(),
             stated_rate: None,
             capture_rate: None,
             notes: vec![words!("Y4M, {width} x {height} pixels", "Y4M, {width} x {height} píxeles")],

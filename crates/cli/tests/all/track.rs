@@ -23,15 +23,18 @@ fn noisy(grey: f64, x: usize, y: usize, frame: u32) -> u8 {
     (grey + f64::from((seed >> 16) % 7) - 3.0).round() as u8
 }
 
-/// Two upright tubes around x = 50 and x = 110 with a liquid that rests at y = 60.
-fn tubes(x: usize, y: usize, frame: u32) -> u8 {
+/// Two upright tubes around x = 50 and x = 110 with a liquid that rests at y = 60, at the point (x, y).
+fn scene(x: f64, y: f64, frame: u32) -> f64 {
     let t = f64::from(frame) / 30.0;
-    let across = x as f64 + 0.5;
-    let level = if across < 80.0 { 60.0 - height(t) } else { 60.0 + height(t) };
-    let inside = (across - 50.0).abs() < 5.0 || (across - 110.0).abs() < 5.0;
+    let level = if x < 80.0 { 60.0 - height(t) } else { 60.0 + height(t) };
+    let inside = (x - 50.0).abs() < 5.0 || (x - 110.0).abs() < 5.0;
     // The part of the pixel below the surface, blurred a little as by a lens.
-    let wet = 1.0 / (1.0 + libm::exp(-(y as f64 + 0.5 - level) / 0.5));
-    noisy(if inside { 190.0 - 90.0 * wet } else { 190.0 }, x, y, frame)
+    let wet = 1.0 / (1.0 + libm::exp(-(y - level) / 0.5));
+    if inside { 190.0 - 90.0 * wet } else { 190.0 }
+}
+
+fn tubes(x: usize, y: usize, frame: u32) -> u8 {
+    noisy(scene(x as f64 + 0.5, y as f64 + 0.5, frame), x, y, frame)
 }
 
 /// Where a ball is.
@@ -130,8 +133,9 @@ fn a_fit_of_the_track_finds_period_and_decay() {
     assert_eq!(done.code, 0, "{}", done.stderr);
     let json: serde_json::Value = serde_json::from_str(&done.stdout).expect("JSON");
     // The length of the column stands for the period.
-    let squared = (std::f64::consts::TAU / PERIOD).powi(2) + DECAY.powi(-2);
-    for (name, truth, most) in [("L", 2.0 * 9.8 / squared, 5e-5), ("gamma", 1.0 / DECAY, 1e-3)] {
+    let (omega, gamma) = (std::f64::consts::TAU / PERIOD, 1.0 / DECAY);
+    let squared = omega * omega + gamma * gamma;
+    for (name, truth, most) in [("L", 2.0 * 9.8 / squared, 5e-5), ("gamma", gamma, 1e-3)] {
         let found = &json["parameters"][name];
         let [value, error] = ["value", "stderr_hac"].map(|key| found[key].as_f64().expect("a number"));
         assert!(error < most && (value - truth).abs() < 4.0 * error, "{name}: {value} ± {error}");
@@ -154,6 +158,39 @@ fn a_body_is_followed_until_it_is_lost() {
     let (head, rows) = tracked(&film, &["--body", "30,100,8", "--body", "31,101"]);
     assert!(head.starts_with("t [s],x_1 [px],y_1 [px],sigma_x_1 [px],sigma_y_1 [px],x_2 [px]"), "{head}");
     assert!((rows[30][5] - rows[30][1]).abs() < 3.0, "{:?}", rows[30]);
+}
+
+#[test]
+fn repeated_pictures_are_left_out() {
+    // Every fourth picture is shown twice, as in a film of 24 frames a second that was converted to 30.
+    let converted = y4m([WIDTH, HEIGHT], 100, |x, y, frame| tubes(x, y, frame * 4 / 5));
+    let (_folder, film) = folder_with("converted.y4m", &converted);
+    let done = track(&film, &["--surface", "50,42"]);
+    assert!(done.stderr.contains("20 of 100 frames repeat the picture before and are left out"), "{}", done.stderr);
+    let rows = numbers(&done.stdout);
+    assert_eq!(rows.len(), 80);
+    assert!(rows.iter().all(|row| (row[0] * 30.0).round() as u32 % 5 != 1), "the second of two equal ones is left out");
+}
+
+#[test]
+fn resting_marks_correct_for_a_camera_that_moves() {
+    let dots = [[20.0, 20.0], [140.0, 25.0], [25.0, 100.0], [135.0, 95.0]];
+    let shaken = y4m([WIDTH, HEIGHT], 60, |x, y, frame| {
+        // It is at rest in the first frame, to which the clicks belong.
+        let phase = 0.37 * f64::from(frame);
+        let (u, v) = (x as f64 + 0.5 - 2.5 * libm::sin(phase), y as f64 + 0.5 - 2.0 * libm::sin(1.7 * phase));
+        let dot = |[a, b]: [f64; 2]| 1.0 / (1.0 + libm::exp((libm::hypot(u - a, v - b) - 3.0) / 0.5));
+        let dark: f64 = dots.into_iter().map(dot).sum();
+        noisy(scene(u, v, frame) - 110.0 * dark, x, y, frame)
+    });
+    let (_folder, film) = folder_with("shaken.y4m", &shaken);
+    let deviation = |words: &[&str]| {
+        let rows = tracked(&film, &[&["--surface", "50,42"], words].concat()).1;
+        assert_eq!(rows.len(), 60);
+        deviation(&rows, 1, 2, height).0
+    };
+    let (with, without) = (deviation(&["--marks", "20,20 140,25 25,100 135,95"]), deviation(&[]));
+    assert!(with < 0.08 && without > 1.0, "{with} {without}");
 }
 
 #[test]
@@ -232,12 +269,13 @@ fn what_cannot_be_tracked_is_refused_with_words() {
     let gif = named("film.gif", b"GIF89a and so on");
     let text = named("film.txt", b"t\ty\n0\t1\n");
     let empty = named("film.mp4", b"");
+    let no_frames = named("none.y4m", b"YUV4MPEG2 W2 H2 F30:1 Cmono\n");
     let no_rate = named("rate.y4m", b"YUV4MPEG2 W2 H2 F0:0 Cmono\nFRAME\nabcd");
     let sound = named("sound.mp4", b"\0\0\0\x14ftypM4A \0\0\0\0M4A \0\0\0\x08moov");
     let flat = named("flat.y4m", &y4m([WIDTH, HEIGHT], 5, |_, _, _| 90));
     let two = named("two.y4m", &y4m([WIDTH, HEIGHT], 2, tubes));
     let missing = folder.path().join("missing.mp4");
-    let cases: [(&Path, &[&str], &str); 17] = [
+    let cases: [(&Path, &[&str], &str); 18] = [
         (&film, &[], "--surface X,Y"),
         (
             &film,
@@ -258,6 +296,7 @@ fn what_cannot_be_tracked_is_refused_with_words() {
         (&text, &["--surface", "1,1"], "not a film"),
         (&empty, &["--surface", "1,1"], "empty"),
         (&no_rate, &["--surface", "1,1"], "no frame rate"),
+        (&no_frames, &["--surface", "1,1"], "no frames"),
         (&missing, &["--surface", "1,1"], "cannot read"),
     ];
     for (film, words, expected) in cases {
@@ -356,13 +395,20 @@ fn the_capture_rate_of_the_file_gives_the_times() {
 
 #[cfg(unix)]
 #[test]
-fn missing_frames_are_an_error_with_both_numbers() {
+fn another_number_of_frames_is_an_error_with_both_numbers() {
     let grey = |x: usize, y: usize, frame: u32| noisy(narrow(x as f64, y as f64, frame), x, y, frame);
-    let done = with_decoder(&coded("h264.mp4"), &y4m([96, 64], 10, grey), &["--surface", "32,40"]);
-    assert_eq!((done.code, done.stdout.as_str()), (2, ""));
-    for part in ["lists 12 frames", "10 could be decoded", "ffmpeg reports: a complaint"] {
-        assert!(done.stderr.contains(part), "lacks «{part}»: {}", done.stderr);
+    for (frames, expected) in
+        [(10, ["lists 12 frames", "10 could be decoded"]), (13, ["lists 12 frames", "13 were decoded"])]
+    {
+        let done = with_decoder(&coded("h264.mp4"), &y4m([96, 64], frames, grey), &["--surface", "32,40"]);
+        assert_eq!((done.code, done.stdout.as_str()), (2, ""));
+        for part in expected.into_iter().chain(["ffmpeg reports: a complaint"]) {
+            assert!(done.stderr.contains(part), "lacks «{part}»: {}", done.stderr);
+        }
     }
+    let part = ["--surface", "32,40", "--until", "0.29"];
+    let done = with_decoder(&coded("h264.mp4"), &y4m([96, 64], 10, grey), &part);
+    assert_eq!((done.code, numbers(&done.stdout).len()), (0, 9), "{}", done.stderr);
 }
 
 /// Whether films can be decoded here.

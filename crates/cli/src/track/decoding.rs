@@ -107,7 +107,8 @@ impl Decoder {
 
 fn not_started(film: &Opened, error: &std::io::Error) -> Failure {
     if error.kind() != ErrorKind::NotFound {
-        return Failure::request(format!("cannot start ffmpeg: {error}"));
+        let why = words!("ffmpeg could not be started: {error}", "no se pudo iniciar ffmpeg: {error}");
+        return refused(&film.path, why);
     }
     let install = if cfg!(target_os = "macos") {
         "brew install ffmpeg"

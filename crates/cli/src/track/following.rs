@@ -40,6 +40,8 @@ pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &Progres
     if repeated.is_empty() {
         return Ok(Followed { tracks: first.tracks()?, notes: Vec::new() });
     }
+    // Its strips take memory that the second pass needs.
+    drop(first);
     let kept = clock.frames.iter().enumerate().filter(|(at, _)| repeated.binary_search(at).is_err());
     let kept: Vec<usize> = kept.map(|(_, frame)| *frame).collect();
     let (count, of) = (repeated.len(), clock.frames.len());
@@ -85,8 +87,8 @@ impl<'a> Pass<'a> {
         for frame in 0..count {
             let Some(plane) = decoding.next()? else {
                 let why = words!(
-                    "the file lists {count} frames up to there, and {frame} could be decoded; without the others the times of these are not certain",
-                    "el archivo enumera {count} fotogramas hasta ahí y se pudieron decodificar {frame}; sin los demás, los tiempos de estos no son seguros"
+                    "the file lists {count} frames, and only {frame} could be decoded, so that their times are not certain; copy the film again, or end before the damage with --until",
+                    "el archivo enumera {count} fotogramas y solo se pudieron decodificar {frame}, de modo que sus tiempos no son seguros; copie de nuevo la película o termine antes del daño con --until"
                 );
                 return Err(decoding.failure(film, why));
             };

@@ -2,6 +2,7 @@
 
 use super::arguments::{Given, Track as Arguments};
 use super::clock::Clock;
+use super::lengths::Measured;
 use super::opened::Opened;
 use super::table::Table;
 use film::calibration::{Calibration, Lengths};
@@ -24,43 +25,8 @@ pub fn object(
         Lengths::Scale(scale) => json!({ "metres_per_pixel": scale.pixel, "relative_stderr": scale.relative_sigma }),
         _ => Value::Null,
     };
-    let tracks: Vec<Value> = tracks
-        .iter()
-        .zip(&table.quantities)
-        .map(|(track, quantities)| {
-            let points: Vec<Value> = table
-                .frames
-                .iter()
-                .enumerate()
-                .filter_map(|(row, frame)| {
-                    let at = track.points.binary_search_by_key(frame, |point| point.frame).ok()?;
-                    let point = track.points.get(at)?;
-                    let mut object = Map::new();
-                    object.insert("frame".to_owned(), json!(frame));
-                    object.insert("t".to_owned(), json!(table.times.get(row)));
-                    for quantity in quantities {
-                        // The names of the columns without their numbers: each track is an object of its own.
-                        let name = quantity.name.split('_').next().unwrap_or_default();
-                        object.insert(name.to_owned(), json!(quantity.values.get(row)));
-                        object.insert(format!("sigma_{name}"), json!(quantity.sigmas.get(row)));
-                    }
-                    object.insert("score".to_owned(), json!(point.score));
-                    object.insert("doubtful".to_owned(), json!(point.doubtful));
-                    Some(Value::Object(object))
-                })
-                .collect();
-            json!({
-                "exposure": match track.exposure {
-                    Some(Exposure::Seconds(seconds)) => json!({ "seconds": seconds }),
-                    Some(Exposure::Under(seconds)) => json!({ "under": seconds }),
-                    None => Value::Null,
-                },
-                "readout": track.readout.map(|readout| json!({ "seconds": readout.seconds, "stderr": readout.sigma })),
-                "lost_from_frame": track.lost,
-                "points": points,
-            })
-        })
-        .collect();
+    let tracks: Vec<Value> =
+        tracks.iter().zip(&table.quantities).map(|(track, quantities)| of_track(track, quantities, table)).collect();
     let object = json!({
         "film": film.path.display().to_string(),
         "picture": [width, height],
@@ -74,6 +40,38 @@ pub fn object(
         "tracks": tracks,
     });
     format!("{object:#}\n")
+}
+
+fn of_track(track: &Track, quantities: &[Measured], table: &Table) -> Value {
+    let rows = table.frames.iter().enumerate();
+    let points = rows.filter_map(|(row, frame)| {
+        let at = track.points.binary_search_by_key(frame, |point| point.frame).ok()?;
+        let point = track.points.get(at)?;
+        let mut object = Map::new();
+        let mut add = |name: &str, value: Value| drop(object.insert(name.to_owned(), value));
+        add("frame", json!(frame));
+        add("t", json!(table.times.get(row)));
+        for quantity in quantities {
+            // The names of the columns without their numbers: each track is an object of its own.
+            let name = quantity.name.split('_').next().unwrap_or_default();
+            add(name, json!(quantity.values.get(row)));
+            add(&format!("sigma_{name}"), json!(quantity.sigmas.get(row)));
+        }
+        add("score", json!(point.score));
+        add("doubtful", json!(point.doubtful));
+        Some(Value::Object(object))
+    });
+    let points: Vec<Value> = points.collect();
+    json!({
+        "exposure": match track.exposure {
+            Some(Exposure::Seconds(seconds)) => json!({ "seconds": seconds }),
+            Some(Exposure::Under(seconds)) => json!({ "under": seconds }),
+            None => Value::Null,
+        },
+        "readout": track.readout.map(|readout| json!({ "seconds": readout.seconds, "stderr": readout.sigma })),
+        "lost_from_frame": track.lost,
+        "points": points,
+    })
 }
 
 fn settings(arguments: &Arguments) -> Value {

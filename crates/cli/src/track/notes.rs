@@ -17,7 +17,7 @@ pub fn notes(tracks: &[Track], table: &Table, calibration: &Calibration) -> Vec<
         let named = |words: Words| {
             words!(
                 "track {number}: {what}",
-                "pista {number}: {what}",
+                "trayectoria {number}: {what}",
                 number = Words::same(number.to_string()),
                 what = words
             )
@@ -71,17 +71,17 @@ fn of_track(track: &Track, table: &Table) -> Vec<Words> {
         ));
     }
     if let Some(frame) = track.lost {
-        let missing = table.frames.len().saturating_sub(track.points.len());
-        let further = if missing > 0 {
-            words!("; {missing} rows have no value for it", "; {missing} filas no tienen valor para él")
+        // Rows of other bodies go on.
+        let then = if table.frames.len() > track.points.len() {
+            words("later rows have no value for it", "las filas posteriores no tienen valor para él")
         } else {
-            words("", "")
+            words("later frames have no row", "los fotogramas posteriores no tienen fila")
         };
         notes.push(words!(
-            "lost from frame {frame} on (counted from 0), where nothing resembles what was clicked; later frames have no row{further}",
-            "perdido desde el fotograma {frame} (contado desde 0), donde nada se parece a lo elegido; los fotogramas posteriores no tienen fila{further}",
+            "lost from frame {frame} on (counted from 0), where nothing resembles what was clicked; {then}",
+            "perdido desde el fotograma {frame} (contado desde 0), donde nada se parece a lo elegido; {then}",
             frame = Words::same(frame.to_string()),
-            further = further
+            then = then
         ));
     }
     notes

@@ -2,6 +2,7 @@
 
 use crate::assignments::{Assignment, Observe, assignment, observe, press};
 use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
+use crate::track::arguments::{TRACK_EXAMPLES, Track};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 use units::Language;
@@ -65,6 +66,9 @@ pub enum Command {
     /// Compare several documents as theories of the same data
     #[command(after_help = RANK_EXAMPLES)]
     Rank(Rank),
+    /// Track a liquid's surface or a body in films
+    #[command(after_help = TRACK_EXAMPLES)]
+    Track(Track),
     /// Make one offline page of a document, with its source inside
     #[command(after_help = EXPORT_EXAMPLES)]
     Export(Export),

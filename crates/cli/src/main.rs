@@ -24,6 +24,7 @@ mod serve;
 mod settings;
 mod site;
 mod terminal;
+mod track;
 mod unfinished;
 mod visible;
 
@@ -51,6 +52,7 @@ fn main() -> ExitCode {
         Command::Derivatives(derivatives) => derivatives::run(derivatives, terminal),
         Command::Fit(fit) => fitting::fit(fit, terminal),
         Command::Rank(rank) => fitting::rank(rank, terminal),
+        Command::Track(track) => track::run(track, terminal),
         Command::Export(export) => export::export(export, terminal),
         Command::Lsp => lsp::serve(terminal.language),
         Command::Build(build) => site::build(build, terminal),

@@ -16,3 +16,4 @@ mod pages;
 mod rank;
 mod run;
 mod strangers;
+mod track;

@@ -1,0 +1,213 @@
+//! What can be typed after `meniscus track`.
+
+use clap::{Args, ValueEnum};
+use film::tracking::Known;
+use std::path::PathBuf;
+use units::{Dimension, Unit};
+
+/// Shown after the help of `meniscus track`.
+pub const TRACK_EXAMPLES: &str = "\
+Examples:
+  meniscus track utube.mp4 --surface 255,130 --output utube.csv        a liquid in an upright tube
+  meniscus track utube.mp4 --surface 255,130 --scale '60,50,580,60=35 [cm]' --origin 255,180
+  meniscus track utube.mp4 --surface 255,130 --surface 410,180         both arms, as y_1 and y_2
+  meniscus track pendulum.mov --body 320,240 --from 2 --until '12 [s]'
+  meniscus track fall.mp4 --body 100,40,12 --rate 8                    filmed at 240 frames/s, played at 30
+  meniscus track *.mp4 --surface 255,130                               several films: FILM.csv beside each
+
+Points are pixels of the upright picture, x to the right and y down from its top left corner, in the first frame that is tracked.
+Films are decoded by ffmpeg 5.1 or later; Y4M films are read without it. docs/films.md says how to film and what the table holds.
+Fit it with its errors: meniscus fit DOC utube.csv --observe y --error y=sigma_y";
+
+/// `meniscus track`
+#[derive(Debug, Args)]
+pub struct Track {
+    /// The films: MP4, MOV, WebM, MKV, AVI, or Y4M
+    #[arg(value_name = "FILM", required = true)]
+    pub films: Vec<PathBuf>,
+
+    /// The surface of a liquid in a tube; twice for both arms
+    #[arg(long, value_name = "X,Y", value_parser = point, conflicts_with = "body")]
+    pub surface: Vec<Point>,
+
+    /// Two points of the axis of a tube that is not upright; one for each surface
+    #[arg(long, value_name = "X1,Y1,X2,Y2", value_parser = line, requires = "surface")]
+    pub tube: Vec<Line>,
+
+    /// A body, such as a bob or a ball, and perhaps its radius; up to four
+    #[arg(long, value_name = "X,Y[,R]", value_parser = body)]
+    pub body: Vec<Body>,
+
+    /// Two marks and their distance [default: the table is in pixels]
+    #[arg(long, value_name = "X1,Y1,X2,Y2=10 [cm]", value_parser = scale)]
+    pub scale: Option<Ruler>,
+
+    /// The point that becomes zero [default: the bottom left corner of the picture]
+    #[arg(long, value_name = "X,Y", value_parser = point)]
+    pub origin: Option<Point>,
+
+    /// How many times slower the film plays than things happened [default: as the file says, or 1]
+    #[arg(long, value_name = "FACTOR")]
+    pub rate: Option<f64>,
+
+    /// Begin at this time of the film, in seconds or as '500 [ms]'; the points are those of the first frame from there on
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub from: Option<String>,
+
+    /// End at this time of the film
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub until: Option<String>,
+
+    /// How long a rolling shutter takes from the first row to the last, in seconds [default: auto; 0 for bodies]
+    #[arg(long, value_name = "auto|S", value_parser = known, allow_hyphen_values = true)]
+    pub readout: Option<Given>,
+
+    /// How long each frame was exposed, in seconds [default: auto]
+    #[arg(long, value_name = "auto|S", value_parser = known, conflicts_with = "body")]
+    pub exposure: Option<Given>,
+
+    /// Up to four resting marks, which correct for a camera that moves
+    #[arg(long, value_name = "X,Y X,Y", value_parser = points)]
+    pub marks: Option<Points>,
+
+    /// The form of the result [default: by the ending of FILE, or csv]
+    #[arg(long, value_enum)]
+    pub format: Option<TrackFormat>,
+
+    /// Write into this file, which appears whole or not at all; for several films into this folder [default: the
+    /// standard output; for several films FILM.csv beside each]
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// The forms of a track.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TrackFormat {
+    /// A row for each frame
+    Csv,
+    /// One object, with settings, notes and the score of each point
+    Json,
+}
+
+/// A point of the upright picture, in pixels.
+pub type Point = [f64; 2];
+/// Two points.
+pub type Line = [Point; 2];
+
+/// A body and its radius in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    /// Where it was clicked.
+    pub position: Point,
+    /// Without it the radius is found.
+    pub radius: Option<f64>,
+}
+
+/// Two marks and their distance in metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ruler {
+    /// The marks.
+    pub marks: Line,
+    /// Their distance.
+    pub length: f64,
+}
+
+/// Several points in one argument.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Points(pub Vec<Point>);
+
+/// A time of the camera that may be stated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Given(pub Known);
+
+fn numbers<const COUNT: usize>(text: &str) -> Option<[f64; COUNT]> {
+    let read = |part: &str| part.trim().parse().ok().filter(|value: &f64| value.is_finite());
+    let numbers: Vec<f64> = text.split(',').map(read).collect::<Option<_>>()?;
+    numbers.try_into().ok()
+}
+
+fn point(text: &str) -> Result<Point, String> {
+    numbers(text).ok_or_else(|| "write two numbers of pixels, such as 255,130".to_owned())
+}
+
+fn line(text: &str) -> Result<Line, String> {
+    let [x, y, u, v] = numbers(text).ok_or_else(|| "write two points, such as 255,20,260,340".to_owned())?;
+    Ok([[x, y], [u, v]])
+}
+
+fn points(text: &str) -> Result<Points, String> {
+    let points: Result<Vec<Point>, String> = text.split_whitespace().map(point).collect();
+    let points = points.ok().filter(|points| (1..=4).contains(&points.len()));
+    points.map(Points).ok_or_else(|| "write one to four points, such as '60,50 580,60'".to_owned())
+}
+
+fn body(text: &str) -> Result<Body, String> {
+    if let Some(position) = numbers(text) {
+        return Ok(Body { position, radius: None });
+    }
+    match numbers(text) {
+        Some([x, y, radius]) if radius > 0.0 => Ok(Body { position: [x, y], radius: Some(radius) }),
+        _ => Err("write a point and perhaps a radius, such as 320,240 or 320,240,12".to_owned()),
+    }
+}
+
+fn scale(text: &str) -> Result<Ruler, String> {
+    let wrong = || "write two marks and their distance, such as '60,50,580,60=35 [cm]'".to_owned();
+    let (marks, length) = text.split_once('=').ok_or_else(wrong)?;
+    let (value, unit) = quantity(length).ok_or_else(wrong)?;
+    let unit = unit.filter(|unit| unit.dimension == Dimension::LENGTH).ok_or_else(wrong)?;
+    let length = unit.to_si(value);
+    if length > 0.0 { Ok(Ruler { marks: line(marks).map_err(|_| wrong())?, length }) } else { Err(wrong()) }
+}
+
+fn known(text: &str) -> Result<Given, String> {
+    if text == "auto" {
+        return Ok(Given(Known::Estimated));
+    }
+    let (value, unit) = quantity(text).ok_or("write auto, or a time such as 0.02 or '20 [ms]'")?;
+    let seconds = match unit {
+        Some(unit) if unit.dimension == Dimension::TIME => unit.to_si(value),
+        None => value,
+        Some(_) => return Err("a time is in seconds, or as '20 [ms]'".to_owned()),
+    };
+    // No camera exposes or reads a frame for longer.
+    if seconds.abs() < 10.0 { Ok(Given(Known::Seconds(seconds))) } else { Err("it is below 10 s".to_owned()) }
+}
+
+/// A number, and its unit if there is one: `10 [cm]`, `10 cm`, `10`.
+fn quantity(text: &str) -> Option<(f64, Option<Unit>)> {
+    let text = text.trim();
+    let end = text.find(|c: char| c == '[' || c.is_alphabetic() && !matches!(c, 'e' | 'E')).unwrap_or(text.len());
+    let (value, unit) = text.split_at(end);
+    let value = value.trim().parse().ok().filter(|value: &f64| value.is_finite())?;
+    let unit = unit.trim_matches(['[', ']', ' ']);
+    Some((value, if unit.is_empty() { None } else { Some(Unit::parse(unit).ok()?) }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_scales_and_times_are_read() {
+        assert_eq!(point("255, 130.5"), Ok([255.0, 130.5]));
+        assert_eq!(body("3,4,5"), Ok(Body { position: [3.0, 4.0], radius: Some(5.0) }));
+        assert_eq!(points("1,2 3,4").map(|points| points.0.len()), Ok(2));
+        let ruler = Ruler { marks: [[60.0, 50.0], [580.0, 60.0]], length: 0.1 };
+        assert_eq!(scale("60,50,580,60=10 [cm]"), Ok(ruler));
+        assert_eq!(scale("60,50,580,60 = 100 mm"), Ok(ruler));
+        assert_eq!(known("auto"), Ok(Given(Known::Estimated)));
+        assert_eq!(known("4 [ms]"), Ok(Given(Known::Seconds(0.004))));
+        assert_eq!(known("2.5e-2"), Ok(Given(Known::Seconds(0.025))));
+        for wrong in ["", "1", "1,2,3", "a,b", "inf,1", "1;2"] {
+            assert!(point(wrong).is_err(), "{wrong}");
+        }
+        for wrong in ["1,2,3,4", "1,2,3,4=10", "1,2,3,4=10 [s]", "1,2,3,4=-1 [m]", "1,2,3=1 [m]"] {
+            assert!(scale(wrong).is_err(), "{wrong}");
+        }
+        for wrong in ["soon", "1 [m]", "99"] {
+            assert!(known(wrong).is_err(), "{wrong}");
+        }
+        assert!(body("1,2,-3").is_err() && points("").is_err() && points("1,1 2,2 3,3 4,4 5,5").is_err());
+    }
+}

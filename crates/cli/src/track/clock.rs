@@ -1,0 +1,85 @@
+//! When the frames were taken, and which of them are tracked.
+
+use super::arguments::Track as Arguments;
+use super::opened::{Opened, refused};
+use crate::data::reading;
+use crate::failure::Failure;
+use film::timing::{Finding, Intervals, TimeBase, slow_motion};
+use units::{Words, words};
+
+/// The frames that are tracked.
+#[derive(Debug)]
+pub struct Clock {
+    /// How many times slower the film plays than things happened.
+    pub factor: f64,
+    /// When each frame of the film was taken, in seconds.
+    pub times: Vec<f64>,
+    /// The numbers of the frames that are tracked, in order.
+    pub frames: Vec<usize>,
+    /// What a person should know about the times.
+    pub notes: Vec<Words>,
+}
+
+impl Clock {
+    /// The times of a film with the factor and the part that a person asks for.
+    pub fn of(film: &Opened, arguments: &Arguments) -> Result<Self, Failure> {
+        let intervals = Intervals::of(&film.times);
+        let findings = intervals.as_ref().map_or_else(Vec::new, |intervals| intervals.findings(film.stated_rate));
+        let mut notes: Vec<Words> = findings.iter().map(said).collect();
+        let stated =
+            intervals.as_ref().zip(film.capture_rate).and_then(|(intervals, rate)| slow_motion(intervals, rate));
+        let factor = match (arguments.rate, &stated) {
+            (Some(factor), _) => factor,
+            (None, Some(Finding::SlowMotion { factor, .. })) => *factor,
+            (None, _) => 1.0,
+        };
+        let base = TimeBase::new(&film.times, factor).ok_or_else(|| {
+            Failure::in_words(
+                words!("--rate {factor} is not possible", "--rate {factor} no es posible"),
+                words(
+                    "write how many times slower the film plays than things happened, such as 8 for 240 frames/s played at 30",
+                    "escriba cuántas veces más lenta se reproduce la película que lo ocurrido, como 8 para 240 fotogramas/s reproducidos a 30",
+                ),
+            )
+        })?;
+        match (arguments.rate, stated) {
+            (Some(factor), _) => notes.push(words!(
+                "times are divided by {factor}, as --rate says",
+                "los tiempos se dividen por {factor}, como dice --rate"
+            )),
+            (None, stated) => notes.extend(stated.map(|stated| stated.words())),
+        }
+        let from = limit("--from", arguments.from.as_deref())?.unwrap_or(f64::NEG_INFINITY);
+        let until = limit("--until", arguments.until.as_deref())?.unwrap_or(f64::INFINITY);
+        // Two frames with one time cannot both be right, and the first one is kept.
+        let doubled = intervals.map_or_else(Vec::new, |intervals| intervals.doubled);
+        let inside = |frame: &usize| film.times.get(*frame).is_some_and(|time| (from..=until).contains(time));
+        let frames: Vec<usize> =
+            (0..film.times.len()).filter(|frame| doubled.binary_search(frame).is_err()).filter(inside).collect();
+        if frames.is_empty() {
+            return Err(refused(
+                &film.path,
+                words(
+                    "no frame lies between --from and --until; both are times of the film as a player shows them",
+                    "ningún fotograma está entre --from y --until; ambos son tiempos de la película como los muestra un reproductor",
+                ),
+            ));
+        }
+        Ok(Self { factor, times: base.times().to_vec(), frames, notes })
+    }
+}
+
+/// A finding in words. Frames with doubled times are not only found here but left out.
+fn said(finding: &Finding) -> Words {
+    match *finding {
+        Finding::Doubled { count, time } => words!(
+            "{count} frames have the same time as the one before and are left out, the first at {time:.2} s",
+            "{count} fotogramas tienen el mismo tiempo que el anterior y se excluyen, el primero en {time:.2} s"
+        ),
+        _ => finding.words(),
+    }
+}
+
+fn limit(name: &str, text: Option<&str>) -> Result<Option<f64>, Failure> {
+    text.map(|text| reading(name, text, None)).transpose()
+}

@@ -1,0 +1,148 @@
+//! The pixels of a film: from `ffmpeg`, or from the file itself.
+
+use super::opened::{Frames, Opened, Pixels, refused};
+use crate::failure::Failure;
+use film::Plane;
+use std::fs::File;
+use std::io::{ErrorKind, Read, Seek};
+use std::process::{Child, ChildStdout, Command, Stdio};
+use units::{Words, words};
+
+/// What is shown of the complaints of `ffmpeg`.
+const COMPLAINT: u64 = 4096;
+
+/// The frames of a film, decoded one after another.
+pub enum Decoding {
+    /// From the file.
+    Plain(Frames<File>),
+    /// From `ffmpeg`.
+    Coded(Box<Decoder>),
+}
+
+/// A running `ffmpeg`, which is ended with this value.
+pub struct Decoder {
+    child: Child,
+    frames: Frames<ChildStdout>,
+    /// Where it writes its complaints: a file, since nothing reads them while it runs.
+    complaints: File,
+    mirrored: bool,
+}
+
+impl Drop for Decoder {
+    fn drop(&mut self) {
+        // It has ended already, or nothing needs the rest of its frames.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+impl Decoding {
+    /// Begins with the first frame, and ends after `most` frames if there are more.
+    pub fn begin(film: &Opened, most: Option<usize>) -> Result<Self, Failure> {
+        let failure = |error| Failure::file("read", &film.path, &error);
+        match film.pixels {
+            Pixels::Plain => Ok(Self::Plain(Frames::new(film.path.clone(), File::open(&film.path).map_err(failure)?))),
+            Pixels::Coded => Ok(Self::Coded(Box::new(Decoder::begin(film, most)?))),
+        }
+    }
+
+    /// The next frame; `None` at the end.
+    pub fn next(&mut self) -> Result<Option<Plane>, Failure> {
+        match self {
+            Self::Plain(frames) => frames.next(),
+            Self::Coded(decoder) => {
+                let plane = decoder.frames.next()?;
+                Ok(if decoder.mirrored { plane.and_then(|plane| mirrored(&plane)) } else { plane })
+            }
+        }
+    }
+
+    /// A number of frames that is not the one of the file, with what `ffmpeg` reports.
+    pub fn failure(&mut self, film: &Opened, why: Words) -> Failure {
+        let Self::Coded(decoder) = self else { return refused(&film.path, why) };
+        let complaint = decoder.complaint();
+        let failure = refused(&film.path, why);
+        match failure {
+            Failure::Request { message, .. } if !complaint.is_empty() => {
+                Failure::in_words(message, words!("ffmpeg reports: {complaint}", "ffmpeg informa: {complaint}"))
+            }
+            other => other,
+        }
+    }
+}
+
+impl Decoder {
+    fn begin(film: &Opened, most: Option<usize>) -> Result<Self, Failure> {
+        let complaints = tempfile::tempfile().map_err(|error| Failure::file("write", &std::env::temp_dir(), &error))?;
+        let for_child = complaints.try_clone().map_err(|error| Failure::file("read", &film.path, &error))?;
+        // A name that looks like an option or an address is that of a file, and a film refers to no other file.
+        let mut name = std::ffi::OsString::from("file:");
+        name.push(&film.path);
+        let mut command = Command::new("ffmpeg");
+        command.args(["-v", "error", "-nostdin", "-protocol_whitelist", "file", "-noautorotate", "-i"]).arg(name);
+        command.args(["-map", "0:V:0", "-fps_mode", "passthrough"]);
+        if let Some(most) = most {
+            command.args(["-frames:v", &most.to_string()]);
+        }
+        // The size at which the film is shown: some films have pixels that are not square.
+        command.args(["-vf", &format!("scale={}:{}", film.size[0], film.size[1])]);
+        // Grey values with a header and a mark before each frame: their size need not be guessed.
+        command.args(["-f", "yuv4mpegpipe", "-pix_fmt", "gray", "-"]);
+        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::from(for_child));
+        let mut child = command.spawn().map_err(|error| not_started(film, &error))?;
+        let stdout = child.stdout.take().ok_or_else(|| Failure::request("ffmpeg has no output"))?;
+        Ok(Self { child, frames: Frames::new(film.path.clone(), stdout), complaints, mirrored: film.mirrored })
+    }
+
+    /// The first line of what it complained about.
+    fn complaint(&mut self) -> String {
+        let _ = self.child.wait();
+        let mut text = Vec::new();
+        // Without its words the failure is still reported.
+        let _ = self.complaints.rewind();
+        let _ = Read::by_ref(&mut self.complaints).take(COMPLAINT).read_to_end(&mut text);
+        String::from_utf8_lossy(&text).lines().next().unwrap_or_default().to_owned()
+    }
+}
+
+fn not_started(film: &Opened, error: &std::io::Error) -> Failure {
+    if error.kind() != ErrorKind::NotFound {
+        let why = words!("ffmpeg could not be started: {error}", "no se pudo iniciar ffmpeg: {error}");
+        return refused(&film.path, why);
+    }
+    let install = if cfg!(target_os = "macos") {
+        "brew install ffmpeg"
+    } else if cfg!(target_os = "windows") {
+        "winget install ffmpeg"
+    } else {
+        "sudo apt install ffmpeg"
+    };
+    let name = film.path.display();
+    Failure::in_words(
+        words!(
+            "{name} cannot be decoded: ffmpeg is not installed, or not on the PATH",
+            "{name} no se puede decodificar: ffmpeg no está instalado o no está en el PATH"
+        ),
+        words!(
+            "install it with `{install}`; without it convert the film elsewhere with `ffmpeg -i FILM -pix_fmt yuv420p FILM.y4m`, which is read as it is",
+            "instálelo con `{install}`; sin él, convierta la película en otro equipo con `ffmpeg -i PELÍCULA -pix_fmt yuv420p PELÍCULA.y4m`, que se lee tal cual"
+        ),
+    )
+}
+
+/// The picture with left and right exchanged.
+fn mirrored(plane: &Plane) -> Option<Plane> {
+    let grey = plane.grey().chunks(plane.width()).flat_map(|row| row.iter().rev().copied()).collect();
+    Plane::new(plane.width(), plane.height(), grey)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mirrored_picture_has_its_rows_reversed() {
+        let plane = Plane::new(3, 2, vec![1, 2, 3, 4, 5, 6]).expect("six pixels");
+        assert_eq!(mirrored(&plane).map(|plane| plane.grey().to_vec()), Some(vec![3, 2, 1, 6, 5, 4]));
+    }
+}

@@ -1,0 +1,95 @@
+//! What was found in a film, as one JSON object.
+
+use super::arguments::{Given, Track as Arguments};
+use super::clock::Clock;
+use super::lengths::Measured;
+use super::opened::Opened;
+use super::table::Table;
+use film::calibration::{Calibration, Lengths};
+use film::tracking::{Exposure, Known, Track};
+use serde_json::{Map, Value, json};
+use units::{Language, Words};
+
+/// The whole result. Lengths have the unit `unit`, times and exposures are in seconds, clicks in pixels of the upright picture.
+pub fn object(
+    film: &Opened,
+    arguments: &Arguments,
+    clock: &Clock,
+    (tracks, table, calibration): (&[Track], &Table, &Calibration),
+    notes: &[Words],
+    language: Language,
+) -> String {
+    let notes: Vec<&str> = notes.iter().map(|note| note.text(language)).collect();
+    let [width, height] = film.upright_size();
+    let scale = match &calibration.lengths {
+        Lengths::Scale(scale) => json!({ "metres_per_pixel": scale.pixel, "relative_stderr": scale.relative_sigma }),
+        _ => Value::Null,
+    };
+    let tracks: Vec<Value> =
+        tracks.iter().zip(&table.quantities).map(|(track, quantities)| of_track(track, quantities, table)).collect();
+    let object = json!({
+        "film": film.path.display().to_string(),
+        "picture": [width, height],
+        "frames": film.times.len(),
+        "settings": settings(arguments),
+        "time_factor": clock.factor,
+        "time_unit": "s",
+        "unit": table.unit,
+        "scale": scale,
+        "notes": notes,
+        "tracks": tracks,
+    });
+    format!("{object:#}\n")
+}
+
+fn of_track(track: &Track, quantities: &[Measured], table: &Table) -> Value {
+    let rows = table.frames.iter().enumerate();
+    let points = rows.filter_map(|(row, frame)| {
+        let at = track.points.binary_search_by_key(frame, |point| point.frame).ok()?;
+        let point = track.points.get(at)?;
+        let mut object = Map::new();
+        let mut add = |name: &str, value: Value| drop(object.insert(name.to_owned(), value));
+        add("frame", json!(frame));
+        add("t", json!(table.times.get(row)));
+        for quantity in quantities {
+            // The names of the columns without their numbers: each track is an object of its own.
+            let name = quantity.name.split('_').next().unwrap_or_default();
+            add(name, json!(quantity.values.get(row)));
+            add(&format!("sigma_{name}"), json!(quantity.sigmas.get(row)));
+        }
+        add("score", json!(point.score));
+        add("doubtful", json!(point.doubtful));
+        Some(Value::Object(object))
+    });
+    let points: Vec<Value> = points.collect();
+    json!({
+        "exposure": match track.exposure {
+            Some(Exposure::Seconds(seconds)) => json!({ "seconds": seconds }),
+            Some(Exposure::Under(seconds)) => json!({ "under": seconds }),
+            None => Value::Null,
+        },
+        "readout": track.readout.map(|readout| json!({ "seconds": readout.seconds, "stderr": readout.sigma })),
+        "lost_from_frame": track.lost,
+        "points": points,
+    })
+}
+
+fn settings(arguments: &Arguments) -> Value {
+    let known = |given: &Option<Given>| match given {
+        Some(Given(Known::Seconds(seconds))) => json!(seconds),
+        _ => json!("auto"),
+    };
+    json!({
+        "surfaces": arguments.surface,
+        "tubes": arguments.tube,
+        "bodies": arguments.body.iter().map(|body| json!({ "position": body.position, "radius": body.radius })).collect::<Vec<_>>(),
+        "scale": arguments.scale.map(|ruler| json!({ "marks": ruler.marks, "metres": ruler.length })),
+        "origin": arguments.origin,
+        "marks": arguments.marks.as_ref().map(|marks| &marks.0),
+        "rate": arguments.rate,
+        "from": arguments.from,
+        "until": arguments.until,
+        "exposure": known(&arguments.exposure),
+        "readout": known(&arguments.readout),
+    })
+}

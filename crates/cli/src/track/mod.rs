@@ -1,0 +1,88 @@
+//! `meniscus track`: positions from the frames of a film.
+
+pub mod arguments;
+mod checks;
+mod clock;
+mod decoding;
+mod following;
+mod json;
+mod lengths;
+mod notes;
+mod opened;
+mod table;
+
+use crate::failure::Failure;
+use crate::output;
+use crate::terminal::Terminal;
+use arguments::{Track as Arguments, TrackFormat};
+use clock::Clock;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use opened::Opened;
+use std::path::Path;
+use table::Table;
+use units::Words;
+
+/// Tracks each film and writes its table. A film that cannot be tracked does not keep the others from being tracked.
+pub fn run(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
+    checks::arguments(arguments)?;
+    let targets = checks::outputs(arguments, format(arguments))?;
+    let several = arguments.films.len() > 1;
+    let mut failed = false;
+    for (film, target) in arguments.films.iter().zip(&targets) {
+        let result = one(film, target.as_deref(), arguments, terminal);
+        match result {
+            Err(Failure::Request { message, hint }) if several => {
+                let language = terminal.language;
+                terminal.error(message.text(language), hint.as_ref().map(|hint| hint.text(language)));
+                failed = true;
+            }
+            other => other?,
+        }
+    }
+    // What failed is on the screen already.
+    if failed { Err(Failure::Argument) } else { Ok(()) }
+}
+
+fn one(path: &Path, target: Option<&Path>, arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
+    let film = Opened::open(path)?;
+    checks::points(&film, arguments)?;
+    let clock = Clock::of(&film, arguments)?;
+    let calibration = lengths::calibration(&film, arguments)?;
+    let bar = progress(path);
+    let followed = following::follow(&film, &clock, arguments, &bar);
+    bar.finish_and_clear();
+    let followed = followed?;
+    let table = Table::of(&followed.tracks, &calibration, &clock);
+    let found = notes::notes(&followed.tracks, &table, &calibration);
+    let notes: Vec<Words> = [film.notes.clone(), clock.notes.clone(), followed.notes, found].concat();
+    let text = match format(arguments) {
+        TrackFormat::Csv => table.csv(),
+        TrackFormat::Json => {
+            let found = (followed.tracks.as_slice(), &table, &calibration);
+            json::object(&film, arguments, &clock, found, &notes, terminal.language)
+        }
+    };
+    output::deliver(target, &arguments.films, text.as_bytes())?;
+    let language = terminal.language;
+    let name = if arguments.films.len() > 1 { format!("{}: ", path.display()) } else { String::new() };
+    for note in &notes {
+        terminal.print(&format!("{name}{}: {}\n", language.pick("note", "nota"), note.text(language)));
+    }
+    Ok(())
+}
+
+fn format(arguments: &Arguments) -> TrackFormat {
+    let ending = || arguments.output.as_ref()?.extension()?.to_str().map(str::to_ascii_lowercase);
+    let by_ending = || if ending().as_deref() == Some("json") { TrackFormat::Json } else { TrackFormat::Csv };
+    arguments.format.unwrap_or_else(by_ending)
+}
+
+/// Shown on a terminal; indicatif shows nothing where the standard error is none.
+fn progress(path: &Path) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+    let bar = bar.with_message(path.file_name().unwrap_or_default().to_string_lossy().into_owned());
+    match ProgressStyle::with_template("{msg} {bar:30} {pos}/{len}  {eta}") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}

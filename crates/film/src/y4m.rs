@@ -36,20 +36,19 @@ impl Fault {
         match self {
             Self::Signature => words(
                 "The file is not a YUV4MPEG2 film. Convert it with `ffmpeg -i FILM -pix_fmt yuv420p film.y4m`.",
-                "El archivo no es una película YUV4MPEG2. Conviértelo con `ffmpeg -i PELÍCULA -pix_fmt yuv420p film.y4m`.",
+                "El archivo no es un vídeo YUV4MPEG2. Conviértelo con `ffmpeg -i VIDEO -pix_fmt yuv420p film.y4m`.",
             ),
             Self::Header { line } => words!(
                 "The header of the film has no valid size or frame rate: {line}",
-                "La cabecera de la película no tiene un tamaño o una frecuencia de fotogramas válidos: {line}"
+                "La cabecera del vídeo no tiene un tamaño o una frecuencia de fotogramas válidos: {line}"
             ),
             Self::Pixels { name } => words!(
                 "Pixels stored as {name} are not read. Convert the film with `ffmpeg -i FILM -pix_fmt yuv420p film.y4m`.",
-                "No se leen píxeles guardados como {name}. Convierte la película con `ffmpeg -i PELÍCULA -pix_fmt yuv420p film.y4m`."
+                "No se leen píxeles guardados como {name}. Convierte el vídeo con `ffmpeg -i VIDEO -pix_fmt yuv420p film.y4m`."
             ),
-            Self::Frame { read } => words!(
-                "The film is damaged after {read} frames.",
-                "La película está dañada después de {read} fotogramas."
-            ),
+            Self::Frame { read } => {
+                words!("The film is damaged after {read} frames.", "El vídeo está dañado después de {read} fotogramas.")
+            }
         }
     }
 }

@@ -27,7 +27,7 @@ use units::Language;
 pub fn serve(language: Language) -> Result<(), Failure> {
     let (connection, threads) = Connection::stdio();
     let served = answer(&connection, language);
-    // The thread that writes ends when nobody can send any more.
+    // The thread that writes ends when the last sender is gone.
     drop(connection);
     let ended = threads.join().map_err(|error| error.to_string());
     let problem = |error: String| {

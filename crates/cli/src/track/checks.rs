@@ -18,7 +18,7 @@ pub fn arguments(arguments: &Arguments) -> Result<(), Failure> {
             words("it is not said what to track", "no se dice qué seguir"),
             words(
                 "click a liquid's surface, --surface X,Y, or a body, --body X,Y, in pixels of the first frame",
-                "indique la superficie de un líquido, --surface X,Y, o un cuerpo, --body X,Y, en píxeles del primer fotograma",
+                "indica la superficie de un líquido, --surface X,Y, o un cuerpo, --body X,Y, en píxeles del primer fotograma",
             ),
         ));
     }
@@ -27,7 +27,7 @@ pub fn arguments(arguments: &Arguments) -> Result<(), Failure> {
             words("too many surfaces or bodies", "demasiadas superficies o cuerpos"),
             words!(
                 "track at most {MOST_SURFACES} surfaces or {MOST_BODIES} bodies at once, and the others in a second call",
-                "siga como máximo {MOST_SURFACES} superficies o {MOST_BODIES} cuerpos a la vez, y los demás en otra llamada"
+                "sigue como máximo {MOST_SURFACES} superficies o {MOST_BODIES} cuerpos a la vez, y los demás en otra llamada"
             ),
         ));
     }
@@ -58,7 +58,7 @@ pub fn outputs(arguments: &Arguments, format: TrackFormat) -> Result<Vec<Option<
             words!("--output {name}: there is no such folder", "--output {name}: no hay tal carpeta"),
             words(
                 "for several films --output is a folder, in which each gets its table; make it first",
-                "para varias películas --output es una carpeta, en la que cada una recibe su tabla; créela antes",
+                "para varios vídeos --output es una carpeta, en la que cada uno recibe su tabla; créala antes",
             ),
         ));
     }
@@ -68,8 +68,8 @@ pub fn outputs(arguments: &Arguments, format: TrackFormat) -> Result<Vec<Option<
     if let Some([same, _]) = sorted.windows(2).find(|pair| pair[0] == pair[1]) {
         let name = same.display();
         return Err(Failure::in_words(
-            words!("two films would write {name}", "dos películas escribirían {name}"),
-            words("leave one of them out, or rename it", "excluya una de ellas o cámbiele el nombre"),
+            words!("two films would write {name}", "dos vídeos escribirían {name}"),
+            words("leave one of them out, or rename it", "excluye uno de ellos o cámbiale el nombre"),
         ));
     }
     Ok(targets.into_iter().map(Some).collect())

@@ -38,7 +38,7 @@ impl Clock {
                 words!("--rate {factor} is not possible", "--rate {factor} no es posible"),
                 words(
                     "write how many times slower the film plays than things happened, such as 8 for 240 frames/s played at 30",
-                    "escriba cuántas veces más lenta se reproduce la película que lo ocurrido, como 8 para 240 fotogramas/s reproducidos a 30",
+                    "escribe cuántas veces más lenta se reproduce el vídeo que lo ocurrido, como 8 para 240 fotogramas/s reproducidos a 30",
                 ),
             )
         })?;
@@ -61,7 +61,7 @@ impl Clock {
                 &film.path,
                 words(
                     "no frame lies between --from and --until; both are times of the film as a player shows them",
-                    "ningún fotograma está entre --from y --until; ambos son tiempos de la película como los muestra un reproductor",
+                    "ningún fotograma está entre --from y --until; ambos son tiempos del vídeo como los muestra un reproductor",
                 ),
             ));
         }

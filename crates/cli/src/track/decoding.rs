@@ -125,7 +125,7 @@ fn not_started(film: &Opened, error: &std::io::Error) -> Failure {
         ),
         words!(
             "install it with `{install}`; without it convert the film elsewhere with `ffmpeg -i FILM -pix_fmt yuv420p FILM.y4m`, which is read as it is",
-            "instálelo con `{install}`; sin él, convierta la película en otro equipo con `ffmpeg -i PELÍCULA -pix_fmt yuv420p PELÍCULA.y4m`, que se lee tal cual"
+            "instálalo con `{install}`; sin él, convierte el vídeo en otro equipo con `ffmpeg -i VIDEO -pix_fmt yuv420p VIDEO.y4m`, que se lee tal cual"
         ),
     )
 }

@@ -47,7 +47,7 @@ pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &Progres
     let (count, of) = (repeated.len(), clock.frames.len());
     let note = words!(
         "{count} of {of} frames repeat the picture before and are left out: the film was converted to another rate; use the original one if you have it",
-        "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: la película se convirtió a otra frecuencia; use la original si la tiene"
+        "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: el vídeo se convirtió a otra frecuencia; usa el original si lo tienes"
     );
     Ok(Followed { tracks: Pass::run(film, clock, arguments, &kept, bar)?.tracks()?, notes: vec![note] })
 }
@@ -88,7 +88,7 @@ impl<'a> Pass<'a> {
             let Some(plane) = decoding.next()? else {
                 let why = words!(
                     "the file lists {count} frames, and only {frame} could be decoded, so that their times are not certain; copy the film again, or end before the damage with --until",
-                    "el archivo enumera {count} fotogramas y solo se pudieron decodificar {frame}, de modo que sus tiempos no son seguros; copie de nuevo la película o termine antes del daño con --until"
+                    "el archivo enumera {count} fotogramas y solo se pudieron decodificar {frame}, de modo que sus tiempos no son seguros; copia de nuevo el vídeo o termina antes del daño con --until"
                 );
                 return Err(decoding.failure(film, why));
             };

@@ -122,7 +122,7 @@ impl Opened {
                 path,
                 words(
                     "its header states no frame rate; convert the film again with one, as `ffmpeg -r 30` does",
-                    "su cabecera no indica una frecuencia de fotogramas; convierta la película de nuevo con una, como hace `ffmpeg -r 30`",
+                    "su cabecera no indica una frecuencia de fotogramas; convierte el vídeo de nuevo con una, como hace `ffmpeg -r 30`",
                 ),
             ));
         };

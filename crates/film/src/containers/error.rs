@@ -47,7 +47,7 @@ pub enum FilmError {
 /// How to make a film that opens.
 const CONVERT: Words = words(
     "convert it to MP4 with H.264 without changing its times, for instance with `ffmpeg -i FILM -fps_mode passthrough -c:v libx264 FILM.mp4`",
-    "conviértalo a MP4 con H.264 sin cambiar sus tiempos, por ejemplo con `ffmpeg -i VIDEO -fps_mode passthrough -c:v libx264 VIDEO.mp4`",
+    "conviértelo a MP4 con H.264 sin cambiar sus tiempos, por ejemplo con `ffmpeg -i VIDEO -fps_mode passthrough -c:v libx264 VIDEO.mp4`",
 );
 
 /// Bytes for people: `1.5 MB`.
@@ -69,14 +69,14 @@ impl FilmError {
     /// What is wrong and what to do.
     pub fn words(&self) -> Words {
         match self {
-            Self::Empty => words("the file is empty; copy it again", "el archivo está vacío; cópielo de nuevo"),
+            Self::Empty => words("the file is empty; copy it again", "el archivo está vacío; cópialo de nuevo"),
             Self::NotAFilm => words(
                 "the file is not a film; MP4, MOV, WebM, MKV and AVI are read",
                 "el archivo no es un vídeo; se leen MP4, MOV, WebM, MKV y AVI",
             ),
             Self::Gif => words(
                 "this is an animated GIF, whose times are rounded to 0.01 s; use the film that it was made from, or convert it to MP4 if there is none",
-                "es un GIF animado, cuyos tiempos están redondeados a 0,01 s; use el vídeo del que se hizo o, si no lo hay, conviértalo a MP4",
+                "es un GIF animado, cuyos tiempos están redondeados a 0,01 s; usa el vídeo del que se hizo o, si no lo hay, conviértelo a MP4",
             ),
             Self::Picture => words(
                 "this is a picture, not a film; MP4, MOV, WebM, MKV and AVI are read",
@@ -92,15 +92,15 @@ impl FilmError {
             }
             Self::NoVideo => words(
                 "the file holds no video; if it is a sound recording, choose the film instead",
-                "el archivo no contiene vídeo; si es una grabación de sonido, elija el vídeo",
+                "el archivo no contiene vídeo; si es una grabación de sonido, elige el vídeo",
             ),
             Self::NoFrames => words(
                 "the video in the file has no frames; the recording was stopped at once or the file is cut off: copy or record it again",
-                "el vídeo del archivo no tiene fotogramas; la grabación se detuvo enseguida o el archivo está cortado: cópielo o grábelo de nuevo",
+                "el vídeo del archivo no tiene fotogramas; la grabación se detuvo enseguida o el archivo está cortado: cópialo o grábalo de nuevo",
             ),
             Self::Encrypted => words(
                 "the film is encrypted and cannot be read; use a film of your own camera",
-                "el vídeo está cifrado y no se puede leer; use uno de su propia cámara",
+                "el vídeo está cifrado y no se puede leer; usa uno de tu propia cámara",
             ),
             Self::UnknownCodec(name) => words!(
                 "the frames are coded as `{name}`, which is not read; {convert}",
@@ -110,7 +110,7 @@ impl FilmError {
             ),
             Self::NoDecoder(Coding::Hevc) => words(
                 "the film is coded in HEVC (H.265), which this browser cannot decode. iPhones film in HEVC unless Settings > Camera > Formats is set to Most Compatible: set it so and film again, or convert the film to MP4 with H.264",
-                "el vídeo está codificado en HEVC (H.265), que este navegador no puede decodificar. Los iPhone graban en HEVC salvo que en Ajustes > Cámara > Formatos se elija «Más compatible»: elíjalo y grabe de nuevo, o convierta el vídeo a MP4 con H.264",
+                "el vídeo está codificado en HEVC (H.265), que este navegador no puede decodificar. Los iPhone graban en HEVC salvo que en Ajustes > Cámara > Formatos se elija «Más compatible»: elígelo y graba de nuevo, o convierte el vídeo a MP4 con H.264",
             ),
             Self::NoDecoder(coding) => words!(
                 "the film is coded in {name}, which this browser cannot decode; {convert}",
@@ -120,12 +120,12 @@ impl FilmError {
             ),
             Self::Truncated { bytes } => words!(
                 "the file ends after {} and before the list of its frames, without which they cannot be found; copy it again, or, if the recording was interrupted, repair it with a tool such as `untrunc`",
-                "el archivo termina tras {} y antes de la lista de sus fotogramas, sin la cual no se encuentran; cópielo de nuevo o, si la grabación se interrumpió, repárelo con una herramienta como `untrunc`",
+                "el archivo termina tras {} y antes de la lista de sus fotogramas, sin la cual no se encuentran; cópialo de nuevo o, si la grabación se interrumpió, repáralo con una herramienta como `untrunc`",
                 size(*bytes)
             ),
             Self::Damaged { part } => words!(
                 "the file is damaged: its part `{part}` contradicts itself; copy it again, or {convert}",
-                "el archivo está dañado: su parte «{part}» se contradice; cópielo de nuevo o {convert}",
+                "el archivo está dañado: su parte «{part}» se contradice; cópialo de nuevo o {convert}",
                 part = Words::same(*part),
                 convert = CONVERT
             ),
@@ -136,7 +136,7 @@ impl FilmError {
             ),
             Self::TooLarge => words!(
                 "the film has more than {MOST_SAMPLES} frames; cut out the part that you need",
-                "el vídeo tiene más de {MOST_SAMPLES} fotogramas; recorte la parte que necesite"
+                "el vídeo tiene más de {MOST_SAMPLES} fotogramas; recorta la parte que necesites"
             ),
         }
     }

@@ -34,14 +34,14 @@ impl Notice {
         match self {
             Self::Truncated { present, lost: 0, bytes } => words!(
                 "the file ends in the middle of the film: {present} frames in {} were read; if it was being copied, copy it again",
-                "el archivo termina en medio del vídeo: se leyeron {present} fotogramas en {}; si se copió a medias, cópielo de nuevo",
+                "el archivo termina en medio del vídeo: se leyeron {present} fotogramas en {}; si se copió a medias, cópialo de nuevo",
                 size(*bytes)
             ),
             Self::Truncated { present, lost, bytes } => {
                 let listed = present.saturating_add(*lost);
                 words!(
                     "the file ends in the middle of the film: of {listed} frames, {present} are in its {} and were read; copy it again to get the others",
-                    "el archivo termina en medio del vídeo: de {listed} fotogramas, {present} están en sus {} y se leyeron; cópielo de nuevo para tener los demás",
+                    "el archivo termina en medio del vídeo: de {listed} fotogramas, {present} están en sus {} y se leyeron; cópialo de nuevo para tener los demás",
                     size(*bytes)
                 )
             }

@@ -113,7 +113,7 @@ impl Finding {
             ),
             Self::Doubled { count, time } => words!(
                 "{count} frames have the same time as the one before, the first at {time} s; leave them out",
-                "{count} fotogramas tienen el mismo tiempo que el anterior, el primero en {time} s; exclúyalos",
+                "{count} fotogramas tienen el mismo tiempo que el anterior, el primero en {time} s; exclúyelos",
                 count = Words::same(count.to_string()),
                 time = number(time)
             ),
@@ -125,7 +125,7 @@ impl Finding {
             ),
             Self::SlowMotion { captured, shown, factor } if factor >= 1.0 => words!(
                 "slow motion: taken at {captured} frames/s, shown at {shown}; times are divided by {factor}. Check it against a known time, such as a fall",
-                "cámara lenta: grabado a {captured} fotogramas/s y mostrado a {shown}; los tiempos se dividen por {factor}. Compruébelo con un tiempo conocido, como el de una caída",
+                "cámara lenta: grabado a {captured} fotogramas/s y mostrado a {shown}; los tiempos se dividen por {factor}. Compruébalo con un tiempo conocido, como el de una caída",
                 captured = number(captured),
                 shown = number(shown),
                 factor = Words::each(|language| plain(factor, 4, language.style()))
@@ -139,7 +139,7 @@ impl Finding {
             ),
             Self::Repeated { count, of } => words!(
                 "{count} of {of} frames repeat the picture before: the film was converted to another rate; leave them out, or use the original film",
-                "{count} de {of} fotogramas repiten la imagen anterior: el vídeo se convirtió a otra frecuencia; exclúyalos o use el vídeo original"
+                "{count} de {of} fotogramas repiten la imagen anterior: el vídeo se convirtió a otra frecuencia; exclúyelos o usa el vídeo original"
             ),
         }
     }

@@ -69,19 +69,19 @@ impl Refusal {
             ),
             Self::Size { frame } => words!(
                 "Frame {frame} does not have the size of the first one. Cut the film there and track each part.",
-                "El fotograma {frame} no tiene el tamaño del primero. Corta ahí la película y sigue cada parte."
+                "El fotograma {frame} no tiene el tamaño del primero. Corta ahí el vídeo y sigue cada parte."
             ),
             Self::Order { frame } => words!(
                 "The time of frame {frame} does not follow that of the frame before it. Convert the film with ffmpeg.",
-                "El tiempo del fotograma {frame} no sigue al del anterior. Convierte la película con ffmpeg."
+                "El tiempo del fotograma {frame} no sigue al del anterior. Convierte el vídeo con ffmpeg."
             ),
             Self::Long { frames } => words!(
                 "The film is too long to be tracked at once. Choose a part of at most {frames} frames.",
-                "La película es demasiado larga para seguirla de una vez. Elige una parte de {frames} fotogramas como máximo."
+                "El vídeo es demasiado largo para seguirlo de una vez. Elige una parte de {frames} fotogramas como máximo."
             ),
             Self::Short { frames } => words!(
                 "Tracking needs at least {frames} frames. Choose a longer part of the film.",
-                "El seguimiento necesita al menos {frames} fotogramas. Elige una parte más larga de la película."
+                "El seguimiento necesita al menos {frames} fotogramas. Elige una parte más larga del vídeo."
             ),
             Self::Plain => words(
                 "The picture is uniform at the clicked place. Click an edge that moves.",

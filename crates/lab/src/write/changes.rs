@@ -24,7 +24,7 @@ pub fn written(app: App, file: usize, text: String) {
     }
     let was_own = is_own(app);
     if !was_own {
-        // What is seen of a document of the library stays its: what is written is a copy of one's own.
+        // The document of the library keeps what is saved of it; from here on the text is a copy of one's own.
         saved::now(app);
     }
     kept::begin(app);

@@ -119,6 +119,15 @@ impl Table {
         if runs.len() > 1 && runs.iter().all(own_clock) { runs } else { Vec::new() }
     }
 
+    /// The column with the standard errors of another one, by its name: `sigma_y` for `y`, of the same body and clock.
+    pub fn errors_of(&self, column: usize) -> Option<usize> {
+        let own = self.columns.get(column).filter(|own| !own.name.is_empty())?;
+        let name = format!("sigma_{}", own.name);
+        let belongs =
+            |other: &Column| other.name == name && other.body == own.body && other.independent == own.independent;
+        self.columns.iter().position(belongs)
+    }
+
     /// What a column is called for a person: its name; `body.name` where that is not enough; its number without a name.
     pub fn label(&self, index: usize) -> String {
         let Some(column) = self.columns.get(index) else { return String::new() };

@@ -309,3 +309,15 @@ fn texts_are_read_as_expected() {
     }
     assert!(wrong.is_empty(), "{wrong}");
 }
+
+#[test]
+fn a_column_with_the_standard_errors_of_another_is_found_by_its_name() {
+    let table = read(b"t [s],x [m],sigma_y [m],y [m],sigma_x [m]\n0,1,2,3,4\n1,2,3,4,5\n").table;
+    let called = |name: &str| table.column(name).unwrap();
+    assert_eq!(table.errors_of(called("y")), Some(called("sigma_y")));
+    assert_eq!(table.errors_of(called("x")), Some(called("sigma_x")));
+    assert_eq!(table.errors_of(called("sigma_x")), None);
+    // Of several bodies each has its own.
+    let table = read(b"t,A.y,A.sigma_y,B.y\n0,1,2,3\n1,2,3,4\n").table;
+    assert_eq!(table.errors_of(3), None);
+}

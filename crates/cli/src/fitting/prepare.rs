@@ -11,7 +11,7 @@ use analysis::fit::{Observation, Record, Target, Task, Varied, observation};
 use document::Document;
 use program::{Compiled, Kind};
 use std::path::Path;
-use units::Unit;
+use units::{Unit, words};
 
 /// A theory.
 pub struct Theory {
@@ -65,6 +65,11 @@ pub fn task(
     }
     for error in &arguments.error {
         errors(&mut reader, &mut task, (data, &columns), error, &observed)?;
+    }
+    for (place, (name, compiled)) in observed.iter().enumerate() {
+        if !arguments.error.iter().any(|error| error.name == *name) {
+            errors_of_files(&mut task, (data, &columns), (place, name, &compiled.unit), terminal)?;
+        }
     }
     task.varied = if arguments.vary.is_empty() {
         // What is held is not varied.
@@ -252,6 +257,28 @@ fn errors(
             }
         };
         observation.errors = Some(errors);
+    }
+    Ok(())
+}
+
+/// Takes the standard errors of what is observed from the files that have them beside it, as `meniscus track` writes them, and
+/// says so.
+fn errors_of_files(
+    task: &mut Task,
+    (data, columns): (&[Measured], &[Vec<usize>]),
+    (place, name, unit): (usize, &str, &Unit),
+    terminal: Terminal,
+) -> Result<(), Failure> {
+    for ((record, measured), columns) in task.records.iter_mut().zip(data).zip(columns) {
+        let Some(column) = measured.table.errors_of(columns[place]) else { continue };
+        record.observations[place].errors = Some(column_errors(measured, column, columns[place], unit)?);
+        let (file, called) = (&measured.name, measured.called(column));
+        let note = words!(
+            "{file}: the standard errors of {name} are those of its column {called}",
+            "{file}: los errores estándar de {name} son los de su columna {called}"
+        );
+        let head = terminal.language.pick("note", "nota");
+        terminal.print(&format!("{head}: {}\n", note.text(terminal.language)));
     }
     Ok(())
 }

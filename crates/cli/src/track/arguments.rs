@@ -17,7 +17,7 @@ Examples:
 
 Points are pixels of the upright picture, x to the right and y down from its top left corner, in the first frame that is tracked.
 Films are decoded by ffmpeg 5.1 or later; Y4M films are read without it. docs/films.md says how to film and what the table holds.
-Fit it with its errors: meniscus fit DOC utube.csv --observe y --error y=sigma_y";
+Fit it, with its errors: meniscus fit DOC utube.csv --observe y";
 
 /// `meniscus track`
 #[derive(Debug, Args)]

@@ -77,9 +77,13 @@ fn a_fit_of_the_track_finds_period_and_decay() {
     let (written, _) = tracked(&film, &words);
     assert_eq!(written, "");
     let theory = "simulations/theories/linear.md";
-    let fit = ["fit", theory, word(&table), "--observe", "y", "--error", "y=sigma_y", "--format", "json"];
+    let fit = ["fit", theory, word(&table), "--observe", "y", "--format", "json"];
     let done = meniscus(&fit);
     assert_eq!(done.code, 0, "{}", done.stderr);
+    assert!(done.stderr.contains("the standard errors of y are those of its column sigma_y"), "{}", done.stderr);
+    // The same as when they are named.
+    let named = meniscus(&[&fit[..], &["--error", "y=sigma_y"]].concat());
+    assert_eq!(named.stdout, done.stdout);
     let json: serde_json::Value = serde_json::from_str(&done.stdout).expect("JSON");
     // The length of the column stands for the period.
     let (omega, gamma) = (std::f64::consts::TAU / PERIOD, 1.0 / DECAY);

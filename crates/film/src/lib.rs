@@ -5,6 +5,7 @@
 //! together with its presentation time.
 
 pub mod calibration;
+pub mod camera;
 pub mod containers;
 mod plane;
 pub mod timing;

@@ -9,6 +9,7 @@ mod json;
 mod lengths;
 mod notes;
 mod opened;
+mod project;
 
 use crate::failure::Failure;
 use crate::output;
@@ -44,6 +45,9 @@ pub fn run(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
 }
 
 fn one(path: &Path, target: Option<&Path>, arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
+    if let Some(failure) = project::refusal(path) {
+        return Err(failure);
+    }
     let film = Opened::open(path)?;
     checks::points(&film, arguments)?;
     let clock = Clock::of(&film, arguments)?;

@@ -2,6 +2,7 @@
 
 mod host;
 
+use crate::film::{Films, Player};
 use crate::stored::Saved;
 use crate::words::{Words, words_in};
 use crate::write::Editor;
@@ -11,6 +12,7 @@ use model::Diagnostic;
 use std::cell::{Cell, OnceCell, RefCell, RefMut};
 use std::collections::{BTreeMap, VecDeque};
 use std::ops::Deref;
+use std::rc::Rc;
 use units::Language;
 use view::views::*;
 use web_sys::File;
@@ -53,6 +55,8 @@ pub struct Lab {
     pub files: VecDeque<File>,
     /// See `files`.
     pub reading: bool,
+    /// The pictures of the film that is open.
+    pub player: Option<Rc<Player>>,
 }
 
 /// The handle; copied freely.
@@ -72,6 +76,8 @@ pub struct Laboratory {
     pub dragging_files: Signal<bool>,
     /// The record that was added last, until a person has seen it.
     pub new_record: Signal<Option<u32>>,
+    /// The film that is open.
+    pub films: Films,
     /// How far the fits have come that a person has begun.
     pub fit_progress: Signal<Option<FitProgress>>,
     /// How far the file has been read that is being read as a record.
@@ -133,6 +139,7 @@ impl App {
             fits: counter(),
             dragging_files: create_signal(false),
             new_record: create_signal(None),
+            films: Films::new(),
             fit_progress: create_signal(None),
             record_progress: create_signal(None),
             record_refusal: create_signal(None),

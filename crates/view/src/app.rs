@@ -44,6 +44,11 @@ pub trait Host {
     /// Raises the counters of what has changed besides the simulation.
     fn raise(&self) {}
 
+    /// Another picture on the stage, and the bar with its frames: what can stand in the place of scene and transport.
+    fn picture(&self) -> [View; 2] {
+        Default::default()
+    }
+
     /// The part of the time that something is limited to, if the plots are to show it.
     fn part(&self) -> Option<Part> {
         None

@@ -1,7 +1,7 @@
 //! What the page is around the views of the simulation: what it announces, shows and saves besides.
 
 use super::Store;
-use crate::{data, saved, tabs};
+use crate::{data, film, saved, tabs};
 use desk::{Announcement, Desk};
 use play::Play;
 use units::Language;
@@ -62,6 +62,10 @@ impl Host for Store {
                 counter.update(|count| *count += 1);
             }
         }
+    }
+
+    fn picture(&self) -> [View; 2] {
+        self.app.get().map_or_else(Default::default, |app| [film::stage::picture(*app), film::stage::transport(*app)])
     }
 
     fn part(&self) -> Option<Part> {

@@ -151,7 +151,7 @@ impl Desk {
                     "Ninguna fila tiene los vecinos que necesita una derivada. Los tiempos deben crecer; los irregulares se pueden suavizar con polinomios.",
                 )
                 .to_owned(),
-            Refusal::Fit { why } => why.clone(),
+            Refusal::Fit { why } | Refusal::Film { why } => why.clone(),
             Refusal::Size { why } => sentence(why),
         }
     }
@@ -166,6 +166,7 @@ impl Desk {
             Announcement::DerivativesMade(name) => {
                 with("Velocity and acceleration made: {}", "Velocidad y aceleración calculadas: {}", name)
             }
+            Announcement::FilmTracked => say("The film has been tracked", "El vídeo se ha seguido"),
             Announcement::RecordCancelled(name) => with("Not read: {}", "No se ha leído: {}", name),
             Announcement::RecordRemoved(name) => with("Record removed: {}", "Registro quitado: {}", name),
             Announcement::FitRemoved(theory) => with("Fit removed: {}", "Ajuste quitado: {}", theory),

@@ -7,6 +7,7 @@
 pub mod calibration;
 pub mod containers;
 mod plane;
+pub mod table;
 pub mod timing;
 pub mod tracking;
 pub mod y4m;

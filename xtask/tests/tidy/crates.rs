@@ -15,7 +15,7 @@ const ARROWS: [(&str, &[&str]); 16] = [
     ("analysis", &["engine", "program", "units"]),
     ("report", &["analysis", "document", "figure", "model", "program", "units"]),
     ("play", &["engine", "figure", "program", "units"]),
-    ("desk", &["analysis", "document", "engine", "figure", "model", "play", "program", "report", "units"]),
+    ("desk", &["analysis", "document", "engine", "figure", "film", "model", "play", "program", "report", "units"]),
     ("probe", &["analysis", "document", "engine", "figure", "program", "units"]),
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),

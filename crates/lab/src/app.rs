@@ -57,6 +57,8 @@ pub struct Lab {
     pub reading: bool,
     /// The pictures of the film that is open.
     pub player: Option<Rc<Player>>,
+    /// Whether it is being tracked.
+    pub tracking: bool,
 }
 
 /// The handle; copied freely.
@@ -115,8 +117,8 @@ impl Deref for Laboratory {
 struct Store {
     lab: RefCell<Lab>,
     app: OnceCell<App>,
-    /// What the views have shown of records, fits and answers.
-    seen: Cell<(u64, u64, u64)>,
+    /// What the views have shown of records, fits, answers and the film.
+    seen: Cell<(u64, u64, u64, u64)>,
 }
 
 impl Store {

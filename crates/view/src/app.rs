@@ -49,6 +49,9 @@ pub trait Host {
         Default::default()
     }
 
+    /// A time of the run (SI) is pointed at in a plot against time; it is found out only if it is asked for.
+    fn look_at(&self, _time: &mut dyn FnMut() -> Option<f64>) {}
+
     /// The part of the time that something is limited to, if the plots are to show it.
     fn part(&self) -> Option<Part> {
         None

@@ -1,44 +1,39 @@
 //! The film on the stage, in the place of the scene, and its frames in the place of the transport.
 
-use super::{doubts, go, step};
+use super::frames::{go, play, step};
+use super::keys::key;
+use super::{doubts, frame, space_time, words};
 use crate::app::App;
 use view::icons;
 use view::views::*;
-use web_sys::KeyboardEvent;
 
 /// The picture; nothing while no film is open.
 pub fn picture(app: App) -> View {
+    let state = memo(move || (app.films.open.get(), app.films.shown.get()));
     changing(move || {
-        if !app.films.open.get() {
+        let (open, shown) = state.get();
+        if !open {
             return View::new();
         }
-        let words = app.films.words(app);
-        if !app.films.shown.get() {
+        let words = words::of(app);
+        if !shown {
             let show = move |_| app.films.shown.set(true);
             return button().class("chip film-back").id("show-film").when(events::click, show).child(words.film).into();
         }
-        section().class("scene film card").id("film").attr("aria-label", words.film).child(place(app)).into()
+        let player = app.with(|lab| lab.player.clone()).flatten();
+        let [width, height] = player.map_or([16.0, 9.0], |player| player.size());
+        let strips = div().class("film-strips").child(space_time::view(app));
+        let keys = p().id("space-time-keys").hidden(true).child(words.space_time_keys);
+        section()
+            .class("scene film card")
+            .id("film")
+            .style(format!("--aspect:{}", width / height))
+            .attr("aria-label", words.film)
+            .child(frame::view(app))
+            .child(strips)
+            .child(keys)
+            .into()
     })
-}
-
-/// The frame that is shown.
-fn place(app: App) -> View {
-    let words = app.films.words(app);
-    let Some(player) = app.with(|lab| lab.player.clone()).flatten() else { return View::new() };
-    let [width, height] = [player.canvas.width(), player.canvas.height()].map(f64::from);
-    let mut frame = div();
-    let _ = frame.node::<web_sys::Element>().append_child(&player.canvas);
-    let frame = frame
-        .class("film-frame")
-        .id("film-frame")
-        .style(format!("--aspect:{}", width / height))
-        .tabindex("0")
-        .role("application")
-        .attr("aria-label", words.film)
-        .attr("aria-roledescription", words.film)
-        .attr("aria-describedby", "film-keys")
-        .when(events::keydown, move |event| key(app, &event));
-    View::from((div().class("film-place").child(frame), p().id("film-keys").hidden(true).child(words.picture_keys)))
 }
 
 /// The bar with the frames; nothing while the film is not shown.
@@ -47,7 +42,7 @@ pub fn transport(app: App) -> View {
 }
 
 fn bar(app: App) -> HtmlSection {
-    let words = app.films.words(app);
+    let words = words::of(app);
     let times = app.with(|lab| lab.player.as_ref().map(|player| player.source.film.times())).flatten();
     let times = times.unwrap_or_default();
     let count = times.len();
@@ -77,9 +72,19 @@ fn bar(app: App) -> HtmlSection {
     let step_button = |id: &'static str, name: &'static str, by: isize, icon: SvgSvg| {
         button().class("icon").id(id).called(name).when(events::click, move |_| step(app, by)).child(icon)
     };
+    let playing = move || app.films.playing.get();
+    let name = move || if playing() { words.pause } else { words.play };
+    let toggle = button()
+        .class("play")
+        .id("film-play")
+        .title(name)
+        .attr("aria-label", name)
+        .when(events::click, move |_| play(app))
+        .child(changing(move || if playing() { icons::pause() } else { icons::play() }));
     let buttons = div()
         .class("buttons")
         .child(step_button("film-previous", words.previous, -1, icons::step_back()))
+        .child(toggle)
         .child(step_button("film-next", words.next, 1, icons::step_forward()));
     let place = div().class("line-place").child(span().class("behind").style(behind)).child(line);
     let counter = span().class("film-count").id("film-number").child(text(move || format!("{} / {count}", number())));
@@ -94,21 +99,4 @@ fn bar(app: App) -> HtmlSection {
         .child(buttons)
         .child(div().class("time").child(clock).child(place).child(counter))
         .child(extras)
-}
-
-/// Keys that go through the film.
-pub fn key(app: App, event: &KeyboardEvent) {
-    if event.ctrl_key() || event.alt_key() || event.meta_key() || event.default_prevented() {
-        return;
-    }
-    let far = if event.shift_key() { 10 } else { 1 };
-    match event.key().as_str() {
-        "ArrowLeft" | "ArrowDown" => step(app, -far),
-        "ArrowRight" | "ArrowUp" => step(app, far),
-        "Home" => go(app, 0),
-        "End" => go(app, usize::MAX),
-        "." => doubts::next(app),
-        _ => return,
-    }
-    event.prevent_default();
 }

@@ -98,6 +98,12 @@ extern "C" {
     #[wasm_bindgen(method, js_name = setTransform)]
     pub fn set_transform(this: &Painter, a: f64, b: f64, c: f64, d: f64, e: f64, f: f64);
 
+    #[wasm_bindgen(method, js_name = fillRect)]
+    pub fn fill_rect(this: &Painter, x: f64, y: f64, width: f64, height: f64);
+
+    #[wasm_bindgen(method, setter, js_name = imageSmoothingEnabled)]
+    pub fn set_image_smoothing_enabled(this: &Painter, smooth: bool);
+
     #[wasm_bindgen(method, catch, js_name = getImageData)]
     pub fn image_data(this: &Painter, x: f64, y: f64, width: f64, height: f64) -> Result<ImageData, JsValue>;
 

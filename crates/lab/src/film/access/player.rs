@@ -4,7 +4,6 @@ use super::decoder::Reader;
 use super::picture::{Greys, Picture};
 use super::source::Source;
 use super::trouble::Trouble;
-use crate::app::App;
 use film::Plane;
 use std::cell::{Cell, RefCell};
 use std::collections::VecDeque;
@@ -52,13 +51,14 @@ impl Player {
         }))
     }
 
-    /// The frame that the canvas shows.
-    pub fn painted(&self) -> Option<usize> {
-        self.painted.get()
+    /// Width and height of the upright picture in pixels.
+    pub fn size(&self) -> [f64; 2] {
+        [self.canvas.width(), self.canvas.height()].map(f64::from)
     }
 
     /// Shows a frame as soon as it is decoded. Of several that are asked for meanwhile, only the last is.
-    pub fn show(self: &Rc<Self>, app: App, frame: usize) {
+    /// `painted` is called with each frame that the canvas has come to show, or what kept it from being decoded.
+    pub fn show(self: &Rc<Self>, frame: usize, painted: impl Fn(usize, Option<Trouble>) + 'static) {
         self.wanted.set(frame);
         if self.working.replace(true) {
             return;
@@ -67,12 +67,15 @@ impl Player {
         wasm_bindgen_futures::spawn_local(async move {
             while player.painted.get() != Some(player.wanted.get()) {
                 let frame = player.wanted.get();
-                match player.picture(frame).await {
-                    Ok(picture) => drop(picture.paint(&player.canvas, player.source.film.orientation)),
-                    Err(trouble) => app.complain(super::said(app, &trouble)),
-                }
+                let trouble = match player.picture(frame).await {
+                    Ok(picture) => {
+                        picture.paint(&player.canvas, player.source.film.orientation);
+                        None
+                    }
+                    Err(trouble) => Some(trouble),
+                };
                 player.painted.set(Some(frame));
-                app.films.painted.set(Some(frame));
+                painted(frame, trouble);
             }
             player.working.set(false);
         });

@@ -113,6 +113,27 @@ visit("the frames are gone through by slider, keys and the picture under the fil
   assert.equal(await lab.page.locator("#film-number").innerText(), "60 / 120");
 });
 
+visit("the model is drawn over the film, and plots and film show the same time", async (lab) => {
+  await openTheory(lab, THEORY);
+  await dropFilm(lab.page, swing);
+  await click(lab, SURFACE);
+  await tracked(lab);
+  await calibrate(lab);
+  await agrees(lab);
+  await goTo(lab.page, 37);
+  // The run is brought to the end of the film, and to the time of the frame.
+  await eventually(async () => assert.ok(Math.abs((await lab.time()) - 37 / 30) < 0.02, `${await lab.time()}`));
+  await eventually(async () => assert.equal(await lab.page.locator(".film-mark.model").count(), 1));
+  const away = (await lab.page.locator("#film-values").innerText()).match(/model ([\d.]+) px/);
+  assert.ok(Number(away[1]) < 0.5, away[0]);
+  // A place in a plot shows its frame.
+  const plot = await lab.page.locator("#plots figure:not([hidden]) canvas").first().boundingBox();
+  await lab.page.mouse.move(plot.x + plot.width / 2, plot.y + plot.height / 2);
+  await eventually(async () => assert.notEqual(await lab.page.locator("#film-number").innerText(), "38 / 120"));
+  const frame = number(await lab.page.locator("#film-number").innerText()) - 1;
+  await eventually(async () => assert.ok(Math.abs((await lab.time()) - frame / 30) < 0.02));
+});
+
 visit("a wrong stretch is dragged, and the correction can be taken back", async (lab) => {
   await dropFilm(lab.page, swing);
   await click(lab, SURFACE);

@@ -59,6 +59,8 @@ pub struct Lab {
     pub player: Option<Rc<Player>>,
     /// Whether it is being tracked.
     pub tracking: bool,
+    /// Whether the run is being brought to where the film is.
+    pub bringing: bool,
 }
 
 /// The handle; copied freely.

@@ -32,6 +32,7 @@ fn prepare(app: App, arrival: Arrival) {
     navigation::listen(app);
     drop::listen(app);
     film::mark_page(app);
+    film::follow(app);
 }
 
 fn page(app: App) -> View {

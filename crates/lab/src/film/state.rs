@@ -52,7 +52,7 @@ impl Now {
             subject: film.subject().clone(),
             marks: film.resting_marks().to_vec(),
             form: film.calibration_form().clone(),
-            calibration: film.calibration().clone(),
+            calibration: *film.calibration(),
             tracks: film.tracks(),
             doubts: film.doubtful(),
             record: film.record().filter(|id| desk.records().iter().any(|record| record.id == *id)),

@@ -30,6 +30,8 @@ pub fn go_on(app: App) {
     }
     wasm_bindgen_futures::spawn_local(async move {
         let refusal = follow(app).await;
+        // The views of the record are made in a slice of their own.
+        browser::breathe().await;
         app.with(|lab| lab.tracking = false);
         app.films.progress.set(None);
         refuse(app, refusal);

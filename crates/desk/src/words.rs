@@ -55,6 +55,25 @@ pub(crate) fn initial_values_hold(language: Language, at: &str, early: usize) ->
     text
 }
 
+/// Of which values the record itself holds the standard errors, in sentences.
+pub(crate) fn given_errors(language: Language, task: &analysis::fit::Task) -> Vec<String> {
+    let with_errors = |record: &analysis::fit::Record| {
+        let known = record.observations.iter().filter(|one| one.errors.is_some()).map(|one| one.name.clone());
+        (record.name.clone(), known.collect::<Vec<String>>().join(", "))
+    };
+    let sentence = |(record, names): (String, String)| {
+        language.pick(
+            format!(
+                "{record}: the standard errors of {names} are those of its columns `sigma_`; they weigh the values."
+            ),
+            format!(
+                "{record}: los errores estándar de {names} son los de sus columnas `sigma_`; ponderan los valores."
+            ),
+        )
+    };
+    task.records.iter().map(with_errors).filter(|(_, names)| !names.is_empty()).map(sentence).collect()
+}
+
 /// Of a number that the data do not determine.
 pub(crate) fn undetermined(language: Language) -> &'static str {
     language.pick("not determined by the data", "los datos no lo determinan")

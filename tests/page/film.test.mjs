@@ -150,6 +150,29 @@ visit("a wrong stretch is dragged, and the correction can be taken back", async 
   await eventually(async () => assert.equal(await read(), before));
 });
 
+visit("the work is there at the next visit, and the same file takes it up", async (lab) => {
+  await openTheory(lab, THEORY);
+  await dropFilm(lab.page, swing);
+  await click(lab, SURFACE);
+  await tracked(lab);
+  await calibrate(lab);
+  const scale = await lab.page.locator("#film-scale").innerText();
+  // What has changed is stored a moment later.
+  await eventually(async () => assert.ok(await lab.page.evaluate(() => Object.keys(localStorage).some((key) => key.startsWith("meniscus:film:") && localStorage[key].includes("20 cm")))));
+  await lab.page.reload();
+  await lab.page.getByRole("heading", { level: 1 }).waitFor();
+  await lab.page.locator("#tab-measure").click();
+  await eventually(async () => assert.equal(await records(lab).count(), 1));
+  assert.equal(await lab.page.locator("#film-frame").count(), 0);
+  await dropFilm(lab.page, swing);
+  await tracked(lab);
+  assert.equal(await records(lab).count(), 1);
+  assert.equal(await lab.page.locator("#film-scale").innerText(), scale);
+  assert.equal(await lab.page.locator("#film-length").inputValue(), "20 cm");
+  await lab.page.locator("#space-time-0").waitFor();
+  await agrees(lab);
+});
+
 for (const theme of ["light", "dark"]) {
   for (const language of ["en-GB", "es-ES"]) {
     visit(`axe finds nothing: ${theme}, ${language}`, { ...STILL, theme, language }, async (lab) => {

@@ -4,6 +4,7 @@ use crate::films::clip::Clip;
 use crate::films::doubt::{DoubtfulFrame, doubts};
 use crate::films::identity::FilmIdentity;
 use crate::films::lengths::CalibrationForm;
+use crate::films::record::table;
 use crate::films::space_time::SpaceTimePicture;
 use crate::films::state::Open;
 use crate::films::subject::Subject;
@@ -31,6 +32,20 @@ impl Desk {
         let Some(film) = self.film() else { return Vec::new() };
         let sentence = |words: Words| play::words::sentence(words.text(self.play.language()));
         film.notes().into_iter().map(sentence).collect()
+    }
+
+    /// What the record says of a frame of the open film, as `y_2 = 0.0413 ± 0.0002 m`; a body has two such numbers. `None` where
+    /// the track of this number has no point there.
+    pub fn film_position(&self, track: usize, frame: usize) -> Option<String> {
+        let table = table(self.films.current()?.1)?;
+        let row = table.frames.binary_search(&frame).ok()?;
+        let text = |one: &film::table::Quantity| {
+            let (value, sigma) = (*one.values.get(row)?, *one.sigmas.get(row)?);
+            let number = number::with_error(value, Some(sigma), self.play.style());
+            value.is_finite().then(|| format!("{} = {number} {}", one.name, table.unit))
+        };
+        let texts: Vec<String> = table.quantities.get(track)?.iter().map(text).collect::<Option<_>>()?;
+        Some(texts.join(", "))
     }
 }
 

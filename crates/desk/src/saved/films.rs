@@ -3,6 +3,7 @@
 use super::Item;
 use super::format::{self, Content, Followed, Place};
 use super::number::Number;
+use super::place::{factor, place, point};
 use super::tracks;
 use crate::Desk;
 use crate::films::work::Work;
@@ -10,7 +11,6 @@ use crate::films::{
     CalibrationForm, FilmIdentity, FilmedBody, FilmedSurface, LengthsForm, POINT_SIGMA, ParallaxForm, Subject,
 };
 use film::calibration::{CLICK, Calibration, Lengths, Parallax, Rectangle, Scale};
-use film::timing::LARGEST_FACTOR;
 use film::tracking::column::Click;
 use play::name_of;
 
@@ -31,7 +31,7 @@ impl Desk {
                 work.found.as_ref().map_or(0, |found| found.tracks.iter().map(|track| track.points.len()).sum());
             let found = work.found.as_ref().filter(|_| points <= room);
             room -= if found.is_some() { points } else { 0 };
-            (name(&work.identity), Item(Content::Film(saved(work, found.map(tracks::saved), record))))
+            (name(&work.identity), Item(Content::Film(Box::new(saved(work, found.map(tracks::saved), record)))))
         };
         let worked = |work: &&Work| !work.subject.is_nothing() || work.form != CalibrationForm::default();
         let mut items: Vec<(String, Item)> =
@@ -60,14 +60,6 @@ impl Desk {
 
 fn name(identity: &FilmIdentity) -> String {
     name_of(&[&identity.hash, &identity.size.to_string()])
-}
-
-pub(super) fn place([x, y]: [f64; 2]) -> Place {
-    [Number(x), Number(y)]
-}
-
-pub(super) fn point([Number(x), Number(y)]: Place) -> [f64; 2] {
-    [x, y]
 }
 
 fn clicks(clicks: &[Click]) -> Vec<(usize, Place)> {
@@ -197,9 +189,4 @@ fn restored(saved: &format::Film) -> Option<Work> {
         found: saved.found.as_ref().and_then(tracks::restored),
         record: None,
     })
-}
-
-/// A factor of the time base, if it is possible.
-pub(super) fn factor(Number(factor): Number) -> Option<f64> {
-    (1.0 / LARGEST_FACTOR..=LARGEST_FACTOR).contains(&factor).then_some(factor)
 }

@@ -14,7 +14,7 @@ pub(crate) enum Content {
     Record(Record),
     Fit(Fit),
     Answer(Answer),
-    Film(Film),
+    Film(Box<Film>),
 }
 
 /// A record: its text, and what a person has said about it.

@@ -8,6 +8,7 @@ mod fits;
 mod format;
 mod item;
 mod number;
+mod place;
 mod records;
 mod shelf;
 mod tracks;

@@ -1,8 +1,8 @@
 //! What was found in a film as numbers, and back.
 
-use super::films::{factor, place, point};
 use super::format::{FoundInFilm, TrackInFilm};
 use super::number::Number;
+use super::place::{factor, place, point};
 use crate::films::work::Found;
 use film::tracking::{Exposure, Point, Readout, Track};
 

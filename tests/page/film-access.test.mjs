@@ -7,7 +7,7 @@ import { after, before } from "node:test";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { beside, eventually, labPage, temporary, visit } from "./lab.mjs";
-import { SOME, difference, dropFilm, isRight, pictures } from "./films.mjs";
+import { SOME, difference, dropFilm, isRight, pictures, swing } from "./films.mjs";
 
 const fixtures = beside("../../crates/film/tests/films");
 const at = (name) => join(fixtures, name);
@@ -84,4 +84,21 @@ after(() => server.close());
 visit("from this computer's server", { address: () => `http://localhost:${server.address().port}/` }, async (lab) => {
   lab.requests.length = 0;
   await isRight(lab.page, lab.page, SOME);
+});
+
+visit("over the network without encryption no film opens, and the page says what to do", { address: () => `http://lan.test:${server.address().port}/` }, async (lab) => {
+  lab.requests.length = 0;
+  await dropFilm(lab.page, "swing.mp4", lab.page, readFileSync(swing));
+  await eventually(async () => assert.match(await lab.page.locator(".message.error").innerText(), /save the page and open the file/));
+});
+
+visit("the camera films, and the film opens", async (lab) => {
+  await lab.page.locator("#tab-measure").click();
+  await lab.press("Record film");
+  await lab.button("Stop recording").waitFor();
+  await new Promise((done) => setTimeout(done, 1500));
+  await lab.press("Stop recording");
+  await lab.page.locator("#film-frame[data-frame]").waitFor();
+  assert.match(await lab.page.locator("#film-name").innerText(), /^film-.*\.(webm|mp4)$/);
+  await lab.button("Record film").waitFor();
 });

@@ -3,6 +3,7 @@
 use crate::films::clip::Clip;
 use crate::films::identity::FilmIdentity;
 use crate::films::state::Open;
+use crate::films::subject::Subject;
 use crate::films::work::Work;
 use crate::{Desk, Refusal};
 use film::calibration::Calibration;
@@ -53,6 +54,10 @@ impl Desk {
         if let Some(work) = self.films.works.get_mut(place) {
             work.stated_factor = clip.stated_factor().unwrap_or(1.0);
             work.ends = clip.ends(work.part);
+            // Stored text is not trusted: what does not fit this film is not followed in it.
+            if work.subject.check(clip.size(), clip.times().len()).is_err() {
+                work.subject = Subject::Nothing;
+            }
         }
         self.films.open = Some(Open { work: place, clip, following: None, running: false, pictures: Vec::new() });
         self.revision.films += 1;

@@ -110,3 +110,25 @@ fn another_document_keeps_the_film() {
     next.calibrate_film(ruler(), None).unwrap();
     assert_eq!(next.records().len(), 1);
 }
+
+#[test]
+fn stored_work_is_not_trusted() {
+    let desk = tracked();
+    let text = desk.saved_films()[0].1.write(7);
+    let changes = [
+        // A click outside the picture, so that nothing is followed.
+        ("[[0,[81.5,83.0]]]", "[[0,[1e9,83.0]]]"),
+        ("\"ends\":[0,74]", "\"ends\":[74,18446744073709551615]"),
+        ("\"factor\":1.0", "\"factor\":0.0"),
+    ];
+    for (from, to) in changes {
+        assert!(text.contains(from), "{from} in {}", &text[..600]);
+        let (_, items) = Item::read(&text.replace(from, to)).unwrap();
+        let mut next = laboratory();
+        assert!(next.restore_film(&items[0]).is_some());
+        next.open_film(identity("swing.mp4"), container(75)).unwrap();
+        let film = next.film().unwrap();
+        assert_eq!((film.ends(), film.factor()), ([0, 74], 1.0));
+        assert_eq!(film.subject().is_nothing(), to.contains("1e9"));
+    }
+}

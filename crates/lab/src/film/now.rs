@@ -29,7 +29,11 @@ pub fn refresh(app: App) {
     let Some((now, pictures)) = read else { return };
     films.now.set(now);
     if let Some(pictures) = pictures {
-        films.pictures.set(pictures);
+        wasm_bindgen_futures::spawn_local(async move {
+            // They are made ready to be painted in a slice of their own.
+            view::browser::breathe().await;
+            films.pictures.set(pictures);
+        });
     }
 }
 

@@ -138,7 +138,8 @@ visit("a wrong stretch is dragged, and the correction can be taken back", async 
   await dropFilm(lab.page, swing);
   await click(lab, SURFACE);
   await tracked(lab);
-  const read = async () => number((await lab.page.locator("#film-values").innerText()).split(";")[1]);
+  // Upwards from the bottom of the picture.
+  const read = async () => truth.size[1] - number((await lab.page.locator("#film-values").innerText()).split("=")[1]);
   await goTo(lab.page, 60);
   const before = await read();
   assert.ok(Math.abs(before - truth.frames[60][1]) < 0.6, `${before}, not ${truth.frames[60][1]}`);

@@ -58,17 +58,15 @@ pub fn values(app: App, frame: usize) -> String {
     let words = words::of(app);
     let style = app.language.get_untracked().style();
     let models = models(app, frame);
-    let fixed = |value: f64, digits: usize| fixed(value, digits, style);
     let mut parts = Vec::new();
     for (number, track) in now.tracks.iter().enumerate() {
         let Ok(place) = track.points.binary_search_by_key(&frame, |point| point.frame) else { continue };
         let Some(point) = track.points.get(place) else { continue };
-        let size = |[x, y]: Pixel| (x * x + y * y).sqrt();
-        let [x, y] = point.position.map(|at| fixed(at, 2));
-        let mut part = format!("({x}; {y}) ± {} px", fixed(size(point.sigma), 2));
-        if let Some((_, at)) = models.iter().find(|(other, _)| *other == number) {
-            let residual = size([at[0] - point.position[0], at[1] - point.position[1]]);
-            part += &format!(" · {} {} px", words.from_model, fixed(residual, 2));
+        let mut part = app.read_desk(|desk| desk.film_position(number, frame)).unwrap_or_default();
+        if let Some((_, [x, y])) = models.iter().find(|(other, _)| *other == number) {
+            let [across, down] = [x - point.position[0], y - point.position[1]];
+            let residual = (across * across + down * down).sqrt();
+            part += &format!(" · {} {} px", words.from_model, fixed(residual, 2, style));
         }
         parts.push(part);
     }

@@ -22,6 +22,10 @@ const SWITCHES = [
   "--disable-background-networking",
   "--disable-component-update",
   "--disable-sync",
+  // A name that is not this computer's, for pages that come over the network; and a camera that films a drawing.
+  "--host-resolver-rules=MAP lan.test 127.0.0.1",
+  "--use-fake-device-for-media-stream",
+  "--use-fake-ui-for-media-stream",
 ];
 
 let browser;

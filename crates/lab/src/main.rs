@@ -8,6 +8,7 @@ mod data;
 mod derivatives;
 mod diagnostics;
 mod drop;
+mod film;
 mod fit;
 mod header;
 mod intake;

@@ -19,7 +19,7 @@ const ARROWS: [(&str, &[&str]); 16] = [
     ("probe", &["analysis", "document", "engine", "figure", "program", "units"]),
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),
-    ("lab", &["desk", "document", "figure", "model", "play", "program", "units", "view"]),
+    ("lab", &["desk", "document", "figure", "film", "model", "play", "program", "units", "view"]),
     ("cli", &["analysis", "document", "engine", "figure", "film", "model", "program", "report", "units"]),
 ];
 

@@ -4,6 +4,8 @@ use crate::common::{meniscus, numbers};
 use analysis::spreadsheet::Archive;
 use std::path::Path;
 
+/// Three frames at a constant step.
+const STEADY: &str = include_str!("../../../analysis/tests/tracker/pixels.trk");
 const PROJECT: &str = include_str!("../../../analysis/tests/tracker/moving.trk");
 
 fn written(path: &Path, bytes: &[u8]) -> String {
@@ -14,16 +16,18 @@ fn written(path: &Path, bytes: &[u8]) -> String {
 #[test]
 fn a_project_is_read_like_any_table() {
     let directory = tempfile::tempdir().expect("a directory");
+    let project = STEADY.replace("scale\" type=\"double\">1.0", "scale\" type=\"double\">10.0");
     let mut archive = Archive::default();
-    archive.add("a.trk", PROJECT.as_bytes());
-    let plain = written(&directory.path().join("a.trk"), PROJECT.as_bytes());
+    archive.add("a.trk", project.as_bytes());
+    let plain = written(&directory.path().join("a.trk"), project.as_bytes());
     let packed = written(&directory.path().join("a.trz"), &archive.finish());
     for file in [plain, packed] {
         let done = meniscus(&["derivatives", &file, "--observe", "y"]);
         assert_eq!(done.code, 0, "{}", done.stderr);
-        let times: Vec<f64> = numbers(&done.stdout).iter().map(|row| row[0]).collect();
-        assert_eq!(times, [0.0, 0.0667, 0.1167, 0.15]);
-        assert!(done.stderr.contains("metres are assumed"), "{}", done.stderr);
+        // 10 px, 20 px and 25 px above the origin, in metres, at 33.3 ms.
+        let positions: Vec<f64> = numbers(&done.stdout).iter().map(|row| row[1]).collect();
+        assert_eq!(positions, [1.0, 2.0, 2.5]);
+        assert!(done.stderr.contains("constant step of 33.333333 ms"), "{}", done.stderr);
     }
 }
 

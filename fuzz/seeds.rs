@@ -1,4 +1,4 @@
-//! Writes what fuzzing begins with: the simulations with their translations as documents, as bundles and, block by block, as models; and the films of the tests.
+//! Writes what fuzzing begins with: the simulations with their translations as documents, as bundles and, block by block, as models; and the films and projects of the tests.
 //! `cargo run --manifest-path fuzz/Cargo.toml --bin seeds`
 
 use std::path::{Path, PathBuf};
@@ -6,7 +6,7 @@ use std::{fs, io};
 
 fn main() -> io::Result<()> {
     let fuzz = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for target in ["bundle", "document", "film", "language"] {
+    for target in ["bundle", "document", "film", "language", "tracker"] {
         fs::create_dir_all(fuzz.join("corpus").join(target))?;
     }
     let write = |target: &str, name: &str, bytes: &[u8]| fs::write(fuzz.join("corpus").join(target).join(name), bytes);
@@ -38,6 +38,10 @@ fn main() -> io::Result<()> {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             write("film", &name, &fs::read(&path)?)?;
         }
+    }
+    for path in files(&fuzz.join("../crates/analysis/tests/tracker"))? {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        write("tracker", &name, &fs::read(&path)?)?;
     }
     Ok(())
 }

@@ -5,9 +5,9 @@
 use document::Document;
 use document::edit::{apply, replace_block};
 use document::page::{MARKER, Options, Source, embed, read};
-use program::Block;
 use libfuzzer_sys::fuzz_target;
 use play::Play;
+use program::Block;
 
 fuzz_target!(|text: &str| {
     let mut parts = text.split("\n=====\n");

@@ -26,7 +26,9 @@ fn read(bytes: Vec<u8>) {
                 Ok(Progress::Sheet(sheet)) => assert!(sheet.text.len() <= 2 * MOST),
                 Ok(Progress::End) => break,
                 Err(error) => {
-                    assert!(!error.message(Language::English).is_empty() && !error.message(Language::Spanish).is_empty());
+                    assert!(
+                        !error.message(Language::English).is_empty() && !error.message(Language::Spanish).is_empty()
+                    );
                     break;
                 }
             }

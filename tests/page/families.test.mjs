@@ -69,6 +69,10 @@ visit("the number of masses is changed in the page, and the link restores it", a
   await lab.go(address);
   await eventually(async () => assert.equal(await size.inputValue(), "9"));
   assert.equal(await lab.number("Stiffness"), 9);
+  await lab.press("Restore defaults");
+  await eventually(async () => assert.equal(await size.inputValue(), "5"));
+  assert.notEqual(await lab.number("Stiffness"), 9);
+  assert.equal((await lab.focused()).id, "restore-defaults");
   await lab.openSource();
   assert.match(await lab.page.locator("#source pre").innerText(), /size N = 5/);
 });

@@ -7,6 +7,7 @@ import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { launch } from "puppeteer-core";
 import { eventually, labPage, number, temporary } from "./lab.mjs";
+import { isRight } from "./films.mjs";
 import { DAMPING, LENGTH, film } from "./measured.mjs";
 
 // English, and no network: the proxy script sends every request to a port on which nothing listens.
@@ -219,4 +220,9 @@ visit("a link opens the same state for somebody else", "", async (visitor) => {
     await other.openTab("Play");
     assert.equal(await other.number("textbox", "Damping"), 20);
   });
+});
+
+visit("the frames of a film are the right ones", "", async (visitor) => {
+  await visitor.find("slider", "Time line");
+  await isRight(visitor.page);
 });

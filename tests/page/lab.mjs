@@ -22,6 +22,10 @@ const SWITCHES = [
   "--disable-background-networking",
   "--disable-component-update",
   "--disable-sync",
+  // A name that is not this computer's, for pages that come over the network; and a camera that films a drawing.
+  "--host-resolver-rules=MAP lan.test 127.0.0.1",
+  "--use-fake-device-for-media-stream",
+  "--use-fake-ui-for-media-stream",
 ];
 
 let browser;
@@ -138,6 +142,12 @@ export class Lab {
 
   async press(name) {
     await this.button(name).click();
+    await this.drawn();
+  }
+
+  /** Until what was done before has been drawn: a person sees it no earlier, either. */
+  async drawn() {
+    await this.page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
   }
 
   field(name) {
@@ -150,7 +160,9 @@ export class Lab {
 
   /** Goes to the tab of parameters and values, unless what is wanted is in sight. */
   async play(wanted) {
-    if (!(await wanted.isVisible())) await this.page.locator("#tab-play").click();
+    if (await wanted.isVisible()) return;
+    await this.page.locator("#tab-play").click();
+    await this.drawn();
   }
 
   /** Shows the table of the recorded values. */
@@ -170,24 +182,27 @@ export class Lab {
     await this.play(this.field(name));
     await this.field(name).fill(text);
     await this.field(name).press("Enter");
+    await this.drawn();
   }
 
   /** The number a field shows. */
   async number(name) {
     await this.play(this.field(name));
+    await this.drawn();
     return number(await this.field(name).inputValue());
   }
 
   /** What stands beside a name among the values. */
   async value(name) {
     await this.play(this.page.locator("#readouts"));
+    await this.drawn();
     const row = this.page.locator("#readouts dl > div").filter({ has: this.page.getByText(name, { exact: true }) });
     return (await row.locator("dd").innerText()).trim();
   }
 
   /** The time shown, in seconds, once what was done before has been drawn. */
   async time() {
-    await this.page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+    await this.drawn();
     return number(await this.page.locator("#clock").innerText());
   }
 
@@ -198,16 +213,19 @@ export class Lab {
 
   async tab(name) {
     await this.page.getByRole("tab", { name, exact: true }).click();
+    await this.drawn();
   }
 
   /** How many rows are recorded; the table must be open. */
   async rows() {
+    await this.drawn();
     const text = await this.page.locator(".data .range").innerText();
     return Number(text.split("/")[1].replace(/[^0-9]/g, ""));
   }
 
   /** The last thing a screen reader was told. */
   async told() {
+    await this.drawn();
     return (await this.page.locator("#spoken").innerText()).trim();
   }
 
@@ -227,6 +245,7 @@ export class Lab {
   /** Presses keys one after the other. */
   async keys(...keys) {
     for (const key of keys) await this.page.keyboard.press(key);
+    await this.drawn();
   }
 
   /** The name and role of what has the focus. */

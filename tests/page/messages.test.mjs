@@ -127,7 +127,7 @@ visit("files over the page are invited", async (lab) => {
       document.querySelector("#apparatus").dispatchEvent(event);
       return event.defaultPrevented;
     }, [kind, type]);
-  const sign = lab.page.getByText("Drop a document or measured data");
+  const sign = lab.page.getByText("Drop a document, a film or measured data");
   assert.equal(await drag("dragenter", "text"), false, "dragged words are the browser's business");
   assert.equal(await sign.count(), 0);
   assert.equal(await drag("dragenter", "file"), true);

@@ -41,6 +41,7 @@ const KINDS: [Kind; 2] = [
             "view/page/stage.css",
             "view/page/panel.css",
             "lab/page/measure.css",
+            "lab/page/film.css",
             "lab/page/library.css",
             "lab/page/write.css",
             "view/page/narrow.css",

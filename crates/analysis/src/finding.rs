@@ -4,6 +4,7 @@ mod words;
 
 use crate::sampling::Gap;
 use crate::stencil::Stencil;
+use crate::tracker::Remark;
 use units::Language::{self, Spanish};
 pub(crate) use words::readings;
 use words::{called, clock, decimal, missing, reading, rounded_step, runs, separator};
@@ -13,6 +14,8 @@ use words::{called, clock, decimal, missing, reading, rounded_step, runs, separa
 pub enum Finding {
     /// The workbook has several sheets; this is the one that was read, by its name.
     Sheet(String),
+    /// What the positions of a project of Tracker are.
+    Project(Remark),
     /// A word stands where a number should; the cell became a gap.
     Word {
         /// The line of the file.
@@ -152,6 +155,7 @@ impl Finding {
                 format!("the workbook has several sheets; the first with a table was read: `{name}`"),
                 format!("el libro tiene varias hojas; se leyó la primera con una tabla: «{name}»"),
             ),
+            Self::Project(remark) => remark.text(language),
             Self::Word { line, column, text } => say(
                 format!("line {line}, column {column}: `{text}` is not a number and became a gap"),
                 format!("línea {line}, columna {column}: «{text}» no es un número y quedó como hueco"),

@@ -1,9 +1,11 @@
-//! A file of measured data, text or workbook, read in slices: the page never stands still, and the program reads by the
-//! same rules.
+//! A file of measured data, text, workbook or project of Tracker, read in slices: the page never stands still, and the
+//! program reads by the same rules.
 
 use crate::finding::Finding;
 use crate::import::{self, Import, ImportError, Importer};
-use crate::workbook::{self, Progress, Workbook, WorkbookError};
+use crate::packed::{self, Archive};
+use crate::tracker::{self, Opening, TrackerError};
+use crate::workbook::{Progress, Workbook, WorkbookError};
 use std::borrow::Cow;
 use units::Language::{self, Spanish};
 
@@ -11,6 +13,8 @@ use units::Language::{self, Spanish};
 #[derive(Debug)]
 pub struct Reading {
     stage: Stage,
+    /// No sheet and no project may become a longer text, in bytes.
+    most: usize,
     /// The first sheet that was no table, and why.
     passed: Option<(String, ImportError)>,
 }
@@ -19,12 +23,23 @@ pub struct Reading {
 enum Stage {
     /// Bytes of a text.
     Bytes(Vec<u8>),
-    /// A text of which nothing is known yet, and the sheet it is of.
-    Text(String, Option<Sheet>),
-    Rows(Box<Importer<'static>>, Option<Sheet>),
+    /// A text of which nothing is known yet, and what it was made of.
+    Text(String, Source),
+    Rows(Box<Importer<'static>>, Source),
     Sheets(Box<Workbook>),
+    Project(Box<Opening>),
     Finished(Box<Contents>),
     Failed,
+}
+
+/// What a text was made of.
+#[derive(Debug)]
+enum Source {
+    /// It is the file.
+    File,
+    Sheet(Sheet),
+    /// A project, with what was noticed about it.
+    Project(Vec<Finding>),
 }
 
 /// The sheet that a text was made of, and the rest of its workbook.
@@ -41,7 +56,7 @@ struct Sheet {
 pub struct Contents {
     /// The table and what was noticed.
     pub import: Import,
-    /// The text it was read from; that of a workbook's sheet can be read again by [`import::text`].
+    /// The text it was read from; that of a workbook's sheet or of a project can be read again by [`import::text`].
     pub text: String,
 }
 
@@ -59,6 +74,8 @@ pub enum ReadingError {
     },
     /// The workbook cannot be read.
     Workbook(WorkbookError),
+    /// The project of Tracker cannot be read.
+    Project(TrackerError),
 }
 
 impl ReadingError {
@@ -69,6 +86,7 @@ impl ReadingError {
             Self::Sheet { name, error } if language == Spanish => format!("hoja «{name}», {}", error.message(language)),
             Self::Sheet { name, error } => format!("sheet `{name}`, {}", error.message(language)),
             Self::Workbook(error) => error.message(language),
+            Self::Project(error) => error.message(language),
         }
     }
 
@@ -77,22 +95,31 @@ impl ReadingError {
         match self {
             Self::Text(error) | Self::Sheet { error, .. } => error.hint(language),
             Self::Workbook(error) => error.hint(language),
+            Self::Project(error) => error.hint(language),
         }
     }
 }
 
 impl Reading {
-    /// Begins to read a file, of which a sheet may become `most` bytes of text.
+    /// Begins to read a file, of which a sheet or a project may become `most` bytes of text.
     ///
     /// # Errors
     /// What is a workbook that cannot be read.
     pub fn new(bytes: Vec<u8>, most: usize) -> Result<Self, ReadingError> {
-        let stage = if workbook::is_workbook(&bytes) {
-            Stage::Sheets(Box::new(Workbook::open(bytes, most).map_err(ReadingError::Workbook)?))
+        let stage = if packed::is_archive(&bytes) {
+            let archive = Archive::open(bytes).map_err(|defect| ReadingError::Workbook(defect.into()))?;
+            match Opening::of_archive(archive) {
+                Ok(project) => Stage::Project(Box::new(project)),
+                Err(archive) => {
+                    Stage::Sheets(Box::new(Workbook::of_archive(archive, most).map_err(ReadingError::Workbook)?))
+                }
+            }
+        } else if tracker::is_project(&bytes) {
+            Stage::Project(Box::new(Opening::of_xml(bytes)))
         } else {
             Stage::Bytes(bytes)
         };
-        Ok(Self { stage, passed: None })
+        Ok(Self { stage, most, passed: None })
     }
 
     /// Reads on for about `budget` bytes. Whether it has come to the end.
@@ -101,27 +128,28 @@ impl Reading {
     /// What is no table. There is nothing more to read then.
     pub fn advance(&mut self, budget: usize) -> Result<bool, ReadingError> {
         self.stage = match std::mem::replace(&mut self.stage, Stage::Failed) {
-            Stage::Bytes(bytes) => Stage::Text(import::decode(bytes).map_err(ReadingError::Text)?, None),
-            Stage::Text(text, sheet) => {
+            Stage::Bytes(bytes) => Stage::Text(import::decode(bytes).map_err(ReadingError::Text)?, Source::File),
+            Stage::Text(text, source) => {
                 let text = Cow::Owned(text);
-                let importer = if sheet.is_some() { Importer::of_sheet(text) } else { Importer::new(text) };
+                let importer =
+                    if matches!(source, Source::File) { Importer::new(text) } else { Importer::of_sheet(text) };
                 match importer {
-                    Ok(importer) => Stage::Rows(Box::new(importer), sheet),
-                    Err(error) => self.next_sheet(error, sheet)?,
+                    Ok(importer) => Stage::Rows(Box::new(importer), source),
+                    Err(error) => self.next_sheet(error, source)?,
                 }
             }
-            Stage::Rows(mut importer, sheet) => {
+            Stage::Rows(mut importer, source) => {
                 if importer.advance(budget) {
-                    self.finish_rows(*importer, sheet)?
+                    self.finish_rows(*importer, source)?
                 } else {
-                    Stage::Rows(importer, sheet)
+                    Stage::Rows(importer, source)
                 }
             }
             Stage::Sheets(mut workbook) => match workbook.advance(budget as u64).map_err(ReadingError::Workbook)? {
                 Progress::More => Stage::Sheets(workbook),
                 Progress::Sheet(sheet) => {
                     let others = self.passed.is_some();
-                    Stage::Text(sheet.text, Some(Sheet { name: sheet.name, others, workbook }))
+                    Stage::Text(sheet.text, Source::Sheet(Sheet { name: sheet.name, others, workbook }))
                 }
                 Progress::End => {
                     return Err(match self.passed.take() {
@@ -130,22 +158,30 @@ impl Reading {
                     });
                 }
             },
+            Stage::Project(mut project) => {
+                if project.advance(budget).map_err(ReadingError::Project)? {
+                    self.take_project(*project)?
+                } else {
+                    Stage::Project(project)
+                }
+            }
             Stage::Finished(contents) => Stage::Finished(contents),
             Stage::Failed => return Ok(true),
         };
         Ok(matches!(self.stage, Stage::Finished(_)))
     }
 
-    /// Which part has been read, from 0 to 1. A workbook takes most of its time before its text.
+    /// Which part has been read, from 0 to 1. A workbook or project takes most of its time before its text.
     pub fn progress(&self) -> f64 {
-        const WORKBOOK: f64 = 0.8;
+        const BEFORE: f64 = 0.8;
         match &self.stage {
-            Stage::Sheets(workbook) => WORKBOOK * workbook.progress(),
-            Stage::Rows(importer, None) => importer.progress(),
-            Stage::Text(_, Some(_)) => WORKBOOK,
-            Stage::Rows(importer, Some(_)) => WORKBOOK + (1.0 - WORKBOOK) * importer.progress(),
+            Stage::Sheets(workbook) => BEFORE * workbook.progress(),
+            Stage::Project(project) => BEFORE * project.progress(),
+            Stage::Rows(importer, Source::File) => importer.progress(),
+            Stage::Bytes(_) | Stage::Text(_, Source::File) | Stage::Failed => 0.0,
+            Stage::Text(..) => BEFORE,
+            Stage::Rows(importer, _) => BEFORE + (1.0 - BEFORE) * importer.progress(),
             Stage::Finished(_) => 1.0,
-            Stage::Bytes(_) | Stage::Text(_, None) | Stage::Failed => 0.0,
         }
     }
 
@@ -154,25 +190,37 @@ impl Reading {
         if let Stage::Finished(contents) = self.stage { Some(*contents) } else { None }
     }
 
+    /// The table of a project that has been read.
+    fn take_project(&self, project: Opening) -> Result<Stage, ReadingError> {
+        let opened = project.finish().ok_or(ReadingError::Project(TrackerError::Damaged))?;
+        let text = opened.project.table(self.most).map_err(ReadingError::Project)?;
+        Ok(Stage::Text(text, Source::Project(opened.remarks().into_iter().map(Finding::Project).collect())))
+    }
+
     /// The rest of the workbook, after a sheet that is no table.
-    fn next_sheet(&mut self, error: ImportError, sheet: Option<Sheet>) -> Result<Stage, ReadingError> {
-        let Some(Sheet { name, workbook, .. }) = sheet else { return Err(ReadingError::Text(error)) };
+    fn next_sheet(&mut self, error: ImportError, source: Source) -> Result<Stage, ReadingError> {
+        let Source::Sheet(Sheet { name, workbook, .. }) = source else { return Err(ReadingError::Text(error)) };
         self.passed.get_or_insert((name, error));
         Ok(Stage::Sheets(workbook))
     }
 
-    fn finish_rows(&mut self, importer: Importer<'static>, sheet: Option<Sheet>) -> Result<Stage, ReadingError> {
-        match importer.finish() {
-            Ok((mut import, text)) => {
-                if let Some(mut sheet) = sheet
-                    && (sheet.others || sheet.workbook.has_more())
-                {
+    fn finish_rows(&mut self, importer: Importer<'static>, source: Source) -> Result<Stage, ReadingError> {
+        let (mut import, text) = match importer.finish() {
+            Ok(finished) => finished,
+            Err(error) => return self.next_sheet(error, source),
+        };
+        match source {
+            Source::File => {}
+            Source::Sheet(mut sheet) => {
+                if sheet.others || sheet.workbook.has_more() {
                     import.findings.insert(0, Finding::Sheet(sheet.name));
                 }
-                Ok(Stage::Finished(Box::new(Contents { import, text: text.into_owned() })))
             }
-            Err(error) => self.next_sheet(error, sheet),
+            Source::Project(findings) => {
+                import.findings.splice(0..0, findings);
+            }
         }
+        Ok(Stage::Finished(Box::new(Contents { import, text: text.into_owned() })))
     }
 }
 

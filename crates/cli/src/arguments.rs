@@ -239,8 +239,8 @@ Examples:
   meniscus cycles run3.txt --output cycles.svg    each quantity against time and amplitude
   meniscus cycles run3.txt --output cycles.csv    the table for a spreadsheet
 
-DATA is text as Tracker, loggers and spreadsheets write it, or XLSX, XLS or ODS: time, then one or more quantities.
-docs/data.md has the rules. In the linear theory frequency and damping are the same in every cycle.";
+DATA is text as Tracker, loggers and spreadsheets write it, XLSX, XLS or ODS, or a project of Tracker (TRK, TRZ): time, then
+one or more quantities. docs/data.md has the rules. In the linear theory frequency and damping are the same in every cycle.";
 
 /// `meniscus cycles`
 #[derive(Debug, Args)]

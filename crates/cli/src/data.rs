@@ -1,4 +1,4 @@
-//! Files of measured data: text in any form, and spreadsheets.
+//! Files of measured data: text in any form, spreadsheets, and projects of Tracker.
 
 use crate::assignments::{Assignment, Observe};
 use crate::failure::{Failure, listed};
@@ -8,7 +8,7 @@ use analysis::inspection::{Derived, doubtful_times, inspect};
 use analysis::origin::UnitOrigin;
 use analysis::reading::{self, ReadingError};
 use analysis::table::Table;
-use analysis::workbook;
+use analysis::{tracker, workbook};
 use calamine::{Data, Range, Reader, Xls};
 use std::fs::File;
 use std::io::{Cursor, Read};
@@ -87,7 +87,7 @@ fn bounded(source: &mut dyn Read, path: &Path) -> Result<Vec<u8>, Failure> {
     let failure = |error: std::io::Error| Failure::file("read", path, &error);
     let mut bytes = Vec::new();
     source.take(8192).read_to_end(&mut bytes).map_err(failure)?;
-    if !bytes.starts_with(OLD_WORKBOOK) && !workbook::is_workbook(&bytes) {
+    if !bytes.starts_with(OLD_WORKBOOK) && !workbook::is_workbook(&bytes) && !tracker::is_project(&bytes) {
         let refused = |error| refused(&path.display().to_string(), &ReadingError::Text(error));
         import::look(&bytes).map_err(refused)?;
     }

@@ -10,6 +10,8 @@ pub enum Announcement {
     Play(play::Announcement),
     /// A record of this name was read.
     RecordAdded(String),
+    /// The open film has been tracked.
+    FilmTracked,
     /// A file of this name was given up before it was read.
     RecordCancelled(String),
     /// Velocity and acceleration were made of a column of this record.

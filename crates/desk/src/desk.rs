@@ -3,6 +3,7 @@
 use crate::announcement::{Announcement, Announcements};
 use crate::cycles::drawn::CyclePlot;
 use crate::cycles::found::CycleView;
+use crate::films::state::Films;
 use crate::fits::state::Fits;
 use crate::measured::data::Data;
 use crate::records::incoming::Intake;
@@ -20,6 +21,8 @@ pub struct Revision {
     pub records: u64,
     /// What fits vary, what is being fitted, and what has come of it.
     pub fits: u64,
+    /// The film that is open, and the work on it.
+    pub films: u64,
 }
 
 /// A laboratory with one document open.
@@ -32,6 +35,7 @@ pub struct Desk {
     pub(crate) announcements: Announcements,
     pub(crate) data: Data,
     pub(crate) fits: Fits,
+    pub(crate) films: Films,
     /// The file that is being read.
     pub(crate) intake: Option<Intake>,
     pub(crate) cycle_view: CycleView,
@@ -56,6 +60,7 @@ impl Desk {
             announcements: Announcements::default(),
             data: Data::default(),
             fits: Fits::default(),
+            films: Films::default(),
             intake: None,
             cycle_view: CycleView::default(),
             cycles: CyclePlot::default(),

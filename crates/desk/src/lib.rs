@@ -3,6 +3,7 @@
 //!
 //! | folder | what it holds |
 //! |---|---|
+//! | `films` | films: what is followed in one, lengths, the record that it becomes, the model over it |
 //! | `records` | files that are read, their columns, derivatives, virtual measurements |
 //! | `measured` | points over curves, residuals, the outline in the scene |
 //! | `cycles` | an oscillation cycle by cycle |
@@ -16,6 +17,7 @@
 mod announcement;
 mod cycles;
 mod desk;
+mod films;
 mod fits;
 mod measured;
 mod records;
@@ -30,12 +32,17 @@ mod writing;
 
 pub use analysis::derivative::Differentiation;
 pub use document;
+pub use film;
 pub use play;
 pub use units::number;
 
 pub use announcement::Announcement;
 pub use cycles::{CycleColumn, CyclesView};
 pub use desk::{Desk, Revision};
+pub use films::{
+    CalibrationForm, Clip, Doubt, DoubtfulFrame, FilmIdentity, FilmOpening, FilmedBody, FilmedSurface, LengthsForm,
+    MOST_BODIES, MOST_SURFACES, OpenFilm, POINT_SIGMA, ParallaxForm, SpaceTimePicture, Subject, TrackingProgress,
+};
 pub use fits::{
     ChoiceView, EstimateView, Export, ExportKind, FitDetail, FitProgress, FitRecordView, FitView, Imprint, KnownView,
     MOST_FITS,

@@ -31,6 +31,11 @@ pub enum Refusal {
         /// Why, in the chosen language.
         why: String,
     },
+    /// A film cannot be opened, tracked or measured so.
+    Film {
+        /// Why and what to do, in the chosen language.
+        why: String,
+    },
     /// A fit cannot be made.
     Fit {
         /// Why, in the chosen language.

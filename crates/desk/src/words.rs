@@ -55,6 +55,25 @@ pub(crate) fn initial_values_hold(language: Language, at: &str, early: usize) ->
     text
 }
 
+/// Of which values the record itself holds the standard errors, in sentences.
+pub(crate) fn given_errors(language: Language, task: &analysis::fit::Task) -> Vec<String> {
+    let with_errors = |record: &analysis::fit::Record| {
+        let known = record.observations.iter().filter(|one| one.errors.is_some()).map(|one| one.name.clone());
+        (record.name.clone(), known.collect::<Vec<String>>().join(", "))
+    };
+    let sentence = |(record, names): (String, String)| {
+        language.pick(
+            format!(
+                "{record}: the standard errors of {names} are those of its columns `sigma_`; they weigh the values."
+            ),
+            format!(
+                "{record}: los errores estándar de {names} son los de sus columnas `sigma_`; ponderan los valores."
+            ),
+        )
+    };
+    task.records.iter().map(with_errors).filter(|(_, names)| !names.is_empty()).map(sentence).collect()
+}
+
 /// Of a number that the data do not determine.
 pub(crate) fn undetermined(language: Language) -> &'static str {
     language.pick("not determined by the data", "los datos no lo determinan")
@@ -151,7 +170,7 @@ impl Desk {
                     "Ninguna fila tiene los vecinos que necesita una derivada. Los tiempos deben crecer; los irregulares se pueden suavizar con polinomios.",
                 )
                 .to_owned(),
-            Refusal::Fit { why } => why.clone(),
+            Refusal::Fit { why } | Refusal::Film { why } => why.clone(),
             Refusal::Size { why } => sentence(why),
         }
     }
@@ -166,6 +185,7 @@ impl Desk {
             Announcement::DerivativesMade(name) => {
                 with("Velocity and acceleration made: {}", "Velocidad y aceleración calculadas: {}", name)
             }
+            Announcement::FilmTracked => say("The film has been tracked", "El vídeo se ha seguido"),
             Announcement::RecordCancelled(name) => with("Not read: {}", "No se ha leído: {}", name),
             Announcement::RecordRemoved(name) => with("Record removed: {}", "Registro quitado: {}", name),
             Announcement::FitRemoved(theory) => with("Fit removed: {}", "Ajuste quitado: {}", theory),

@@ -5,8 +5,10 @@
 //! together with its presentation time.
 
 pub mod calibration;
+pub mod camera;
 pub mod containers;
 mod plane;
+pub mod table;
 pub mod timing;
 pub mod tracking;
 pub mod y4m;

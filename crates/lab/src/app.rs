@@ -2,6 +2,7 @@
 
 mod host;
 
+use crate::film::{Films, Player};
 use crate::stored::Saved;
 use crate::words::{Words, words_in};
 use crate::write::Editor;
@@ -11,6 +12,7 @@ use model::Diagnostic;
 use std::cell::{Cell, OnceCell, RefCell, RefMut};
 use std::collections::{BTreeMap, VecDeque};
 use std::ops::Deref;
+use std::rc::Rc;
 use units::Language;
 use view::views::*;
 use web_sys::File;
@@ -53,6 +55,12 @@ pub struct Lab {
     pub files: VecDeque<File>,
     /// See `files`.
     pub reading: bool,
+    /// The pictures of the film that is open.
+    pub player: Option<Rc<Player>>,
+    /// Whether it is being tracked.
+    pub tracking: bool,
+    /// Whether the run is being brought to where the film is.
+    pub bringing: bool,
 }
 
 impl Lab {
@@ -79,6 +87,8 @@ pub struct Laboratory {
     pub dragging_files: Signal<bool>,
     /// The record that was added last, until a person has seen it.
     pub new_record: Signal<Option<u32>>,
+    /// The film that is open.
+    pub films: Films,
     /// How far the fits have come that a person has begun.
     pub fit_progress: Signal<Option<FitProgress>>,
     /// How far the file has been read that is being read as a record.
@@ -116,8 +126,8 @@ impl Deref for Laboratory {
 struct Store {
     lab: RefCell<Lab>,
     app: OnceCell<App>,
-    /// What the views have shown of records, fits and answers.
-    seen: Cell<(u64, u64, u64)>,
+    /// What the views have shown of records, fits, answers and the film.
+    seen: Cell<(u64, u64, u64, u64)>,
 }
 
 impl Store {
@@ -140,6 +150,7 @@ impl App {
             fits: counter(),
             dragging_files: create_signal(false),
             new_record: create_signal(None),
+            films: Films::new(),
             fit_progress: create_signal(None),
             record_progress: create_signal(None),
             record_refusal: create_signal(None),

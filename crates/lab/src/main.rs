@@ -7,6 +7,7 @@ mod data;
 mod derivatives;
 mod diagnostics;
 mod drop;
+mod film;
 mod fit;
 mod header;
 mod idle;

@@ -3,7 +3,7 @@
 use crate::app::App;
 use crate::intake::{self, refuse};
 use crate::tabs;
-use crate::{cycles, library, records, virtual_form};
+use crate::{cycles, film, library, records, virtual_form};
 use view::views::*;
 use view::{browser, icons};
 use web_sys::{HtmlInputElement, HtmlTextAreaElement};
@@ -13,6 +13,7 @@ pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
     div()
         .class("measurements")
+        .child(film::acts::view(app))
         .child(note(words.measurements_intro))
         .child(ways_in(app))
         .child(intake::view(app))
@@ -71,7 +72,7 @@ fn ways_in(app: App) -> View {
         .child(label().r#for("paste-record").child(words.paste_label))
         .child(textarea().id("paste-record").rows("6").attr("spellcheck", "false").autocomplete("off"))
         .child(button().class("primary").id("read-record").when(events::click, read).child(words.read_record));
-    View::from((div().class("intake").child(open).child(input).child(samples), paste))
+    View::from((div().class("intake").child(film::acts::way_in(app)).child(open).child(input).child(samples), paste))
 }
 
 /// Adds a sample record.

@@ -4,7 +4,7 @@
 use crate::app::{App, Lab};
 use crate::links::Arrival;
 use crate::visited::Visited;
-use crate::{fit, intake, saved, visited, write};
+use crate::{film, fit, intake, saved, visited, write};
 use desk::{Desk, Writing};
 use document::page::{self, Source};
 use view::{browser, messages};
@@ -186,6 +186,10 @@ pub fn open_files(app: App, files: &FileList) {
             let name = file.name().to_lowercase();
             [".md", ".markdown", ".html", ".htm"].iter().any(|ending| name.ends_with(ending))
         };
+        let (films, files): (Vec<File>, Vec<File>) = files.into_iter().partition(film::is_film);
+        if let Some(file) = films.into_iter().next() {
+            film::open(app, file);
+        }
         let (documents, records): (Vec<File>, Vec<File>) = files.into_iter().partition(is_document);
         if documents.is_empty() {
             return intake::read(app, records);

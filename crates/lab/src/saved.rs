@@ -14,6 +14,7 @@ use wasm_bindgen::closure::Closure;
 
 const RECORDS: &str = "record:";
 const FITS: &str = "fit:";
+const FILMS: &str = "film:";
 
 /// What the state of a document is stored under begins with.
 const STATE: &str = "state:";
@@ -58,6 +59,9 @@ pub fn restore_measured(saved: &mut Saved, desk: &mut Desk) -> usize {
     let records = saved
         .records
         .read(stored(RECORDS, "records"), |_, item| desk.restore_record(item).map(|name| format!("{RECORDS}{name}")));
+    // After the records, which belong to some of them.
+    let films = browser::all_remembered(FILMS);
+    saved.films.read(films, |_, item| desk.restore_film(item).map(|name| format!("{FILMS}{name}")));
     let fits =
         saved.fits.read(stored(FITS, "fits"), |_, item| desk.restore_fit(item).map(|name| format!("{FITS}{name}")));
     if records.refused.is_empty() && records.unreadable.is_empty() {
@@ -111,6 +115,7 @@ fn save(lab: &mut Lab) -> bool {
     let now = js_sys::Date::now() as u64;
     for (shelf, prefix, items) in [
         (&mut saved.records, RECORDS.to_owned(), desk.saved_records()),
+        (&mut saved.films, FILMS.to_owned(), desk.saved_films()),
         (&mut saved.fits, FITS.to_owned(), desk.saved_fits()),
         (&mut saved.answers, answers_of(&key), desk.saved_answers()),
     ] {

@@ -7,6 +7,8 @@ use desk::Shelf;
 pub struct Saved {
     /// The records.
     pub records: Shelf,
+    /// What was said of films.
+    pub films: Shelf,
     /// The fits.
     pub fits: Shelf,
     /// The answers to the questions of the document that is open.

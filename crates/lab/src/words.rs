@@ -14,11 +14,11 @@ table_of_words! {
     open_title: "Open a simulation document or an exported page", "Abrir un documento de simulación o una página exportada";
     file_not_read: "The browser could not read this file:", "El navegador no pudo leer este archivo:";
 
-    drop_title: "Drop a document or measured data", "Suelta un documento o datos medidos";
-    drop_what: "A simulation document, an exported page, or a table from a film or a sensor", "Un documento de simulación, una página exportada o una tabla de un vídeo o un sensor";
+    drop_title: "Drop a document, a film or measured data", "Suelta un documento, un vídeo o datos medidos";
+    drop_what: "A simulation document, an exported page, a film of an experiment, or a table from a sensor", "Un documento de simulación, una página exportada, un vídeo de un experimento o una tabla de un sensor";
 
     // Measurements.
-    measurements_intro: "Bring a record of a film or a sensor: a table of times and values as text, XLSX or ODS, as the tracking program or spreadsheet wrote it. Drop the file anywhere on this page, choose it, or paste it. It stays in your browser.", "Trae un registro de un vídeo o de un sensor: una tabla de tiempos y valores como texto, XLSX u ODS, tal como la escribió el programa de seguimiento o la hoja de cálculo. Suelta el archivo en cualquier parte de esta página, elígelo o pégalo. No sale de tu navegador.";
+    measurements_intro: "Open a film of an experiment and click what moves, or bring a record: a table of times and values as text, XLSX or ODS, as the tracking program or spreadsheet wrote it. Drop the file anywhere on this page, choose it, or paste it. It stays in your browser.", "Abre un vídeo de un experimento y haz clic en lo que se mueve, o trae un registro: una tabla de tiempos y valores como texto, XLSX u ODS, tal como la escribió el programa de seguimiento o la hoja de cálculo. Suelta el archivo en cualquier parte de esta página, elígelo o pégalo. No sale de tu navegador.";
     records: "Records", "Registros";
     choose_record: "Choose a file", "Elegir un archivo";
     paste_record: "Paste a table", "Pegar una tabla";

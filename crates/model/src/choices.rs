@@ -2,9 +2,10 @@
 //! by it.
 
 use crate::{
-    Assignment, BinaryOperator, ChoiceStatement, Diagnostic, Expression, ExpressionKind, ParameterForm,
-    ParameterStatement, Statement, StatementKind, limits,
+    BinaryOperator, ChoiceStatement, ChosenValue, Diagnostic, Expression, ExpressionKind, ParameterForm,
+    ParameterStatement, Quoted, Statement, StatementKind, limits,
 };
+use std::collections::BTreeMap;
 use units::words;
 
 /// The statements with the parameters and definitions that choices stand for, if there are any.
@@ -18,9 +19,7 @@ pub(crate) fn spread(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>
             StatementKind::Choice(choice) if check(choice, diagnostics) => {
                 let parameter = StatementKind::Parameter(parameter(choice));
                 spread.push(Statement { label: choice.label.clone(), ..Statement::of(parameter, statement.span) });
-                for kind in definitions(choice) {
-                    spread.push(Statement::of(kind, statement.span));
-                }
+                spread.extend(definitions(choice).map(|definition| Statement { span: statement.span, ..definition }));
             }
             StatementKind::Choice(_) => {}
             _ => spread.push(statement.clone()),
@@ -44,12 +43,12 @@ fn parameter(choice: &ChoiceStatement) -> ParameterStatement {
 
 /// What a choice defines: `rho = if liquid == "Water" then ... else ...`. A stated unit of the first alternative, or that of
 /// its number, is the unit of all.
-pub(crate) fn definitions(choice: &ChoiceStatement) -> Vec<StatementKind> {
-    let Some((first, _)) = choice.alternatives.split_first() else { return Vec::new() };
-    first.values.iter().map(|value| definition(choice, value)).collect()
+pub(crate) fn definitions(choice: &ChoiceStatement) -> impl Iterator<Item = Statement> {
+    let first = choice.alternatives.first().into_iter();
+    first.flat_map(|first| &first.values).map(|value| definition(choice, value))
 }
 
-fn definition(choice: &ChoiceStatement, first: &Assignment) -> StatementKind {
+fn definition(choice: &ChoiceStatement, first: &ChosenValue) -> Statement {
     let name = &first.name;
     let mut value: Option<Expression> = None;
     for alternative in choice.alternatives.iter().rev() {
@@ -72,7 +71,27 @@ fn definition(choice: &ChoiceStatement, first: &Assignment) -> StatementKind {
         }
         _ => None,
     });
-    StatementKind::Definition { name: name.clone(), value, unit }
+    let all = || choice.alternatives.iter().flat_map(|one| &one.values).filter(|one| one.name.text == name.text);
+    Statement {
+        label: all().find_map(|one| one.label.clone()),
+        hidden: all().any(|one| one.hidden),
+        ..Statement::of(StatementKind::Definition { name: name.clone(), value, unit }, name.span)
+    }
+}
+
+/// Labels that are not those that an earlier alternative gives the same quantity, and the earlier ones.
+fn differing_labels(choice: &ChoiceStatement) -> Vec<(&Quoted, &Quoted)> {
+    let mut labels: BTreeMap<&str, &Quoted> = BTreeMap::new();
+    let mut differing = Vec::new();
+    for value in choice.alternatives.iter().flat_map(|alternative| &alternative.values) {
+        if let Some(label) = &value.label {
+            let first = *labels.entry(&value.name.text).or_insert(label);
+            if first.text != label.text {
+                differing.push((label, first));
+            }
+        }
+    }
+    differing
 }
 
 /// Whether every alternative defines the same names, each once.
@@ -105,8 +124,19 @@ fn check(choice: &ChoiceStatement, diagnostics: &mut Vec<Diagnostic>) -> bool {
             }
         }
     }
+    for (label, first) in differing_labels(choice) {
+        let message = words("this quantity has two labels", "esta magnitud tiene dos etiquetas");
+        diagnostics.push(
+            Diagnostic::error("duplicate-name", message, label.span)
+                .with_label(first.span, words("the first is here", "la primera está aquí"))
+                .with_hint(words(
+                    "a label in one of the alternatives holds for all",
+                    "una etiqueta en una de las alternativas vale para todas",
+                )),
+        );
+    }
     for other in others {
-        let defines = |values: &[Assignment], name: &str| values.iter().any(|value| value.name.text == name);
+        let defines = |values: &[ChosenValue], name: &str| values.iter().any(|value| value.name.text == name);
         for (has, lacks) in [(first, other), (other, first)] {
             for value in has.values.iter().filter(|value| !defines(&lacks.values, &value.name.text)) {
                 let (name, text) = (&value.name.text, &lacks.text.text);

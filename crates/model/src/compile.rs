@@ -169,7 +169,14 @@ fn without_vectors(
 /// has not written, which has a name that no text can give.
 fn hide(model: &mut Model, statements: &[Statement], vectors: &Vectors) {
     let mut hidden: HashSet<(&str, u32)> = HashSet::new();
-    for statement in statements.iter().filter(|statement| statement.hidden) {
+    for statement in statements {
+        if let StatementKind::Choice(choice) = &statement.kind {
+            let values = choice.alternatives.iter().flat_map(|one| &one.values).filter(|value| value.hidden);
+            hidden.extend(values.map(|value| (value.name.text.as_str(), 0)));
+        }
+        if !statement.hidden {
+            continue;
+        }
         match &statement.kind {
             StatementKind::Event { actions, .. } => {
                 hidden.extend(actions.iter().map(|action| (action.name.text.as_str(), 0)));

@@ -44,6 +44,14 @@ pub trait Host {
     /// Raises the counters of what has changed besides the simulation.
     fn raise(&self) {}
 
+    /// Another picture on the stage, and the bar with its frames: what can stand in the place of scene and transport.
+    fn picture(&self) -> [View; 2] {
+        Default::default()
+    }
+
+    /// A time of the run (SI) is pointed at in a plot against time; it is found out only if it is asked for.
+    fn look_at(&self, _time: &mut dyn FnMut() -> Option<f64>) {}
+
     /// The part of the time that something is limited to, if the plots are to show it.
     fn part(&self) -> Option<Part> {
         None

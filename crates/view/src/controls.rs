@@ -1,6 +1,7 @@
 //! The controls: parameters, presets, the state, method and step.
 
 use crate::app::App;
+use crate::browser;
 use crate::member;
 use crate::readouts::followed;
 use crate::sizes;
@@ -17,7 +18,7 @@ pub fn view(app: App) -> HtmlSection {
         .class("quiet")
         .id("restore-defaults")
         .title(words.restore_defaults_title)
-        .when(events::click, move |_| app.act(Play::restore_defaults))
+        .when(events::click, move |_| restore_all(app))
         .child(words.restore_defaults);
     let parameters = div()
         .class("block")
@@ -29,6 +30,16 @@ pub fn view(app: App) -> HtmlSection {
         .child(parameters)
         .child(drawings::view(app))
         .child(presets(app))
+}
+
+/// Gives everything the values of the document. Sizes come first: the defaults of the rest belong to the model that they build.
+fn restore_all(app: App) {
+    let resized = sizes::restore(app);
+    app.act(Play::restore_defaults);
+    if resized {
+        app.rebuild();
+        browser::focus("restore-defaults");
+    }
 }
 
 /// The state at the present, and how it is computed: changed more seldom than parameters.

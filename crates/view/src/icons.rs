@@ -65,6 +65,12 @@ icons! {
     keyboard: "M3.5 7h17v10h-17zM7 10.2h.01M10.3 10.2h.01M13.6 10.2h.01M17 10.2h.01M8.5 13.8h7";
     /// A disc, half of it filled.
     theme: "M12 4.5a7.5 7.5 0 1 0 0 15zM12 4.5a7.5 7.5 0 0 1 0 15";
+    /// A strip of film.
+    film: "M4.5 5.5h15v13h-15zM8.5 5.5v13M15.5 5.5v13M4.5 9.8h4M4.5 14.2h4M15.5 9.8h4M15.5 14.2h4";
+    /// A camera that films.
+    camera: "M4 8h10.5v8H4zM14.5 11l5.5-3v8l-5.5-3z";
+    /// A triangle with an exclamation mark.
+    doubt: "M12 5l8 14H4zM12 10.5v4M12 16.8h.01";
     /// A flag on its pole.
     keep: "M7 20V5h10l-2.5 3.8L17 12.5H7";
 }

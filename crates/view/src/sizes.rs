@@ -7,6 +7,17 @@ use crate::views::*;
 use play::SizeView;
 use web_sys::HtmlInputElement;
 
+/// Gives the sizes the values of the document where the page can. Whether one had another value, so that the page must be built
+/// again.
+pub fn restore(app: App) -> bool {
+    let host = app.host();
+    let changed = app.read(|play| {
+        let others = play.model().sizes.iter().filter(|size| size.value != size.stated);
+        others.map(|size| (size.name.clone(), size.stated)).collect::<Vec<_>>()
+    });
+    host.can_resize() && changed.iter().filter(|(name, stated)| host.resize(name, *stated).is_none()).count() > 0
+}
+
 /// The control of a size.
 pub fn control(app: App, size: SizeView) -> HtmlDiv {
     let words = app.words();

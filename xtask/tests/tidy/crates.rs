@@ -15,11 +15,11 @@ const ARROWS: [(&str, &[&str]); 16] = [
     ("analysis", &["engine", "program", "units"]),
     ("report", &["analysis", "document", "figure", "model", "program", "units"]),
     ("play", &["engine", "figure", "program", "units"]),
-    ("desk", &["analysis", "document", "engine", "figure", "model", "play", "program", "report", "units"]),
+    ("desk", &["analysis", "document", "engine", "figure", "film", "model", "play", "program", "report", "units"]),
     ("probe", &["analysis", "document", "engine", "figure", "program", "units"]),
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),
-    ("lab", &["desk", "document", "figure", "model", "play", "program", "units", "view"]),
+    ("lab", &["desk", "document", "figure", "film", "model", "play", "program", "units", "view"]),
     ("cli", &["analysis", "document", "engine", "figure", "film", "model", "program", "report", "units"]),
 ];
 

@@ -63,7 +63,8 @@ pub(super) fn decode_owned(bytes: Vec<u8>) -> Result<String, ImportError> {
     Ok(String::from_utf8(bytes).unwrap_or_default())
 }
 
-fn characters(bytes: &[u8]) -> Cow<'_, str> {
+/// The characters of bytes: UTF-8, UTF-16 with a byte-order mark, else Latin-1.
+pub(crate) fn characters(bytes: &[u8]) -> Cow<'_, str> {
     match bytes {
         [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
         [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),

@@ -21,6 +21,7 @@ mod stamp;
 mod unit_words;
 
 pub use cells::Delimiter;
+pub(crate) use decode::characters;
 pub use decode::look;
 pub use format::Format;
 pub use refusal::{ImportError, Refusal};

@@ -27,7 +27,7 @@ pub enum Refusal {
     },
     /// It contains bytes that no text has.
     Binary,
-    /// It is XML or HTML, as a project of Tracker is.
+    /// It is XML or HTML, and no project of Tracker.
     Markup,
     /// No line has a number.
     NoNumbers {

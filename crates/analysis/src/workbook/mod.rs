@@ -4,23 +4,19 @@
 //! A workbook is read in slices and as a stream: what it expands to is never in memory, only the lines of one sheet. What it
 //! may expand to is bounded before anything is expanded, where a cell may be before anything is written.
 
-mod archive;
 mod moment;
 mod ods;
-mod part;
 mod refusal;
 mod sheet;
 mod styles;
 mod xlsx;
-mod xml;
 
 pub use refusal::WorkbookError;
 
-use archive::Archive;
+use crate::packed::{self, Archive, Xml};
 use moment::{Meaning, Moment};
 use ods::{SheetsReader, Step};
 use xlsx::{Book, Inside, SheetReader, Texts};
-use xml::Xml;
 
 /// A workbook that is being read, sheet after sheet: those that are shown before those that are hidden.
 #[derive(Debug)]
@@ -60,7 +56,7 @@ struct Xlsx {
 
 /// Whether a file begins as a workbook of these forms does.
 pub fn is_workbook(start: &[u8]) -> bool {
-    start.starts_with(b"PK\x03\x04")
+    packed::is_archive(start)
 }
 
 /// A serial number that is shown as a date, a time or a duration, as it stands in a [`SheetText`]; the number itself where it
@@ -81,7 +77,11 @@ impl Workbook {
     /// # Errors
     /// What is no workbook, needs a password or would expand too much.
     pub fn open(bytes: Vec<u8>, most: usize) -> Result<Self, WorkbookError> {
-        let archive = Archive::open(bytes)?;
+        Self::of_archive(Archive::open(bytes)?, most)
+    }
+
+    /// The same for an archive.
+    pub(crate) fn of_archive(archive: Archive, most: usize) -> Result<Self, WorkbookError> {
         let is_xlsx = archive.has("[Content_Types].xml");
         let form = if !is_xlsx && archive.has(ods::CONTENT) {
             Form::Ods(Box::new(SheetsReader::new(Xml::new(archive.part(ods::CONTENT, None)?), most)))

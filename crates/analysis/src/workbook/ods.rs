@@ -3,7 +3,7 @@
 use super::moment::{Meaning, Moment};
 use super::refusal::WorkbookError;
 use super::sheet::{LONGEST_VALUE, Lines, MOST_COLUMNS};
-use super::xml::{Tag, Token, Xml};
+use crate::packed::{Tag, Token, Xml};
 
 /// The part with the sheets.
 pub(super) const CONTENT: &str = "content.xml";

@@ -1,5 +1,6 @@
 //! Why a workbook cannot be read.
 
+use crate::packed::Defect;
 use units::Language::{self, English, Spanish};
 
 /// Why a workbook was not read.
@@ -71,18 +72,24 @@ impl WorkbookError {
             }
             (Self::Protected, English) => "save it without a password, or save the sheet as CSV",
             (Self::Protected, Spanish) => "guárdelo sin contraseña, o guarde la hoja como CSV",
-            (Self::NoSheets, English) => {
-                "measured data can be text, XLSX or ODS; a project of Tracker (TRZ) is exported with File > Export > Data File"
-            }
-            (Self::NoSheets, Spanish) => {
-                "los datos pueden ser texto, XLSX u ODS; un proyecto de Tracker (TRZ) se exporta con Archivo > Exportar > Archivo de datos"
-            }
+            (Self::NoSheets, English) => "measured data can be text, XLSX, ODS, or a project of Tracker (TRK, TRZ)",
+            (Self::NoSheets, Spanish) => "los datos pueden ser texto, XLSX, ODS o un proyecto de Tracker (TRK, TRZ)",
             (Self::Expands { .. } | Self::TooLarge { .. }, English) => {
                 "save the sheet with the measurement alone, or save it as CSV"
             }
             (Self::Expands { .. } | Self::TooLarge { .. }, Spanish) => {
                 "guarde solo la hoja de la medición, o guárdela como CSV"
             }
+        }
+    }
+}
+
+impl From<Defect> for WorkbookError {
+    fn from(defect: Defect) -> Self {
+        match defect {
+            Defect::Damaged => Self::Damaged,
+            Defect::Protected => Self::Protected,
+            Defect::Expands { packed, expanded } => Self::Expands { packed, expanded },
         }
     }
 }

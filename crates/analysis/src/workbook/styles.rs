@@ -2,7 +2,7 @@
 
 use super::moment::Meaning;
 use super::refusal::WorkbookError;
-use super::xml::{Token, Xml};
+use crate::packed::{Token, Xml};
 use std::collections::BTreeMap;
 
 /// Excel allows 65490 cell formats.

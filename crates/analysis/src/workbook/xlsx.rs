@@ -1,11 +1,11 @@
 //! Office Open XML (ECMA-376): which sheets there are, their texts, and the cells of a sheet.
 
-use super::archive::Archive;
 use super::moment::{Meaning, Moment};
 use super::refusal::WorkbookError;
 use super::sheet::{LONGEST_VALUE, Lines, MOST_ROWS};
 use super::styles;
-use super::xml::{Tag, Token, Xml};
+use crate::packed::Archive;
+use crate::packed::{Tag, Token, Xml};
 use std::collections::BTreeMap;
 
 /// The parts that say how a workbook is made are small.

@@ -13,5 +13,6 @@ mod runs_and_clocks;
 mod spreadsheets;
 mod support;
 mod traces;
+mod tracker;
 mod understood;
 mod workbooks;

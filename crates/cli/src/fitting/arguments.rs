@@ -16,8 +16,9 @@ Examples:
   meniscus fit linear.md run3.txt --observe y --loss tukey        outliers count less
   meniscus fit linear.md run3.txt --observe y --output report.html
 
-DATA is text as Tracker, loggers and spreadsheets write it, or XLSX, XLS or ODS; docs/data.md has the rules. NAME is a
-parameter of the document, or t_origin (the clock's reading at the model's 0), or y_offset (the zero of the scale of y).";
+DATA is text as Tracker, loggers and spreadsheets write it, XLSX, XLS or ODS, or a project of Tracker (TRK, TRZ);
+docs/data.md has the rules. NAME is a parameter of the document, or t_origin (the clock's reading at the model's 0), or
+y_offset (the zero of the scale of y).";
 
 /// Shown after the help of `meniscus rank`.
 pub const RANK_EXAMPLES: &str = "\

@@ -2,10 +2,9 @@
 
 use super::arguments::{Given, Track as Arguments};
 use super::clock::Clock;
-use super::lengths::Measured;
 use super::opened::Opened;
-use super::table::Table;
 use film::calibration::{Calibration, Lengths};
+use film::table::{Quantity, Table};
 use film::tracking::{Exposure, Known, Track};
 use serde_json::{Map, Value, json};
 use units::{Language, Words};
@@ -42,7 +41,7 @@ pub fn object(
     format!("{object:#}\n")
 }
 
-fn of_track(track: &Track, quantities: &[Measured], table: &Table) -> Value {
+fn of_track(track: &Track, quantities: &[Quantity], table: &Table) -> Value {
     let rows = table.frames.iter().enumerate();
     let points = rows.filter_map(|(row, frame)| {
         let at = track.points.binary_search_by_key(frame, |point| point.frame).ok()?;

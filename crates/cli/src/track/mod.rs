@@ -9,17 +9,18 @@ mod json;
 mod lengths;
 mod notes;
 mod opened;
-mod table;
+mod project;
 
 use crate::failure::Failure;
 use crate::output;
 use crate::terminal::Terminal;
+use analysis::csv::{self, Dialect};
 use arguments::{Track as Arguments, TrackFormat};
 use clock::Clock;
+use film::table::Table;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use opened::Opened;
 use std::path::Path;
-use table::Table;
 use units::Words;
 
 /// Tracks each film and writes its table. A film that cannot be tracked does not keep the others from being tracked.
@@ -44,6 +45,9 @@ pub fn run(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
 }
 
 fn one(path: &Path, target: Option<&Path>, arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
+    if let Some(failure) = project::refusal(path) {
+        return Err(failure);
+    }
     let film = Opened::open(path)?;
     checks::points(&film, arguments)?;
     let clock = Clock::of(&film, arguments)?;
@@ -52,11 +56,11 @@ fn one(path: &Path, target: Option<&Path>, arguments: &Arguments, terminal: Term
     let followed = following::follow(&film, &clock, arguments, &bar);
     bar.finish_and_clear();
     let followed = followed?;
-    let table = Table::of(&followed.tracks, &calibration, &clock);
+    let table = Table::of(&followed.tracks, &calibration, &|frame| clock.times.get(frame).copied().unwrap_or(f64::NAN));
     let found = notes::notes(&followed.tracks, &table, &calibration);
     let notes: Vec<Words> = [film.notes.clone(), clock.notes.clone(), followed.notes, found].concat();
     let text = match format(arguments) {
-        TrackFormat::Csv => table.csv(),
+        TrackFormat::Csv => text(&table),
         TrackFormat::Json => {
             let found = (followed.tracks.as_slice(), &table, &calibration);
             json::object(&film, arguments, &clock, found, &notes, terminal.language)
@@ -69,6 +73,13 @@ fn one(path: &Path, target: Option<&Path>, arguments: &Arguments, terminal: Term
         terminal.print(&format!("{name}{}: {}\n", language.pick("note", "nota"), note.text(language)));
     }
     Ok(())
+}
+
+fn text(table: &Table) -> String {
+    let columns = table.columns();
+    let (heads, values): (Vec<&str>, Vec<&[f64]>) =
+        columns.iter().map(|(head, values)| (head.as_str(), *values)).unzip();
+    csv::write(&heads, &values, Dialect::Commas)
 }
 
 fn format(arguments: &Arguments) -> TrackFormat {

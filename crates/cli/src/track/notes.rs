@@ -1,7 +1,7 @@
 //! What was found in a film, in words.
 
-use super::table::Table;
 use film::calibration::{Calibration, Lengths};
+use film::table::Table;
 use film::tracking::{Exposure, Track};
 use units::number::{fixed, plain};
 use units::{Words, words};

@@ -13,6 +13,7 @@ mod fit;
 mod lsp;
 mod office;
 mod pages;
+mod projects;
 mod rank;
 mod run;
 mod strangers;

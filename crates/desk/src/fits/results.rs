@@ -157,6 +157,7 @@ impl Desk {
         sentences.extend(outcome.search_texts(self.play.language()));
         sentences
             .extend(outcome.rival_text(self.play.language(), |one, value| self.play.quantity_text(value, &one.unit)));
+        sentences.extend(words::given_errors(self.play.language(), &fit.task));
         sentences.extend(self.beginnings(fit));
         Some(FitDetail {
             theory: self.title_of(fit),

@@ -79,7 +79,8 @@ fn observations(record: &Record, uses: &[Use], model: &program::Model) -> Vec<Ob
         let derived_from =
             record.computed_from(column).and_then(|source| followed.iter().position(|&own| own == source));
         followed.push(column);
-        observations.push(Observation { name: name.clone(), observed, times, values, errors: None, derived_from });
+        let errors = record.errors_as(uses, column, independent).filter(|errors| errors.len() == values.len());
+        observations.push(Observation { name: name.clone(), observed, times, values, errors, derived_from });
     }
     observations
 }

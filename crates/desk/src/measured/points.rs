@@ -106,6 +106,26 @@ impl Record {
         Some(rows.into_iter().unzip())
     }
 
+    /// The standard errors that the file holds beside the values of a column, SI, in the order of [`Record::series_as`]; `None` unless
+    /// there is a positive one for each value.
+    pub fn errors_as(&self, uses: &[Use], column: usize, independent: &str) -> Option<Vec<f64>> {
+        let beside = self.table.columns.get(self.table.errors_of(column)?)?;
+        let (own, used) = (self.table.columns.get(column)?, uses.get(column)?);
+        // A person who states another unit of the values means their errors, too.
+        let same = beside.unit == own.unit || beside.unit.is_none();
+        let unit = if same { &used.meaning.unit } else { beside.unit.as_ref()? };
+        let is_time = |index: &usize| uses.get(*index).is_some_and(|used| used.meaning.quantity == independent);
+        let clock = Some(own.independent).filter(is_time).or_else(|| (0..uses.len()).find(is_time))?;
+        let times = &self.table.columns.get(clock)?.values;
+        let rows = times.iter().zip(&own.values).zip(&beside.values);
+        let rows = rows.filter(|((time, value), _)| time.is_finite() && value.is_finite());
+        let mut rows: Vec<(f64, f64)> = rows.map(|((time, _), error)| (*time, unit.to_si(*error))).collect();
+        rows.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let usable = unit.dimension == used.meaning.unit.dimension
+            && rows.iter().all(|(_, error)| *error > 0.0 && error.is_finite());
+        usable.then(|| rows.into_iter().map(|(_, error)| error).collect())
+    }
+
     /// Time and value in each row that has both, SI.
     fn rows_as(
         &self,

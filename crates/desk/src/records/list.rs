@@ -104,7 +104,7 @@ impl Desk {
     }
 
     /// A label in every language of the document.
-    pub(super) fn labels(&self, label: &str) -> Vec<String> {
+    pub(crate) fn labels(&self, label: &str) -> Vec<String> {
         self.document
             .program
             .languages()
@@ -143,6 +143,7 @@ impl Desk {
         self.play.number_removals_from(other.play.removals());
         self.cycle_view = std::mem::take(&mut other.cycle_view);
         self.intake = other.intake.take();
+        self.films = std::mem::take(&mut other.films);
         self.recognise_records();
     }
 

@@ -89,12 +89,17 @@ pub(crate) fn recognise(table: &Table, document: &Document, labels: &dyn Fn(&str
     let body = table.columns.iter().find_map(|column| column.body.as_ref());
     let of_body = |column: &Column| column.body.is_none() || column.body.as_ref() == body;
     let fits = |column: &Column, unit: &Unit| column.unit.as_ref().is_none_or(|own| own.dimension == unit.dimension);
+    let errors: BTreeSet<usize> = (0..table.columns.len()).filter_map(|column| table.errors_of(column)).collect();
     // First what is called as it is in the document, then as people call it, then by unit or place.
     let unknowns = 1 + known.iter().skip(1).take_while(|(name, _)| is_about(model, &subjects, name)).count();
     let unknowns = if model.states.is_empty() { known.len() } else { unknowns };
     for (names, how) in [by_exact_name, by_name, by_custom, by_letter, by_place].into_iter().enumerate() {
         for (index, column) in table.columns.iter().enumerate() {
             let independent = column.independent == index;
+            // Standard errors of another column measure nothing.
+            if errors.contains(&index) {
+                continue;
+            }
             // Every body has its own clock.
             if !(of_body(column) || independent)
                 || meanings.get(index).is_none_or(|meaning| !meaning.quantity.is_empty())

@@ -14,6 +14,7 @@ pub(crate) enum Content {
     Record(Record),
     Fit(Fit),
     Answer(Answer),
+    Film(Box<Film>),
 }
 
 /// A record: its text, and what a person has said about it.
@@ -177,6 +178,112 @@ pub(crate) struct Answer {
     pub grade: Option<String>,
     #[serde(skip_serializing_if = "is_false")]
     pub revealed: bool,
+}
+
+/// A point in pixels of the upright picture.
+pub(crate) type Place = [Number; 2];
+
+/// What a person has said of a film. The film itself is not stored.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub(crate) struct Film {
+    pub name: String,
+    /// The size of the file in bytes, and the hash of its beginning.
+    pub size: u64,
+    pub hash: String,
+    /// How many times slower it plays than things happened, where a person has said so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub factor: Option<Number>,
+    /// The part that is used, in seconds of the file.
+    pub part: [Option<Number>; 2],
+    /// `surfaces`, `bodies` or `points`.
+    pub kind: String,
+    pub followed: Vec<Followed>,
+    /// Marks that rest.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub marks: Vec<Place>,
+    /// The marks of the ruler, or the corners of the rectangle.
+    pub points: Vec<Place>,
+    /// The length between the marks, or the sides of the rectangle, as typed.
+    pub lengths: Vec<String>,
+    pub intervals: u32,
+    /// Metres in a pixel and their relative standard error.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scale: Option<[Number; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub origin: Option<Place>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axis: Option<Place>,
+    /// By how much the ruler is behind what moves, and how far the camera is, as typed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parallax: Option<[String; 2]>,
+    /// Width and height of the rectangle in metres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sides: Option<Place>,
+    /// The map to lengths: the point that is zero, the angle of the axes, and behind and distance of the ruler in metres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub zero: Option<Place>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle: Option<Number>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ruler: Option<Place>,
+    /// The factor of the file itself, and the first and the last frame of the part.
+    pub stated_factor: Option<Number>,
+    pub ends: [usize; 2],
+    /// What was found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub found: Option<FoundInFilm>,
+    /// The record by the name under which it is stored.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub record: Option<String>,
+}
+
+/// What was found in a film, in seconds and pixels of the upright picture.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub(crate) struct FoundInFilm {
+    /// The factor with which times were computed.
+    pub factor: Option<Number>,
+    /// The frames in which something was sought, with their times.
+    pub frames: Vec<(usize, Number)>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub repeated: Vec<usize>,
+    pub tracks: Vec<TrackInFilm>,
+}
+
+/// A track.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub(crate) struct TrackInFilm {
+    /// The direction of a tube.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub direction: Option<Place>,
+    /// The exposure in seconds, and whether it is shorter than that.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exposure: Option<(Number, bool)>,
+    /// The readout time and its error.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub readout: Option<Place>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lost: Option<usize>,
+    /// Frame; time, position, errors of both coordinates, score; whether it is in doubt.
+    pub points: Vec<(usize, [Number; 6], bool)>,
+}
+
+/// Something that is followed.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub(crate) struct Followed {
+    /// Frames and places: the click of a surface, the key frames of a body, points by hand.
+    pub clicks: Vec<(usize, Place)>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tube: Option<[Place; 2]>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub anchors: Vec<(usize, Place)>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radius: Option<Number>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sigma: Option<Number>,
 }
 
 fn is_false(value: &bool) -> bool {

@@ -3,12 +3,15 @@
 
 mod answers;
 mod earlier;
+mod films;
 mod fits;
 mod format;
 mod item;
 mod number;
+mod place;
 mod records;
 mod shelf;
+mod tracks;
 
 pub use item::Item;
 pub use shelf::{Change, Left, Shelf};

@@ -5,6 +5,7 @@
 mod anything;
 mod cycles;
 mod derived;
+mod films;
 mod fits;
 mod intake;
 mod reading;

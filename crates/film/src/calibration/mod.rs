@@ -61,6 +61,11 @@ impl Rotation {
     fn turn(self, direction: [f64; 2]) -> [f64; 2] {
         self.apply(direction, [0.0, 0.0])
     }
+
+    /// A direction of the upright picture, in the stored one.
+    fn turn_back(self, direction: [f64; 2]) -> [f64; 2] {
+        self.undo(direction, [0.0, 0.0])
+    }
 }
 
 /// A ruler that is not where the motion is.
@@ -115,6 +120,26 @@ impl Calibration {
         [pixel * x, -pixel * y]
     }
 
+    /// The point in pixels of the stored picture that has these coordinates; it is not finite where no point has them.
+    pub fn undo(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (sine, cosine) = libm::sincos(self.angle);
+        let factor = self.parallax.map_or(1.0, Parallax::factor);
+        let [x, y] = [(cosine * x - sine * y) / factor, (sine * x + cosine * y) / factor];
+        let downwards = |pixel: f64| {
+            let [u, v] = self.rotation.turn_back([x / pixel, -y / pixel]);
+            [self.origin[0] + u, self.origin[1] + v]
+        };
+        match &self.lengths {
+            // Without a scale nothing is corrected for the place of the ruler.
+            Lengths::Pixels => downwards(1.0 / factor),
+            Lengths::Scale(scale) => downwards(scale.pixel),
+            Lengths::Rectangle(rectangle) => {
+                let zero = rectangle.apply(self.origin);
+                rectangle.undo([zero[0] + x, zero[1] + y])
+            }
+        }
+    }
+
     /// The standard errors of the coordinates of a point with such errors in pixels, without that of the scale.
     pub fn sigma(&self, point: [f64; 2], sigma: [f64; 2]) -> [f64; 2] {
         // The map is as good as linear over an error: a small difference shows its slope.
@@ -127,6 +152,17 @@ impl Calibration {
         };
         let (across, down) = (slope([sigma[0], 0.0]), slope([0.0, sigma[1]]));
         [0, 1].map(|k| libm::hypot(across[k], down[k]))
+    }
+
+    /// The direction in which the level in a tube grows, of length 1 in these coordinates, for a tube with this direction in pixels:
+    /// from its lower end to the upper one, or to the right. And how long a pixel along it is.
+    pub fn upwards_along(&self, direction: [f64; 2]) -> ([f64; 2], f64) {
+        let zero = self.apply(self.origin);
+        let end = self.apply([0, 1].map(|k| self.origin[k] + direction[k]));
+        let axis = [end[0] - zero[0], end[1] - zero[1]];
+        let pixel = libm::hypot(axis[0], axis[1]);
+        let sense = if (axis[1], axis[0]) < (0.0, 0.0) { -1.0 } else { 1.0 };
+        (axis.map(|part| sense * part / pixel), pixel)
     }
 
     /// The relative standard error that all lengths share; `None` without a scale.

@@ -61,6 +61,13 @@ impl Rectangle {
         let [u, v, w] = self.map.map(|row| row[0] * x + row[1] * y + row[2]);
         [self.size[0] * u / w, self.size[1] * v / w]
     }
+
+    /// The point in pixels that is at this place of the plane, in metres.
+    pub fn undo(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [x, y] = [x / self.size[0], y / self.size[1]];
+        let [u, v, w] = adjugate(self.map).map(|row| row[0] * x + row[1] * y + row[2]);
+        [u / w, v / w]
+    }
 }
 
 /// The inverse of a matrix, up to a factor.

@@ -44,6 +44,17 @@ impl Orientation {
             _ => [y, width - x],
         }
     }
+
+    /// Where a point of the upright picture is in the decoded one, which has `size` (width, height).
+    pub fn stored(self, [x, y]: [f64; 2], [width, height]: [f64; 2]) -> [f64; 2] {
+        let [x, y] = match self.quarter_turns % 4 {
+            0 => [x, y],
+            1 => [y, height - x],
+            2 => [width - x, height - y],
+            _ => [width - y, x],
+        };
+        [if self.mirrored { width - x } else { x }, y]
+    }
 }
 
 /// One coded frame.

@@ -3,6 +3,7 @@
 pub mod body;
 pub mod column;
 mod errors;
+mod following;
 mod linear;
 mod marks;
 mod motion;
@@ -12,6 +13,7 @@ mod similarity;
 mod spline;
 mod track;
 
+pub use following::{Following, Plan, Surface};
 pub use marks::Marks;
 pub use refusal::Refusal;
 pub use similarity::Similarity;

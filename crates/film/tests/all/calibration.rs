@@ -118,3 +118,32 @@ fn a_rectangle_seen_at_an_angle_becomes_one() {
     assert_eq!(Rectangle::new([[1.0, 1.0]; 4], [0.6, 0.4], 0.5), Err(Refusal::Corners));
     assert_eq!(Rectangle::new(corners, [0.6, 0.0], 0.5), Err(Refusal::Length));
 }
+
+#[test]
+fn coordinates_lead_back_to_their_pixel() {
+    let corners = [[40.0, 220.0], [290.0, 200.0], [270.0, 40.0], [60.0, 30.0]];
+    let scale = Lengths::Scale(Scale { pixel: 4e-4, relative_sigma: 1e-3 });
+    let rectangle = Lengths::Rectangle(Rectangle::new(corners, [0.2, 0.15], 0.5).expect("a rectangle"));
+    let parallax = Some(Parallax { behind: 0.02, distance: 0.8 });
+    for lengths in [Lengths::Pixels, scale, rectangle] {
+        for rotation in [Rotation::None, Rotation::Quarter, Rotation::Half, Rotation::ThreeQuarters] {
+            let calibration = Calibration { lengths, origin: [100.0, 150.0], angle: FRAC_PI_6, rotation, parallax };
+            for point in [[100.0, 150.0], [131.5, 77.25], [3.0, 210.0]] {
+                assert_near(calibration.undo(calibration.apply(point)), point, 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn points_of_a_turned_picture_lead_back_to_the_stored_one() {
+    for quarter_turns in 0..4 {
+        for mirrored in [false, true] {
+            let orientation = film::containers::Orientation { quarter_turns, mirrored };
+            let upright = orientation.upright([12.0, 30.0], [320.0, 180.0]);
+            let [wide, high] = orientation.upright_size([320.0, 180.0]);
+            assert!((0.0..=wide).contains(&upright[0]) && (0.0..=high).contains(&upright[1]));
+            assert_near(orientation.stored(upright, [320.0, 180.0]), [12.0, 30.0], 1e-12);
+        }
+    }
+}

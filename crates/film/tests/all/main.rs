@@ -7,6 +7,7 @@ mod agreement;
 mod bodies;
 mod boxes;
 mod calibration;
+mod camera;
 mod columns;
 mod containers;
 mod damaged_films;

@@ -1,7 +1,7 @@
 //! What the page is around the views of the simulation: what it announces, shows and saves besides.
 
 use super::Store;
-use crate::{data, saved, tabs};
+use crate::{data, film, saved, tabs};
 use desk::{Announcement, Desk};
 use play::Play;
 use units::Language;
@@ -52,15 +52,28 @@ impl Host for Store {
 
     fn raise(&self) {
         let (Some(app), Some(revision)) = (self.app.get(), self.desk().map(|desk| desk.revision())) else { return };
-        let now = (revision.records, revision.fits, revision.play.answers);
+        let now = (revision.records, revision.fits, revision.play.answers, revision.films);
         let before = self.seen.replace(now);
         if before != now {
             saved::later(*app);
+        }
+        if before.3 != now.3 {
+            film::refresh(*app);
         }
         for (changed, counter) in [(before.0 != now.0, app.records), (before.1 != now.1, app.fits)] {
             if changed {
                 counter.update(|count| *count += 1);
             }
+        }
+    }
+
+    fn picture(&self) -> [View; 2] {
+        self.app.get().map_or_else(Default::default, |app| [film::stage::picture(*app), film::stage::transport(*app)])
+    }
+
+    fn look_at(&self, time: &mut dyn FnMut() -> Option<f64>) {
+        if let Some(app) = self.app.get() {
+            film::look_at(*app, time);
         }
     }
 

@@ -3,7 +3,7 @@
 use super::cursor::{Cursor, Read, Told};
 use super::statement::{Salvaged, nothing};
 use crate::lexer::{Symbol, TokenKind};
-use crate::{Alternative, Assignment, ChoiceStatement, Diagnostic, Quoted, StatementKind};
+use crate::{Alternative, ChoiceStatement, ChosenValue, Diagnostic, Quoted, StatementKind};
 use units::{Words, words};
 
 const FORM: Words = words(
@@ -104,7 +104,12 @@ impl Cursor<'_> {
         }
     }
 
-    fn chosen_value(&mut self) -> Read<Assignment> {
+    /// `hidden rho = 998.2 [kg/m^3] "Density"`
+    fn chosen_value(&mut self) -> Read<ChosenValue> {
+        let hidden = self.begins_with("hidden");
+        if hidden {
+            self.advance();
+        }
         let name = self.plain_name(&words("a quantity", "una magnitud"))?;
         if self.take(Symbol::Equals).is_none() {
             let wrong = words!(
@@ -117,12 +122,17 @@ impl Cursor<'_> {
         self.depth = 0;
         let value = self.expression()?.expression;
         let unit = self.stated_unit()?;
+        let label = self.label();
         let separated = matches!(
             self.peek(),
             TokenKind::Newline
                 | TokenKind::End
                 | TokenKind::Symbol(Symbol::Semicolon | Symbol::Comma | Symbol::RightBrace)
         );
-        if separated { Ok(Assignment { name, value, unit }) } else { self.unexpected_after_expression() }
+        if separated {
+            Ok(ChosenValue { name, value, unit, label, hidden })
+        } else {
+            self.unexpected_after_expression()
+        }
     }
 }

@@ -9,7 +9,8 @@
 //! switch      = "switch" NAME "=" ( "on" | "off" | "true" | "false" ) [ TEXT ]
 //! random      = "random" NAME "=" NUMBER [ "in" signed ".." signed ] [ TEXT ]
 //! choice      = "choice" NAME [ TEXT ] "{" alternative { separator alternative } "}"
-//! alternative = TEXT ":" assignment { "," assignment }
+//! alternative = TEXT ":" chosen { "," chosen }
+//! chosen      = [ "hidden" ] NAME "=" expression [ "in" UNIT ] [ TEXT ]
 //! assignment  = NAME "=" expression [ "in" UNIT ]
 //! independent = "independent" NAME [ "in" UNIT | "by" "1" ] [ TEXT ]
 //! next        = "next" NAME [ INDICES ] "=" expression [ over ] [ TEXT ]

@@ -93,7 +93,11 @@ fn shown_statement(statement: &Statement) -> String {
             format!("discrete {} := {}{}", name.text, shown(value), in_unit(unit))
         }
         StatementKind::Choice(choice) => {
-            let value = |value: &crate::Assignment| format!("{} := {}", value.name.text, shown(&value.value));
+            let value = |value: &crate::ChosenValue| {
+                let hidden = if value.hidden { "hidden " } else { "" };
+                let label = value.label.as_ref().map_or(String::new(), |label| format!(" {:?}", label.text));
+                format!("{hidden}{} := {}{label}", value.name.text, shown(&value.value))
+            };
             let alternative = |one: &crate::Alternative| {
                 format!("{:?}: {}", one.text.text, one.values.iter().map(value).collect::<Vec<_>>().join(", "))
             };
@@ -236,6 +240,10 @@ fn each_kind_of_statement_is_read() {
         (
             "choice c \"C\" {\n  \"A\": a = 1 [m], b = 2\n  \"B\":\n a = 3,\n b = 4 }",
             "choice c \"C\" {\"A\": a := 1[m], b := 2; \"B\": a := 3, b := 4}",
+        ),
+        (
+            "choice c { \"A\": hidden a = 1 in [m] \"Length\", b = 2\n\"B\": a = 3, b = 4 }",
+            "choice c {\"A\": hidden a := 1 \"Length\", b := 2; \"B\": a := 3, b := 4}",
         ),
         ("choice c\n{ \"A\": a = 1; \"B\": a = 2 }", "choice c {\"A\": a := 1; \"B\": a := 2}"),
         ("function(x) = 2*x", "function(x) = (2*x)"),

@@ -8,8 +8,8 @@ mod statement;
 pub use expression::{BinaryOperator, Expansion, Expression, ExpressionKind, Over, UnaryOperator};
 pub use name::{Name, Quoted, StatedUnit};
 pub use statement::{
-    Action, Alternative, Assignment, Bounds, ChoiceStatement, DrawnRange, EventExtras, FunctionStatement, Members,
-    ParameterForm, ParameterStatement, Point, SizeStatement, Statement, StatementKind, TableStatement,
+    Action, Alternative, Assignment, Bounds, ChoiceStatement, ChosenValue, DrawnRange, EventExtras, FunctionStatement,
+    Members, ParameterForm, ParameterStatement, Point, SizeStatement, Statement, StatementKind, TableStatement,
 };
 
 pub(crate) use parts::{expressions, expressions_mut, independent, rewrite};

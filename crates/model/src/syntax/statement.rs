@@ -205,7 +205,22 @@ pub struct Alternative {
     /// What the reader sees.
     pub text: Quoted,
     /// What it defines.
-    pub values: Vec<Assignment>,
+    pub values: Vec<ChosenValue>,
+}
+
+/// `hidden rho = 998.2 [kg/m^3] "Density"`, as in an alternative.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChosenValue {
+    /// What gets the value.
+    pub name: Name,
+    /// The value.
+    pub value: Expression,
+    /// The stated unit.
+    pub unit: Option<StatedUnit>,
+    /// What the reader sees; one alternative gives it for all.
+    pub label: Option<Quoted>,
+    /// Whether it is kept out of the readouts; one alternative says it for all.
+    pub hidden: bool,
 }
 
 /// `b = 2*m*omega_0 in [kg/s]`, as in a preset.

@@ -23,7 +23,7 @@ pub fn typeset(statements: &[Statement], translate: &dyn Fn(&str) -> String) -> 
     let typesetter = Typesetter { translate, vectors: &vectors };
     let rows = |statement: &Statement| match &statement.kind {
         StatementKind::Choice(choice) => {
-            definitions(choice).iter().filter_map(|kind| typesetter.kind(kind, &[])).collect()
+            definitions(choice).filter_map(|definition| typesetter.kind(&definition.kind, &[])).collect()
         }
         kind => typesetter.kind(kind, &statement.over).into_iter().collect::<Vec<_>>(),
     };

@@ -80,11 +80,13 @@ impl Writer<'_> {
                     let values = std::mem::take(&mut alternative.values);
                     for one in values {
                         let parts = self.parts(&one.name, &one.value);
-                        let unit = one.unit;
-                        alternative.values.extend(parts.into_iter().map(|(_, name, value)| crate::Assignment {
+                        let (unit, label, hidden) = (one.unit, one.label, one.hidden);
+                        alternative.values.extend(parts.into_iter().map(|(_, name, value)| crate::ChosenValue {
                             name,
                             value,
                             unit: unit.clone(),
+                            label: label.clone(),
+                            hidden,
                         }));
                     }
                 }

@@ -40,6 +40,21 @@ fn alternatives_define_quantities() {
     }
 }
 
+/// A label and `hidden` in one alternative hold for the quantity.
+#[test]
+fn what_a_choice_defines_is_labelled_and_hidden() {
+    let model = compile(
+        "choice liquid {\n\"Water\": rho = 998 [kg/m^3] \"Density\", c = 1480 [m/s]\n\
+         \"Oil\": rho = 900 [kg/m^3], hidden c = 1300 [m/s] \"Speed of sound\"\n}\n",
+    );
+    let shown = |name: &str| {
+        let quantity = model.quantities.iter().find(|quantity| quantity.name == name).unwrap();
+        (quantity.label.as_deref(), quantity.hidden)
+    };
+    assert_eq!(shown("rho"), (Some("Density"), false));
+    assert_eq!(shown("c"), (Some("Speed of sound"), true));
+}
+
 #[test]
 fn a_switch_is_a_truth_value_and_a_choice_a_text() {
     let model = compile(SPHERE);

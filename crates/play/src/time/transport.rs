@@ -126,6 +126,28 @@ impl Play {
         self.announce(Announcement::Scrubbed(self.course.time()));
     }
 
+    /// Computes on towards a time by one step of the grid, from the end of what is recorded and without an announcement: something
+    /// beside the run, such as a film, leads. Whether there is more to compute; not while the run plays.
+    pub fn compute_on(&mut self, until: f64) -> bool {
+        let before = self.course.front();
+        if self.playing || self.full || before >= until || self.course.error().is_some() {
+            return false;
+        }
+        self.show(before);
+        self.course.go_on();
+        let to = self.course.next_grid_time();
+        self.proceed(self.end_ahead().map_or(to, |end| to.min(end)), WORK_PER_STEP);
+        self.course.front() > before
+    }
+
+    /// Shows a time of what is recorded without an announcement, unless the run plays.
+    pub fn show_time(&mut self, time: f64) {
+        let time = time.clamp(0.0, self.course.front());
+        if !self.playing && self.course.time() != time {
+            self.show(time);
+        }
+    }
+
     /// How many times as fast the run is watched as the document says.
     pub fn speed(&self) -> f64 {
         self.speed

@@ -4,7 +4,7 @@
 
 use super::pins;
 use crate::app::App;
-use crate::stage::plot::{brush, with_plot};
+use crate::stage::plot::{brush, look_at, with_plot};
 use figure::{Direction, Point};
 use play::PlotId;
 use wasm_bindgen::JsCast;
@@ -138,7 +138,11 @@ pub fn moved(app: App, id: PlotId, event: &PointerEvent) {
             play.pan_plot(id, right, down);
             play.zoom_plot(id, Some(at), factor, Direction::Both);
         }),
-        Some(Motion::Read | Motion::Nothing) => app.wake(),
+        Some(Motion::Read) => {
+            look_at(app, id, point(at));
+            app.wake();
+        }
+        Some(Motion::Nothing) => app.wake(),
         None => {}
     }
 }

@@ -34,13 +34,15 @@ pub fn view(app: App) -> View {
 
 fn stage(app: App) -> HtmlSection {
     let words = app.words();
-    let body = div().class("stage-body").child(scene(app)).child(plots::view(app));
+    let [picture, frames] = app.host().picture();
+    let body = div().class("stage-body").child(picture).child(scene(app)).child(plots::view(app));
     section()
         .class("stage")
         .id("apparatus")
         .tabindex("-1")
         .attr("aria-label", words.apparatus)
         .child(body)
+        .child(frames)
         .child(transport::view(app))
 }
 

@@ -147,6 +147,16 @@ pub fn brush(play: &Play, id: PlotId, part: Option<Part>) -> Option<Brush<'_>> {
     Some(Brush { part: part?, figure: play.plot_figure(id)?, unit: play.unit_of_time_axis(id)? })
 }
 
+/// Tells the page which time is read at a pixel of a plot against time.
+pub fn look_at(app: App, id: PlotId, at: Point) {
+    app.host().look_at(&mut || {
+        app.read(|play| {
+            let x = play.hover_plot(id, at)?.samples.first()?.x;
+            Some(play.unit_of_time_axis(id)?.to_si(x))
+        })
+    });
+}
+
 /// Takes a canvas that has come into the page.
 pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElement, pinned: Signal<Pinned>) {
     let Some(context) = canvas.get_context("2d").ok().flatten().and_then(|context| context.dyn_into().ok()) else {

@@ -67,7 +67,7 @@ pub fn ods(sheets: &[(&str, &str)]) -> Vec<u8> {
 }
 
 /// A ZIP archive.
-fn archive(files: &[(String, String)], pack: Pack) -> Vec<u8> {
+pub fn archive(files: &[(String, String)], pack: Pack) -> Vec<u8> {
     let (mut bytes, mut directory) = (Vec::new(), Vec::new());
     for (name, content) in files {
         let packed = compress_to_vec(content.as_bytes(), 6);

@@ -1,17 +1,14 @@
-//! The table of what was found in a film, as CSV.
+//! The table of what was found in a film: times, positions and their standard errors.
 
-use super::clock::Clock;
-use super::lengths::{Measured, measured};
-use analysis::csv::{self, Dialect};
-use film::calibration::{Calibration, Lengths};
-use film::tracking::Track;
+use crate::calibration::{Calibration, Lengths};
+use crate::tracking::{Point, Track};
 use std::collections::BTreeSet;
 
 /// Points through which a value at another time is interpolated.
 const AROUND: usize = 6;
 
 /// The table.
-#[derive(Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// The unit of lengths.
     pub unit: &'static str,
@@ -20,19 +17,29 @@ pub struct Table {
     /// The time of each row in seconds.
     pub times: Vec<f64>,
     /// Name, values and standard errors of each quantity; not a number where its track has no point.
-    pub quantities: Vec<Vec<Measured>>,
+    pub quantities: Vec<Vec<Quantity>>,
+}
+
+/// A quantity of the table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// `y`, or `y_2` where there are several.
+    pub name: String,
+    /// The value in each frame of the track.
+    pub values: Vec<f64>,
+    /// Their standard errors.
+    pub sigmas: Vec<f64>,
 }
 
 impl Table {
-    /// The rows of some tracks of one film.
+    /// The rows of some tracks of one film. `taken` says when a frame was taken, in the seconds of the tracks.
     ///
     /// A rolling shutter reads two surfaces at two times of one frame. Several tracks are therefore brought to the time of the
     /// frame itself, that of its middle row, by the polynomial through the six points around.
-    pub fn of(tracks: &[Track], calibration: &Calibration, clock: &Clock) -> Self {
+    pub fn of(tracks: &[Track], calibration: &Calibration, taken: &dyn Fn(usize) -> f64) -> Self {
         let frames: BTreeSet<usize> =
             tracks.iter().flat_map(|track| track.points.iter().map(|point| point.frame)).collect();
         let frames: Vec<usize> = frames.into_iter().collect();
-        let taken = |frame: usize| clock.times.get(frame).copied().unwrap_or(f64::NAN);
         let mut times: Vec<f64> = frames.iter().map(|frame| taken(*frame)).collect();
         if let [track] = tracks {
             times = track.points.iter().map(|point| point.time).collect();
@@ -62,21 +69,40 @@ impl Table {
         Self { unit, frames, times, quantities }
     }
 
-    /// It as CSV: the time, then for each track its quantities and their standard errors.
-    pub fn csv(&self) -> String {
-        let mut heads = vec!["t [s]".to_owned()];
-        let mut columns: Vec<&[f64]> = vec![&self.times];
+    /// Its columns with their headings: the time, then for each track its quantities and their standard errors.
+    pub fn columns(&self) -> Vec<(String, &[f64])> {
+        let mut columns = vec![("t [s]".to_owned(), self.times.as_slice())];
         for track in &self.quantities {
-            for (prefix, errors) in [("", false), ("sigma_", true)] {
-                for quantity in track {
-                    heads.push(format!("{prefix}{} [{}]", quantity.name, self.unit));
-                    columns.push(if errors { &quantity.sigmas } else { &quantity.values });
-                }
-            }
+            let values = track.iter().map(|one| (format!("{} [{}]", one.name, self.unit), one.values.as_slice()));
+            columns.extend(values);
+            let sigmas = track.iter().map(|one| (format!("sigma_{} [{}]", one.name, self.unit), one.sigmas.as_slice()));
+            columns.extend(sigmas);
         }
-        let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
-        csv::write(&heads, &columns, Dialect::Commas)
+        columns
     }
+}
+
+/// What a track shows: the level along its tube, or both coordinates of a body. `suffix` is added to the names.
+fn measured(track: &Track, calibration: &Calibration, suffix: &str) -> Vec<Quantity> {
+    let quantity = |name: &str, pick: &dyn Fn(&Point) -> [f64; 2]| {
+        let (values, sigmas) = track.points.iter().map(|point| pick(point).into()).unzip();
+        Quantity { name: format!("{name}{suffix}"), values, sigmas }
+    };
+    let Some(direction) = track.direction else {
+        let coordinate = |k: usize| {
+            move |point: &Point| {
+                [calibration.apply(point.position)[k], calibration.sigma(point.position, point.sigma)[k]]
+            }
+        };
+        return vec![quantity("x", &coordinate(0)), quantity("y", &coordinate(1))];
+    };
+    let (up, pixel) = calibration.upwards_along(direction);
+    let level = |point: &Point| {
+        let [x, y] = calibration.apply(point.position);
+        let [p, q] = point.sigma;
+        [x * up[0] + y * up[1], pixel * (p * p + q * q).sqrt()]
+    };
+    vec![quantity("y", &level)]
 }
 
 /// The value at a time near that of one of some points, by the polynomial through the points around (J. L. Lagrange).

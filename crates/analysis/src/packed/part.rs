@@ -1,7 +1,7 @@
-//! One file of the archive as a stream of bytes. It never gives more than the directory has announced, and never more
-//! than `LONGEST_TOKEN` between two tokens of its reader.
+//! One file of an archive, or a text, as a stream of bytes. It never gives more than the directory has announced, and never
+//! more than a bound between two tokens of its reader.
 
-use super::refusal::WorkbookError;
+use super::Defect;
 use crate::spreadsheet::Checksum;
 use miniz_oxide::inflate::stream::{InflateState, inflate};
 use miniz_oxide::{DataFormat, MZFlush, MZStatus};
@@ -13,9 +13,11 @@ use std::rc::Rc;
 const CHUNK: usize = 32 << 10;
 /// No tag and no text of a workbook is longer: a cell holds 32767 characters.
 const LONGEST_TOKEN: usize = 1 << 20;
+/// A project holds the values of all frames in one text: 20 bytes for each of the 300,000 frames of its longest clip.
+const LONGEST_ARRAY: usize = 16 << 20;
 
 /// The stream.
-pub(super) struct Part {
+pub(crate) struct Part {
     bytes: Rc<Vec<u8>>,
     /// What is still packed.
     packed: Range<usize>,
@@ -28,10 +30,12 @@ pub(super) struct Part {
     /// How many bytes are still to come.
     left: u64,
     checksum: Checksum,
-    expected: u32,
+    /// `None` for a text, of which no checksum is stated.
+    expected: Option<u32>,
     token: usize,
+    longest: usize,
     ended: bool,
-    refusal: Option<WorkbookError>,
+    refusal: Option<Defect>,
 }
 
 impl std::fmt::Debug for Part {
@@ -51,11 +55,39 @@ impl Part {
             taken: 0,
             left: expanded,
             checksum: Checksum::default(),
-            expected,
+            expected: Some(expected),
             token: 0,
+            longest: LONGEST_TOKEN,
             ended: false,
             refusal: None,
         }
+    }
+
+    /// The bytes of a text, in which one token may hold the values of all frames.
+    pub fn of_text(bytes: Vec<u8>) -> Self {
+        let length = bytes.len();
+        let part = Self::new(Rc::new(bytes), 0..length, false, length as u64, 0);
+        Self { expected: None, longest: LONGEST_ARRAY, ..part }
+    }
+
+    /// Appends about `budget` bytes of it to `bytes`. Whether it has come to the end.
+    ///
+    /// # Errors
+    /// What is not as the archive's directory says.
+    pub fn expand(&mut self, budget: usize, bytes: &mut Vec<u8>) -> Result<bool, Defect> {
+        let end = bytes.len().saturating_add(budget);
+        while bytes.len() < end {
+            // These bytes are no tokens yet.
+            self.begin_token();
+            let Ok(chunk) = self.fill_buf() else { return Err(self.refusal().unwrap_or(Defect::Damaged)) };
+            let count = chunk.len();
+            if count == 0 {
+                return Ok(true);
+            }
+            bytes.extend_from_slice(chunk);
+            self.consume(count);
+        }
+        Ok(false)
     }
 
     /// Begins the next token.
@@ -69,11 +101,11 @@ impl Part {
     }
 
     /// Why the stream ended early.
-    pub fn refusal(&mut self) -> Option<WorkbookError> {
+    pub fn refusal(&mut self) -> Option<Defect> {
         self.refusal.take()
     }
 
-    fn refuse(&mut self, refusal: WorkbookError) -> io::Error {
+    fn refuse(&mut self, refusal: Defect) -> io::Error {
         self.refusal = Some(refusal);
         io::ErrorKind::InvalidData.into()
     }
@@ -95,7 +127,7 @@ impl Part {
                 self.chunk.truncate(result.bytes_written);
                 match result.status {
                     Ok(status) => (result.bytes_consumed, status == MZStatus::StreamEnd),
-                    Err(_) => return Err(self.refuse(WorkbookError::Damaged)),
+                    Err(_) => return Err(self.refuse(Defect::Damaged)),
                 }
             }
         };
@@ -105,10 +137,11 @@ impl Part {
         match self.left.checked_sub(self.chunk.len() as u64) {
             Some(left) => self.left = left,
             // More than the directory says: it was written to deceive.
-            None => return Err(self.refuse(WorkbookError::Damaged)),
+            None => return Err(self.refuse(Defect::Damaged)),
         }
-        if ended && (self.left > 0 || self.checksum.value() != self.expected) {
-            return Err(self.refuse(WorkbookError::Damaged));
+        let changed = self.expected.is_some_and(|expected| self.checksum.value() != expected);
+        if ended && (self.left > 0 || changed) {
+            return Err(self.refuse(Defect::Damaged));
         }
         Ok(())
     }
@@ -126,8 +159,8 @@ impl Read for Part {
 
 impl BufRead for Part {
     fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        if self.token > LONGEST_TOKEN {
-            return Err(self.refuse(WorkbookError::Damaged));
+        if self.token > self.longest {
+            return Err(self.refuse(Defect::Damaged));
         }
         while self.taken == self.chunk.len() && !self.ended {
             self.refill()?;

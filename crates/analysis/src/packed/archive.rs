@@ -1,10 +1,11 @@
 //! The directory of a ZIP archive (PKWARE, APPNOTE.TXT 6.3.3), and what a part may expand to before it is opened.
 
+use super::Defect;
 use super::part::Part;
-use super::refusal::WorkbookError;
+use std::ops::Range;
 use std::rc::Rc;
 
-/// More files than any workbook has.
+/// More files than any workbook or project has.
 const MOST_FILES: usize = 10_000;
 /// No part may expand to more bytes. A sheet of a million rows and five columns has half of it.
 const MOST_EXPANDED: u64 = 512 << 20;
@@ -15,9 +16,20 @@ const ALWAYS_ALLOWED: u64 = 1 << 20;
 
 /// An archive in memory.
 #[derive(Clone, Debug)]
-pub(super) struct Archive {
+pub(crate) struct Archive {
     bytes: Rc<Vec<u8>>,
     files: Vec<File>,
+}
+
+/// Where the content of a file is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Stored {
+    /// The bytes of the archive that hold it.
+    pub range: Range<usize>,
+    /// Whether they are compressed (Deflate); otherwise they are the content.
+    pub deflated: bool,
+    /// The size of the content in bytes, as the directory states it.
+    pub expanded: u64,
 }
 
 /// A file as the directory lists it.
@@ -50,14 +62,25 @@ impl Archive {
     ///
     /// # Errors
     /// When there is none, or it points outside the file.
-    pub fn open(bytes: Vec<u8>) -> Result<Self, WorkbookError> {
-        let files = directory(&bytes).ok_or(WorkbookError::Damaged)?;
+    pub fn open(bytes: Vec<u8>) -> Result<Self, Defect> {
+        let files = directory(&bytes).ok_or(Defect::Damaged)?;
         Ok(Self { bytes: Rc::new(bytes), files })
     }
 
     /// Whether there is a file of this name.
     pub fn has(&self, name: &str) -> bool {
         self.find(name).is_some()
+    }
+
+    /// The names of all files, in the order of the directory.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.files.iter().map(|file| file.name.as_str())
+    }
+
+    /// Where a file is, unless it is encrypted.
+    pub fn stored(&self, name: &str) -> Option<Stored> {
+        let file = self.find(name).filter(|file| !file.encrypted)?;
+        Some(Stored { range: self.content(file)?, deflated: file.deflated, expanded: file.expanded })
     }
 
     fn find(&self, name: &str) -> Option<&File> {
@@ -69,21 +92,21 @@ impl Archive {
     ///
     /// # Errors
     /// When there is no such file, it is encrypted, or it would expand too much.
-    pub fn part(&self, name: &str, most: Option<u64>) -> Result<Part, WorkbookError> {
-        let file = self.find(name).ok_or(WorkbookError::Damaged)?;
+    pub fn part(&self, name: &str, most: Option<u64>) -> Result<Part, Defect> {
+        let file = self.find(name).ok_or(Defect::Damaged)?;
         if file.encrypted {
-            return Err(WorkbookError::Protected);
+            return Err(Defect::Protected);
         }
         let allowed = MOST_EXPANDED.min(ALWAYS_ALLOWED.saturating_add(file.packed.saturating_mul(MOST_EXPANSION)));
         if file.expanded > allowed.min(most.unwrap_or(u64::MAX)) {
-            return Err(WorkbookError::Expands { packed: file.packed, expanded: file.expanded });
+            return Err(Defect::Expands { packed: file.packed, expanded: file.expanded });
         }
-        let range = self.content(file).ok_or(WorkbookError::Damaged)?;
+        let range = self.content(file).ok_or(Defect::Damaged)?;
         Ok(Part::new(Rc::clone(&self.bytes), range, file.deflated, file.expanded, file.checksum))
     }
 
     /// Where the content of a file is: behind a header of its own.
-    fn content(&self, file: &File) -> Option<std::ops::Range<usize>> {
+    fn content(&self, file: &File) -> Option<Range<usize>> {
         let header = usize::try_from(file.header).ok()?;
         let bytes = self.bytes.get(header..)?;
         if !bytes.starts_with(b"PK\x03\x04") {

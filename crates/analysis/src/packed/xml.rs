@@ -1,17 +1,17 @@
 //! XML as a stream of tokens, with bounds on what a hostile file can make it hold.
 
+use super::Defect;
 use super::part::Part;
-use super::refusal::WorkbookError;
 use quick_xml::escape::resolve_predefined_entity;
 use quick_xml::events::{BytesEnd, BytesRef, BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
 use std::borrow::Cow;
 
-/// No spreadsheet nests deeper.
+/// No spreadsheet and no project nests deeper.
 const DEEPEST: usize = 200;
 
 /// A stream of tokens.
-pub(super) struct Xml {
+pub(crate) struct Xml {
     reader: Reader<Part>,
     buffer: Vec<u8>,
     depth: usize,
@@ -25,10 +25,16 @@ impl std::fmt::Debug for Xml {
 
 /// A token. Names are without their prefix.
 #[derive(Debug)]
-pub(super) enum Token<'a> {
+pub(crate) enum Token<'a> {
     Open(Tag<'a>),
     Close(BytesEnd<'a>),
     Text(Cow<'a, str>),
+    /// An entity that is none of those every XML has.
+    UnknownEntity,
+    /// A document type, and whether it declares something of its own.
+    DocumentType {
+        declares: bool,
+    },
     /// A comment or a declaration.
     Other,
     End,
@@ -48,7 +54,7 @@ impl Token<'_> {
 
 /// The tag that begins an element.
 #[derive(Debug)]
-pub(super) struct Tag<'a>(BytesStart<'a>);
+pub(crate) struct Tag<'a>(BytesStart<'a>);
 
 impl Tag<'_> {
     /// The name of the element.
@@ -98,11 +104,11 @@ impl Xml {
     ///
     /// # Errors
     /// What is damaged, too long or nested too deeply.
-    pub fn next(&mut self) -> Result<Token<'_>, WorkbookError> {
+    pub fn next(&mut self) -> Result<Token<'_>, Defect> {
         self.buffer.clear();
         self.reader.get_mut().begin_token();
         Ok(match self.reader.read_event_into(&mut self.buffer) {
-            Ok(Event::Start(_)) if self.depth >= DEEPEST => return Err(WorkbookError::Damaged),
+            Ok(Event::Start(_)) if self.depth >= DEEPEST => return Err(Defect::Damaged),
             Ok(Event::Start(tag)) => {
                 self.depth += 1;
                 Token::Open(Tag(tag))
@@ -113,18 +119,19 @@ impl Xml {
             }
             Ok(Event::Text(text)) => Token::Text(text.into_inner()),
             Ok(Event::CData(text)) => Token::Text(text.into_inner()),
-            Ok(Event::GeneralRef(name)) => Token::Text(entity(&name)),
+            Ok(Event::GeneralRef(name)) => entity(&name).map_or(Token::UnknownEntity, Token::Text),
+            Ok(Event::DocType(text)) => Token::DocumentType { declares: text.contains('[') },
             Ok(Event::Eof) => Token::End,
             Ok(_) => Token::Other,
-            Err(_) => return Err(self.reader.get_mut().refusal().unwrap_or(WorkbookError::Damaged)),
+            Err(_) => return Err(self.reader.get_mut().refusal().unwrap_or(Defect::Damaged)),
         })
     }
 }
 
-/// What an entity stands for: one of the five of XML, or a character by its number. A workbook defines no others.
-fn entity(name: &BytesRef<'_>) -> Cow<'static, str> {
+/// What an entity stands for: one of the five of XML, or a character by its number.
+fn entity(name: &BytesRef<'_>) -> Option<Cow<'static, str>> {
     match name.resolve_char_ref() {
-        Ok(Some(character)) => Cow::Owned(character.to_string()),
-        _ => Cow::Borrowed(resolve_predefined_entity(name).unwrap_or_default()),
+        Ok(Some(character)) => Some(Cow::Owned(character.to_string())),
+        _ => resolve_predefined_entity(name).map(Cow::Borrowed),
     }
 }

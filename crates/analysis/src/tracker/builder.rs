@@ -1,0 +1,190 @@
+//! From the objects and properties of the XML to a project. Other properties, such as colours and views, are passed over.
+
+use super::coordinates::Placement;
+use super::project::{Film, Mark, Mass, Project};
+use super::refusal::TrackerError;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Nobody marks more bodies.
+const MOST_MASSES: usize = 200;
+/// Tracks and filters beyond these are not counted.
+const MOST_OTHERS: usize = 200;
+/// A longer name is cut off.
+const LONGEST_NAME: usize = 40;
+
+/// A project of which a part has been read.
+#[derive(Debug, Default)]
+pub(super) struct Builder {
+    project: Project,
+    /// Whether there was a root.
+    begun: bool,
+    track: Track,
+    mark: [Option<f64>; 2],
+    placement: Placement,
+}
+
+/// The track that is being read.
+#[derive(Debug, Default)]
+struct Track {
+    name: String,
+    marks: BTreeMap<u32, [f64; 2]>,
+    keys: Option<BTreeSet<u32>>,
+}
+
+impl Builder {
+    /// An element begins; `path` names those around it and itself.
+    pub fn open(&mut self, path: &[&str]) -> Result<(), TrackerError> {
+        match path {
+            ["TrackerPanel"] if !self.begun => self.begun = true,
+            [class] => return Err(TrackerError::NotAProject { class: (*class).to_owned() }),
+            [_, "tracks", "item", _] => self.track = Track::default(),
+            [_, "tracks", "item", "PointMass", "framedata", _] => self.mark = [None; 2],
+            [_, "videoclip", _, "video", class] => {
+                self.project.film = Some(Film { pictures: *class == "ImageVideo", ..Film::default() });
+            }
+            [_, "videoclip", _, "video", _, "filters", _, class] if self.project.filters.len() < MOST_OTHERS => {
+                self.project.filters.push((*class).to_owned());
+            }
+            [_, "coords", _, "framedata", index] => {
+                self.placement = Placement { frame: frame(index)?, ..Placement::default() };
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// An element ends, whose own text is `text`.
+    pub fn close(&mut self, path: &[&str], text: &str) -> Result<(), TrackerError> {
+        match path {
+            [_, name] => self.take_property(name, text),
+            [_, "videoclip", _, name] => self.take_clip(name, text)?,
+            [_, "clipcontrol", _, "delta_t"] => self.project.clip.interval = number(text)?.abs() / 1000.0,
+            [_, "videoclip", _, "video", _, "path"] => {
+                if let Some(film) = &mut self.project.film {
+                    text.clone_into(&mut film.path);
+                }
+            }
+            [_, "videoclip", _, "video", _, "start_times", "array"] => {
+                let times = array::<f64>(text).unwrap_or_default();
+                self.project.clip.times = times.into_iter().map(|milliseconds| milliseconds / 1000.0).collect();
+            }
+            [_, "coords", _, name] => self.take_fixed(name, text),
+            [_, "coords", _, "framedata", _, _, name] => self.take_placement(name, text)?,
+            [_, "coords", _, "framedata", _] if self.placement.is_usable() => {
+                self.project.coordinates.placements.push(self.placement);
+            }
+            [_, "tracks", "item", _, "name"] => self.track.name = text.chars().take(LONGEST_NAME).collect(),
+            [_, "tracks", "item", "PointMass", "keyFrames", "array"] => {
+                self.track.keys = array(text).map(|keys| keys.into_iter().collect());
+            }
+            [_, "tracks", "item", "PointMass", "framedata", _, _, "x"] => self.mark[0] = Some(number(text)?),
+            [_, "tracks", "item", "PointMass", "framedata", _, _, "y"] => self.mark[1] = Some(number(text)?),
+            [_, "tracks", "item", "PointMass", "framedata", index] => self.take_mark(index)?,
+            [_, "tracks", "item", class] => self.take_track(class)?,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    pub fn finish(mut self) -> Result<Project, TrackerError> {
+        if !self.begun {
+            return Err(TrackerError::Damaged);
+        }
+        self.project.coordinates.placements.sort_by_key(|placement| placement.frame);
+        Ok(self.project)
+    }
+
+    fn take_property(&mut self, name: &str, text: &str) {
+        let text: String = text.chars().take(LONGEST_NAME).collect();
+        match name {
+            "length_unit" if !text.is_empty() => self.project.length_unit = Some(text),
+            "referenceframe" if !text.is_empty() => self.project.reference = Some(text),
+            _ => {}
+        }
+    }
+
+    fn take_clip(&mut self, name: &str, text: &str) -> Result<(), TrackerError> {
+        let clip = &mut self.project.clip;
+        // Java's `int`; the program itself takes the absolute value of steps and counts.
+        let whole = || text.parse::<i32>().map_err(|_| TrackerError::Damaged);
+        match name {
+            "startframe" => clip.first = u32::try_from(whole()?).unwrap_or(0),
+            "stepsize" => clip.step = whole()?.unsigned_abs().max(1),
+            "stepcount" => clip.count = whole()?.unsigned_abs().max(1),
+            "frameshift" => clip.shift = whole()?.into(),
+            "starttime" => clip.start = Some(number(text)? / 1000.0).filter(|start| start.is_finite()).unwrap_or(0.0),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn take_fixed(&mut self, name: &str, text: &str) {
+        let coordinates = &mut self.project.coordinates;
+        match name {
+            "fixedorigin" => coordinates.fixed_origin = text == "true",
+            "fixedangle" => coordinates.fixed_angle = text == "true",
+            "fixedscale" => coordinates.fixed_scale = text == "true",
+            _ => {}
+        }
+    }
+
+    fn take_placement(&mut self, name: &str, text: &str) -> Result<(), TrackerError> {
+        let placement = &mut self.placement;
+        match name {
+            "xorigin" => placement.origin[0] = number(text)?,
+            "yorigin" => placement.origin[1] = number(text)?,
+            "angle" => placement.angle = number(text)?,
+            "xscale" => placement.scale[0] = number(text)?,
+            "yscale" => placement.scale[1] = number(text)?,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn take_mark(&mut self, index: &str) -> Result<(), TrackerError> {
+        let frame = frame(index)?;
+        // A frame that is not marked is left out or `null`.
+        let [Some(x), Some(y)] = self.mark else { return Ok(()) };
+        if x.is_finite() && y.is_finite() {
+            self.track.marks.insert(frame, [x, y]);
+        }
+        Ok(())
+    }
+
+    fn take_track(&mut self, class: &str) -> Result<(), TrackerError> {
+        let Track { name, marks, keys } = std::mem::take(&mut self.track);
+        match class {
+            "PointMass" if marks.is_empty() => {}
+            "PointMass" if self.project.masses.len() >= MOST_MASSES => return Err(TrackerError::TooLarge),
+            "PointMass" => {
+                let is_key = |frame| keys.as_ref().is_some_and(|keys| keys.contains(&frame));
+                let mark = |(frame, pixel)| Mark { frame, pixel, key: is_key(frame) };
+                let marks = marks.into_iter().map(mark).collect();
+                self.project.masses.push(Mass { name, marks, has_keys: keys.is_some() });
+            }
+            _ if self.project.others.len() < MOST_OTHERS => self.project.others.push((class.to_owned(), name)),
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+/// A number as Java writes it.
+fn number(text: &str) -> Result<f64, TrackerError> {
+    text.parse().map_err(|_| TrackerError::Damaged)
+}
+
+/// The frame of an element of an array: `[12]`.
+fn frame(index: &str) -> Result<u32, TrackerError> {
+    let digits = index.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
+    digits.and_then(|digits| digits.parse().ok()).ok_or(TrackerError::Damaged)
+}
+
+/// The numbers of an array that stands in one text: `{0,5,9}`.
+fn array<T: std::str::FromStr>(text: &str) -> Option<Vec<T>> {
+    let inside = text.strip_prefix('{')?.strip_suffix('}')?.trim();
+    if inside.is_empty() {
+        return Some(Vec::new());
+    }
+    inside.split(',').map(|number| number.trim().parse().ok()).collect()
+}

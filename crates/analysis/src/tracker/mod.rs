@@ -1,0 +1,36 @@
+//! Projects of Tracker, the video analysis of Open Source Physics: `.trk`, the XML of its `XMLControl`, and `.trz` or `.zip`, an
+//! archive with such a file, its film and pages about it.
+//!
+//! What the XML says, and how times and coordinates follow from it, is taken from the source of Tracker
+//! (github.com/OpenSourcePhysics/tracker, `TrackerPanel.Loader`, `PointMass.Loader`) and of its library
+//! (github.com/OpenSourcePhysics/osp, `VideoClip`, `StepperClipControl`, `MovieVideo`, `ImageCoordSystem`, `XMLControlElement`).
+//!
+//! A file is read in slices and as a stream. Memory is bounded by the size of the file or, in an archive, by what it may expand to.
+
+mod builder;
+mod clip;
+mod coordinates;
+mod opening;
+mod project;
+mod refusal;
+mod remark;
+mod table;
+mod xml_reader;
+
+pub use clip::Clip;
+pub use coordinates::{Coordinates, Placement};
+pub use opening::{Opening, read};
+pub use project::{Film, Mark, Mass, Opened, PackedFilm, Project};
+pub use refusal::TrackerError;
+pub use remark::{LeftOut, Remark};
+
+/// How much of the beginning of a file is looked at.
+const LOOK: usize = 4096;
+
+/// Whether a text begins as the XML of Open Source Physics does; its root is an object of a class.
+pub fn is_project(start: &[u8]) -> bool {
+    let start = start.get(..LOOK).unwrap_or(start);
+    let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start).trim_ascii_start();
+    let contains = |text: &[u8]| start.windows(text.len()).any(|window| window == text);
+    start.starts_with(b"<") && contains(b"<object class=\"org.opensourcephysics.")
+}

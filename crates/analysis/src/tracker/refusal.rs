@@ -1,0 +1,118 @@
+//! Why a project cannot be read.
+
+use crate::packed::Defect;
+use units::Language::{self, Spanish};
+
+/// Why a project was not read. Nothing of it is lost: it was not touched.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TrackerError {
+    /// It is XML of Open Source Physics, but no project of one film.
+    NotAProject {
+        /// The last part of the class of its object.
+        class: String,
+    },
+    /// No point mass is marked.
+    NoMass,
+    /// Only one frame is marked.
+    OneFrame,
+    /// It does not state how long a frame lasts.
+    NoTimes,
+    /// It declares entities or uses some that no XML has, as no program does.
+    Entities,
+    /// The XML or the archive is broken off or changed.
+    Damaged,
+    /// It needs a password.
+    Protected,
+    /// The project would expand to too much.
+    Expands {
+        /// Its size in the archive, in bytes.
+        packed: u64,
+        /// Its size when expanded, in bytes.
+        expanded: u64,
+    },
+    /// It holds more masses or positions than can be read.
+    TooLarge,
+}
+
+impl TrackerError {
+    /// What is wrong.
+    pub fn message(&self, language: Language) -> String {
+        let say = |english: &str, other: &str| (if language == Spanish { other } else { english }).to_owned();
+        match self {
+            Self::NotAProject { class } => say(
+                &format!("this is a file of Open Source Physics, but no project of Tracker: it holds a `{class}`"),
+                &format!("es un archivo de Open Source Physics, pero no un proyecto de Tracker: contiene un «{class}»"),
+            ),
+            Self::NoMass => say(
+                "no point mass is marked in this project of Tracker",
+                "en este proyecto de Tracker no hay ninguna masa puntual marcada",
+            ),
+            Self::OneFrame => say(
+                "only one frame is marked in this project of Tracker",
+                "en este proyecto de Tracker solo hay un fotograma marcado",
+            ),
+            Self::NoTimes => say(
+                "this project of Tracker does not state how long a frame lasts",
+                "este proyecto de Tracker no indica cuánto dura un fotograma",
+            ),
+            Self::Entities => say(
+                "this project of Tracker uses entities of XML that no program writes",
+                "este proyecto de Tracker usa entidades de XML que ningún programa escribe",
+            ),
+            Self::Damaged => say(
+                "the project of Tracker is damaged or incomplete",
+                "el proyecto de Tracker está dañado o incompleto",
+            ),
+            Self::Protected => {
+                say("the archive is protected by a password", "el archivo comprimido está protegido por contraseña")
+            }
+            Self::Expands { packed, expanded } => {
+                let (packed, expanded) = (packed.div_ceil(1000), expanded.div_ceil(1000));
+                say(
+                    &format!("{packed} kB of the archive would expand to {expanded} kB, more than a project needs"),
+                    &format!(
+                        "{packed} kB del archivo se convertirían en {expanded} kB, más de lo que necesita un proyecto"
+                    ),
+                )
+            }
+            Self::TooLarge => say(
+                "the project holds more masses or positions than can be read",
+                "el proyecto contiene más masas o posiciones de las que se pueden leer",
+            ),
+        }
+    }
+
+    /// What to do.
+    pub fn hint(&self, language: Language) -> &'static str {
+        let (english, spanish) = match self {
+            Self::NotAProject { .. } => (
+                "open it in Tracker and save the tab with the film",
+                "ábrelo en Tracker y guarda la pestaña con el vídeo",
+            ),
+            Self::NoMass | Self::OneFrame => (
+                "mark a point mass in Tracker and save the project, or track the film here: meniscus track FILM",
+                "marca una masa puntual en Tracker y guarda el proyecto, o sigue el vídeo aquí: meniscus track VÍDEO",
+            ),
+            Self::NoTimes | Self::Entities | Self::Damaged => (
+                "open it in Tracker and save it again, or export the table there: File > Export > Data File",
+                "ábrelo en Tracker y guárdalo de nuevo, o exporta allí la tabla: Archivo > Exportar > Archivo de datos",
+            ),
+            Self::Protected => ("save it without a password", "guárdalo sin contraseña"),
+            Self::Expands { .. } | Self::TooLarge => (
+                "export the table of one mass in Tracker: File > Export > Data File",
+                "exporta en Tracker la tabla de una masa: Archivo > Exportar > Archivo de datos",
+            ),
+        };
+        language.pick(english, spanish)
+    }
+}
+
+impl From<Defect> for TrackerError {
+    fn from(defect: Defect) -> Self {
+        match defect {
+            Defect::Damaged => Self::Damaged,
+            Defect::Protected => Self::Protected,
+            Defect::Expands { packed, expanded } => Self::Expands { packed, expanded },
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! The positions of a project as text: a line for each frame in which a mass is marked, tabs between the cells.
+
+use super::project::{Mark, Mass, Project};
+use super::refusal::TrackerError;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+impl Project {
+    /// The times in seconds and the positions of all masses in units of length, or in pixels where the project has no scale.
+    /// The text is a table that the import reads; positions of frames that are not marked are empty.
+    ///
+    /// # Errors
+    /// A project without times or with fewer than two marked frames, and a table of more than `most` bytes.
+    pub fn table(&self, most: usize) -> Result<String, TrackerError> {
+        if !(self.clip.interval > 0.0 && self.clip.interval.is_finite()) {
+            return Err(TrackerError::NoTimes);
+        }
+        let rows = self.rows();
+        if rows.len() < 2 {
+            return Err(if rows.is_empty() { TrackerError::NoMass } else { TrackerError::OneFrame });
+        }
+        // A body has a name of its own, so that its columns belong together.
+        let names = self.body_names();
+        let unit = self.column_unit();
+        let mut text = "t [s]".to_owned();
+        for name in &names {
+            // Writing to a string cannot fail.
+            let _ = write!(text, "\t{name}: x [{unit}]\t{name}: y [{unit}]");
+        }
+        text.push('\n');
+        for (frame, marks) in rows {
+            let _ = write!(text, "{:?}", self.clip.time(frame));
+            let axes = self.coordinates.at(frame);
+            let mut written = 0;
+            for (body, mark) in marks {
+                text.extend(std::iter::repeat_n("\t\t", body - written));
+                let [x, y] = axes.world(mark.pixel);
+                let _ = write!(text, "\t{x:?}\t{y:?}");
+                written = body + 1;
+            }
+            text.extend(std::iter::repeat_n("\t\t", names.len() - written));
+            text.push('\n');
+            if text.len() > most {
+                return Err(TrackerError::TooLarge);
+            }
+        }
+        Ok(text)
+    }
+
+    /// The masses that are marked in frames of the clip.
+    pub(super) fn shown(&self) -> impl Iterator<Item = &Mass> {
+        self.masses.iter().filter(|mass| mass.marks.iter().any(|mark| self.clip.includes(mark.frame)))
+    }
+
+    /// The marks of each frame of the clip, with the numbers of their masses.
+    fn rows(&self) -> BTreeMap<u32, Vec<(usize, Mark)>> {
+        let mut rows: BTreeMap<u32, Vec<(usize, Mark)>> = BTreeMap::new();
+        for (body, mass) in self.shown().enumerate() {
+            for mark in mass.marks.iter().filter(|mark| self.clip.includes(mark.frame)) {
+                rows.entry(mark.frame).or_default().push((body, *mark));
+            }
+        }
+        rows
+    }
+
+    /// Names that can stand in a header, each once.
+    fn body_names(&self) -> Vec<String> {
+        let mut names: Vec<String> = Vec::new();
+        for (number, mass) in (1..).zip(self.shown()) {
+            let plain = |sign: char| if sign.is_control() || ":\"#%/[](){}<>|;,".contains(sign) { ' ' } else { sign };
+            let name: String = mass.name.chars().map(plain).collect();
+            let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
+            let name = if name.is_empty() { format!("mass {number}") } else { name };
+            let taken = names.contains(&name);
+            names.push(if taken { format!("{name} no {number}") } else { name });
+        }
+        names
+    }
+
+    /// The unit of the positions: that of the project's lengths, or pixels.
+    pub(super) fn column_unit(&self) -> String {
+        if !self.coordinates.is_scaled() {
+            return "px".to_owned();
+        }
+        let stated = self.length_unit.as_deref().unwrap_or_default();
+        let plain = |sign: &char| !sign.is_control() && !"[]\"".contains(*sign);
+        let unit: String = stated.chars().filter(plain).collect();
+        if unit.trim().is_empty() { "m".to_owned() } else { unit.trim().to_owned() }
+    }
+}

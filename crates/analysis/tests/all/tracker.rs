@@ -1,0 +1,294 @@
+//! Projects of Tracker: times, coordinates and masses, and what hostile ones cannot do.
+
+use crate::support::packed::{Pack, archive};
+use analysis::import;
+use analysis::reading::{self, Contents, Reading, ReadingError};
+use analysis::tracker::{self, TrackerError};
+use proptest::prelude::*;
+use units::Language::{self, English, Spanish};
+
+const MOST: usize = 1 << 20;
+const FIXED: &str = include_str!("../tracker/fixed.trk");
+const MOVING: &str = include_str!("../tracker/moving.trk");
+const PIXELS: &str = include_str!("../tracker/pixels.trk");
+
+fn zip(files: &[(&str, &str)]) -> Vec<u8> {
+    let files: Vec<(String, String)> = files.iter().map(|(name, text)| ((*name).into(), (*text).into())).collect();
+    archive(&files, Pack::Deflated)
+}
+
+/// Columns as `label [unit]: values`, with five decimals, and the findings.
+fn shown(contents: &Contents, language: Language) -> String {
+    let table = &contents.import.table;
+    let mut out = String::new();
+    for (index, column) in table.columns.iter().enumerate() {
+        let unit = column.unit.as_ref().map_or("", |unit| &unit.text);
+        out += &format!("{} [{unit}]:", table.label(index));
+        for value in &column.values {
+            out += &if value.is_nan() { " ·".to_owned() } else { format!(" {:.5}", value + 0.0) };
+        }
+        out.push('\n');
+    }
+    for finding in &contents.import.findings {
+        out += &format!("- {}\n", finding.text(language));
+    }
+    out
+}
+
+fn read(bytes: Vec<u8>) -> Contents {
+    reading::read(bytes, MOST).expect("a project")
+}
+
+fn refused(text: &str) -> TrackerError {
+    match reading::read(text.as_bytes().to_vec(), MOST).expect_err("no project") {
+        ReadingError::Project(error) => error,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn positions_are_in_the_coordinates_of_the_project() {
+    // Origin (320; 240), 200 px/cm, x axis at 30°; frames 2, 4, 6 and 8 of 40 ms, from 0.5 s. Frame 4 of masa A is 100 px to
+    // the right and 100 px above the origin: cos 30°/2 + sin 30°/2 = 0.68301.
+    let expected = "\
+t [s]: 0.50000 0.58000 0.66000
+masa A.x [cm]: 0.43301 0.68301 0.50000
+masa A.y [cm]: -0.25000 0.18301 0.86603
+2.x [cm]: · 0.00000 ·
+2.y [cm]: · 0.00000 ·
+- times are the frame number times a constant step of 40 ms, as the project states; the film, `videos/fall & rise.mp4`, has a time for each frame, which is better: `meniscus track` reads it
+- the scale of the project is 200 px/cm; the origin is at the pixel (320.0; 240.0), the x axis at 30.00°
+- Tracker shows positions relative to 2; those here are relative to the axes
+- masa A: 2 of 5 positions are key frames, marked by hand or confirmed; the autotracker found the others, or they were interpolated (autofill)
+- positions outside the clip that the project selects were left out: 2
+- models were not read: model A, model <B>
+- RGB regions were not read: light
+- the project filters its film (PerspectiveFilter); positions belong to the filtered pictures
+";
+    assert_eq!(shown(&read(FIXED.into()), English), expected);
+}
+
+#[test]
+fn axes_that_move_and_times_that_are_listed_are_followed() {
+    // From frame 3 on the origin is 10 px to the right and the scale 50 px/m along the rows; frame 2 is not marked.
+    let expected = "\
+t [s]: 0.00000 0.06670 0.11670 0.15000
+x [m]: 0.10000 0.40000 0.60000 0.80000
+y [m]: 0.20000 0.60000 0.80000 1.00000
+- los tiempos son los que el proyecto enumera para los fotogramas de su vídeo
+- la escala del proyecto es 100 px/m; el origen está en el píxel (100,0; 200,0) y el eje x a 0,00° en el primer fotograma; cambian de un fotograma a otro, lo que se tiene en cuenta
+- el proyecto no indica la unidad de longitud: se suponen metros, como hace Tracker
+- se dejaron fuera las posiciones ajenas al corte que elige el proyecto: 1
+";
+    assert_eq!(shown(&read(MOVING.into()), Spanish), expected);
+    // The project states 300 frames/s for a film whose file says 26.7.
+    let slow = MOVING.replace("\"double\">37.5<", "\"double\">3.75<");
+    let slow = shown(&read(slow.into()), English);
+    assert!(
+        slow.starts_with("t [s]: 0.00000 0.00667 0.01167 0.01500\n") && slow.contains("multiplied by 0.1,"),
+        "{slow}"
+    );
+    // Times that do not rise are not used.
+    let still = shown(&read(MOVING.replace("66.7,100.0,150.0,183.3", "0.0,0.0,0.0,0.0").into()), English);
+    assert!(still.starts_with("t [s]: 0.00000 0.07500 0.11250 0.15000\n") && still.contains("37.5 ms"), "{still}");
+}
+
+#[test]
+fn without_a_scale_positions_are_in_pixels() {
+    let expected = "\
+t [s]: 0.00000 0.03333 0.06667
+x []: 1.00000 2.00000 3.00000
+y []: 10.00000 20.00000 25.00000
+- times are the frame number times a constant step of 33.333333 ms, as the project states
+- the project has no scale: positions are in pixels, y upwards; the origin is at the pixel (10.0; 100.0), the x axis at 0.00°
+- `px`, the unit of x, is not known; until one is stated, its numbers have none
+- `px`, the unit of y, is not known; until one is stated, its numbers have none
+";
+    assert_eq!(shown(&read(PIXELS.into()), English), expected);
+}
+
+#[test]
+fn a_text_of_a_project_is_read_again_as_the_same_table() {
+    for project in [FIXED, MOVING, PIXELS] {
+        let contents = read(project.into());
+        let again = import::text(contents.text.as_bytes()).expect("a table");
+        assert_eq!(format!("{:?}", again.table), format!("{:?}", contents.import.table));
+    }
+}
+
+#[test]
+fn names_that_look_like_numbers_units_or_comments_name_their_masses() {
+    for (name, label) in
+        [("12.5", "12.5"), ("#1", "1"), ("multi:", "multi"), ("12:00:01", "12 00 01"), ("t [ms]", "t ms")]
+    {
+        let project = FIXED.replace(">masa A<", &format!(">{name}<"));
+        let table = read(project.into()).import.table;
+        assert_eq!((table.columns.len(), table.label(1)), (5, format!("{label}.x")), "{name}");
+    }
+}
+
+#[test]
+fn an_archive_is_read_with_its_film() {
+    let film = "not really a film".repeat(10);
+    let files = [
+        ("__MACOSX/._a.trk", "\0\u{5}\u{16}\u{7}"),
+        ("talk/a.trk", FIXED),
+        ("talk/videos/other.mp4", ""),
+        ("talk/videos/Fall & rise.mp4", film.as_str()),
+        ("talk/html/a_info.html", "<html></html>"),
+    ];
+    let bytes = zip(&files);
+    let opened = tracker::read(bytes.clone()).expect("a project");
+    let packed = opened.project.film.and_then(|film| film.packed).expect("a film");
+    assert_eq!((packed.name.as_str(), packed.deflated, packed.size), (files[3].0, true, film.len() as u64));
+    let content = miniz_oxide::inflate::decompress_to_vec(&bytes[packed.range]).expect("the film");
+    assert_eq!(content, film.as_bytes());
+    let contents = read(bytes);
+    assert!(shown(&contents, Spanish).contains("; el vídeo del archivo, «videos/fall & rise.mp4», tiene"));
+    assert_eq!(contents.text, read(FIXED.into()).text);
+    // Of several the first with a mass.
+    let unmarked = FIXED.replace("tracker.PointMass\"", "tracker.Vector\"");
+    let several = read(zip(&[("a.trk", &unmarked), ("b.TRK", PIXELS)]));
+    assert!(shown(&several, English).contains("the first with a marked mass was read: `b.TRK`"));
+    let none = reading::read(zip(&[("a.trk", &unmarked), ("b.trk", &unmarked)]), MOST);
+    assert_eq!(none, Err(ReadingError::Project(TrackerError::NoMass)));
+}
+
+#[test]
+fn pixels_and_calibration_of_a_project_are_there_for_a_film() {
+    let project = tracker::read(MOVING.into()).expect("a project").project;
+    let (mass, clip) = (&project.masses[0], &project.clip);
+    assert_eq!((mass.name.as_str(), mass.marks[2].frame, mass.marks[2].pixel), ("bola", 3, [130.0, 140.0]));
+    assert_eq!((clip.first, clip.step, clip.count, clip.times.len()), (1, 1, 5, 6));
+    assert_eq!(project.coordinates.at(2).scale, [100.0, 100.0]);
+    assert_eq!(project.coordinates.at(7).origin, [110.0, 200.0]);
+    assert_eq!(project.film.map(|film| (film.path, film.pictures)), Some(("videos/fall & rise.mp4".into(), false)));
+}
+
+#[test]
+fn old_texts_in_latin_1_and_byte_order_marks_are_read() {
+    let latin: Vec<u8> =
+        PIXELS.replace("mass A", "#").bytes().map(|byte| if byte == b'#' { 0xf1 } else { byte }).collect();
+    assert_eq!(tracker::read(latin).expect("a project").project.masses[0].name, "ñ");
+    let marked = [b"\xef\xbb\xbf".as_slice(), PIXELS.as_bytes()].concat();
+    assert_eq!(read(marked).text, read(PIXELS.into()).text);
+}
+
+#[test]
+fn what_is_no_project_is_refused_with_its_reason() {
+    let doctype = |text: &str| PIXELS.replace("?>\n<object", &format!("?>\n{text}\n<object"));
+    // What the library itself writes where it is asked to.
+    assert_eq!(read(doctype("<!DOCTYPE object SYSTEM \"osp10.dtd\">").into()).text, read(PIXELS.into()).text);
+    let bomb = doctype("<!DOCTYPE object [<!ENTITY a \"&b;&b;\">]>");
+    let deep = "<property name=\"a\">".repeat(300);
+    let cases = [
+        (bomb, TrackerError::Entities),
+        (PIXELS.replace(">mass A<", ">&name;<"), TrackerError::Entities),
+        (
+            PIXELS.replace("tracker.TrackerPanel", "tracker.TFrame"),
+            TrackerError::NotAProject { class: "TFrame".into() },
+        ),
+        (PIXELS.replace("tracker.PointMass\"", "tracker.Vector\""), TrackerError::NoMass),
+        (
+            PIXELS.replace("name=\"stepcount\" type=\"int\">3", "name=\"stepcount\" type=\"int\">1"),
+            TrackerError::OneFrame,
+        ),
+        (PIXELS.replace("\"startframe\" type=\"int\">0", "\"startframe\" type=\"int\">9"), TrackerError::NoMass),
+        (PIXELS.replace("name=\"delta_t\"", "name=\"rate_t\""), TrackerError::NoTimes),
+        (PIXELS.replace(">33.333333333333336<", ">0<"), TrackerError::NoTimes),
+        (PIXELS.replace(">11.0<", ">1l.0<"), TrackerError::Damaged),
+        (PIXELS.replace("\"[1]\"", "\"[one]\""), TrackerError::Damaged),
+        (PIXELS.replace("<property name=\"red\"", "<script name=\"red\""), TrackerError::Damaged),
+        (PIXELS.replace("</object>\n</object>", "</object>"), TrackerError::Damaged),
+        (PIXELS.replace("<property name=\"red\"", &format!("{deep}<property name=\"red\"")), TrackerError::Damaged),
+    ];
+    for (text, expected) in cases {
+        let text =
+            if expected == TrackerError::Damaged && text == PIXELS { PIXELS[..PIXELS.len() - 12].into() } else { text };
+        let error = refused(&text);
+        assert_eq!(error, expected);
+        assert!(!error.hint(English).is_empty() && !error.hint(Spanish).is_empty());
+    }
+    // Tables of masses that are never marked together grow with their square.
+    let item = &PIXELS[PIXELS.find("        <property name=\"item\"").unwrap()
+        ..PIXELS.find("    </property>\n    <property name=\"dividers\"").unwrap()];
+    assert_eq!(refused(&PIXELS.replace(item, &item.repeat(300))), TrackerError::TooLarge);
+    assert!(matches!(reading::read(FIXED.into(), 100), Err(ReadingError::Project(TrackerError::TooLarge))));
+}
+
+#[test]
+fn archives_that_deceive_are_refused() {
+    let project = |pack| archive(&[("sheets/a.trk".to_owned(), FIXED.to_owned())], pack);
+    let kind = |pack| reading::read(project(pack), MOST).expect_err("refused");
+    assert_eq!(kind(Pack::Understated), ReadingError::Project(TrackerError::Damaged));
+    assert_eq!(kind(Pack::WrongChecksum), ReadingError::Project(TrackerError::Damaged));
+    assert_eq!(kind(Pack::Encrypted), ReadingError::Project(TrackerError::Protected));
+    let blanks = " ".repeat(4 << 20);
+    let bomb = archive(&[("a.trk".to_owned(), blanks)], Pack::Deflated);
+    assert!(matches!(reading::read(bomb, MOST), Err(ReadingError::Project(TrackerError::Expands { .. }))));
+}
+
+fn in_slices(bytes: Vec<u8>, budget: usize) -> Result<Contents, ReadingError> {
+    let mut reading = Reading::new(bytes, MOST)?;
+    while !reading.advance(budget)? {}
+    Ok(reading.finish().expect("it came to the end"))
+}
+
+proptest! {
+    #[test]
+    fn slices_give_the_same_table(budget in 1_usize..5000) {
+        for bytes in [FIXED.into(), zip(&[("a.trk", MOVING)])] {
+            prop_assert_eq!(format!("{:?}", in_slices(bytes.clone(), budget)), format!("{:?}", reading::read(bytes, MOST)));
+        }
+    }
+
+    #[test]
+    fn what_is_cut_off_is_never_read_as_a_table(at in any::<prop::sample::Index>()) {
+        let end = FIXED.trim_end().len();
+        let bytes = FIXED.as_bytes()[..at.index(end)].to_vec();
+        prop_assert!(reading::read(bytes, MOST).is_err());
+        let packed = zip(&[("a.trk", FIXED)]);
+        prop_assert!(reading::read(packed[..at.index(packed.len())].to_vec(), MOST).is_err());
+    }
+
+    #[test]
+    fn any_change_is_read_or_refused(at in any::<prop::sample::Index>(), byte in any::<u8>()) {
+        for mut bytes in [FIXED.as_bytes().to_vec(), MOVING.as_bytes().to_vec(), zip(&[("a.trk", FIXED)])] {
+            let at = at.index(bytes.len());
+            bytes[at] = byte;
+            if let Err(error) = reading::read(bytes, MOST) {
+                prop_assert!(!error.message(Spanish).is_empty() && !error.hint(Spanish).is_empty());
+            }
+        }
+    }
+
+    #[test]
+    fn elements_in_any_order_are_read_or_refused(parts in prop::collection::vec(prop::sample::select(vec![
+        "<object class=\"org.opensourcephysics.cabrillo.tracker.TrackerPanel\">", "</object>", "</property>",
+        "<property name=\"tracks\">", "<property name=\"item\">", "<object class=\"PointMass\">", "<property name=\"framedata\">",
+        "<property name=\"[4294967295]\">", "<property name=\"x\">", "-1e308", "<property name=\"coords\">", "<![CDATA[{1,2}]]>",
+        "<property name=\"xscale\">", "1e-308", "<property name=\"clipcontrol\">", "<property name=\"delta_t\">", "NaN",
+        "<property name=\"stepcount\">", "-2147483648", "&#1;", "&amp;", "<!--", "-->",
+    ]), 0..60)) {
+        let text = format!("<object class=\"org.opensourcephysics.cabrillo.tracker.TrackerPanel\">{}", parts.concat());
+        let _ = reading::read(text.into_bytes(), MOST);
+    }
+
+    #[test]
+    fn a_text_of_any_numbers_is_read_again(
+        marks in prop::collection::btree_map(0_u32..50, (any::<f64>(), any::<f64>()), 2..20),
+        (scale, angle) in (1.0_f64..1e4, -180.0_f64..180.0),
+    ) {
+        let frames: String = marks.iter().map(|(frame, (x, y))| format!(
+            "<property name=\"[{frame}]\"><object class=\"F\"><property name=\"x\">{x:?}</property><property name=\"y\">{y:?}</property></object></property>"
+        )).collect();
+        let item = &PIXELS[PIXELS.find("                <property name=\"[0]\" type=\"object\">\n                <object class=\"org.opensourcephysics.cabrillo").unwrap()
+            ..PIXELS.find("            </property>\n        </object>\n        </property>\n    </property>").unwrap()];
+        let text = PIXELS.replace(item, &frames)
+            .replace("\"int\">3<", "\"int\">50<")
+            .replace("xscale\" type=\"double\">1.0", &format!("xscale\" type=\"double\">{scale:?}"))
+            .replace("angle\" type=\"double\">0.0", &format!("angle\" type=\"double\">{angle:?}"));
+        let contents = read(text.into_bytes());
+        prop_assert_eq!(contents.import.table.rows(), marks.len());
+    }
+}

@@ -1,0 +1,58 @@
+//! A project of Tracker in place of its film: what to track instead.
+
+use super::opened::refused;
+use crate::failure::Failure;
+use analysis::tracker::{self, Film, Project};
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+use units::{Words, words};
+
+/// How much of a file is looked at.
+const LOOK: u64 = 4096;
+/// A larger archive is not searched for its film.
+const MOST_BYTES: u64 = 256 << 20;
+
+/// The refusal of a project, which names its film; `None` for another file, and for one that cannot be read.
+pub fn refusal(path: &Path) -> Option<Failure> {
+    let mut file = File::open(path).ok()?;
+    let mut bytes = Vec::new();
+    Read::by_ref(&mut file).take(LOOK).read_to_end(&mut bytes).ok()?;
+    let is_archive = analysis::workbook::is_workbook(&bytes);
+    let is_text = tracker::is_project(&bytes);
+    if !is_archive && !is_text {
+        return None;
+    }
+    file.take(MOST_BYTES).read_to_end(&mut bytes).ok()?;
+    let project = tracker::read(bytes).ok().map(|opened| opened.project);
+    if project.is_none() && !is_text {
+        return None;
+    }
+    let why = words("it is a project of Tracker, not a film", "es un proyecto de Tracker, no un vídeo");
+    let Failure::Request { message, .. } = refused(path, why) else { return None };
+    Some(Failure::Request { message, hint: Some(hint(path, project)) })
+}
+
+fn hint(path: &Path, project: Option<Project>) -> Words {
+    let name = path.display();
+    let Some(Film { path: film, packed, .. }) = project.and_then(|project| project.film).filter(|film| !film.pictures)
+    else {
+        return words!(
+            "give the film itself; the positions of the project are read by `meniscus fit` and `meniscus cycles {name}`",
+            "indica el vídeo mismo; las posiciones del proyecto las leen «meniscus fit» y «meniscus cycles {name}»"
+        );
+    };
+    let beside = path.parent().unwrap_or_else(|| Path::new("")).join(film.replace('\\', "/"));
+    if let Some(packed) = packed {
+        let inside = packed.name;
+        words!(
+            "its film `{inside}` is in this archive: extract it (unzip {name} '{inside}') and track that",
+            "su vídeo «{inside}» está en este archivo: extráelo (unzip {name} '{inside}') y sigue ese"
+        )
+    } else if beside.is_file() {
+        let beside = beside.display();
+        words!("its film is beside it: meniscus track {beside}", "su vídeo está a su lado: meniscus track {beside}")
+    } else {
+        words!("its film is `{film}`: give that file", "su vídeo es «{film}»: indica ese archivo")
+    }
+}

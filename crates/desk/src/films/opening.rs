@@ -1,0 +1,76 @@
+//! Opening and closing films.
+
+use crate::films::clip::Clip;
+use crate::films::identity::FilmIdentity;
+use crate::films::state::Open;
+use crate::films::subject::Subject;
+use crate::films::work::Work;
+use crate::{Desk, Refusal};
+use film::calibration::Calibration;
+use units::words;
+
+/// How a film was opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FilmOpening {
+    /// It is new.
+    New,
+    /// It is known: the work on it goes on.
+    TakenUp,
+    /// It is new, and another film has the same name; the work on that one is kept.
+    SameName,
+}
+
+impl Desk {
+    /// Opens a film, in place of the one that is open. The work on a film that is known is taken up.
+    ///
+    /// # Errors
+    /// A film in which no two frames have different times.
+    pub fn open_film(
+        &mut self,
+        identity: FilmIdentity,
+        container: film::containers::Film,
+    ) -> Result<FilmOpening, Refusal> {
+        let clip = Clip::new(container);
+        if clip.rate().is_none() {
+            return Err(self.film_refusal(&words(
+                "The film has no two frames at different times: nothing moves in it.",
+                "El vídeo no tiene dos fotogramas en tiempos distintos: nada se mueve en él.",
+            )));
+        }
+        self.close_film();
+        let known = self.films.works.iter().position(|work| work.identity.is_same_film(&identity));
+        let same_name = self.films.works.iter().any(|work| work.identity.name == identity.name);
+        let opening = match known {
+            Some(_) => FilmOpening::TakenUp,
+            None if same_name => FilmOpening::SameName,
+            None => FilmOpening::New,
+        };
+        let place = known.unwrap_or_else(|| {
+            let [_, high] = clip.size();
+            let calibration = Calibration { origin: [0.0, high], ..Calibration::default() };
+            self.films.works.push(Work { identity, calibration, ..Work::default() });
+            self.films.works.len() - 1
+        });
+        if let Some(work) = self.films.works.get_mut(place) {
+            work.stated_factor = clip.stated_factor().unwrap_or(1.0);
+            work.ends = clip.ends(work.part);
+            // Stored text is not trusted: what does not fit this film is not followed in it.
+            if work.subject.check(clip.size(), clip.times().len()).is_err() {
+                work.subject = Subject::Nothing;
+            }
+        }
+        self.films.open = Some(Open { work: place, clip, following: None, running: false, pictures: Vec::new() });
+        self.revision.films += 1;
+        Ok(opening)
+    }
+
+    /// Closes the film. The work on it stays, if there is any.
+    pub fn close_film(&mut self) {
+        let Some(open) = self.films.open.take() else { return };
+        let empty = |work: &Work| work.found.is_none() && work.subject.is_nothing() && work.form == Default::default();
+        if self.films.works.get(open.work).is_some_and(empty) {
+            self.films.works.remove(open.work);
+        }
+        self.revision.films += 1;
+    }
+}

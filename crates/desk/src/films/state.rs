@@ -1,0 +1,47 @@
+//! The films of a desk.
+
+use crate::films::clip::Clip;
+use crate::films::space_time::SpaceTimePicture;
+use crate::films::work::Work;
+use film::tracking::Following;
+
+/// All films that a person has worked on, and the one that is open.
+#[derive(Debug, Default)]
+pub(crate) struct Films {
+    pub works: Vec<Work>,
+    pub open: Option<Open>,
+}
+
+/// The film that is open.
+#[derive(Debug)]
+pub(crate) struct Open {
+    /// Its place among the works.
+    pub work: usize,
+    pub clip: Clip,
+    /// The tracking, from its beginning on; it stays for corrections.
+    pub following: Option<Following>,
+    /// Whether the tracking is to go on.
+    pub running: bool,
+    /// The space-time picture of each surface.
+    pub pictures: Vec<SpaceTimePicture>,
+}
+
+impl Films {
+    /// The open film and the work on it.
+    pub fn current(&self) -> Option<(&Open, &Work)> {
+        let open = self.open.as_ref()?;
+        Some((open, self.works.get(open.work)?))
+    }
+
+    /// The same, to be changed.
+    pub fn current_mut(&mut self) -> Option<(&mut Open, &mut Work)> {
+        let open = self.open.as_mut()?;
+        let work = self.works.get_mut(open.work)?;
+        Some((open, work))
+    }
+
+    /// The work that a record comes from.
+    pub fn of_record(&self, id: u32) -> Option<&Work> {
+        self.works.iter().find(|work| work.record == Some(id))
+    }
+}

@@ -1,0 +1,77 @@
+//! The time base of a film: how fast it was taken, and which part of it is used.
+
+use crate::films::clip::Clip;
+use crate::films::record::Kept;
+use crate::{Desk, Refusal, number};
+use film::timing::LARGEST_FACTOR;
+use units::words;
+
+impl Desk {
+    /// Takes how many times slower the film plays than things happened, as typed: `8`, or `240/30` as a quotient of rates. An empty
+    /// text stands for what the file says. The times of the record change at once.
+    ///
+    /// # Errors
+    /// What is no positive number, and where no film is open.
+    pub fn set_film_factor(&mut self, typed: &str) -> Result<(), Refusal> {
+        let factor = match typed.trim() {
+            "" => None,
+            typed => Some(self.factor(typed)?),
+        };
+        let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
+        work.factor = factor;
+        // Times of frames that are yet to be taken would not fit to those that have been.
+        if open.running {
+            (open.following, open.running) = (None, false);
+        }
+        self.film_changed(Kept { origin: false, offsets: true })
+    }
+
+    fn factor(&self, typed: &str) -> Result<f64, Refusal> {
+        let style = self.play.style();
+        let read = || {
+            let (value, rest) = number::parse(typed, style)?;
+            match rest.strip_prefix('/') {
+                None => rest.is_empty().then_some(value),
+                Some(rest) => number::parse(rest, style).filter(|(_, rest)| rest.is_empty()).map(|(by, _)| value / by),
+            }
+        };
+        read().filter(|factor| (1.0 / LARGEST_FACTOR..=LARGEST_FACTOR).contains(factor)).ok_or_else(|| {
+            let typed: String = typed.chars().take(40).collect();
+            self.film_refusal(&words!(
+                "{typed} is not possible. Enter how many times slower the film plays than things happened, such as 8 or 240/30.",
+                "{typed} no es posible. Escribe cuántas veces más lento se reproduce el vídeo que lo ocurrido, como 8 o 240/30."
+            ))
+        })
+    }
+
+    /// Takes the part of the film that is used, in seconds of the file; `None` is an end of the film. A record loses rows outside at
+    /// once; rows that it never had need another tracking.
+    ///
+    /// # Errors
+    /// A part with fewer than two frames, and where no film is open.
+    pub fn set_film_part(&mut self, part: [Option<f64>; 2]) -> Result<(), Refusal> {
+        let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
+        let part = part.map(|end| end.filter(|end| end.is_finite()));
+        let ends = open.clip.ends(part);
+        if ends[0] >= ends[1] {
+            return Err(self.film_refusal(&words(
+                "Fewer than two frames lie in this part. Choose a longer one.",
+                "En esta parte hay menos de dos fotogramas. Elige una más larga.",
+            )));
+        }
+        (work.part, work.ends) = (part, ends);
+        if open.running {
+            (open.following, open.running) = (None, false);
+        }
+        self.film_changed(Kept { origin: false, offsets: true })
+    }
+}
+
+impl Clip {
+    /// The first and the last frame of a part, in seconds of the file.
+    pub(crate) fn ends(&self, [from, until]: [Option<f64>; 2]) -> [usize; 2] {
+        let first = from.map_or(0, |from| self.times().partition_point(|time| *time < from));
+        let end = until.map_or(self.times().len(), |until| self.times().partition_point(|time| *time <= until));
+        [first, end.saturating_sub(1)]
+    }
+}

@@ -1,0 +1,219 @@
+//! What a page shows of the open film.
+
+use crate::films::clip::Clip;
+use crate::films::doubt::{DoubtfulFrame, doubts};
+use crate::films::identity::FilmIdentity;
+use crate::films::lengths::CalibrationForm;
+use crate::films::record::table;
+use crate::films::space_time::SpaceTimePicture;
+use crate::films::state::Open;
+use crate::films::subject::Subject;
+use crate::films::work::Work;
+use crate::{Desk, number};
+use film::calibration::{Calibration, Lengths};
+use film::tracking::{Exposure, Track};
+use units::{Words, words};
+
+/// The film that is open, and the work on it.
+#[derive(Clone, Copy, Debug)]
+pub struct OpenFilm<'a> {
+    open: &'a Open,
+    work: &'a Work,
+}
+
+impl Desk {
+    /// The film that is open.
+    pub fn film(&self) -> Option<OpenFilm<'_>> {
+        self.films.current().map(|(open, work)| OpenFilm { open, work })
+    }
+
+    /// What a person should know of the open film: file, times, camera, scale, in sentences of the chosen language.
+    pub fn film_notes(&self) -> Vec<String> {
+        let Some(film) = self.film() else { return Vec::new() };
+        let sentence = |words: Words| play::words::sentence(words.text(self.play.language()));
+        film.notes().into_iter().map(sentence).collect()
+    }
+
+    /// What the record says of a frame of the open film, as `y_2 = 0.0413 ± 0.0002 m`; a body has two such numbers. `None` where
+    /// the track of this number has no point there.
+    pub fn film_position(&self, track: usize, frame: usize) -> Option<String> {
+        let table = table(self.films.current()?.1)?;
+        let row = table.frames.binary_search(&frame).ok()?;
+        let text = |one: &film::table::Quantity| {
+            let (value, sigma) = (*one.values.get(row)?, *one.sigmas.get(row)?);
+            let number = number::with_error(value, Some(sigma), self.play.style());
+            value.is_finite().then(|| format!("{} = {number} {}", one.name, table.unit))
+        };
+        let texts: Vec<String> = table.quantities.get(track)?.iter().map(text).collect::<Option<_>>()?;
+        Some(texts.join(", "))
+    }
+}
+
+impl<'a> OpenFilm<'a> {
+    /// What it is known by.
+    pub fn identity(self) -> &'a FilmIdentity {
+        &self.work.identity
+    }
+
+    /// What its file says: size, times of the frames, container.
+    pub fn clip(self) -> &'a Clip {
+        &self.open.clip
+    }
+
+    /// How many times slower it plays than things happened.
+    pub fn factor(self) -> f64 {
+        self.work.factor()
+    }
+
+    /// The same as a person has typed it; `None` if it is what the file says.
+    pub fn typed_factor(self) -> Option<f64> {
+        self.work.factor
+    }
+
+    /// When a frame was taken, in seconds.
+    pub fn taken(self, frame: usize) -> Option<f64> {
+        self.open.clip.times().get(frame).map(|time| time / self.work.factor())
+    }
+
+    /// The part that is used, in seconds of the file.
+    pub fn part(self) -> [Option<f64>; 2] {
+        self.work.part
+    }
+
+    /// The first and the last frame of the part.
+    pub fn ends(self) -> [usize; 2] {
+        self.work.ends
+    }
+
+    /// What is followed.
+    pub fn subject(self) -> &'a Subject {
+        &self.work.subject
+    }
+
+    /// Marks that rest.
+    pub fn resting_marks(self) -> &'a [[f64; 2]] {
+        &self.work.marks
+    }
+
+    /// What a person has said of lengths.
+    pub fn calibration_form(self) -> &'a CalibrationForm {
+        &self.work.form
+    }
+
+    /// The map from pixels of the upright picture to lengths.
+    pub fn calibration(self) -> &'a Calibration {
+        &self.work.calibration
+    }
+
+    /// The tracks in pixels of the upright picture, with times in seconds; empty before something has been found.
+    pub fn tracks(self) -> Vec<Track> {
+        self.work.tracks()
+    }
+
+    /// The id of the record that it has become; it may have been removed.
+    pub fn record(self) -> Option<u32> {
+        self.work.record
+    }
+
+    /// The frames that a person should look at, in order.
+    pub fn doubtful(self) -> Vec<DoubtfulFrame> {
+        doubts(&self.work.tracks())
+    }
+
+    /// The space-time picture of a surface, once the film has been tracked since it was opened.
+    pub fn space_time(self, surface: usize) -> Option<&'a SpaceTimePicture> {
+        self.open.pictures.get(surface)
+    }
+
+    fn notes(self) -> Vec<Words> {
+        let mut notes = self.open.clip.notes();
+        notes.extend(match (self.work.factor, self.open.clip.slow_motion()) {
+            (None, found) => found.map(|found| found.words()),
+            (Some(factor), _) => Some(words!(
+                "times are divided by {factor}, as stated by hand",
+                "los tiempos se dividen por {factor}, como se indicó a mano",
+                factor = significant(factor, 4)
+            )),
+        });
+        let found = self.work.found.as_ref();
+        if let Some(found) = found.filter(|found| !found.repeated.is_empty()) {
+            let (count, of) = (found.repeated.len(), found.repeated.len() + found.frames.len());
+            notes.push(words!(
+                "{count} of {of} frames repeat the picture before and are left out: the film was converted to another rate",
+                "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: el vídeo se convirtió a otra frecuencia"
+            ));
+        }
+        if let Subject::Points { sigma, .. } = &self.work.subject {
+            notes.push(words!(
+                "points clicked by hand: a standard error of {sigma} px in each coordinate is assumed",
+                "puntos marcados a mano: se supone un error estándar de {sigma} px en cada coordenada",
+                sigma = significant(*sigma, 3)
+            ));
+        }
+        let tracks = self.work.tracks();
+        notes.extend(tracks.iter().flat_map(of_camera));
+        notes.extend(of_lengths(&self.work.calibration));
+        notes
+    }
+}
+
+/// Exposure and readout of the camera, where a track shows them.
+fn of_camera(track: &Track) -> Vec<Words> {
+    let exposure = track.exposure.map(|exposure| match exposure {
+        Exposure::Seconds(seconds) => {
+            words!("exposure: {ms} ms", "exposición: {ms} ms", ms = milliseconds(seconds))
+        }
+        Exposure::Under(seconds) => words!(
+            "exposure: under {ms} ms, too short to smear the picture",
+            "exposición: menos de {ms} ms, demasiado corta para emborronar la imagen",
+            ms = milliseconds(seconds)
+        ),
+    });
+    let readout = track.readout.map(|readout| {
+        words!(
+            "rolling shutter: {ms} ± {sigma} ms from the first row to the last; times are corrected for it",
+            "obturador rodante: {ms} ± {sigma} ms de la primera fila a la última; los tiempos están corregidos",
+            ms = milliseconds(readout.seconds),
+            sigma = milliseconds(readout.sigma)
+        )
+    });
+    exposure.into_iter().chain(readout).collect()
+}
+
+/// The size of a pixel and the error that all lengths share.
+fn of_lengths(calibration: &Calibration) -> Vec<Words> {
+    let sigma = calibration.relative_sigma().map(|sigma| significant(100.0 * sigma, 2));
+    let scale = match (&calibration.lengths, sigma) {
+        (Lengths::Scale(scale), Some(sigma)) => words!(
+            "scale: a pixel is {pixel} mm, with a standard error of {sigma} % that all lengths share",
+            "escala: un píxel mide {pixel} mm, con un error estándar del {sigma} % común a todas las longitudes",
+            pixel = significant(1e3 * scale.pixel, 4),
+            sigma = sigma
+        ),
+        (Lengths::Rectangle(_), Some(sigma)) => words!(
+            "scale by a rectangle, with a standard error of {sigma} % that all lengths share",
+            "escala por un rectángulo, con un error estándar del {sigma} % común a todas las longitudes",
+            sigma = sigma
+        ),
+        _ => words(
+            "no scale: positions are in pixels. Mark a length to compare them with the model",
+            "sin escala: las posiciones están en píxeles. Marca una longitud para compararlas con el modelo",
+        ),
+    };
+    let parallax = calibration.parallax.filter(|_| calibration.relative_sigma().is_some()).map(|parallax| {
+        words!(
+            "lengths are multiplied by {factor}: the ruler is not where the motion is",
+            "las longitudes se multiplican por {factor}: la regla no está donde el movimiento",
+            factor = significant(parallax.factor(), 5)
+        )
+    });
+    std::iter::once(scale).chain(parallax).collect()
+}
+
+fn milliseconds(seconds: f64) -> Words {
+    Words::each(|language| number::fixed(1e3 * seconds, 1, language.style()))
+}
+
+fn significant(value: f64, digits: usize) -> Words {
+    Words::each(|language| number::plain(value, digits, language.style()))
+}

@@ -1,0 +1,18 @@
+//! Points of a film in what is saved, and its factor.
+
+use super::format::Place;
+use super::number::Number;
+use film::timing::LARGEST_FACTOR;
+
+pub(super) fn place([x, y]: [f64; 2]) -> Place {
+    [Number(x), Number(y)]
+}
+
+pub(super) fn point([Number(x), Number(y)]: Place) -> [f64; 2] {
+    [x, y]
+}
+
+/// A factor of the time base, if it is possible.
+pub(super) fn factor(Number(factor): Number) -> Option<f64> {
+    (1.0 / LARGEST_FACTOR..=LARGEST_FACTOR).contains(&factor).then_some(factor)
+}

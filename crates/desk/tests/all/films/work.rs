@@ -1,0 +1,134 @@
+//! Corrections, undo, and the work at the next visit.
+
+use super::{columns, frame, laboratory, ruler, scene, surface, tracked};
+use crate::support::{bring_back_records, play};
+use desk::film::tracking::column::Click;
+use desk::{Desk, FilmOpening, Item};
+use scene::{container, identity, level, track};
+
+#[test]
+fn an_anchor_repeats_the_path_alone() {
+    let mut desk = tracked();
+    let before = columns(&desk);
+    // Where the surface is, so that nothing changes.
+    let point = desk.film().unwrap().tracks()[0].points[20];
+    desk.anchor_surface(0, Click { frame: 20, position: point.position }).unwrap();
+    assert!(desk.is_tracking() && desk.wanted_frame().is_none(), "no frame is needed");
+    while !desk.advance_tracking(10).unwrap() {}
+    let close = columns(&desk)[1].iter().zip(&before[1]).all(|(one, other)| (one - other).abs() < 5e-5);
+    assert!(close);
+    // Far from it: the track follows the click there.
+    desk.anchor_surface(0, Click { frame: 20, position: [80.0, point.position[1] + 60.0] }).unwrap();
+    while !desk.advance_tracking(10).unwrap() {}
+    assert!((columns(&desk)[1][20] - before[1][20]).abs() > 0.04);
+    desk.release_surface(0, 20).unwrap();
+    while !desk.advance_tracking(10).unwrap() {}
+    assert_eq!(columns(&desk), before);
+}
+
+#[test]
+fn the_record_is_removed_and_comes_back() {
+    let mut desk = tracked();
+    let id = desk.film().unwrap().record().unwrap();
+    desk.remove_record(id);
+    desk.calibrate_film(ruler(), None).unwrap();
+    assert!(desk.records().is_empty(), "a change does not bring back what was removed");
+    let number = desk.undo_number().unwrap();
+    assert!(desk.undo(number));
+    assert_eq!((desk.records()[0].id, desk.film_of_record(id).unwrap().name.as_str()), (id, "swing.mp4"));
+    desk.remove_record(id);
+    let other = desk.film_to_record().unwrap();
+    assert!(other != id && desk.records()[0].rows == 75);
+}
+
+fn bring_back(desk: &mut Desk, saved: &[(String, Item)]) {
+    for (name, item) in saved {
+        let (_, mut items) = Item::read(&item.write(7)).unwrap();
+        assert_eq!(desk.restore_film(&items.remove(0)).as_ref(), Some(name));
+    }
+}
+
+#[test]
+fn the_work_is_there_at_the_next_visit() {
+    let desk = tracked();
+    let mut next = laboratory();
+    bring_back_records(&mut next, &desk.saved_records());
+    bring_back(&mut next, &desk.saved_films());
+    assert_eq!(next.saved_films(), desk.saved_films());
+    assert_eq!(columns(&next), columns(&desk));
+    assert!(next.film().is_none());
+    // Another film of this name is another one; the same under another name is the same.
+    assert_eq!(next.open_film(desk::FilmIdentity::new("swing.mp4", 5, b"x"), container(75)), Ok(FilmOpening::SameName));
+    let renamed = desk::FilmIdentity { name: "copy.mp4".into(), ..identity("swing.mp4") };
+    assert_eq!(next.open_film(renamed, container(75)), Ok(FilmOpening::TakenUp));
+    let (one, other) = (desk.film().unwrap(), next.film().unwrap());
+    assert_eq!((one.tracks(), one.subject()), (other.tracks(), other.subject()));
+    assert_eq!((one.calibration(), one.calibration_form()), (other.calibration(), other.calibration_form()));
+    // The record changes with the work on it, and the model lies over the film without another tracking.
+    let mut form = ruler();
+    form.origin = Some([80.0, 130.0]);
+    next.calibrate_film(form, None).unwrap();
+    assert!((columns(&next)[1][0] - columns(&desk)[1][0] - 0.01).abs() < 1e-6);
+    play(&mut next, [0.5]);
+    assert!(next.film_model_at(0, 3).is_some());
+    // A correction needs the frames again.
+    next.anchor_surface(0, Click { frame: 0, position: [80.0, 120.0 - level(0.0) + 3.0] }).unwrap();
+    assert_eq!(next.wanted_frame(), Some(0));
+}
+
+#[test]
+fn a_tracking_is_given_up_and_begun_again() {
+    let mut desk = laboratory();
+    desk.open_film(identity("swing.mp4"), container(75)).unwrap();
+    desk.follow_in_film(surface()).unwrap();
+    desk.begin_tracking().unwrap();
+    for at in 0..10 {
+        desk.give_frame(at, frame(at)).unwrap();
+    }
+    assert_eq!(desk.tracking_progress().map(|one| (one.taken, one.of, one.computing)), Some((10, 75, false)));
+    desk.cancel_tracking();
+    assert_eq!((desk.wanted_frame(), desk.records().len()), (None, 0));
+    // A frame that cannot be decoded is left out.
+    desk.begin_tracking().unwrap();
+    desk.leave_out_frame(0).unwrap();
+    while let Some(at) = desk.wanted_frame() {
+        desk.give_frame(at, frame(at)).unwrap();
+    }
+    while !desk.advance_tracking(7).unwrap() {}
+    assert_eq!(desk.records()[0].rows, 74);
+    let first = columns(&desk);
+    track(&mut desk, &frame);
+    assert_eq!((desk.records()[0].rows, first[0].len()), (75, 74));
+}
+
+#[test]
+fn another_document_keeps_the_film() {
+    let mut desk = tracked();
+    let mut next = crate::support::utube();
+    next.adopt_records(&mut desk);
+    assert_eq!(next.film().unwrap().tracks()[0].points.len(), 75);
+    next.calibrate_film(ruler(), None).unwrap();
+    assert_eq!(next.records().len(), 1);
+}
+
+#[test]
+fn stored_work_is_not_trusted() {
+    let desk = tracked();
+    let text = desk.saved_films()[0].1.write(7);
+    let changes = [
+        // A click outside the picture, so that nothing is followed.
+        ("[[0,[81.5,83.0]]]", "[[0,[1e9,83.0]]]"),
+        ("\"ends\":[0,74]", "\"ends\":[74,18446744073709551615]"),
+        ("\"factor\":1.0", "\"factor\":0.0"),
+    ];
+    for (from, to) in changes {
+        assert!(text.contains(from), "{from} in {}", &text[..600]);
+        let (_, items) = Item::read(&text.replace(from, to)).unwrap();
+        let mut next = laboratory();
+        assert!(next.restore_film(&items[0]).is_some());
+        next.open_film(identity("swing.mp4"), container(75)).unwrap();
+        let film = next.film().unwrap();
+        assert_eq!((film.ends(), film.factor()), ([0, 74], 1.0));
+        assert_eq!(film.subject().is_nothing(), to.contains("1e9"));
+    }
+}

@@ -1,0 +1,226 @@
+//! All that is followed in a film, frame by frame as a decoder delivers them.
+
+use crate::plane::Plane;
+use crate::timing::repeats;
+use crate::tracking::body::{self, Body};
+use crate::tracking::column::{self, Click, Column, SpaceTime};
+use crate::tracking::marks::Marks;
+use crate::tracking::refusal::Refusal;
+use crate::tracking::track::Track;
+
+/// Pixels of two pictures that are compared at most.
+const COMPARED: usize = 20_000;
+
+/// What is to be followed, in pixels of the stored picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Surfaces in tubes. Their tracks come first.
+    pub surfaces: Vec<Surface>,
+    /// Bodies.
+    pub bodies: Vec<body::Settings>,
+    /// Marks that rest, as they are in the first of the frames: positions are corrected by them.
+    pub marks: Vec<[f64; 2]>,
+    /// The frames with their times in seconds, both ascending.
+    pub frames: Vec<(usize, f64)>,
+}
+
+/// A surface with the frames in which a person has said where it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    /// What is known before the first frame.
+    pub settings: column::Settings,
+    /// Clicks by which the path is held.
+    pub anchors: Vec<Click>,
+}
+
+/// The tracking of everything in a film: it asks for frames one after the other and then computes in portions.
+///
+/// A film that was converted to another rate repeats pictures, whose times are wrong. The frames are then asked for a second time,
+/// without the repeated ones.
+pub struct Following {
+    plan: Plan,
+    pass: Pass,
+    /// Frames that repeat the picture before; none before the first pass is over.
+    repeated: Option<Vec<usize>>,
+}
+
+/// One reading of the film.
+struct Pass {
+    columns: Vec<Column>,
+    bodies: Vec<Body>,
+    marks: Marks,
+    /// The mean absolute difference of each two successive pictures.
+    differences: Vec<f64>,
+    last: Option<Plane>,
+    /// How many of the frames have been taken.
+    taken: usize,
+}
+
+impl Pass {
+    fn new(plan: &Plan) -> Result<Self, Refusal> {
+        let column = |surface: &Surface| {
+            let mut column = Column::new(surface.settings.clone());
+            surface.anchors.iter().for_each(|anchor| column.anchor(*anchor));
+            column
+        };
+        Ok(Self {
+            columns: plan.surfaces.iter().map(column).collect(),
+            bodies: plan.bodies.iter().cloned().map(Body::new).collect(),
+            marks: Marks::new(plan.marks.clone())?,
+            differences: Vec::new(),
+            last: None,
+            taken: 0,
+        })
+    }
+}
+
+impl Following {
+    /// Begins before the first frame.
+    ///
+    /// # Errors
+    ///
+    /// With more marks than can be followed.
+    pub fn new(plan: Plan) -> Result<Self, Refusal> {
+        Ok(Self { pass: Pass::new(&plan)?, plan, repeated: None })
+    }
+
+    /// The frame that is needed next; `None` once all have been taken.
+    pub fn wanted(&self) -> Option<usize> {
+        self.plan.frames.get(self.pass.taken).map(|frame| frame.0)
+    }
+
+    /// Takes the frame that is wanted, as it is stored.
+    ///
+    /// # Errors
+    ///
+    /// As [`Column::take`], [`Body::take`] and [`Marks::take`]; the film cannot be followed then.
+    pub fn take(&mut self, plane: Plane) -> Result<(), Refusal> {
+        let Some(&(frame, time)) = self.plan.frames.get(self.pass.taken) else { return Ok(()) };
+        let pass = &mut self.pass;
+        let camera = pass.marks.take(frame, &plane)?;
+        for column in &mut pass.columns {
+            column.take(frame, time, &plane, camera)?;
+        }
+        for body in &mut pass.bodies {
+            body.take(frame, time, &plane, camera)?;
+        }
+        pass.differences.extend(pass.last.as_ref().map(|last| difference(last, &plane)));
+        pass.last = Some(plane);
+        pass.taken += 1;
+        self.leave_out_repeated()
+    }
+
+    /// Goes on without the frame that is wanted: it cannot be decoded.
+    ///
+    /// # Errors
+    ///
+    /// None that [`Following::new`] has not had.
+    pub fn leave_out(&mut self) -> Result<(), Refusal> {
+        if self.pass.taken < self.plan.frames.len() {
+            self.plan.frames.remove(self.pass.taken);
+        }
+        self.leave_out_repeated()
+    }
+
+    /// Once all frames have been taken for the first time: begins again without those that repeat a picture.
+    fn leave_out_repeated(&mut self) -> Result<(), Refusal> {
+        if self.wanted().is_some() || self.repeated.is_some() {
+            return Ok(());
+        }
+        self.pass.last = None;
+        let places = repeats(&self.pass.differences);
+        let repeated = places.iter().filter_map(|place| Some(self.plan.frames.get(*place)?.0)).collect();
+        if !places.is_empty() {
+            let mut place = 0..;
+            self.plan.frames.retain(|_| place.next().is_none_or(|place| places.binary_search(&place).is_err()));
+            self.pass = Pass::new(&self.plan)?;
+        }
+        self.repeated = Some(repeated);
+        Ok(())
+    }
+
+    /// Continues the search by as many steps, each of which does the work of about one frame (less than a millisecond). True once all
+    /// tracks are complete; never before all frames have been taken.
+    ///
+    /// # Errors
+    ///
+    /// As [`Column::advance`].
+    pub fn advance(&mut self, steps: usize) -> Result<bool, Refusal> {
+        if self.wanted().is_some() {
+            return Ok(false);
+        }
+        for column in self.pass.columns.iter_mut().filter(|column| column.track().is_none()) {
+            if !column.advance(steps)? || steps < usize::MAX {
+                return Ok(false);
+            }
+        }
+        for body in self.pass.bodies.iter_mut().filter(|body| body.track().is_none()) {
+            if !body.advance(steps) || steps < usize::MAX {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// The tracks, surfaces first; empty before they are complete.
+    pub fn tracks(&self) -> Vec<&Track> {
+        let columns = self.pass.columns.iter().map(Column::track);
+        columns.chain(self.pass.bodies.iter().map(Body::track)).collect::<Option<_>>().unwrap_or_default()
+    }
+
+    /// Fixes a surface in a frame ([`Column::anchor`]). Only the path and what follows from it are computed again, by
+    /// [`Following::advance`].
+    pub fn anchor(&mut self, surface: usize, click: Click) {
+        self.release(surface, click.frame);
+        if let Some(surface) = self.plan.surfaces.get_mut(surface) {
+            surface.anchors.push(click);
+        }
+        if let Some(column) = self.pass.columns.get_mut(surface) {
+            column.anchor(click);
+        }
+    }
+
+    /// Removes the anchor of a surface in a frame.
+    pub fn release(&mut self, surface: usize, frame: usize) {
+        if let Some(surface) = self.plan.surfaces.get_mut(surface) {
+            surface.anchors.retain(|anchor| anchor.frame != frame);
+        }
+        if let Some(column) = self.pass.columns.get_mut(surface) {
+            column.release(frame);
+        }
+    }
+
+    /// The space-time picture of a surface, once the first part of the search is done.
+    pub fn space_time(&self, surface: usize) -> Option<SpaceTime> {
+        self.pass.columns.get(surface)?.space_time()
+    }
+
+    /// The frames that are followed, with their times: those of the plan without repeated ones and those left out.
+    pub fn frames(&self) -> &[(usize, f64)] {
+        &self.plan.frames
+    }
+
+    /// The frames that repeat the picture before and are left out.
+    pub fn repeated(&self) -> &[usize] {
+        self.repeated.as_deref().unwrap_or_default()
+    }
+
+    /// How many of the frames have been taken in this reading of the film, and of how many.
+    pub fn taken(&self) -> (usize, usize) {
+        (self.pass.taken, self.plan.frames.len())
+    }
+}
+
+impl std::fmt::Debug for Following {
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        out.debug_struct("Following").field("plan", &self.plan).field("taken", &self.pass.taken).finish_non_exhaustive()
+    }
+}
+
+/// The mean absolute difference of two pictures, by some of their pixels.
+fn difference(one: &Plane, other: &Plane) -> f64 {
+    let step = (one.grey().len() / COMPARED).max(1);
+    let pairs = one.grey().iter().zip(other.grey()).step_by(step);
+    let (sum, count) = pairs.fold((0_u64, 0_u64), |(sum, count), (a, b)| (sum + u64::from(a.abs_diff(*b)), count + 1));
+    sum as f64 / count.max(1) as f64
+}

@@ -1,0 +1,14 @@
+//! The pictures of a film, as the browser decodes them.
+
+pub mod codecs;
+mod decoder;
+mod picture;
+mod player;
+mod source;
+mod trouble;
+
+pub use decoder::Reader;
+pub use picture::Greys;
+pub use player::Player;
+pub use source::{Source, object};
+pub use trouble::Trouble;

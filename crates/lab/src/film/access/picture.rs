@@ -1,0 +1,163 @@
+//! A decoded picture: painted upright on a canvas, or read as grey values as it is stored.
+
+use super::codecs::{self, Painter, PlaneLayout, VideoFrame};
+use super::source::{Source, object};
+use film::Plane;
+use film::containers::Orientation;
+use js_sys::{Array, Uint8Array};
+use view::browser;
+use view::views::document;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{HtmlCanvasElement, ImageBitmap};
+
+/// Formats of which the first plane is the grey values, a byte each.
+const GREY_FIRST: [&str; 7] = ["I420", "I420A", "I422", "I422A", "I444", "I444A", "NV12"];
+
+/// A picture of a film. It gives back its memory when it is dropped.
+pub enum Picture {
+    /// As the decoder gives it.
+    Frame(VideoFrame),
+    /// Kept in order to be shown, or made from a JPEG.
+    Bitmap(ImageBitmap),
+}
+
+impl Drop for Picture {
+    fn drop(&mut self) {
+        match self {
+            Self::Frame(frame) => frame.close(),
+            Self::Bitmap(bitmap) => bitmap.close(),
+        }
+    }
+}
+
+impl Picture {
+    /// Width and height in pixels as it is stored.
+    pub fn size(&self) -> [usize; 2] {
+        match self {
+            Self::Frame(frame) => {
+                let part = frame.visible_rect();
+                part.map_or([0; 2], |part| [part.width(), part.height()].map(|length| length as usize))
+            }
+            Self::Bitmap(bitmap) => [bitmap.width(), bitmap.height()].map(|length| length as usize),
+        }
+    }
+
+    fn pixels(&self) -> &JsValue {
+        match self {
+            Self::Frame(frame) => frame.as_ref(),
+            Self::Bitmap(bitmap) => bitmap.as_ref(),
+        }
+    }
+
+    /// The same picture in a form that holds no memory of the decoder.
+    pub async fn kept(self) -> Option<Self> {
+        let Self::Frame(frame) = &self else { return Some(self) };
+        let promise = codecs::create_image_bitmap(frame).ok()?;
+        Some(Self::Bitmap(browser::wait(promise).await.ok()?.dyn_into().ok()?))
+    }
+
+    /// Paints it over a whole canvas, upright.
+    pub fn paint(&self, canvas: &HtmlCanvasElement, orientation: Orientation) -> Option<()> {
+        let painter = painter(canvas, false)?;
+        let size = [canvas.width(), canvas.height()].map(f64::from);
+        // The size before the turn: the same exchange of width and height as after it.
+        let stored = orientation.upright_size(size);
+        let corner = orientation.upright([0.0, 0.0], stored);
+        let edge = |point: [f64; 2]| {
+            let [x, y] = orientation.upright(point, stored);
+            [x - corner[0], y - corner[1]]
+        };
+        let (across, down) = (edge([1.0, 0.0]), edge([0.0, 1.0]));
+        painter.set_transform(across[0], across[1], down[0], down[1], corner[0], corner[1]);
+        painter.draw_image(self.pixels(), 0.0, 0.0, stored[0], stored[1]).ok()
+    }
+}
+
+/// Reads grey values; keeps what it needs for it from picture to picture.
+pub struct Greys {
+    /// Width and height of the planes: those of the pictures, but with square pixels.
+    size: [usize; 2],
+    buffer: Option<Uint8Array>,
+    canvas: Option<HtmlCanvasElement>,
+}
+
+impl Greys {
+    /// For the pictures of a film.
+    pub fn of(source: &Source) -> Self {
+        let film = &source.film;
+        let size = film.orientation.upright_size(film.display_size()).map(|side| (side.round() as usize).max(1));
+        Self { size, buffer: None, canvas: None }
+    }
+
+    /// The grey values of a picture as it is stored.
+    pub async fn read(&mut self, picture: &Picture) -> Option<Plane> {
+        if let Picture::Frame(frame) = picture
+            && picture.size() == self.size
+            && let Some(plane) = self.copied(frame).await
+        {
+            return Some(plane);
+        }
+        self.drawn(picture)
+    }
+
+    /// By a copy of the decoder's own values, where their order is known.
+    async fn copied(&mut self, frame: &VideoFrame) -> Option<Plane> {
+        let [width, height] = self.size;
+        let format = frame.format()?;
+        let grey = GREY_FIRST.contains(&format.as_str());
+        if !grey && !["BGRX", "BGRA", "RGBX", "RGBA"].contains(&format.as_str()) {
+            return None;
+        }
+        let length = frame.allocation_size().ok()?;
+        let buffer = self.buffer.take().filter(|buffer| buffer.length() == length);
+        let buffer = buffer.unwrap_or_else(|| Uint8Array::new_with_length(length));
+        let layout = browser::wait(frame.copy_to(&buffer).ok()?).await.ok()?;
+        let layout: PlaneLayout = Array::from(&layout).get(0).unchecked_into();
+        let (offset, stride) = (layout.offset() as usize, layout.stride() as usize);
+        // Of the last row nothing is needed beyond its pixels.
+        let row = if grey { width } else { 4 * width };
+        let end = offset + stride * height.checked_sub(1)? + row;
+        let values = buffer.subarray(u32::try_from(offset).ok()?, u32::try_from(end).ok()?).to_vec();
+        self.buffer = Some(buffer);
+        let rows = values.chunks(stride.max(1)).take(height).map(|line| line.get(..row).unwrap_or_default());
+        let greys: Vec<u8> = match (grey, format.starts_with('B')) {
+            (true, _) if stride == width => values,
+            (true, _) => rows.flatten().copied().collect(),
+            (false, true) => rows.flat_map(|row| row.as_chunks().0).map(|&[b, g, r, _]| luma([r, g, b])).collect(),
+            (false, false) => rows.flat_map(|row| row.as_chunks().0).map(|&[r, g, b, _]| luma([r, g, b])).collect(),
+        };
+        Plane::new(width, height, greys)
+    }
+
+    /// By painting it: JPEGs, pictures of more than eight bits, and those whose pixels are no squares.
+    fn drawn(&mut self, picture: &Picture) -> Option<Plane> {
+        let size = self.size;
+        let canvas = match self.canvas.take() {
+            Some(canvas) => canvas,
+            None => document().create_element("canvas").ok()?.dyn_into().ok()?,
+        };
+        if [canvas.width(), canvas.height()].map(|length| length as usize) != size {
+            canvas.set_width(size[0] as u32);
+            canvas.set_height(size[1] as u32);
+        }
+        let painter = painter(&canvas, true)?;
+        let [width, height] = size.map(|length| length as f64);
+        painter.draw_image(picture.pixels(), 0.0, 0.0, width, height).ok()?;
+        let values = painter.image_data(0.0, 0.0, width, height).ok()?.data().0;
+        self.canvas = Some(canvas);
+        let greys = values.as_chunks().0.iter().map(|&[r, g, b, _]| luma([r, g, b])).collect();
+        Plane::new(size[0], size[1], greys)
+    }
+}
+
+/// The grey value of a colour (Rec. ITU-R BT.601, 2.5.1), in 256ths.
+fn luma([red, green, blue]: [u8; 3]) -> u8 {
+    ((77 * u32::from(red) + 150 * u32::from(green) + 29 * u32::from(blue) + 128) >> 8) as u8
+}
+
+/// What paints on a canvas; one whose pixels are `read` again lies in main memory.
+fn painter(canvas: &HtmlCanvasElement, read: bool) -> Option<Painter> {
+    let options = object(&[("willReadFrequently", read.into()), ("alpha", false.into())]);
+    let painter = canvas.get_context_with_context_options("2d", &options).ok()??;
+    Some(painter.unchecked_into())
+}

@@ -1,0 +1,113 @@
+//! The third act: how long something is, and where zero is.
+
+use super::tool::{fold, tool_button};
+use crate::app::App;
+use crate::film::aim::Tool;
+use crate::film::{calibrating, words};
+use desk::ParallaxForm;
+use view::views::*;
+
+/// The ruler, and what is asked more rarely.
+pub fn view(app: App) -> View {
+    let words = words::of(app);
+    let scale = move || {
+        app.films
+            .now
+            .with(|now| now.as_ref().map(|now| now.scale(app.language.get_untracked().style())).unwrap_or_default())
+    };
+    let take = move |field: Signal<String>, typed: String, apply: fn(App)| {
+        field.set(typed);
+        apply(app);
+    };
+    let films = app.films;
+    let length = short_field("film-length".to_owned())
+        .attr("placeholder", "10 cm")
+        .enterkeyhint("done")
+        .prop("value", move || films.length.get_clone())
+        .when(events::change, move |event| take(films.length, value_of(&event), calibrating::ruler));
+    let intervals = short_field("film-intervals".to_owned())
+        .attr("inputmode", "numeric")
+        .prop("value", move || films.intervals.get_clone())
+        .when(events::change, move |event| take(films.intervals, value_of(&event), calibrating::ruler));
+    let pixels = button()
+        .class("quiet")
+        .id("film-pixels")
+        .hidden(move || films.ruler.with(Vec::is_empty) && films.corners.with(Vec::is_empty))
+        .when(events::click, move |_| calibrating::none(app))
+        .child(words.in_pixels);
+    let tools = div()
+        .class("chips")
+        .child(tool_button(app, "film-ruler", Tool::Ruler, words.click_ruler))
+        .child(tool_button(app, "film-set-origin", Tool::Origin, words.set_origin))
+        .child(tool_button(app, "film-set-axis", Tool::Axis, words.set_axis));
+    let fields = div()
+        .class("step-line")
+        .child(field_of("film-length", words.length).child(length))
+        .child(field_of("film-intervals", words.intervals).child(intervals));
+    View::from((
+        note(words.hint_ruler),
+        tools,
+        fields,
+        p().class("film-scale").id("film-scale").role("status").child(text(scale)),
+        fold(words.more_lengths).child(rectangle(app)).child(parallax(app)),
+        pixels,
+    ))
+}
+
+/// A rectangle in the plane of the motion.
+fn rectangle(app: App) -> View {
+    let words = words::of(app);
+    let side = move |number: usize, id: &'static str, name: &'static str| {
+        let now = move || app.films.sides.with(|sides| sides.get(number).cloned().unwrap_or_default());
+        let take = move |event| {
+            let typed = value_of(&event);
+            app.films.sides.update(|sides| sides.get_mut(number).into_iter().for_each(|side| *side = typed.clone()));
+            calibrating::rectangle(app);
+        };
+        let field =
+            short_field(id.to_owned()).attr("placeholder", "20 cm").prop("value", now).when(events::change, take);
+        field_of(id, name).child(field)
+    };
+    View::from((
+        div().class("chips").child(tool_button(app, "film-corners", Tool::Corners, words.rectangle)),
+        div().class("step-line").child(side(0, "film-width", words.width)).child(side(1, "film-height", words.height)),
+    ))
+}
+
+/// A ruler that is not where the motion is.
+fn parallax(app: App) -> View {
+    let words = words::of(app);
+    let behind = create_signal(String::new());
+    let distance = create_signal(String::new());
+    effect(move || {
+        let form = app.films.now.with(|now| now.as_ref().and_then(|now| now.form.parallax.clone())).unwrap_or_default();
+        behind.set(form.behind);
+        distance.set(form.distance);
+    });
+    let apply = move || {
+        let form = ParallaxForm { behind: behind.get_clone_untracked(), distance: distance.get_clone_untracked() };
+        let none = form.behind.trim().is_empty();
+        if none || !form.distance.trim().is_empty() {
+            calibrating::change(app, move |all| all.parallax = (!none).then_some(form));
+        }
+    };
+    let field = move |id: &'static str, name: &'static str, now: Signal<String>, example: &'static str| {
+        let take = move |event| {
+            now.set(value_of(&event));
+            apply();
+        };
+        let field = short_field(id.to_owned());
+        let field =
+            field.attr("placeholder", example).prop("value", move || now.get_clone()).when(events::change, take);
+        field_of(id, name).child(field)
+    };
+    View::from((
+        note(words.parallax_note),
+        div().class("step-line").child(field("film-behind", words.behind, behind, "1 cm")).child(field(
+            "film-distance",
+            words.distance,
+            distance,
+            "80 cm",
+        )),
+    ))
+}

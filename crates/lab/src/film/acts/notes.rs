@@ -1,0 +1,10 @@
+//! What a person should know of the film: its file, its times, its camera, its scale.
+
+use crate::app::App;
+use view::views::*;
+
+/// The sentences.
+pub fn view(app: App) -> View {
+    let notes = memo(move || app.films.now.with(|now| now.as_ref().map(|now| now.notes.clone()).unwrap_or_default()));
+    changing(move || ul().class("film-notes").id("film-notes").each(notes.get_clone(), |note| li().child(note)))
+}

@@ -1,0 +1,55 @@
+//! Lengths: what a person has clicked and typed becomes the scale of the record.
+
+use super::now::now;
+use super::refusals::refuse;
+use crate::app::App;
+use desk::{CalibrationForm, LengthsForm};
+
+/// Takes the ruler, once two marks and a length are there.
+pub fn ruler(app: App) {
+    let films = app.films;
+    let length = films.length.get_clone_untracked();
+    let marks = films.ruler.get_clone_untracked();
+    let [from, to] = marks[..] else { return };
+    if length.trim().is_empty() {
+        return;
+    }
+    let intervals = films.intervals.with_untracked(|typed| typed.trim().parse().unwrap_or(1)).max(1);
+    change(app, move |form| form.lengths = LengthsForm::Ruler { marks: [from, to], length, intervals });
+}
+
+/// Takes the rectangle, once four corners and both lengths are there.
+pub fn rectangle(app: App) {
+    let films = app.films;
+    let sides = films.sides.get_clone_untracked();
+    let corners = films.corners.get_clone_untracked();
+    let [a, b, c, d] = corners[..] else { return };
+    if sides.iter().any(|side| side.trim().is_empty()) {
+        return;
+    }
+    change(app, move |form| form.lengths = LengthsForm::Rectangle { corners: [a, b, c, d], size: sides });
+}
+
+/// Goes back to pixels.
+pub fn none(app: App) {
+    app.films.ruler.set(Vec::new());
+    app.films.corners.set(Vec::new());
+    change(app, |form| form.lengths = LengthsForm::Pixels);
+}
+
+/// Changes what is said of lengths. The picture of the frame that is looked at is read where marks are to be found in it.
+pub fn change(app: App, change: impl FnOnce(&mut CalibrationForm) + 'static) {
+    let Some(now) = now(app) else { return };
+    let mut form = now.form.clone();
+    change(&mut form);
+    let needs_picture = matches!(&form.lengths, LengthsForm::Ruler { intervals, .. } if *intervals > 1);
+    let player = app.with(|lab| lab.player.clone()).flatten().filter(|_| needs_picture);
+    let Some(player) = player else {
+        return refuse(app, app.attempt_on_desk(|desk| desk.calibrate_film(form, None)));
+    };
+    let frame = app.films.frame.get_untracked();
+    wasm_bindgen_futures::spawn_local(async move {
+        let plane = player.plane(frame).await.ok();
+        refuse(app, app.attempt_on_desk(|desk| desk.calibrate_film(form, plane.as_ref())));
+    });
+}

@@ -1,0 +1,72 @@
+//! Frames that a person should look at.
+
+use super::frames::go;
+use super::now::now;
+use super::words;
+use crate::app::App;
+use view::icons;
+use view::views::*;
+
+/// So many are named.
+const NAMED: usize = 3;
+
+fn count(app: App) -> usize {
+    app.films.now.with(|now| now.as_ref().map_or(0, |now| now.doubts.len()))
+}
+
+/// The button that goes to the next one.
+pub fn button(app: App) -> View {
+    let words = words::of(app);
+    let count = memo(move || count(app));
+    changing(move || {
+        if count.get() == 0 {
+            return View::new();
+        }
+        view::views::button()
+            .class("quiet with-icon")
+            .id("film-next-doubt")
+            .title(format!("{} (.)", words.next_doubtful))
+            .attr("aria-label", words.next_doubtful)
+            .when(events::click, move |_| next(app))
+            .child(icons::doubt())
+            .child(span().child(count.get().to_string()))
+            .into()
+    })
+}
+
+/// Goes to the next one, from the last to the first.
+pub fn next(app: App) {
+    let Some(now) = now(app) else { return };
+    let frame = app.films.frame.get_untracked();
+    let next = now.doubts.iter().find(|doubt| doubt.frame > frame).or_else(|| now.doubts.first());
+    let Some(doubt) = next else { return };
+    go(app, doubt.frame);
+    let words = words::of(app);
+    let why = doubt.doubt.words().text(app.language.get_untracked()).to_owned();
+    app.say(format!("{} {}: {why}", words.frame, doubt.frame + 1));
+}
+
+/// How many there are, and the first of them.
+pub fn list(app: App) -> View {
+    let words = words::of(app);
+    changing(move || {
+        let doubts = app.films.now.with(|now| now.as_ref().map(|now| now.doubts.clone()).unwrap_or_default());
+        if doubts.is_empty() {
+            return View::new();
+        }
+        let language = app.language.get_untracked();
+        let named = doubts.iter().take(NAMED).map(|doubt| {
+            let frame = doubt.frame;
+            let name = format!("{} {}: {}", words.frame, frame + 1, doubt.doubt.words().text(language));
+            li().child(view::views::button().class("pick").when(events::click, move |_| go(app, frame)).child(name))
+        });
+        let named: Vec<HtmlLi> = named.collect();
+        let head = format!("{}: {}", words.doubtful, doubts.len());
+        div()
+            .class("film-doubts")
+            .child(p().child(head))
+            .child(ul().each(named, |one| one))
+            .child(note(words.doubts_note))
+            .into()
+    })
+}

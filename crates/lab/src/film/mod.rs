@@ -1,0 +1,32 @@
+//! Films in the page: decoding, the film on the stage, and what a person says of it in the panel. What is found in a film is the
+//! desk's business.
+
+mod access;
+pub mod acts;
+mod aim;
+mod calibrating;
+mod camera;
+mod doubts;
+mod frame;
+mod frames;
+mod keys;
+mod loupe;
+mod now;
+mod opening;
+mod overlay;
+mod refusals;
+mod signals;
+mod space_time;
+pub mod stage;
+mod state;
+mod together;
+mod tools;
+mod tracking;
+mod words;
+
+pub use access::Player;
+pub use frames::look_at;
+pub use now::refresh;
+pub use opening::{is_film, mark_page, open};
+pub use signals::Films;
+pub use together::follow;

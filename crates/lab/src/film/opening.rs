@@ -1,0 +1,120 @@
+//! Films are opened and closed.
+
+use super::access::{Player, Source, Trouble};
+use super::aim::{Kind, Tool};
+use super::now::{now, refresh};
+use super::refusals::said;
+use super::{frames, tracking, words};
+use crate::app::App;
+use crate::tabs;
+use desk::{FilmIdentity, FilmOpening, LengthsForm};
+use std::rc::Rc;
+use view::browser;
+use view::views::*;
+use web_sys::File;
+
+/// Endings of the names of films, and of what is taken for one.
+const ENDINGS: [&str; 12] =
+    [".mp4", ".m4v", ".mov", ".webm", ".mkv", ".avi", ".3gp", ".gif", ".wmv", ".flv", ".ts", ".ogv"];
+
+/// Marks the page while a film stands on the stage, for the style sheet, and follows the size of the window.
+pub fn mark_page(app: App) {
+    effect(move || {
+        let shown = app.films.open.get() && app.films.shown.get();
+        if let Some(root) = document().document_element() {
+            let _ = root.class_list().toggle_with_force("with-film", shown);
+        }
+    });
+    browser::listen("resize", move |_: &web_sys::Event| app.films.resized.update(|count| *count += 1));
+}
+
+/// Whether a file is taken for a film.
+pub fn is_film(file: &File) -> bool {
+    let name = file.name().to_lowercase();
+    file.type_().starts_with("video/") || ENDINGS.iter().any(|ending| name.ends_with(ending))
+}
+
+/// Opens a film in place of the one that is open.
+pub fn open(app: App, file: File) {
+    let name = file.name();
+    if !app.read(|_| true) {
+        return app.complain(words::of(app).no_document.to_owned());
+    }
+    app.films.opening.set(Some(name.clone()));
+    app.tab.set(tabs::MEASURE);
+    wasm_bindgen_futures::spawn_local(async move {
+        let opened = take(app, file).await;
+        app.films.opening.set(None);
+        let words = words::of(app);
+        match opened {
+            Err(why) => app.complain(format!("{} {name}: {why}", words.not_opened)),
+            Ok(FilmOpening::New) => app.say(format!("{} {name}", words.film)),
+            Ok(FilmOpening::TakenUp) => app.notify(words.taken_up),
+            Ok(FilmOpening::SameName) => app.notify(words.same_name),
+        }
+    });
+}
+
+async fn take(app: App, file: File) -> Result<FilmOpening, String> {
+    let source = Source::open(file).await.map_err(|trouble| said(app, &trouble))?;
+    let start = source.beginning().await.map_err(|trouble| said(app, &trouble))?;
+    let identity = FilmIdentity::new(&source.name(), source.bytes(), &start);
+    let container = source.film.clone();
+    let player = Player::new(Rc::new(source)).ok_or_else(|| said(app, &Trouble::Unreadable))?;
+    let opened =
+        app.act_on_desk(|desk| Some(desk.open_film(identity, container).map_err(|why| desk.refusal_text(&why))));
+    let opening = opened.unwrap_or_else(|| Err(said(app, &Trouble::Closed)))?;
+    // What showed the film before goes first.
+    app.films.open.set(false);
+    app.with(|lab| lab.player = Some(player));
+    begin(app);
+    if opening == FilmOpening::TakenUp && now(app).is_some_and(|now| now.subject.needs_tracking()) {
+        tracking::begin(app);
+    }
+    Ok(opening)
+}
+
+/// Shows a film that the desk has opened, with what is known of it.
+fn begin(app: App) {
+    let films = app.films;
+    films.playing.set(false);
+    films.painted.set(None);
+    films.frame.set(0);
+    films.points.set(Vec::new());
+    films.aim.set(None);
+    films.last.set(None);
+    films.body.set(0);
+    refresh(app);
+    let now = now(app);
+    let form = now.as_ref().map(|now| now.form.clone()).unwrap_or_default();
+    let (mut ruler, mut corners) = (Vec::new(), Vec::new());
+    match form.lengths {
+        LengthsForm::Pixels => {}
+        LengthsForm::Ruler { marks, length, intervals } => {
+            ruler = marks.to_vec();
+            films.length.set(length);
+            films.intervals.set(intervals.to_string());
+        }
+        LengthsForm::Rectangle { corners: four, size } => {
+            corners = four.to_vec();
+            films.sides.set(size);
+        }
+    }
+    films.ruler.set(ruler);
+    films.corners.set(corners);
+    let kind = now.as_ref().and_then(|now| Kind::of(&now.subject));
+    films.tool.set(if kind.is_some() { Tool::Rest } else { Tool::Subject });
+    films.kind.set(kind.unwrap_or_default());
+    films.open.set(true);
+    films.shown.set(true);
+    frames::go(app, now.map_or(0, |now| now.ends[0]));
+    browser::focus_later("film-frame".to_owned());
+}
+
+/// Closes the film; the work on it stays.
+pub fn close(app: App) {
+    app.films.open.set(false);
+    app.films.shown.set(false);
+    app.with(|lab| lab.player = None);
+    app.act_on_desk(|desk| desk.close_film());
+}

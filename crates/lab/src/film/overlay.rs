@@ -1,0 +1,84 @@
+//! What lies over the frame that is shown: lines between clicks, what was found in this frame, and where the model has it.
+
+use super::aim::{Handle, Pixel};
+use super::{now, tools};
+use crate::app::App;
+use sycamore_web::SvgGlobalAttributes;
+use view::views::*;
+
+/// Lines: the axis of a tube, the ruler, the x axis, the rectangle.
+pub fn lines(app: App, [width, height]: Pixel) -> View {
+    let lines = memo(move || {
+        let aim = app.films.aim.get();
+        let held = tools::held(app);
+        let at = |handle: Handle| {
+            let moved = aim.filter(|aim| aim.handle == Some(handle)).map(|aim| aim.at);
+            moved.or_else(|| held.iter().find(|held| held.handle == handle).map(|held| held.at))
+        };
+        let line = |class: &'static str, from: Handle, to: Handle| Some((class, at(from)?, at(to)?));
+        let mut lines =
+            vec![line("ruler", Handle::Ruler(0), Handle::Ruler(1)), line("axis", Handle::Origin, Handle::Axis)];
+        lines.extend((0..2).map(|number| line("tube", Handle::Tube(number, 0), Handle::Tube(number, 1))));
+        lines.extend((0..4).map(|corner| line("ruler", Handle::Corner(corner), Handle::Corner((corner + 1) % 4))));
+        lines.into_iter().flatten().collect::<Vec<_>>()
+    });
+    let draw = move || {
+        each(lines.get_clone(), |(class, from, to)| {
+            let d = format!("M{:.2} {:.2}L{:.2} {:.2}", from[0], from[1], to[0], to[1]);
+            View::from((path().class("halo").d(d.clone()), path().class(class).d(d)))
+        })
+    };
+    // The way of bodies; that of a surface is seen under the film.
+    let trails = memo(move || {
+        let now = app.films.now.get_clone();
+        let bodies = now.iter().flat_map(|now| &now.tracks).filter(|track| track.direction.is_none());
+        let trail = |track: &film::tracking::Track| {
+            let points = track.points.iter().map(|point| format!("{:.1} {:.1}", point.position[0], point.position[1]));
+            points.collect::<Vec<_>>().join("L")
+        };
+        bodies.map(trail).filter(|trail| !trail.is_empty()).collect::<Vec<_>>()
+    });
+    let ways = move || each(trails.get_clone(), |trail| path().class("trail").d(format!("M{trail}")));
+    svg()
+        .class("film-lines")
+        .viewBox(format!("0 0 {width} {height}"))
+        .attr("preserveAspectRatio", "none")
+        .attr("aria-hidden", "true")
+        .child(changing(ways))
+        .child(changing(draw))
+        .into()
+}
+
+/// What was found in this frame, and the model.
+pub fn marks(app: App, [width, height]: Pixel) -> View {
+    let mark = move |class: &'static str, [x, y]: Pixel| {
+        let place = format!("left:{:.3}%;top:{:.3}%", 100.0 * x / width, 100.0 * y / height);
+        span().class(format!("film-mark {class}")).style(place).attr("aria-hidden", "true")
+    };
+    changing(move || {
+        let Some(frame) = app.films.painted.get() else { return View::new() };
+        let now = app.films.now.get_clone();
+        let found = now.iter().flat_map(|now| &now.tracks).filter_map(|track| {
+            let at = track.points.binary_search_by_key(&frame, |point| point.frame).ok()?;
+            track.points.get(at).map(|point| point.position)
+        });
+        let found: Vec<Pixel> = found.collect();
+        app.fits.track();
+        app.changes.parameters.track();
+        app.changes.transport.track();
+        let models = now::models(app, frame);
+        View::from((each(found, |at| mark("found", at)), each(models, |(_, at)| mark("model", at))))
+    })
+}
+
+/// The values of this frame in words.
+pub fn readout(app: App) -> View {
+    let said = move || {
+        app.films.now.track();
+        app.fits.track();
+        app.changes.transport.track();
+        let frame = app.films.frame.get();
+        now::values(app, frame)
+    };
+    p().class("film-values").id("film-values").child(text(said)).into()
+}

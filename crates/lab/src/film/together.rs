@@ -1,0 +1,59 @@
+//! The run beside the film: it is computed as far as the film goes, and shows the time of the frame that is shown, so that plots and
+//! film are at the same moment and the model can be drawn over the film.
+
+use super::now::now;
+use crate::app::App;
+use view::browser;
+use view::views::*;
+
+/// The page reacts after so many milliseconds of work.
+const SLICE: f64 = 10.0;
+
+/// Follows the film for as long as the page lives.
+pub fn follow(app: App) {
+    let films = app.films;
+    effect(move || {
+        films.frame.track();
+        films.now.track();
+        app.changes.parameters.track();
+        if films.open.get() && films.shown.get() && now(app).is_some_and(|now| now.record.is_some()) {
+            bring(app);
+        }
+    });
+}
+
+/// Where the film is: the times of the run at the frame shown and at the last frame of the part.
+fn ends(app: App) -> Option<[f64; 2]> {
+    let last = now(app)?.ends[1];
+    let frame = app.films.frame.get_untracked();
+    app.read_desk(|desk| desk.model_time_of(frame).zip(desk.model_time_of(last))).map(|(time, until)| [time, until])
+}
+
+/// Brings the run to the film, in slices between which the page reacts.
+fn bring(app: App) {
+    if app.with(|lab| std::mem::replace(&mut lab.bringing, true)) != Some(false) {
+        return;
+    }
+    wasm_bindgen_futures::spawn_local(async move {
+        // Never from within the change that has caused it.
+        browser::breathe().await;
+        while let Some([_, until]) = ends(app) {
+            let end = js_sys::Date::now() + SLICE;
+            let more = app.read(|play| {
+                let mut more = true;
+                while more && js_sys::Date::now() < end {
+                    more = play.compute_on(until);
+                }
+                more
+            });
+            if !more {
+                break;
+            }
+            browser::breathe().await;
+        }
+        app.with(|lab| lab.bringing = false);
+        if let Some([time, _]) = ends(app) {
+            app.slide(|play| play.show_time(time));
+        }
+    });
+}

@@ -1,0 +1,94 @@
+//! The tracking: decodes the frames that the desk asks for, and lets it compute between them.
+
+use super::access::{Greys, Reader, Trouble};
+use super::refusals::{refuse, said};
+use crate::app::App;
+use view::browser;
+use view::views::*;
+
+/// The page reacts after so many milliseconds of work.
+const SLICE: f64 = 20.0;
+/// So many steps are computed between two looks at the clock.
+const STEPS: usize = 10;
+/// If so many frames in a row cannot be decoded, the film is damaged.
+const DAMAGED: usize = 10;
+
+/// Begins to follow what was clicked.
+pub fn begin(app: App) {
+    let refusal = app.attempt_on_desk(|desk| desk.begin_tracking());
+    let refused = refusal.is_some();
+    refuse(app, refusal);
+    if !refused {
+        go_on(app);
+    }
+}
+
+/// Goes on with what the desk has to follow, unless that is being done.
+pub fn go_on(app: App) {
+    if app.with(|lab| std::mem::replace(&mut lab.tracking, true)) != Some(false) {
+        return;
+    }
+    wasm_bindgen_futures::spawn_local(async move {
+        let refusal = follow(app).await;
+        // The views of the record are made in a slice of their own.
+        browser::breathe().await;
+        app.with(|lab| lab.tracking = false);
+        app.films.progress.set(None);
+        refuse(app, refusal);
+        app.act(|_| ());
+    });
+}
+
+fn show_progress(app: App) {
+    app.films.progress.set(app.read_desk(|desk| desk.tracking_progress()));
+}
+
+/// Why it ended before the film did, in words.
+async fn follow(app: App) -> Option<String> {
+    let player = app.with(|lab| lab.player.clone()).flatten()?;
+    let source = player.source.clone();
+    let (mut reader, mut greys) = (Reader::new(source.clone()), Greys::of(&source));
+    let clock = window().performance();
+    let now = || clock.as_ref().map_or(0.0, |clock| clock.now());
+    let mut end = now() + SLICE;
+    let mut failed = 0;
+    while app.read_desk(|desk| desk.is_tracking()) {
+        let refusal = match app.read_desk(|desk| desk.wanted_frame()) {
+            None => app.read_desk(|desk| {
+                let refused = desk.advance_tracking(STEPS).err();
+                refused.map(|refusal| desk.refusal_text(&refusal))
+            }),
+            Some(frame) => {
+                let plane = match reader.picture(frame).await {
+                    Ok(picture) => greys.read(&picture).await,
+                    Err(Trouble::Frame(_)) => None,
+                    Err(trouble) => {
+                        app.act_on_desk(|desk| desk.cancel_tracking());
+                        return Some(said(app, &trouble));
+                    }
+                };
+                failed = if plane.is_some() { 0 } else { failed + 1 };
+                if failed > DAMAGED {
+                    app.act_on_desk(|desk| desk.cancel_tracking());
+                    return Some(said(app, &Trouble::Frame(frame + 1)));
+                }
+                app.read_desk(|desk| {
+                    let refused = match plane {
+                        Some(plane) => desk.give_frame(frame, plane),
+                        None => desk.leave_out_frame(frame),
+                    };
+                    refused.err().map(|refusal| desk.refusal_text(&refusal))
+                })
+            }
+        };
+        if refusal.is_some() {
+            return refusal;
+        }
+        if now() > end {
+            show_progress(app);
+            browser::breathe().await;
+            end = now() + SLICE;
+        }
+    }
+    None
+}

@@ -1,0 +1,117 @@
+//! The words of films in every language.
+
+use crate::app::App;
+use view::table_of_words;
+
+table_of_words! {
+    // The stage.
+    film: "Film", "Vídeo";
+    scene: "Scene", "Escena";
+    show_scene: "Show the scene", "Mostrar la escena";
+    close: "Close the film", "Cerrar el vídeo";
+    not_opened: "The film could not be opened:", "No se pudo abrir el vídeo:";
+    no_document: "A film needs a document that runs. Open one from the list of documents first", "Un vídeo necesita un documento que funcione. Abre primero uno de la lista de documentos";
+    taken_up: "This film is known: the work on it goes on", "Este vídeo ya se conoce: se retoma el trabajo";
+    same_name: "Another film has the same name; the work on that one is kept apart", "Otro vídeo tiene el mismo nombre; el trabajo con aquel se conserva aparte";
+    opening: "Opening", "Abriendo";
+    frames: "frames", "fotogramas";
+    frame: "frame", "fotograma";
+    film_time: "Frame of the film", "Fotograma del vídeo";
+    film_transport: "Frames of the film", "Fotogramas del vídeo";
+    previous: "Previous frame", "Fotograma anterior";
+    next: "Next frame", "Fotograma siguiente";
+    next_doubtful: "Next doubtful frame", "Siguiente fotograma dudoso";
+    picture_keys: "Arrow keys: previous and next frame, with Shift ten frames. Period: next doubtful frame. Enter: place a point by keys; then arrows move it by a pixel, with Shift by ten, Enter sets it, Escape leaves it.", "Flechas: fotograma anterior y siguiente, con Mayús diez fotogramas. Punto: siguiente fotograma dudoso. Intro: colocar un punto con el teclado; entonces las flechas lo mueven un píxel, con Mayús diez, Intro lo fija y Escape lo abandona.";
+    space_time: "Space-time picture, surface", "Imagen espacio-tiempo, superficie";
+    space_time_hint: "A strip along the tube from every frame. Drag the curve up or down where it is wrong", "Una franja a lo largo del tubo de cada fotograma. Arrastra la curva arriba o abajo donde esté mal";
+    space_time_keys: "Left and right: frames. Up and down: move the surface in this frame, with Shift ten rows; Enter sets it, Escape leaves it, Delete forgets a correction.", "Izquierda y derecha: fotogramas. Arriba y abajo: mover la superficie en este fotograma, con Mayús diez filas; Intro la fija, Escape la abandona, Suprimir olvida una corrección.";
+    from_model: "from the model", "del modelo";
+    play: "Play the film", "Reproducir el vídeo";
+    pause: "Pause the film", "Pausar el vídeo";
+
+    // What the next click sets.
+    leave: "Not now", "Ahora no";
+    ask_surface: "Click the surface of the liquid", "Haz clic en la superficie del líquido";
+    ask_second_surface: "Click the surface in the other arm", "Haz clic en la superficie de la otra rama";
+    ask_body: "Click the body", "Haz clic en el cuerpo";
+    ask_hand: "Click the point; the next frame follows", "Haz clic en el punto; sigue el fotograma siguiente";
+    ask_tube: "Click one end of the tube's axis", "Haz clic en un extremo del eje del tubo";
+    ask_other_end: "Click the other end", "Haz clic en el otro extremo";
+    ask_still: "Click marks that rest, up to four", "Haz clic en marcas inmóviles, hasta cuatro";
+    ask_ruler: "Click a mark of the ruler", "Haz clic en una marca de la regla";
+    ask_second_mark: "Click another mark of the ruler", "Haz clic en otra marca de la regla";
+    ask_origin: "Click the point that becomes zero", "Haz clic en el punto que será el cero";
+    ask_axis: "Click a point to which the x axis leads from the origin", "Haz clic en un punto hacia el que va el eje x desde el origen";
+    ask_corner: "Click the corners of the rectangle: bottom left, bottom right, top right, top left", "Haz clic en las esquinas del rectángulo: abajo izquierda, abajo derecha, arriba derecha, arriba izquierda";
+    surface: "Surface", "Superficie";
+    tube_end: "End of the tube", "Extremo del tubo";
+    body: "Body", "Cuerpo";
+    point: "Point", "Punto";
+    resting_mark: "Resting mark", "Marca inmóvil";
+    ruler_mark: "Mark of the ruler", "Marca de la regla";
+    origin: "Origin", "Origen";
+    axis: "Direction of the x axis", "Dirección del eje x";
+    corner: "Corner", "Esquina";
+
+    // The acts.
+    open: "Open film", "Abrir un vídeo";
+    record_film: "Record film", "Grabar un vídeo";
+    stop_recording: "Stop recording", "Detener la grabación";
+    no_camera: "The browser gives no camera to this page: it was refused, or none is there", "El navegador no da ninguna cámara a esta página: se denegó o no la hay";
+    camera_picture: "Picture of the camera", "Imagen de la cámara";
+    acts: "From film to record", "Del vídeo al registro";
+    act_film: "Film", "Vídeo";
+    act_follow: "Click what moves", "Haz clic en lo que se mueve";
+    act_lengths: "Click the ruler", "Haz clic en la regla";
+    act_record: "Record", "Registro";
+    times: "Times and part", "Tiempos y parte";
+    factor: "Slow motion, factor", "Cámara lenta, factor";
+    factor_note: "How many times slower the film plays than things happened: 8, or 240/30 as a quotient of rates. Compare a known time.", "Cuántas veces más lento se reproduce el vídeo que lo ocurrido: 8, o 240/30 como cociente de frecuencias. Compara un tiempo conocido.";
+    from: "From", "Desde";
+    until: "Until", "Hasta";
+    from_here: "From this frame", "Desde este fotograma";
+    until_here: "Until this frame", "Hasta este fotograma";
+    kinds: "What is followed", "Qué se sigue";
+    kind_surface: "Surface in a tube", "Superficie en un tubo";
+    kind_arms: "Both arms", "Ambas ramas";
+    kind_body: "Body", "Cuerpo";
+    kind_hand: "By hand", "A mano";
+    hint_surface: "One click on the surface in any frame; the curve follows.", "Un clic en la superficie en cualquier fotograma; la curva sigue.";
+    hint_arms: "One click on the surface in each arm.", "Un clic en la superficie de cada rama.";
+    hint_body: "One click on the body in the first frame of its motion; where it is lost, click it again.", "Un clic en el cuerpo en el primer fotograma de su movimiento; donde se pierda, haz clic de nuevo.";
+    hint_hand: "A click in each frame, for what nothing else can follow.", "Un clic en cada fotograma, para lo que nada más puede seguir.";
+    click_it: "Click it in the film", "Hacer clic en el vídeo";
+    another_body: "Another body", "Otro cuerpo";
+    difficult: "Tilted tube, shaking camera", "Tubo inclinado, cámara que tiembla";
+    tube: "Axis of the tube", "Eje del tubo";
+    resting_marks: "Resting marks", "Marcas inmóviles";
+    difficult_note: "A tube that is not upright: two points of its axis. A camera that shakes: two to four marks that rest, in the first frame of the part.", "Un tubo que no es vertical: dos puntos de su eje. Una cámara que tiembla: de dos a cuatro marcas inmóviles, en el primer fotograma de la parte.";
+    forget_marks: "Forget the resting marks", "Olvidar las marcas inmóviles";
+    hint_ruler: "Two marks and the length between them. Without a ruler the record stays in pixels.", "Dos marcas y la longitud entre ellas. Sin regla, el registro queda en píxeles.";
+    click_ruler: "Two marks", "Dos marcas";
+    set_origin: "Origin", "Origen";
+    set_axis: "x axis", "Eje x";
+    length: "Length", "Longitud";
+    intervals: "Marks divide it into", "Las marcas la dividen en";
+    in_pixels: "Stay in pixels", "Dejar en píxeles";
+    more_lengths: "Perspective, ruler behind the tube", "Perspectiva, regla detrás del tubo";
+    rectangle: "Corners of a rectangle", "Esquinas de un rectángulo";
+    width: "Width", "Anchura";
+    height: "Height", "Altura";
+    parallax_note: "A ruler that is not where the motion is:", "Una regla que no está donde el movimiento:";
+    behind: "Behind it by", "Detrás, a";
+    distance: "Camera at", "Cámara a";
+    following: "Following", "Siguiendo";
+    computing: "computing the positions", "calculando las posiciones";
+    cancel: "Cancel", "Cancelar";
+    no_record: "The record appears here once something has been clicked.", "El registro aparece aquí cuando se haya hecho clic en algo.";
+    doubtful: "Doubtful frames", "Fotogramas dudosos";
+    doubts_note: "The period key leads from one to the next. Drag the curve under the film where it is wrong.", "La tecla del punto lleva de uno al siguiente. Arrastra la curva bajo el vídeo donde esté mal.";
+    fit: "Fit", "Ajustar";
+    show_record: "Show the record", "Mostrar el registro";
+}
+
+/// The words of films, without tracking.
+pub fn of(app: App) -> &'static Words {
+    words_in(app.language.get_untracked())
+}

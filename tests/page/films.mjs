@@ -1,0 +1,90 @@
+// Films in the page, as tests handle them: dropped, gone through, and read from the canvas.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { basename } from "node:path";
+import { beside, eventually } from "./lab.mjs";
+
+/** A swing in a U-tube, drawn by a formula, and where its surfaces are. */
+export const swing = beside("films/utube.mp4");
+export const truth = JSON.parse(readFileSync(beside("films/utube.json"), "utf8"));
+/** Some of its frames, in no order. */
+export const SOME = [119, 0, 60, 59, 58, 57, 40, 90, 91, 5, 118, 3, 2, 1, 100, 33];
+
+/** Lets a film fall on the page, or on the frame `place` in it. */
+export async function dropFilm(page, path, place = page, bytes = readFileSync(path)) {
+  const before = await place.evaluate(() => document.querySelector("#film-name")?.textContent);
+  await place.evaluate(({ name, text }) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([Uint8Array.from(atob(text), (character) => character.charCodeAt(0))], name));
+    document.querySelector("#apparatus").dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
+  }, { name: basename(path), text: Buffer.from(bytes).toString("base64") });
+  if (arguments.length > 3) return before;
+  await eventually(async () => {
+    const now = await place.evaluate(() => [document.querySelector("#film-name")?.textContent, document.querySelector("#film-frame")?.dataset.frame]);
+    assert.equal(now[0], basename(path));
+    assert.ok(now[1]);
+  });
+  return before;
+}
+
+/** Goes to a frame and waits until it is painted. */
+export async function goTo(place, frame) {
+  await place.evaluate(async (frame) => {
+    const line = document.querySelector("#film-line");
+    line.value = frame;
+    line.dispatchEvent(new Event("input", { bubbles: true }));
+    const end = performance.now() + 10_000;
+    while (document.querySelector("#film-frame").dataset.frame !== String(frame)) {
+      if (performance.now() > end) throw new Error(`frame ${frame} is not painted`);
+      await new Promise((done) => setTimeout(done, 5));
+    }
+  }, frame);
+}
+
+/** Grey values of these frames, or of all, with the time that the page says. */
+export async function pictures(place, frames) {
+  const count = await place.evaluate(() => Number(document.querySelector("#film-line").max) + 1);
+  const seen = [];
+  for (const frame of frames ?? [...Array(count).keys()]) {
+    await goTo(place, frame);
+    seen.push(await place.evaluate(() => {
+      const canvas = document.querySelector("#film-picture");
+      const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
+      const context = copy.getContext("2d");
+      context.drawImage(canvas, 0, 0);
+      const { data } = context.getImageData(0, 0, copy.width, copy.height);
+      const grey = [];
+      for (let place = 0; place < data.length; place += 4) grey.push(data[place] + data[place + 1] + data[place + 2]);
+      return { grey, width: copy.width, time: parseFloat(document.querySelector("#film-clock").textContent) };
+    }));
+  }
+  return seen;
+}
+
+/** The row of the surface in a tube at `x`: where it is darkest below what is brightest, nearest to `row`. */
+export function surface({ grey, width }, x, row) {
+  const at = (y) => [-4, -2, 0, 2, 4].reduce((sum, aside) => sum + grey[y * width + Math.round(x) + aside], 0);
+  const height = grey.length / width;
+  let [best, steepest] = [0, -Infinity];
+  for (let y = 3; y < height - 4; y += 1) {
+    const fall = at(y - 2) + at(y - 1) - at(y + 1) - at(y + 2);
+    if (fall > steepest) [best, steepest] = [y + 0.5, fall];
+  }
+  return best - row;
+}
+
+/** The mean difference of two pictures of the same size. */
+export const difference = (one, other) => one.grey.reduce((sum, value, place) => sum + Math.abs(value - other.grey[place]), 0) / one.grey.length;
+
+/** In each of these frames of the swing, the surface is where it was drawn. */
+export async function isRight(page, place = page, frames = SOME) {
+  await dropFilm(page, swing, place);
+  const seen = await pictures(place, frames);
+  seen.forEach((picture, number) => {
+    const [time, row] = truth.frames[frames[number]];
+    const error = surface(picture, truth.arms[0], row);
+    assert.ok(Math.abs(error) < 2.5, `frame ${frames[number] + 1}: the surface is ${error} px off`);
+    assert.ok(Math.abs(picture.time - time) < 6e-4, `frame ${frames[number] + 1}: ${picture.time} s, not ${time} s`);
+  });
+}

@@ -121,7 +121,7 @@ visit("a hostile link changes nothing but settings", async (lab) => {
 
 visit("a page whose document was damaged says so", { file: damaged }, async (lab) => {
   await isHarmless(lab);
-  assert.ok((await lab.page.locator(".broken").count()) === 1);
+  assert.ok((await lab.page.locator(".idle").count()) === 1);
 });
 
 visit("a file that was damaged on its way says so", async (lab) => {

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { Lab, STILL, eventually, number, visit } from "./lab.mjs";
+import { Lab, STILL, beside, eventually, number, visit } from "./lab.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const editor = (lab) => lab.page.locator(".cm-content");
@@ -80,6 +80,30 @@ visit("with an error the last good version runs on; its place, reason and remedy
   // And what was typed can be undone.
   await lab.keys("Control+z");
   await eventually(async () => assert.match(await status(lab).innerText(), /^1 error/));
+});
+
+visit("a document in which nothing runs opens in the editor, says what is wrong, and runs as soon as it can", async (lab) => {
+  await lab.page.setInputFiles("#open-file", beside("broken.md"));
+  await lab.page.getByRole("heading", { name: "There is nothing to run yet" }).waitFor();
+  await editor(lab).waitFor();
+  const findings = lab.page.locator(".writing .findings");
+  await findings.getByRole("heading", { name: "Dimensions do not match" }).waitFor();
+  await findings.locator("code", { hasText: /^sqr$/ }).first().waitFor();
+  assert.doesNotMatch(await findings.innerText(), /`|dimension-mismatch|unknown-function/, "no raw backticks and codes");
+  assert.deepEqual(await lab.page.locator("[role=tab]:visible").allInnerTexts(), ["Write"]);
+  // One error corrected, one left: nothing runs yet, and what was typed stays in another language.
+  await replace(lab, "sqr(", "sqrt(");
+  await eventually(async () => assert.match(await status(lab).innerText(), /^1 error\. There is nothing to run yet\.$/));
+  await lab.press("ES – Español");
+  await lab.page.getByRole("heading", { name: "Todavía no hay nada que ejecutar" }).waitFor();
+  await eventually(async () => assert.match(await text(lab), /sqrt\(/));
+  await lab.press("EN – English");
+  await editor(lab).waitFor();
+  await replace(lab, "+ k = 0", "+ k*x = 0");
+  await runs(lab);
+  await lab.button("Step forward").click();
+  await eventually(async () => assert.ok((await lab.time()) > 0));
+  assert.ok((await lab.page.locator("[role=tab]:visible").count()) > 3);
 });
 
 visit("a remedy is carried out by a click, and taken back with a key", async (lab) => {

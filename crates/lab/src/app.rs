@@ -6,7 +6,7 @@ use crate::film::{Films, Player};
 use crate::stored::Saved;
 use crate::words::{Words, words_in};
 use crate::write::Editor;
-use desk::{Desk, FitProgress, RecordProgress, Refusal};
+use desk::{Desk, FitProgress, RecordProgress, Refusal, Writing};
 use document::page::Source;
 use model::Diagnostic;
 use std::cell::{Cell, OnceCell, RefCell, RefMut};
@@ -31,8 +31,8 @@ pub struct Lab {
     pub sources: Vec<Source>,
     /// The files of the last document that ran, while another is open that does not.
     pub sources_before: Vec<Source>,
-    /// What a person has made of the texts of a document that does not run; empty while nothing has been typed.
-    pub drafts: Vec<String>,
+    /// The texts of a document in which nothing runs, while one is open.
+    pub faulty: Writing,
     /// What was found in them.
     pub findings: Findings,
     /// What is stored of the laboratory.
@@ -61,6 +61,13 @@ pub struct Lab {
     pub tracking: bool,
     /// Whether the run is being brought to where the film is.
     pub bringing: bool,
+}
+
+impl Lab {
+    /// The texts in the editor and what was found in them.
+    pub fn writing(&self) -> &Writing {
+        self.desk.as_ref().map_or(&self.faulty, Desk::writing)
+    }
 }
 
 /// The handle; copied freely.
@@ -174,6 +181,11 @@ impl App {
             Some(mut desk) => read(&mut desk),
             None => T::default(),
         }
+    }
+
+    /// Reads something of the texts in the editor.
+    pub fn read_writing<T: Default>(self, read: impl FnOnce(&Writing) -> T) -> T {
+        self.with(|lab| read(lab.writing())).unwrap_or_default()
     }
 
     /// Does something at the desk, tells the views and draws.

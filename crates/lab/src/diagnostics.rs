@@ -1,7 +1,7 @@
 //! What was found in a document, with its places in the text.
 
 use crate::app::App;
-use crate::{correction, library_list, opening, titles};
+use crate::titles;
 use document::page::Source;
 use model::{Diagnostic, Fix, Label, Severity};
 use std::rc::Rc;
@@ -19,43 +19,6 @@ pub struct Leads {
 
 /// Changes the file of a number as a remedy says.
 pub type CarryOut = Rc<dyn Fn(usize, &Fix)>;
-
-/// In place of the apparatus, for a document that does not run: what is wrong, the text to correct it, and the ways back.
-pub fn view(app: App) -> View {
-    let words = app.words();
-    let (sources, findings) = app.with(|lab| (lab.sources.clone(), lab.findings.clone())).unwrap_or_default();
-    // The skip link leads here.
-    let page = section().class("broken").id("apparatus").tabindex("-1").attr("aria-labelledby", "broken-title");
-    if sources.is_empty() {
-        let title = h2().id("broken-title").child(words.nothing);
-        return page.child(title).child(p().child(words.nothing_intro)).child(ways_back(app)).into();
-    }
-    page.child(h2().id("broken-title").child(words.broken))
-        .child(p().child(words.broken_intro))
-        .child(ways_back(app))
-        .child(list(app, &sources, &findings, Some(Leads { go: Rc::new(correction::go_to), fix: None })))
-        .child(correction::view(app, sources))
-        .into()
-}
-
-/// Where else one can go: to the document that was open before, to the list of documents.
-fn ways_back(app: App) -> HtmlDiv {
-    let words = app.words();
-    let before = app.with(|lab| lab.sources_before.clone()).unwrap_or_default();
-    let back = (!before.is_empty()).then(|| {
-        button()
-            .class("quiet outlined")
-            .id("previous-document")
-            .when(events::click, move |_| opening::open_sources(app, before.clone()))
-            .child(words.previous_document)
-    });
-    let browse = button()
-        .class("quiet outlined")
-        .attr("aria-haspopup", "dialog")
-        .when(events::click, move |_| library_list::choose(app))
-        .child(words.other_documents);
-    div().class("actions ways-back").maybe(back).child(browse)
-}
 
 /// Remarks on a document that runs; nothing if there are none.
 pub fn remarks(app: App) -> View {

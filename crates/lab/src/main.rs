@@ -2,7 +2,6 @@
 //! All state is theirs; what is kept here is the browser's business (nodes, canvases, the clock, the theme).
 
 mod app;
-mod correction;
 mod cycles;
 mod data;
 mod derivatives;
@@ -11,6 +10,7 @@ mod drop;
 mod film;
 mod fit;
 mod header;
+mod idle;
 mod intake;
 mod library;
 mod library_list;

@@ -1,11 +1,11 @@
 //! Opening documents: those that the page carries, and files that the user picks or drops. The state of the last visit
 //! comes back with them.
 
-use crate::app::App;
+use crate::app::{App, Lab};
 use crate::links::Arrival;
 use crate::visited::Visited;
 use crate::{film, fit, intake, saved, visited, write};
-use desk::Desk;
+use desk::{Desk, Writing};
 use document::page::{self, Source};
 use view::{browser, messages};
 use web_sys::{Event, File, FileList};
@@ -39,54 +39,88 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
     let (desk, findings) = match texts.split_first() {
         Some((source, translations)) => {
             let opened = document::open(source, translations);
-            (opened.document.map(Desk::open), opened.diagnostics)
+            let mut desk = opened.document.map(Desk::open);
+            if let Some(desk) = &mut desk {
+                desk.set_language(app.language.get_untracked().tag());
+            }
+            (desk, opened.diagnostics)
         }
         None => (None, Vec::new()),
     };
     let closed = app.with(|lab| {
-        let (mut desk, mut closed) = (desk, 0);
-        // A document that does not run holds no records; they wait for the next one that does.
-        // From there a button leads back to the last one that did.
+        // From a document in which nothing runs a button leads back to the last one that did.
         if desk.is_some() {
             lab.sources_before.clear();
         } else if lab.desk.is_some() {
             lab.sources_before = std::mem::take(&mut lab.sources);
         }
-        let before = lab.desk.take().or_else(|| lab.parked.take());
-        match (before, &mut desk) {
-            (Some(mut before), Some(desk)) => desk.adopt_records(&mut before),
-            (None, Some(desk)) => closed = saved::restore_measured(&mut lab.saved, desk),
-            (before, None) => lab.parked = before,
-        }
-        if let Some(desk) = &mut desk {
-            saved::restore_answers(&mut lab.saved, &sources, desk);
-        }
-        lab.drafts.clear();
-        lab.written_as = None;
-        lab.editor_is_current = false;
-        lab.desk = desk;
         lab.sources = sources;
         lab.findings = findings;
-        closed
+        lab.written_as = None;
+        lab.editor_is_current = false;
+        place(lab, desk)
     });
-    let language = app.language.get_untracked();
     let left = saved::state(app);
     let state = if state.is_empty() { left.as_str() } else { state };
-    let refusal = app.read_desk(|desk| {
-        desk.set_language(language.tag());
-        if state.is_empty() { None } else { restored(desk, state).1 }
-    });
+    let refusal = app.read_desk(|desk| if state.is_empty() { None } else { restored(desk, state).1 });
     write::resume(app, visited::present());
     messages::leave_document(app.page);
     app.rebuild();
     if let Some(refusal) = refusal {
         app.complain(refusal);
     }
-    if closed.is_some_and(|closed| closed > 0) {
+    placed(app, closed.unwrap_or_default());
+}
+
+/// Puts a desk in the place of the one before, which hands over its records; where the document has nothing to run, they wait for
+/// the next that has. How many records of earlier visits there was no room for.
+fn place(lab: &mut Lab, mut desk: Option<Desk>) -> usize {
+    let before = lab.desk.take().or_else(|| lab.parked.take());
+    let mut closed = 0;
+    match (before, &mut desk) {
+        (Some(mut before), Some(desk)) => desk.adopt_records(&mut before),
+        (None, Some(desk)) => closed = saved::restore_measured(&mut lab.saved, desk),
+        (before, None) => lab.parked = before,
+    }
+    let texts = lab.sources.iter().map(|source| source.text.clone()).collect();
+    lab.faulty = Writing::default();
+    match &mut desk {
+        Some(desk) => saved::restore_answers(&mut lab.saved, &lab.sources, desk),
+        None => lab.faulty = Writing::of_faulty(texts, lab.findings.clone()),
+    }
+    lab.desk = desk;
+    closed
+}
+
+/// What follows when a desk is in its place.
+fn placed(app: App, closed: usize) {
+    if closed > 0 {
         app.complain(app.words().records_closed.to_owned());
     }
     if app.read_desk(|desk| desk.has_fits_waiting()) {
         fit::go_on(app);
+    }
+}
+
+/// Takes another text of a document in which nothing runs. Once there is something to run, the stage and the other tabs show it.
+pub fn mend(app: App, file: usize, text: String) {
+    let language = app.language.get_untracked();
+    let closed = app.with(|lab| {
+        let document = lab.faulty.change(file, text);
+        for (source, text) in lab.sources.iter_mut().zip(lab.faulty.texts()) {
+            source.text.clone_from(text);
+        }
+        lab.findings = lab.faulty.findings().to_vec();
+        let mut desk = Desk::open(document?);
+        desk.continue_writing(std::mem::take(&mut lab.faulty));
+        desk.set_language(language.tag());
+        lab.sources_before.clear();
+        Some(place(lab, Some(desk)))
+    });
+    visited::note(app, None);
+    if let Some(closed) = closed.flatten() {
+        app.rebuild_program();
+        placed(app, closed);
     }
 }
 
@@ -124,19 +158,6 @@ pub fn change_theory(app: App, sources: Vec<Source>) {
     open(app, sources, "");
     visited::step(app);
     browser::scroll_to(place);
-}
-
-/// Opens the corrected text of a document that did not run.
-pub fn check_again(app: App, sources: Vec<Source>) {
-    open(app, sources, "");
-    visited::step(app);
-    if app.read(|_| true) {
-        app.notify(app.words().it_runs);
-        browser::focus_later("play".to_owned());
-    } else {
-        app.say(app.words().broken.to_owned());
-        browser::reveal_later("apparatus".to_owned());
-    }
 }
 
 /// Saves what there is of the open document before another one takes its place.

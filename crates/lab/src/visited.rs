@@ -48,9 +48,9 @@ pub fn read(description: &str) -> Option<Visited> {
 /// editor does not run, its files follow those that do.
 pub fn describe(app: App) -> String {
     let sources = sources(app);
-    let runs = app.read_desk(|desk| desk.writing().runs());
+    let runs = app.read_writing(|writing| writing.runs());
     let written = if runs { Vec::new() } else { written(app) };
-    if !written.is_empty() {
+    if !written.is_empty() && written != sources {
         return format!("draft {}", page::write_list(&[sources, written].concat()));
     }
     match library::subject(&sources) {
@@ -95,7 +95,7 @@ pub fn sources(app: App) -> Vec<Source> {
 
 /// The files as they stand in the editor; none where writing has not begun.
 pub fn written(app: App) -> Vec<Source> {
-    let texts = app.read_desk(|desk| desk.writing().texts().to_vec());
+    let texts = app.read_writing(|writing| writing.texts().to_vec());
     let names = sources(app).into_iter().map(|source| source.name);
     names.zip(texts).map(|(name, text)| Source { name, text }).collect()
 }

@@ -150,14 +150,10 @@ table_of_words! {
     many_warnings: "remarks", "observaciones";
 
     // Diagnostics.
-    broken: "This document does not run yet", "Este documento aún no funciona";
-    broken_intro: "Meniscus found errors in it. Each is shown with its place.", "Meniscus encontró errores en él. Cada uno se muestra con su lugar.";
+    nothing_runs: "There is nothing to run yet.", "Todavía no hay nada que ejecutar.";
+    nothing_runs_intro: "The model has errors. They are listed below the text in the tab Write, each with its place. As soon as they are corrected, the simulation appears here.", "El modelo tiene errores. Están debajo del texto en la pestaña Escribir, cada uno con su lugar. En cuanto estén corregidos, la simulación aparece aquí.";
     previous_document: "Back to the previous document", "Volver al documento anterior";
     other_documents: "Other documents", "Otros documentos";
-    correct: "Correct the text", "Corrige el texto";
-    correct_intro: "Change the text and check it again. Your file on disk stays as it is; download the text to keep your changes.", "Cambia el texto y compruébalo de nuevo. Tu archivo en el disco no cambia; descarga el texto para conservar los cambios.";
-    check_again: "Check again", "Comprobar de nuevo";
-    it_runs: "The document runs", "El documento funciona";
     warnings: "Remarks on this document", "Observaciones sobre este documento";
     error: "Error", "Error";
     warning: "Warning", "Aviso";

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::links::Arrival;
-use crate::{diagnostics, drop, film, header, library_list, links, navigation, opening, panel};
+use crate::{drop, film, header, idle, library_list, links, navigation, opening, panel};
 use units::Language;
 use view::views::*;
 use view::{browser, shell, stage};
@@ -41,11 +41,11 @@ fn page(app: App) -> View {
 
 /// Everything, for the document and the language as they are.
 fn build(app: App) -> View {
-    let runs = app.read(|_| true);
-    let body = if runs {
-        main().class("laboratory").child(stage::view(app.page)).child(panel::view(app)).into()
-    } else {
-        View::from((main().child(diagnostics::view(app)), footer().child(p().child(app.words().footer))))
-    };
+    let runs = memo(move || {
+        app.changes.program.track();
+        app.read(|_| true)
+    });
+    let stage = move || if runs.get() { stage::view(app.page) } else { idle::stage(app).into() };
+    let body = main().class("laboratory").child(changing(stage)).child(panel::view(app));
     View::from((header::view(app), body, library_list::dialog(app)))
 }

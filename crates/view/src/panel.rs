@@ -23,14 +23,14 @@ pub struct Tab {
 }
 
 impl Tab {
-    /// A tab.
+    /// A tab; not offered while there is nothing to run.
     pub fn new(id: &'static str, title: &'static str, content: impl Fn() -> View + 'static) -> Self {
-        Self { id, title, content: std::rc::Rc::new(content), offered: |_| true, lasting: false }
+        Self { id, title, content: std::rc::Rc::new(content), offered: runs, lasting: false }
     }
 
-    /// A tab whose content follows other programs by itself.
+    /// A tab that is always offered, and whose content follows other programs by itself.
     pub fn lasting(id: &'static str, title: &'static str, content: impl Fn() -> View + 'static) -> Self {
-        Self { lasting: true, ..Self::new(id, title, content) }
+        Self { lasting: true, offered: |_| true, ..Self::new(id, title, content) }
     }
 
     /// Parameters, presets and values.
@@ -52,6 +52,11 @@ impl Tab {
     fn is_offered(&self, app: App) -> bool {
         (self.offered)(app)
     }
+}
+
+/// Whether there is a simulation.
+fn runs(app: App) -> bool {
+    app.read(|_| true)
 }
 
 /// The panel.

@@ -39,7 +39,7 @@ pub fn arguments(arguments: &Arguments) -> Result<(), Failure> {
             ),
             words(
                 "write --tube once for each --surface, in the same order, or not at all for upright tubes",
-                "escriba --tube una vez por cada --surface, en el mismo orden, o ninguna si los tubos son verticales",
+                "escribe --tube una vez por cada --surface, en el mismo orden, o ninguna si los tubos son verticales",
             ),
         ));
     }

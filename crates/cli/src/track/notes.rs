@@ -67,7 +67,7 @@ fn of_track(track: &Track, table: &Table) -> Vec<Words> {
         let listed = listed.join(", ") + if count > LISTED { ", ..." } else { "" };
         notes.push(words!(
             "in doubt: {count} of {of} frames, {listed} (counted from 0); look at them before you use their rows",
-            "dudosos: {count} de {of} fotogramas, {listed} (contados desde 0); mírelos antes de usar sus filas"
+            "dudosos: {count} de {of} fotogramas, {listed} (contados desde 0); míralos antes de usar sus filas"
         ));
     }
     if let Some(frame) = track.lost {

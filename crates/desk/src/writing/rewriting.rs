@@ -2,8 +2,7 @@
 
 use super::state::Writing;
 use crate::Desk;
-use document::{Document, Opened};
-use model::Severity;
+use document::Document;
 use play::PlotId;
 
 impl Desk {
@@ -14,39 +13,34 @@ impl Desk {
 
     /// Begins to write with the texts that run, the base document first.
     pub fn begin_writing(&mut self, texts: Vec<String>) {
-        let opened = open(&texts);
-        self.writing = Writing { tolerated: errors(&opened), findings: opened.diagnostics, texts, runs: true };
+        self.writing = Writing::of_running(texts);
     }
 
-    /// Takes another text for one of the files, or a further one. If that gives a program, it takes the place of the present one as
+    /// Goes on with what was being written when these texts began to run.
+    pub fn continue_writing(&mut self, writing: Writing) {
+        self.writing = writing;
+    }
+
+    /// Takes another text for one of the files. If that gives a program, it takes the place of the present one as
     /// [`play::Play::replace_program`] says: time, parameters, plots and what is measured stay. A text with more errors than the one
     /// that runs only brings its findings; the present program runs on. Whether the program was replaced.
     pub fn write(&mut self, file: usize, text: String) -> bool {
-        match self.writing.texts.get_mut(file) {
-            Some(before) if *before == text => return false,
-            Some(before) => *before = text,
-            None => return false,
-        }
-        self.check_writing()
+        let document = self.writing.change(file, text);
+        self.take_document(document)
     }
 
     /// The same for all texts at once: those of an earlier visit, for example.
     pub fn write_all(&mut self, texts: Vec<String>) -> bool {
-        self.writing.texts = texts;
-        self.check_writing()
+        let document = self.writing.change_all(texts);
+        self.take_document(document)
     }
 
-    fn check_writing(&mut self) -> bool {
-        let opened = open(&self.writing.texts);
-        let found = errors(&opened);
-        let document = opened.document.filter(|_| found <= self.writing.tolerated);
-        self.writing.findings = opened.diagnostics;
-        self.writing.runs = document.is_some();
+    fn take_document(&mut self, document: Option<Document>) -> bool {
+        let is_there = document.is_some();
         if let Some(document) = document {
-            self.writing.tolerated = found;
             self.replace_document(document);
         }
-        self.writing.runs
+        is_there
     }
 
     /// Puts another document in the place of the present one, while it runs.
@@ -84,15 +78,4 @@ impl Desk {
         let sizes: Vec<(&str, &str)> = sizes.iter().map(|(name, value)| (*name, value.as_str())).collect();
         document::resized(&document, &sizes).unwrap_or(document)
     }
-}
-
-fn open(texts: &[String]) -> Opened {
-    let mut texts = texts.iter().map(String::as_str);
-    let source = texts.next().unwrap_or_default();
-    let translations: Vec<&str> = texts.collect();
-    document::open(source, &translations)
-}
-
-fn errors(opened: &Opened) -> usize {
-    opened.diagnostics.iter().filter(|(_, found)| found.severity == Severity::Error).count()
 }

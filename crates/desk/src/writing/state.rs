@@ -1,19 +1,58 @@
 //! What is known of the texts in the editor.
 
 use super::mark::{Mark, TextChange, changes, in_utf16, marks};
+use document::{Document, Opened};
 use model::{Diagnostic, Fix, Severity};
 
 /// The texts of a document as they stand in the editor, the base document first, and what was found in them.
 #[derive(Clone, Debug, Default)]
 pub struct Writing {
-    pub(super) texts: Vec<String>,
-    pub(super) findings: Vec<(usize, Diagnostic)>,
+    texts: Vec<String>,
+    findings: Vec<(usize, Diagnostic)>,
     /// How many errors the texts have that run. Texts with more do not take their place.
-    pub(super) tolerated: usize,
-    pub(super) runs: bool,
+    tolerated: usize,
+    runs: bool,
 }
 
 impl Writing {
+    /// Of texts that run.
+    pub(super) fn of_running(texts: Vec<String>) -> Self {
+        let opened = open(&texts);
+        Self { tolerated: errors(&opened.diagnostics), findings: opened.diagnostics, texts, runs: true }
+    }
+
+    /// Of texts in which these errors leave nothing to run. The first of their versions that gives a document runs, whatever else is
+    /// wrong with it.
+    pub fn of_faulty(texts: Vec<String>, findings: Vec<(usize, Diagnostic)>) -> Self {
+        Self { tolerated: usize::MAX, findings, texts, runs: false }
+    }
+
+    /// Takes another text for one of the files and checks all of them. The document that they give, unless they have more errors
+    /// than the texts that run. The same text again gives none.
+    pub fn change(&mut self, file: usize, text: String) -> Option<Document> {
+        let before = self.texts.get_mut(file).filter(|before| **before != text)?;
+        *before = text;
+        self.check()
+    }
+
+    /// The same for all texts at once.
+    pub(super) fn change_all(&mut self, texts: Vec<String>) -> Option<Document> {
+        self.texts = texts;
+        self.check()
+    }
+
+    fn check(&mut self) -> Option<Document> {
+        let opened = open(&self.texts);
+        let found = errors(&opened.diagnostics);
+        let document = opened.document.filter(|_| found <= self.tolerated);
+        self.findings = opened.diagnostics;
+        self.runs = document.is_some();
+        if self.runs {
+            self.tolerated = found;
+        }
+        document
+    }
+
     /// The texts.
     pub fn texts(&self) -> &[String] {
         &self.texts
@@ -26,7 +65,7 @@ impl Writing {
 
     /// How many of the findings are errors.
     pub fn errors(&self) -> usize {
-        self.findings.iter().filter(|(_, found)| found.severity == Severity::Error).count()
+        errors(&self.findings)
     }
 
     /// Whether these texts are what runs. Otherwise it is the last version that had no more errors than the one before it.
@@ -55,4 +94,15 @@ impl Writing {
         let text = self.texts.get(file).map_or("", String::as_str);
         marks(text, self.findings.iter().filter(|(number, _)| *number == file).map(|(_, found)| found))
     }
+}
+
+fn open(texts: &[String]) -> Opened {
+    let mut texts = texts.iter().map(String::as_str);
+    let source = texts.next().unwrap_or_default();
+    let translations: Vec<&str> = texts.collect();
+    document::open(source, &translations)
+}
+
+fn errors(findings: &[(usize, Diagnostic)]) -> usize {
+    findings.iter().filter(|(_, found)| found.severity == Severity::Error).count()
 }

@@ -195,3 +195,28 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_text_with_nothing_to_run_becomes_a_document_with_its_first_version_that_gives_one() {
+    let faulty = UTUBE.replace("rho*S*L*y''", "rho*S*LL*y''");
+    let opened = desk::document::open(&faulty, &[UTUBE_ES]);
+    assert!(opened.document.is_none());
+    let texts = vec![faulty.clone(), UTUBE_ES.to_owned()];
+    let mut writing = desk::Writing::of_faulty(texts, opened.diagnostics);
+    assert!(!writing.runs() && writing.errors() > 0 && !writing.marks(0).is_empty());
+    // The same text again, and one that is no better.
+    assert!(writing.change(0, faulty.clone()).is_none());
+    assert!(writing.change(0, faulty + "\n").is_none());
+    assert!(writing.change(7, UTUBE.to_owned()).is_none());
+    // An error beside the model is shown and stops nothing.
+    let beside = UTUBE.replace("\"Phase portrait\": y'", "\"Phase portrait\": w'");
+    assert_ne!(beside, UTUBE);
+    let document = writing.change(0, beside).expect("a document");
+    assert!(writing.runs() && writing.errors() > 0);
+    let mut desk = Desk::open(document);
+    desk.continue_writing(writing);
+    // From here on errors may not become more.
+    assert!(!desk.write(0, UTUBE.replace("rho*S*L*y''", "rho*S*LL*y''")));
+    assert!(desk.write(0, UTUBE.to_owned()));
+    assert_eq!(desk.writing().errors(), 0);
+}

@@ -108,7 +108,7 @@ impl Finding {
             ),
             Self::Doubled { count: 1, time } => words!(
                 "a frame has the same time as the one before, {time} s; leave one of them out",
-                "un fotograma tiene el mismo tiempo que el anterior, {time} s; excluya uno de los dos",
+                "un fotograma tiene el mismo tiempo que el anterior, {time} s; excluye uno de los dos",
                 time = number(time)
             ),
             Self::Doubled { count, time } => words!(

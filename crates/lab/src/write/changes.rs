@@ -2,7 +2,7 @@
 
 use super::{findings, kept};
 use crate::app::{App, Lab};
-use crate::{library, saved, visited};
+use crate::{library, opening, saved, visited};
 use play::Subject;
 
 /// Begins to write at the open document, unless that has been done.
@@ -19,7 +19,7 @@ pub fn begin(app: App) {
 pub fn written(app: App, file: usize, text: String) {
     let is_current = app.with(|lab| lab.editor_is_current) == Some(true);
     // Of a document that has been left; or typed and taken back at once.
-    if !is_current || app.read_desk(|desk| desk.writing().texts().get(file) == Some(&text)) {
+    if !is_current || app.read_writing(|writing| writing.texts().get(file) == Some(&text)) {
         return;
     }
     let was_own = is_own(app);
@@ -28,6 +28,10 @@ pub fn written(app: App, file: usize, text: String) {
         saved::now(app);
     }
     kept::begin(app);
+    if app.with(|lab| lab.desk.is_none()) == Some(true) {
+        opening::mend(app, file, text);
+        return checked(app);
+    }
     let runs = app.with(|lab| {
         let before = saved::key(lab);
         let Lab { desk: Some(desk), sources, findings, .. } = lab else { return false };
@@ -51,6 +55,11 @@ pub fn written(app: App, file: usize, text: String) {
     } else {
         visited::note(app, None);
     }
+    checked(app);
+}
+
+/// Keeps what was written, and shows what was found in it.
+fn checked(app: App) {
     kept::keep(app);
     app.written.update(|count| *count += 1);
     findings::mark(app);

@@ -11,7 +11,7 @@ use view::views::*;
 /// Marks what was found in the text shown.
 pub fn mark(app: App) {
     let file = app.written_file.get_untracked();
-    let marks = app.read_desk(|desk| desk.writing().marks(file));
+    let marks = app.read_writing(|writing| writing.marks(file));
     if let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() {
         editor.mark(&marks, app.language.get_untracked());
     }
@@ -22,8 +22,7 @@ pub fn status(app: App) -> HtmlP {
     let words = app.words();
     let counts = move || {
         app.written.track();
-        app.read_desk(|desk| {
-            let writing = desk.writing();
+        app.read_writing(|writing| {
             (writing.errors(), writing.findings().len() - writing.errors(), writing.runs())
         })
     };
@@ -40,7 +39,11 @@ pub fn status(app: App) -> HtmlP {
         if warnings > 0 {
             found.push(count(warnings, words.one_warning, words.many_warnings));
         }
-        let state = if runs { words.text_runs } else { words.text_waits };
+        let state = match (runs, app.read(|_| true)) {
+            (true, _) => words.text_runs,
+            (false, true) => words.text_waits,
+            (false, false) => words.nothing_runs,
+        };
         if found.is_empty() { state.to_owned() } else { format!("{}. {state}", found.join(", ")) }
     };
     let class = move || if counts().0 > 0 { "writing-status faulty" } else { "writing-status" };
@@ -51,7 +54,7 @@ pub fn status(app: App) -> HtmlP {
 pub fn view(app: App) -> View {
     changing(move || {
         app.written.track();
-        let findings = app.read_desk(|desk| desk.writing().findings().to_vec());
+        let findings = app.read_writing(|writing| writing.findings().to_vec());
         if findings.is_empty() {
             return View::new();
         }
@@ -66,7 +69,7 @@ pub fn view(app: App) -> View {
 /// Goes to a place in a text, given in bytes.
 fn go_to(app: App, file: usize, place: usize) {
     let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() else { return };
-    let place = app.read_desk(|desk| desk.writing().in_utf16(file, place));
+    let place = app.read_writing(|writing| writing.in_utf16(file, place));
     show(app, &editor, file);
     editor.go(place);
 }
@@ -74,7 +77,7 @@ fn go_to(app: App, file: usize, place: usize) {
 /// Changes a text as a remedy says.
 fn carry_out(app: App, file: usize, fix: &Fix) {
     let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() else { return };
-    let changes = app.read_desk(|desk| desk.writing().changes(file, fix));
+    let changes = app.read_writing(|writing| writing.changes(file, fix));
     show(app, &editor, file);
     editor.change(&changes);
 }

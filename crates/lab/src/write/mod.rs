@@ -56,7 +56,7 @@ async fn show(app: App, place: &Element) -> Option<()> {
         }
     };
     if !app.with(|lab| std::mem::replace(&mut lab.editor_is_current, true))? {
-        let texts = app.read_desk(|desk| desk.writing().texts().to_vec());
+        let texts = app.read_writing(|writing| writing.texts().to_vec());
         app.written_file.set(0);
         editor.open(&texts);
     }

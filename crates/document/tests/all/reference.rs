@@ -1,5 +1,5 @@
-//! Every example of the language reference, and of the page for those who come from other tools, is opened. One that a ```text block follows must give exactly the findings in
-//! it; any other must be without fault. `UPDATE_EXPECT=1 cargo test -p document --test all reference` writes the findings
+//! Every example of the language reference, of the page for those who come from other tools, and of the tutorial is opened. One that a
+//! ```text block follows must give exactly the findings in it; any other must be without fault. `UPDATE_EXPECT=1 cargo test -p document --test all reference` writes the findings
 //! into the page, to be read before they are committed.
 
 use model::{Diagnostic, Severity};
@@ -95,13 +95,36 @@ fn every_example_for_those_who_come_from_other_tools_runs() {
     assert!(examples >= 5, "{examples}");
 }
 
+/// Each step of the tutorial, and what they add up to: the last document with its question, its check and its translation.
+#[test]
+fn every_step_of_the_tutorial_runs() {
+    let name = "first-simulation.md";
+    assert_eq!(check_examples(name), 5);
+    let text = std::fs::read_to_string(page(name)).unwrap();
+    let blocks = blocks(&text);
+    let last = |kind: &str| {
+        let block = blocks.iter().rfind(|block| block.kind == kind).unwrap_or_else(|| panic!("{kind}"));
+        &text[block.content.clone()]
+    };
+    let (question, check) = (last("question"), last("check"));
+    let whole = format!("{}\n```question\n{question}```\n\n```check\n{check}```\n", last("markdown"));
+    let opened = document::open(&whole, &[last("text")]);
+    assert!(opened.diagnostics.is_empty(), "{:?}", opened.diagnostics);
+    let program = opened.document.unwrap().program;
+    assert_eq!((program.questions.len(), program.checks.len(), program.editions.len()), (1, 1, 2));
+}
+
 /// How many examples a page has.
 fn check_examples(name: &str) -> usize {
     let page_text = std::fs::read_to_string(page(name)).unwrap();
     let blocks = blocks(&page_text);
-    // The first model of the page is the one that scenes, plots, presets and questions are about.
-    let model =
-        blocks.iter().find(|block| block.kind == "model").map(|block| &page_text[block.content.clone()]).unwrap();
+    // The first model of the page is the one that scenes, plots, presets and questions are about; in the tutorial, that of its last
+    // document.
+    let whole = blocks.iter().rfind(|block| block.kind == "markdown");
+    let of_document = whole
+        .and_then(|block| page_text[block.content.clone()].split("```").find_map(|part| part.strip_prefix("model\n")));
+    let first = blocks.iter().find(|block| block.kind == "model").map(|block| &page_text[block.content.clone()]);
+    let model = first.or(of_document).unwrap();
     let mut updated = page_text.clone();
     let mut examples = 0;
     for (index, block) in blocks.iter().enumerate().rev() {

@@ -22,9 +22,7 @@ pub fn status(app: App) -> HtmlP {
     let words = app.words();
     let counts = move || {
         app.written.track();
-        app.read_writing(|writing| {
-            (writing.errors(), writing.findings().len() - writing.errors(), writing.runs())
-        })
+        app.read_writing(|writing| (writing.errors(), writing.findings().len() - writing.errors(), writing.runs()))
     };
     let sentence = move || {
         let (errors, warnings, runs) = counts();

@@ -7,6 +7,8 @@ import { beside, eventually } from "./lab.mjs";
 
 /** A swing in a U-tube, drawn by a formula, and where its surfaces are. */
 export const swing = beside("films/utube.mp4");
+/** The same in VP9, which every browser decodes by itself; H.264 needs libraries that not every machine has. */
+export const freeSwing = beside("films/utube.webm");
 export const truth = JSON.parse(readFileSync(beside("films/utube.json"), "utf8"));
 /** Some of its frames, in no order. */
 export const SOME = [119, 0, 60, 59, 58, 57, 40, 90, 91, 5, 118, 3, 2, 1, 100, 33];
@@ -78,8 +80,8 @@ export function surface({ grey, width }, x, row) {
 export const difference = (one, other) => one.grey.reduce((sum, value, place) => sum + Math.abs(value - other.grey[place]), 0) / one.grey.length;
 
 /** In each of these frames of the swing, the surface is where it was drawn. */
-export async function isRight(page, place = page, frames = SOME) {
-  await dropFilm(page, swing, place);
+export async function isRight(page, place = page, frames = SOME, film = swing) {
+  await dropFilm(page, film, place);
   const seen = await pictures(place, frames);
   seen.forEach((picture, number) => {
     const [time, row] = truth.frames[frames[number]];

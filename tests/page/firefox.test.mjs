@@ -7,7 +7,7 @@ import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { launch } from "puppeteer-core";
 import { eventually, labPage, number, temporary } from "./lab.mjs";
-import { isRight } from "./films.mjs";
+import { SOME, freeSwing, isRight } from "./films.mjs";
 import { DAMPING, LENGTH, film } from "./measured.mjs";
 
 // English, and no network: the proxy script sends every request to a port on which nothing listens.
@@ -224,5 +224,5 @@ visit("a link opens the same state for somebody else", "", async (visitor) => {
 
 visit("the frames of a film are the right ones", "", async (visitor) => {
   await visitor.find("slider", "Time line");
-  await isRight(visitor.page);
+  await isRight(visitor.page, visitor.page, SOME, freeSwing);
 });

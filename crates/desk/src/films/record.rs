@@ -95,9 +95,9 @@ impl Desk {
     }
 }
 
-/// The table of a film as a text, if there is a row in it.
+/// The table of a film as a text. A single row, as after the first click by hand, is no record yet.
 pub(crate) fn text(work: &Work) -> Option<String> {
-    let table = table(work)?;
+    let table = table(work).filter(|table| table.frames.len() > 1)?;
     let columns = table.columns();
     let (heads, values): (Vec<&str>, Vec<&[f64]>) =
         columns.iter().map(|(head, values)| (head.as_str(), *values)).unzip();

@@ -150,8 +150,12 @@ impl<'a> OpenFilm<'a> {
                 sigma = significant(*sigma, 3)
             ));
         }
-        let tracks = self.work.tracks();
-        notes.extend(tracks.iter().flat_map(of_camera));
+        // Both arms are seen by one camera: what they agree on is said once.
+        for note in self.work.tracks().iter().flat_map(of_camera) {
+            if !notes.contains(&note) {
+                notes.push(note);
+            }
+        }
         notes.extend(of_lengths(&self.work.calibration));
         notes
     }

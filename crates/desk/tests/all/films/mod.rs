@@ -266,6 +266,9 @@ fn a_point_is_clicked_by_hand() {
     let mut desk = laboratory();
     desk.open_film(identity("ball.mp4"), container(75)).unwrap();
     let click = |frame: usize| Click { frame, position: [10.0 + frame as f64, HEIGHT as f64 - 20.0] };
+    // A single point is no record yet.
+    desk.follow_in_film(Subject::Points { clicks: vec![click(9)], sigma: 1.0 }).unwrap();
+    assert!(desk.records().is_empty());
     desk.follow_in_film(Subject::Points { clicks: vec![click(9), click(3), click(6)], sigma: 1.0 }).unwrap();
     let columns = columns(&desk);
     assert_eq!(columns[1], [13.0, 16.0, 19.0]);

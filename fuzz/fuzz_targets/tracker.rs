@@ -3,10 +3,10 @@
 
 #![no_main]
 
-use analysis::reading::{self, Reading};
 use analysis::spreadsheet::Archive;
 use analysis::tracker;
 use libfuzzer_sys::fuzz_target;
+use meniscus_fuzz::reads_the_same_in_slices;
 use units::Language;
 
 /// No project may become more text.
@@ -29,13 +29,5 @@ fn read(bytes: Vec<u8>) {
             assert!(!error.message(Language::English).is_empty() && !error.hint(Language::Spanish).is_empty())
         }
     }
-    let whole = reading::read(bytes.clone(), MOST);
-    let slices = Reading::new(bytes, MOST).and_then(|mut reading| {
-        while !reading.advance(100)? {}
-        Ok(reading.finish())
-    });
-    match (whole, slices) {
-        (Ok(whole), Ok(slices)) => assert_eq!(format!("{:?}", Some(whole)), format!("{slices:?}")),
-        (whole, slices) => assert_eq!(whole.err(), slices.err()),
-    }
+    reads_the_same_in_slices(bytes, MOST);
 }

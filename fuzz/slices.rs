@@ -1,0 +1,19 @@
+//! What several targets claim of measured data.
+
+use analysis::reading::{self, Reading};
+
+/// A file that is read in slices gives the same result as one that is read at once, with at most so many bytes of text.
+///
+/// # Panics
+/// If it does not.
+pub fn reads_the_same_in_slices(bytes: Vec<u8>, most: usize) {
+    let whole = reading::read(bytes.clone(), most);
+    let slices = Reading::new(bytes, most).and_then(|mut reading| {
+        while !reading.advance(100)? {}
+        Ok(reading.finish())
+    });
+    match (whole, slices) {
+        (Ok(whole), Ok(slices)) => assert_eq!(format!("{:?}", Some(whole)), format!("{slices:?}")),
+        (whole, slices) => assert_eq!(whole.err(), slices.err()),
+    }
+}

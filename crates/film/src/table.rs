@@ -47,9 +47,9 @@ impl Table {
         let table = |(number, track): (usize, &Track)| {
             let suffix = if tracks.len() > 1 { format!("_{number}") } else { String::new() };
             let mut quantities = measured(track, calibration, &suffix);
+            let read: Vec<f64> = track.points.iter().map(|point| point.time).collect();
+            let place = |frame: usize| track.points.binary_search_by_key(&frame, |point| point.frame).ok();
             for quantity in &mut quantities {
-                let read: Vec<f64> = track.points.iter().map(|point| point.time).collect();
-                let place = |frame: usize| track.points.binary_search_by_key(&frame, |point| point.frame).ok();
                 let value = |(frame, time): (&usize, &f64)| {
                     let at = place(*frame)?;
                     if read[at] == *time {

@@ -82,12 +82,16 @@ fn place(lab: &mut Lab, mut desk: Option<Desk>) -> usize {
         (None, Some(desk)) => closed = saved::restore_measured(&mut lab.saved, desk),
         (before, None) => lab.parked = before,
     }
-    let texts = lab.sources.iter().map(|source| source.text.clone()).collect();
-    lab.faulty = Writing::default();
-    match &mut desk {
-        Some(desk) => saved::restore_answers(&mut lab.saved, &lab.sources, desk),
-        None => lab.faulty = Writing::of_faulty(texts, lab.findings.clone()),
-    }
+    lab.faulty = match &mut desk {
+        Some(desk) => {
+            saved::restore_answers(&mut lab.saved, &lab.sources, desk);
+            Writing::default()
+        }
+        None => {
+            let texts = lab.sources.iter().map(|source| source.text.clone()).collect();
+            Writing::of_faulty(texts, lab.findings.clone())
+        }
+    };
     lab.desk = desk;
     closed
 }

@@ -5,7 +5,7 @@ use super::project::{Film, Mark, Mass, Project};
 use super::refusal::TrackerError;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Nobody marks more bodies.
+/// No more bodies are read.
 const MOST_MASSES: usize = 200;
 /// Tracks and filters beyond these are not counted.
 const MOST_OTHERS: usize = 200;

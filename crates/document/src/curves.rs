@@ -91,7 +91,8 @@ pub fn expression(
     let span = Span::new(range.start, range.end);
     let named = label.is_some();
     let label = label.or_else(|| label_of_name(expressions, range));
-    let expression = without_unit(&source[written]).split_whitespace().collect::<Vec<_>>().join(" ");
+    let shown = without_unit(&source[written.clone()]).len();
+    let expression = model::spaced(source, written.start..written.start + shown);
     Some(Placed { curve: Curve { expression, label, named, value }, span })
 }
 

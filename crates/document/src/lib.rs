@@ -3,7 +3,7 @@
 //!
 //! [`read`] gives the structure of a text, whatever is wrong in it. [`open`] also checks it and gives a program if the
 //! model has no errors. Neither fails: what cannot be read is a [`model::Diagnostic`] with its
-//! place. [`edit`] changes a text by its structure.
+//! place. [`edit`] changes a text by its structure, [`format()`] its layout.
 
 pub mod assist;
 mod block;
@@ -16,6 +16,7 @@ mod edition;
 mod expressions;
 mod fences;
 mod findings;
+mod format;
 mod front_matter;
 mod members;
 mod open;
@@ -38,6 +39,7 @@ mod vary;
 pub use block::{Block, BlockKind, Fence};
 pub use card::{Card, card};
 pub use document::{Document, Opened};
+pub use format::{Formatted, format};
 pub use front_matter::{Entry, FrontMatter, Value, translates};
 pub use open::open;
 pub use outline::{Outline, read};

@@ -25,6 +25,16 @@ pub struct RawQuestion {
 }
 
 impl RawQuestion {
+    /// The question itself.
+    pub fn prompt(&self) -> Range<usize> {
+        self.prompt.clone()
+    }
+
+    /// The keys and what stands behind their colons, in the order of the text.
+    pub fn fields(&self) -> &[(&'static str, Range<usize>)] {
+        &self.fields
+    }
+
     fn field(&self, key: &str) -> Option<Range<usize>> {
         self.fields.iter().find(|(name, _)| *name == key).map(|(_, range)| range.clone())
     }

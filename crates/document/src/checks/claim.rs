@@ -24,7 +24,7 @@ pub fn read(expressions: &mut Expressions, name: String, range: Range<usize>) ->
             None => holds(expressions, what)?,
         },
     };
-    let written = source[range].split_whitespace().collect::<Vec<_>>().join(" ");
+    let written = model::spaced(source, range);
     Some(Claim { name, written, test, moment })
 }
 

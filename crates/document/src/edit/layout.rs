@@ -63,7 +63,7 @@ pub(super) fn result(outline: &Outline, edits: &[Edit]) -> Result<String, EditEr
 }
 
 /// The line end of a text: that of its first line.
-pub(super) fn line_end(source: &str) -> &'static str {
+pub(crate) fn line_end(source: &str) -> &'static str {
     match source.split_once('\n') {
         Some((first, _)) if first.ends_with('\r') => "\r\n",
         _ => "\n",

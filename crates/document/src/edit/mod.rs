@@ -12,6 +12,7 @@ mod settings;
 
 pub use blocks::{insert_block, remove_block, replace_block};
 pub use error::EditError;
+pub(crate) use layout::line_end;
 pub use model::Edit;
 pub use parameter::set_parameter;
 pub use rename::rename;

@@ -28,10 +28,14 @@ pub enum Piece {
     },
 }
 
+/// What the Markdown of documents has beside CommonMark.
+pub fn options() -> Options {
+    Options::ENABLE_TABLES | Options::ENABLE_MATH | Options::ENABLE_STRIKETHROUGH
+}
+
 /// The HTML of the Markdown in `range` of `source`.
 pub fn render(source: &str, range: Range<usize>, formulas: &Formulas, diagnostics: &mut Vec<Diagnostic>) -> Vec<Piece> {
-    let options = Options::ENABLE_TABLES | Options::ENABLE_MATH | Options::ENABLE_STRIKETHROUGH;
-    let parser = Parser::new_ext(&source[range.clone()], options).into_offset_iter();
+    let parser = Parser::new_ext(&source[range.clone()], options()).into_offset_iter();
     let mut writer = Writer::new(formulas, diagnostics);
     let mut pieces = Vec::new();
     for (event, place) in parser {

@@ -1,8 +1,11 @@
 //! Markdown and mathematics to HTML and MathML that is safe to put into a page.
 
+mod blanks;
 mod html;
 mod math;
 mod text;
+
+pub use blanks::without_trailing_blanks;
 
 use crate::source::trim;
 use html::{Piece, render};

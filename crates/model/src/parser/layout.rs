@@ -18,15 +18,29 @@ pub(super) fn one_line(mut tokens: Vec<Token>) -> Vec<Token> {
 }
 
 fn kept(tokens: &[Token]) -> Vec<bool> {
-    let mut parentheses: usize = 0;
     let mut last = &TokenKind::Newline;
     let mut keeps = Vec::with_capacity(tokens.len());
+    for (token, goes_on) in tokens.iter().zip(goes_on(tokens)) {
+        let keep = token.kind != TokenKind::Newline || !goes_on && *last != TokenKind::Newline;
+        if keep {
+            last = &token.kind;
+        }
+        keeps.push(keep);
+    }
+    keeps
+}
+
+/// For each token whether it is a line end after which the statement before it goes on.
+pub(crate) fn goes_on(tokens: &[Token]) -> Vec<bool> {
+    let mut parentheses: usize = 0;
+    let mut last = &TokenKind::Newline;
+    let mut found = Vec::with_capacity(tokens.len());
     for (index, token) in tokens.iter().enumerate() {
-        let mut keep = true;
+        let mut goes_on = false;
         match &token.kind {
             TokenKind::Newline => {
                 let begins = begins_statement(&tokens[index + 1..]);
-                keep = *last != TokenKind::Newline && (begins || parentheses == 0 && !continues(last));
+                goes_on = *last != TokenKind::Newline && !begins && (parentheses > 0 || continues(last));
                 if begins {
                     parentheses = 0;
                 }
@@ -36,12 +50,12 @@ fn kept(tokens: &[Token]) -> Vec<bool> {
             TokenKind::Symbol(Symbol::LeftBrace | Symbol::RightBrace) => parentheses = 0,
             _ => {}
         }
-        if keep {
+        if !goes_on {
             last = &token.kind;
         }
-        keeps.push(keep);
+        found.push(goes_on);
     }
-    keeps
+    found
 }
 
 /// Whether a line that ends in this goes on.

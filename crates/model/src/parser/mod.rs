@@ -80,6 +80,8 @@ use crate::{Assignment, Diagnostic, Expression, ExpressionKind, Span, StatedUnit
 use cursor::Cursor;
 use std::ops::Range;
 
+pub(crate) use layout::goes_on;
+
 /// Reads the statements of a model that stands in `parts` of a document. Spans count from the beginning of `source`.
 /// The statements are all there even if there are errors: one that cannot be read at all is an equation of two
 /// [`crate::ExpressionKind::Error`].

@@ -1,0 +1,197 @@
+//! One layout for the text of a model, whoever wrote it: how many blanks stand between two tokens, at the beginning and at the
+//! end of a line, and how many blank lines between statements. Line ends, comments and the spelling of tokens stay.
+//!
+//! What stands in one column in several lines of a paragraph stays in one column.
+
+mod cells;
+mod columns;
+mod gaps;
+mod roles;
+
+use crate::lexer::{Token, TokenKind, tokens};
+use crate::parser::goes_on;
+use crate::{Diagnostic, Edit, Span};
+use cells::{Cell, line_cells};
+use gaps::Gap;
+use std::ops::Range;
+
+/// What the lines of a text are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Statements of the equation language, which decide how far a line is indented.
+    Model,
+    /// Lines made of texts and expressions, such as plots and presets: one that begins with a text is not indented, others
+    /// stay as they are.
+    Lines,
+}
+
+/// The edits that give the text in `range` its layout. None if it has characters or marks that cannot be read.
+pub fn format(source: &str, range: Range<usize>, form: Form) -> Option<Vec<Edit>> {
+    let (tokens, found) = tokens(source, range.clone());
+    if !is_readable(source, &found) {
+        return None;
+    }
+    let mut lines = lines(source, range, &tokens);
+    match form {
+        Form::Model => indent_statements(&tokens, &mut lines),
+        Form::Lines => indent_texts(&mut lines),
+    }
+    let mut edits = remove_blank_lines(&mut lines);
+    columns::align(&mut lines);
+    for line in &lines {
+        line.edit(source, &mut edits);
+    }
+    Some(edits)
+}
+
+/// An expression, or a line made of texts and expressions, in one line with the blanks that belong there.
+pub fn spaced(source: &str, range: Range<usize>) -> String {
+    let (mut tokens, found) = tokens(source, range.clone());
+    if !is_readable(source, &found) {
+        return source[range].split_whitespace().collect::<Vec<_>>().join(" ");
+    }
+    tokens.retain(|token| !matches!(token.kind, TokenKind::Newline | TokenKind::End));
+    let cells = line_cells(source, &tokens, &roles::roles(source, &tokens), range);
+    let mut text = String::new();
+    for cell in cells {
+        text.push_str(if cell.natural() > 0 { " " } else { "" });
+        text.push_str(&cell.text);
+    }
+    text
+}
+
+/// Whether nothing but a sign for percent is strange in a text.
+fn is_readable(source: &str, found: &[Diagnostic]) -> bool {
+    found.iter().all(|diagnostic| source.get(diagnostic.span().range()) == Some("%"))
+}
+
+/// A line of the text.
+struct Line<'a> {
+    /// The blanks with which it begins.
+    indentation: Span,
+    /// How many these are.
+    found: usize,
+    /// How many there are after this.
+    indented: usize,
+    cells: Vec<Cell<'a>>,
+    /// The blanks with which it ends, its line end left out.
+    trailing: Span,
+    /// Where the next line begins.
+    next: usize,
+    /// How many paragraphs come before it.
+    paragraph: usize,
+    /// The token with which it begins, in the order of the text.
+    first: usize,
+}
+
+impl Line<'_> {
+    fn edit(&self, source: &str, edits: &mut Vec<Edit>) {
+        let mut replace = |span: Span, text: &str| {
+            if &source[span.range()] != text {
+                edits.push(Edit { span, text: text.to_owned() });
+            }
+        };
+        replace(self.indentation, &" ".repeat(self.indented));
+        for cell in &self.cells {
+            replace(cell.before, &" ".repeat(cell.blanks));
+            replace(cell.span, &cell.text);
+        }
+        replace(self.trailing, "");
+    }
+}
+
+/// The lines of a text, as they stand there.
+fn lines<'a>(source: &'a str, range: Range<usize>, tokens: &[Token]) -> Vec<Line<'a>> {
+    let roles = roles::roles(source, tokens);
+    let mut lines = Vec::new();
+    let mut start = range.start;
+    let mut first = 0;
+    let mut paragraph = 0;
+    for (index, token) in tokens.iter().enumerate() {
+        let is_end = token.kind == TokenKind::End;
+        if !is_end && token.kind != TokenKind::Newline {
+            continue;
+        }
+        let end = if is_end { range.end } else { token.span.start };
+        if is_end && start == end {
+            break;
+        }
+        let end = end - usize::from(source[start..end].ends_with('\r'));
+        let cells = line_cells(source, &tokens[first..index], &roles[first..index], start..end);
+        let (from, to) = match (cells.first(), cells.last()) {
+            (Some(first), Some(last)) => (first.before.end, last.span.end),
+            _ => (start, start),
+        };
+        paragraph += usize::from(cells.is_empty());
+        let indentation = Span::new(start, from);
+        let found = cells::width(&source[indentation.range()]);
+        let mut line =
+            Line { indentation, found, indented: found, cells, trailing: Span::new(to, end), next: token.span.end, paragraph, first };
+        if let Some(cell) = line.cells.first_mut() {
+            // What stands before the first one is the indentation.
+            cell.before = Span::new(from, from);
+            cell.blanks = 0;
+        }
+        lines.push(line);
+        start = token.span.end;
+        first = index + 1;
+    }
+    lines
+}
+
+/// How far a level of braces or a statement's next line is indented.
+const LEVEL: usize = 4;
+
+fn indent_statements(tokens: &[Token], lines: &mut [Line]) {
+    let goes_on = goes_on(tokens);
+    let mut depth = 0_usize;
+    for line in lines {
+        let continues = line.first.checked_sub(1).is_some_and(|end| goes_on[end]);
+        let closes = line.cells.first().is_some_and(|cell| cell.text == "}");
+        let level = LEVEL * depth.saturating_sub(usize::from(closes));
+        let is_point = line.cells.first().is_some_and(|cell| cell.gap == Gap::Exact);
+        line.indented = match (continues, line.indented) {
+            (true, 0) => level + LEVEL,
+            (true, found) => found,
+            (false, found) if is_point && found > 0 => found,
+            (false, _) => level,
+        };
+        for cell in &line.cells {
+            match &*cell.text {
+                "{" => depth += 1,
+                "}" => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+        }
+    }
+}
+
+fn indent_texts(lines: &mut [Line]) {
+    for line in lines {
+        let begins = line.cells.first().is_some_and(|cell| {
+            cell.text.starts_with('"') || ["set", "hide", "answer", "group"].contains(&&*cell.text)
+        });
+        if begins {
+            line.indented = 0;
+        }
+    }
+}
+
+/// Leaves one blank line where there are several, and none at the beginning and at the end.
+fn remove_blank_lines(lines: &mut Vec<Line>) -> Vec<Edit> {
+    let mut edits = Vec::new();
+    let last = lines.iter().rposition(|line| !line.cells.is_empty());
+    let mut follows_text = false;
+    let mut index = 0;
+    lines.retain(|line| {
+        let is_blank = line.cells.is_empty();
+        let keep = !is_blank || follows_text && last.is_some_and(|last| index < last);
+        if !keep {
+            edits.push(Edit { span: Span::new(line.indentation.start, line.next), text: String::new() });
+        }
+        follows_text = !is_blank;
+        index += 1;
+        keep
+    });
+    edits
+}

@@ -29,7 +29,9 @@ pub fn format(outline: &Outline) -> Formatted {
     let diagnostics = outline.diagnostics();
     for block in outline.blocks() {
         let faulty = diagnostics.iter().any(|found| {
-            found.severity == model::Severity::Error && block.span.start <= found.span().start && found.span().end <= block.span.end
+            found.severity == model::Severity::Error
+                && block.span.start <= found.span().start
+                && found.span().end <= block.span.end
         });
         match (!faulty).then(|| edits(source, block)).flatten() {
             Some(edits) => formatted.edits.extend(edits),
@@ -70,7 +72,11 @@ fn front_matter(outline: &Outline, formatted: &mut Formatted) {
     for line in lines(source, matter.span.start..closing.end) {
         if line.text(source).trim().is_empty() {
             formatted.edits.push(Edit { span: Span::new(line.start, line.next), text: String::new() });
-        } else if !matter.entries.iter().any(|entry| line.start <= entry.key_span.start && entry.key_span.end <= line.end) {
+        } else if !matter
+            .entries
+            .iter()
+            .any(|entry| line.start <= entry.key_span.start && entry.key_span.end <= line.end)
+        {
             trim_end(source, &line, &mut formatted.edits);
         }
     }
@@ -116,8 +122,10 @@ fn question(source: &str, content: Range<usize>) -> Option<Vec<Edit>> {
     }
     let text = trim(source, content.clone());
     let is_blank = |line: &Line| line.text(source).trim().is_empty();
-    let outer = lines(source, content).filter(|line| is_blank(line) && (line.next <= text.start || line.start >= text.end));
-    let outer: Vec<Edit> = outer.map(|line| Edit { span: Span::new(line.start, line.next), text: String::new() }).collect();
+    let outer =
+        lines(source, content).filter(|line| is_blank(line) && (line.next <= text.start || line.start >= text.end));
+    let outer: Vec<Edit> =
+        outer.map(|line| Edit { span: Span::new(line.start, line.next), text: String::new() }).collect();
     edits.retain(|edit| !outer.iter().any(|line| line.span.start <= edit.span.start && edit.span.end <= line.span.end));
     edits.extend(outer);
     Some(edits)

@@ -1,7 +1,9 @@
 //! One layout: it changes no meaning, keeps all comments, and is reached in one step.
 
-use document::{Formatted, format, read};
+use crate::arbitrary::document_text;
+use document::{BlockKind, Formatted, format, read};
 use program::bundle;
+use proptest::prelude::*;
 use std::path::{Path, PathBuf};
 
 /// All documents that come with Meniscus, translations included.
@@ -18,10 +20,109 @@ fn formatted(text: &str) -> String {
     document::edit::apply(text, &edits).unwrap()
 }
 
+/// The program of a document; of a translation, none.
+fn compiled(text: &str) -> Option<Vec<u8>> {
+    document::open(text, &[]).document.map(|document| bundle::write(&document.program).unwrap())
+}
+
+/// All comments of models, in their order.
+fn comments(text: &str) -> Vec<String> {
+    let outline = read(text);
+    let models = outline.blocks().iter().filter(|block| block.kind == BlockKind::Model);
+    let lines = models.flat_map(|block| text[block.content.range()].lines());
+    lines.filter_map(|line| Some(line.split_once('#')?.1.trim().to_owned())).collect()
+}
+
 #[test]
-fn dump() {
+fn documents_mean_the_same_in_their_layout() {
     for (path, text) in texts() {
-        std::fs::write(format!("/tmp/fmt/{}", path.display().to_string().replace('/', "_")), formatted(&text)).unwrap();
-        std::fs::write(format!("/tmp/fmt0/{}", path.display().to_string().replace('/', "_")), text).unwrap();
+        let once = formatted(&text);
+        assert_eq!(formatted(&once), once, "{}: a second time", path.display());
+        assert!(compiled(&once) == compiled(&text), "{}: the program", path.display());
+        assert_eq!(comments(&once), comments(&text), "{}: comments", path.display());
+        assert_eq!(format(&read(&text)).left, [], "{}: left as it is", path.display());
+    }
+}
+
+/// Blanks as authors write them: none where they mean nothing, or several.
+#[test]
+fn careless_blanks_mean_the_same() {
+    const TIGHT: &[(&str, &str)] = &[(" = ", "="), (" + ", "+"), (", ", ",")];
+    const WIDE: &[(&str, &str)] = &[(" + ", "  +   "), ("*", " * "), (" = ", "=  "), ("(", "( ")];
+    for (path, text) in texts() {
+        let expected = compiled(&text);
+        for replacements in [TIGHT, WIDE] {
+            let mut careless = text.clone();
+            for block in read(&text).blocks().iter().rev().filter(|block| block.kind == BlockKind::Model) {
+                // Labels and comments are words.
+                let content = text[block.content.range()].lines().map(|line| {
+                    let (code, rest) = line.split_at(line.find(['"', '#']).unwrap_or(line.len()));
+                    let code = replacements.iter().fold(code.to_owned(), |code, (from, to)| code.replace(from, to));
+                    format!("{code}{rest}\n")
+                });
+                careless.replace_range(block.content.range(), &content.collect::<String>());
+            }
+            let once = formatted(&careless);
+            assert_eq!(formatted(&once), once, "{}: a second time, {replacements:?}", path.display());
+            assert!(compiled(&once) == expected, "{}: the program, {replacements:?}", path.display());
+        }
+    }
+}
+
+#[test]
+fn a_layout_is_settled() {
+    let text = "---\ntitle :A spring  \n\nstep:0.1 [s]\n---\n\nA mass.  \nIt swings. \n\n~~~  model \n\n\n\
+                parameter k=4[N/m]in 1 .. 9 \"Stiffness\"\nparameter mass = 100 [ g ] # light\n\n\n\
+                  mass*x''=-k * x+0*k\nx(0)=1 [cm]\nx'( 0 )=0\nwhen x>2 [m]{\nx'=- x',stop\n}\n~~~\n\n\
+                ```plots\n\"Swing\":x,x+1 [m]  against t\n```";
+    let expected = "---\ntitle: A spring\nstep: 0.1 [s]\n---\n\nA mass.  \nIt swings.\n\n```model\n\
+                parameter k = 4 [N/m] in 1..9 \"Stiffness\"\nparameter mass = 100 [g] # light\n\n\
+                mass*x'' = -k*x + 0*k\nx(0) = 1 [cm]\nx'(0) = 0\nwhen x > 2 [m] {\n    x' = -x', stop\n}\n```\n\n\
+                ```plots\n\"Swing\": x, x + 1 [m] against t\n```\n";
+    assert_eq!(formatted(text), expected);
+}
+
+#[test]
+fn columns_move_together() {
+    let text = "```model\na   =1  [m]  \"One\"\nbcd =a+a [m]  \"Two\"\n```\n";
+    assert_eq!(
+        formatted("```model\na   = 1+1*2 \"One\"\nbcd = 2     \"Two\"\n```\n"),
+        "```model\na   = 1 + 1*2 \"One\"\nbcd = 2       \"Two\"\n```\n"
+    );
+    assert_eq!(formatted(&formatted(text)), formatted(text));
+}
+
+#[test]
+fn a_block_with_errors_stays() {
+    let text = "```model\nx=(1\n```\n\n```plots\n\"x\":y  against t\n```\n";
+    let found = format(&read(text));
+    assert_eq!(found.left.iter().map(|head| &text[head.range()]).collect::<Vec<_>>(), ["```model"]);
+    assert_eq!(formatted(text), "```model\nx=(1\n```\n\n```plots\n\"x\": y against t\n```\n");
+}
+
+/// What a text is read as: kinds of blocks and keys of the front matter.
+fn structure(text: &str) -> (Vec<BlockKind>, Vec<(String, String)>) {
+    let outline = read(text);
+    let kinds = outline.blocks().iter().map(|block| block.kind).filter(|kind| *kind != BlockKind::Prose);
+    let entries = outline.front_matter().entries.iter();
+    (kinds.collect(), entries.map(|entry| (entry.key.clone(), entry.value.text.clone())).collect())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_text_reaches_its_layout_in_one_step(text in document_text()) {
+        let once = formatted(&text);
+        prop_assert_eq!(structure(&once), structure(&text));
+        prop_assert_eq!(formatted(&once), once);
+    }
+
+    #[test]
+    fn any_model_means_the_same_in_its_layout(statements in "[xyk0-9 .'=+*/(),#\\n\"\\[\\]{}-]{0,80}") {
+        let text = format!("```model\nparameter k = 1\nx' = -k*x\nx(0) = 1\n{statements}\n```\n");
+        let once = formatted(&text);
+        prop_assert_eq!(compiled(&once), compiled(&text));
+        prop_assert_eq!(formatted(&once), once);
     }
 }

@@ -88,8 +88,9 @@ fn tidied<'a>(source: &'a str, token: &Token) -> Cow<'a, str> {
 fn without_blanks(source: &str, range: Range<usize>) -> String {
     let content = source[range.clone()].trim();
     let (inside, found) = tokens(source, range);
-    let is_simple =
-        |token: &Token| matches!(token.kind, TokenKind::Name { .. } | TokenKind::Number(_) | TokenKind::Symbol(_) | TokenKind::End);
+    let is_simple = |token: &Token| {
+        matches!(token.kind, TokenKind::Name { .. } | TokenKind::Number(_) | TokenKind::Symbol(_) | TokenKind::End)
+    };
     let has_pair = inside.windows(2).any(|pair| {
         let is_operand = |token: &Token| !matches!(token.kind, TokenKind::Symbol(_) | TokenKind::End);
         is_operand(&pair[0]) && is_operand(&pair[1])

@@ -50,10 +50,11 @@ pub(super) fn align(lines: &mut [Line]) {
             }
             continue;
         }
-        let before = |(line, cell): &(usize, usize), placed: &mut [Placed]| placed[*line].end_before(&lines[*line], *cell);
+        let before =
+            |(line, cell): &(usize, usize), placed: &mut [Placed]| placed[*line].end_before(&lines[*line], *cell);
         let ends: Vec<usize> = members.iter().map(|member| before(member, &mut placed)).collect();
         let least = members.iter().map(|(line, cell)| lines[*line].cells[*cell].found).min().unwrap_or(1);
-        let column = ends.iter().max().copied().unwrap_or_default() + least.min(widest(&kind));
+        let column = ends.iter().max().copied().unwrap_or_default() + least;
         for ((line, cell), end) in members.iter().zip(ends) {
             lines[*line].cells[*cell].blanks = column - end;
         }
@@ -63,7 +64,7 @@ pub(super) fn align(lines: &mut [Line]) {
 /// How many blanks may stand before a cell that no other one pushes to the right.
 fn widest(kind: &Kind) -> usize {
     match kind {
-        Kind::Text | Kind::Comment | Kind::Brackets | Kind::Word(_) => 2,
+        Kind::Text | Kind::Comment | Kind::Brackets => 2,
         Kind::Keyword(word) if word == "in" => 2,
         _ => 1,
     }

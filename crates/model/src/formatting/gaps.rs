@@ -17,8 +17,8 @@ pub(super) enum Gap {
 /// The gap between two tokens with these roles and texts. `apart` says whether there are blanks between them now.
 pub(super) fn gap(roles: [Role; 2], texts: [&str; 2], apart: bool) -> Gap {
     use Role::{
-        Attached, Brace, Brackets, Closing, Colon, Comment, Dots, Keyword, Name, Number, Opening, Operator, Point, Separator,
-        Sign, Text, Tight, Unknown,
+        Attached, Brace, Brackets, Closing, Colon, Comment, Dots, Keyword, Name, Number, Opening, Operator, Point,
+        Separator, Sign, Text, Tight, Unknown,
     };
     match roles {
         [_, Comment] => Gap::One,

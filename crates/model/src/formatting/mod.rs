@@ -125,8 +125,16 @@ fn lines<'a>(source: &'a str, range: Range<usize>, tokens: &[Token]) -> Vec<Line
         paragraph += usize::from(cells.is_empty());
         let indentation = Span::new(start, from);
         let found = cells::width(&source[indentation.range()]);
-        let mut line =
-            Line { indentation, found, indented: found, cells, trailing: Span::new(to, end), next: token.span.end, paragraph, first };
+        let mut line = Line {
+            indentation,
+            found,
+            indented: found,
+            cells,
+            trailing: Span::new(to, end),
+            next: token.span.end,
+            paragraph,
+            first,
+        };
         if let Some(cell) = line.cells.first_mut() {
             // What stands before the first one is the indentation.
             cell.before = Span::new(from, from);

@@ -32,9 +32,8 @@ pub(super) enum Role {
 }
 
 /// Words after which an expression begins. All of them are names, too: only the blanks around a `-` behind one tell a sign from an operator.
-const WORDS: [&str; 13] = [
-    "of", "at", "from", "until", "against", "points", "within", "than", "step", "changes", "every", "by", "histogram",
-];
+const WORDS: [&str; 13] =
+    ["of", "at", "from", "until", "against", "points", "within", "than", "step", "changes", "every", "by", "histogram"];
 
 /// The role of each token.
 pub(super) fn roles(source: &str, tokens: &[Token]) -> Vec<Role> {
@@ -54,10 +53,15 @@ pub(super) fn roles(source: &str, tokens: &[Token]) -> Vec<Role> {
             TokenKind::Brackets(_) => Role::Brackets,
             TokenKind::Component { .. } | TokenKind::Raised(_) | TokenKind::Primes => Role::Attached,
             TokenKind::Symbol(Symbol::Plus | Symbol::Minus) => {
-                let follows_word = last.is_some_and(|last| is_sign_after_word(source, &tokens[last..], token.span.start));
+                let follows_word =
+                    last.is_some_and(|last| is_sign_after_word(source, &tokens[last..], token.span.start));
                 match before {
                     Some(before) if is_end_of_operand(before) && !follows_word => {
-                        if in_range[index] { Role::Tight } else { Role::Operator }
+                        if in_range[index] {
+                            Role::Tight
+                        } else {
+                            Role::Operator
+                        }
                     }
                     _ => Role::Sign,
                 }

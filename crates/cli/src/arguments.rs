@@ -1,6 +1,7 @@
 //! What can be typed after `meniscus`.
 
 use crate::assignments::{Assignment, Observe, assignment, observe, press};
+use crate::authoring::arguments::{FORMAT_EXAMPLES, Format as FormatDocuments, NEW_EXAMPLES, New};
 use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
 use crate::track::arguments::{TRACK_EXAMPLES, Track};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -28,7 +29,7 @@ pub struct Arguments {
 const EXIT_CODES: &str = "\
 Exit codes:
   0  done
-  1  the document has errors, its run failed, or a claim of it does not hold
+  1  the document has errors, its run failed, a claim of it does not hold, or its layout differs (format --check)
   2  wrong arguments, or a file that cannot be read or written";
 
 /// When messages are coloured.
@@ -72,6 +73,12 @@ pub enum Command {
     /// Make one offline page of a document, with its source inside
     #[command(after_help = EXPORT_EXAMPLES)]
     Export(Export),
+    /// Begin a document in a folder of its own
+    #[command(after_help = NEW_EXAMPLES)]
+    New(New),
+    /// Give documents their one layout
+    #[command(after_help = FORMAT_EXAMPLES)]
+    Format(FormatDocuments),
     /// Help editors with documents, as a language server on standard input and output
     #[command(after_help = LSP_EXAMPLES)]
     Lsp,

@@ -87,6 +87,17 @@ impl Loaded {
     }
 }
 
+/// The text of one file, `-` being the standard input.
+pub fn text_of(path: &Path) -> Result<String, Failure> {
+    if is_page(path) {
+        return Err(Failure::with_hint(
+            format!("{} is a page and not a document", path.display()),
+            "open it in the laboratory and save its document",
+        ));
+    }
+    if path == Path::new("-") { standard_input() } else { read_text(path) }
+}
+
 /// Reads what belongs to `path`: `-` is the standard input, a page gives the sources inside it, a translation its base,
 /// and a base its translations.
 pub fn sources(path: &Path) -> Result<Sources, Failure> {
@@ -95,8 +106,7 @@ pub fn sources(path: &Path) -> Result<Sources, Failure> {
         return Ok(Sources { files: vec![File { path: "<stdin>".into(), name: "document.md".to_owned(), text }] });
     }
     let text = read_text(path)?;
-    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html") || ending.eq_ignore_ascii_case("htm"))
-    {
+    if is_page(path) {
         return inside_page(path, &text);
     }
     let Some(name) = document::translates(&text) else {
@@ -156,6 +166,10 @@ fn language_of<'a>(name: &'a str, stem: &str) -> Option<&'a str> {
     let letters = |text: &str| text.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '-');
     ((2..=3).contains(&primary.len()) && primary.chars().all(|letter| letter.is_ascii_lowercase()) && letters(language))
         .then_some(language)
+}
+
+fn is_page(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html") || ending.eq_ignore_ascii_case("htm"))
 }
 
 fn inside_page(path: &Path, page: &str) -> Result<Sources, Failure> {

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod assignments;
+mod authoring;
 mod check;
 mod claims;
 mod columns;
@@ -54,6 +55,8 @@ fn main() -> ExitCode {
         Command::Rank(rank) => fitting::rank(rank, terminal),
         Command::Track(track) => track::run(track, terminal),
         Command::Export(export) => export::export(export, terminal),
+        Command::New(new) => authoring::new(new, terminal),
+        Command::Format(format) => authoring::format(format, terminal),
         Command::Lsp => lsp::serve(terminal.language),
         Command::Build(build) => site::build(build, terminal),
     };

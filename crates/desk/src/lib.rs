@@ -9,7 +9,7 @@
 //! | `cycles` | an oscillation cycle by cycle |
 //! | `fits` | what is varied, the queue, the results, the fit in the sliders, reports |
 //! | `saved` | records, fits and answers for the next visit, in one format |
-//! | `writing` | the texts of the document while they are written, templates for new ones |
+//! | `writing` | the texts of the document while they are written |
 //!
 //! A [`Refusal`] is the answer to input that cannot be taken; nothing has changed then. Getters that return texts use
 //! the chosen language. No method panics; an index that does not exist is ignored or refused.
@@ -53,4 +53,4 @@ pub use records::{
 };
 pub use refusal::Refusal;
 pub use saved::{Change, Item, Left, Shelf};
-pub use writing::{Mark, Proposals, TEMPLATES, Template, TextChange, Writing};
+pub use writing::{Mark, Proposals, TextChange, Writing};

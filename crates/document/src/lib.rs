@@ -33,6 +33,7 @@ mod scene;
 mod settings;
 mod source;
 mod sweeps;
+mod template;
 mod translation;
 mod vary;
 
@@ -44,3 +45,4 @@ pub use front_matter::{Entry, FrontMatter, Value, translates};
 pub use open::open;
 pub use outline::{Outline, read};
 pub use resized::resized;
+pub use template::{TEMPLATES, Template};

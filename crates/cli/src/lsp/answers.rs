@@ -7,8 +7,9 @@ use document::edit::Edit;
 use lsp_types::{
     CodeAction, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, CompletionItem,
     CompletionItemKind, CompletionParams, CompletionResponse, CompletionTextEdit, Diagnostic,
-    DiagnosticRelatedInformation, DiagnosticSeverity, Hover, HoverContents, HoverParams, Location, MarkupContent,
-    MarkupKind, NumberOrString, RenameParams, TextDocumentPositionParams, TextEdit, Uri, WorkspaceEdit,
+    DiagnosticRelatedInformation, DiagnosticSeverity, DocumentFormattingParams, Hover, HoverContents, HoverParams,
+    Location, MarkupContent, MarkupKind, NumberOrString, RenameParams, TextDocumentPositionParams, TextEdit, Uri,
+    WorkspaceEdit,
 };
 use model::Severity;
 use std::collections::HashMap;
@@ -71,8 +72,18 @@ pub fn remedies(files: &OpenFiles, asked: &CodeActionParams) -> Option<CodeActio
     Some(actions.collect())
 }
 
+fn text_edits(text: &str, edits: &[Edit]) -> Vec<TextEdit> {
+    edits.iter().map(|edit| TextEdit::new(range(text, edit.span), edit.text.clone())).collect()
+}
+
+/// What gives the file the one layout; the editor's own settings of it do not count.
+pub fn formatting(files: &OpenFiles, asked: &DocumentFormattingParams) -> Option<Vec<TextEdit>> {
+    let text = &files.get(&asked.text_document.uri)?.text;
+    Some(text_edits(text, &document::format(&document::read(text)).edits))
+}
+
 fn edited(uri: &Uri, text: &str, edits: &[Edit]) -> WorkspaceEdit {
-    let edits = edits.iter().map(|edit| TextEdit::new(range(text, edit.span), edit.text.clone())).collect();
+    let edits = text_edits(text, edits);
     // The address is a key here by the type of the protocol; it is not changed afterwards.
     #[allow(clippy::mutable_key_type)]
     let changes = HashMap::from([(uri.clone(), edits)]);

@@ -1,5 +1,5 @@
 //! `meniscus lsp`: a language server for documents, so that any editor reports their errors, offers the remedies, completes,
-//! explains and renames.
+//! explains, renames and formats.
 
 mod answers;
 mod open_files;
@@ -10,7 +10,7 @@ use lsp_server::{Connection, ErrorCode, Message, Notification, Request, Response
 use lsp_types::notification::{
     DidChangeTextDocument, DidCloseTextDocument, DidOpenTextDocument, Notification as _, PublishDiagnostics,
 };
-use lsp_types::request::{CodeActionRequest, Completion, HoverRequest, Rename, Request as _};
+use lsp_types::request::{CodeActionRequest, Completion, Formatting, HoverRequest, Rename, Request as _};
 use lsp_types::{
     CodeActionProviderCapability, CompletionOptions, HoverProviderCapability, OneOf, PublishDiagnosticsParams,
     ServerCapabilities, TextDocumentSyncCapability, TextDocumentSyncKind, Uri,
@@ -49,6 +49,7 @@ fn capabilities() -> ServerCapabilities {
         hover_provider: Some(HoverProviderCapability::Simple(true)),
         code_action_provider: Some(CodeActionProviderCapability::Simple(true)),
         rename_provider: Some(OneOf::Left(true)),
+        document_formatting_provider: Some(OneOf::Left(true)),
         ..ServerCapabilities::default()
     }
 }
@@ -116,6 +117,7 @@ fn respond(files: &OpenFiles, request: Request) -> Response {
         Completion::METHOD => answered::<Completion>(params, |asked| answers::completion(files, &asked)),
         HoverRequest::METHOD => answered::<HoverRequest>(params, |asked| answers::hover(files, &asked)),
         CodeActionRequest::METHOD => answered::<CodeActionRequest>(params, |asked| answers::remedies(files, &asked)),
+        Formatting::METHOD => answered::<Formatting>(params, |asked| answers::formatting(files, &asked)),
         Rename::METHOD => match serde_json::from_value(params) {
             Ok(asked) => match answers::rename(files, &asked) {
                 Ok(edit) => written(&edit),

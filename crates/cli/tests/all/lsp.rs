@@ -130,6 +130,19 @@ fn names_are_completed_explained_and_renamed() {
 }
 
 #[test]
+fn a_document_is_given_the_layout() {
+    let mut editor = Editor::open("en");
+    editor.write("```model\nx' = -x\nx(0)=1\n```\n");
+    let options = json!({ "tabSize": 8, "insertSpaces": false });
+    let edits = editor.ask("textDocument/formatting", json!({ "textDocument": { "uri": FILE }, "options": options }));
+    let places: Vec<_> =
+        edits.as_array().unwrap().iter().map(|edit| (&edit["range"]["start"], &edit["newText"])).collect();
+    let place = |character: u32| json!({ "line": 2, "character": character });
+    assert_eq!(places, [(&place(4), &json!(" ")), (&place(5), &json!(" "))]);
+    editor.close();
+}
+
+#[test]
 fn other_markdown_and_strange_requests_are_left_alone() {
     let mut editor = Editor::open("en");
     assert_eq!(editor.write("# Shopping\n\n- 2 g of salt\n"), json!([]));

@@ -4,9 +4,7 @@ mod completion;
 mod mark;
 mod rewriting;
 mod state;
-mod template;
 
 pub use completion::Proposals;
 pub use mark::{Mark, TextChange};
 pub use state::Writing;
-pub use template::{TEMPLATES, Template};

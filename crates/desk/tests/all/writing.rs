@@ -1,7 +1,8 @@
 //! A document is written while it runs.
 
 use crate::support::{UTUBE, UTUBE_ES, open, parameter, play, set, state, utube};
-use desk::{Desk, TEMPLATES};
+use desk::Desk;
+use desk::document::TEMPLATES;
 use proptest::prelude::*;
 use units::Language;
 

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 /// All documents that come with Meniscus, translations included.
 fn texts() -> Vec<(PathBuf, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let folders = ["../simulations", "../simulations/theories", "desk/templates/en", "desk/templates/es"];
+    let folders = ["../simulations", "../simulations/theories", "document/templates/en", "document/templates/es"];
     let files = folders.iter().flat_map(|folder| std::fs::read_dir(root.join(folder)).unwrap());
     let files = files.map(|entry| entry.unwrap().path()).filter(|path| path.extension().is_some_and(|end| end == "md"));
     files.map(|path| (path.clone(), std::fs::read_to_string(path).unwrap())).collect()
@@ -37,6 +37,7 @@ fn comments(text: &str) -> Vec<String> {
 fn documents_mean_the_same_in_their_layout() {
     for (path, text) in texts() {
         let once = formatted(&text);
+        assert_eq!(once, text, "{}: what comes with Meniscus is in the layout", path.display());
         assert_eq!(formatted(&once), once, "{}: a second time", path.display());
         assert!(compiled(&once) == compiled(&text), "{}: the program", path.display());
         assert_eq!(comments(&once), comments(&text), "{}: comments", path.display());
@@ -76,20 +77,47 @@ fn a_layout_is_settled() {
                   mass*x''=-k * x+0*k\nx(0)=1 [cm]\nx'( 0 )=0\nwhen x>2 [m]{\nx'=- x',stop\n}\n~~~\n\n\
                 ```plots\n\"Swing\":x,x+1 [m]  against t\n```";
     let expected = "---\ntitle: A spring\nstep: 0.1 [s]\n---\n\nA mass.  \nIt swings.\n\n```model\n\
-                parameter k = 4 [N/m] in 1..9 \"Stiffness\"\nparameter mass = 100 [g] # light\n\n\
-                mass*x'' = -k*x + 0*k\nx(0) = 1 [cm]\nx'(0) = 0\nwhen x > 2 [m] {\n    x' = -x', stop\n}\n```\n\n\
+                parameter k    = 4   [N/m] in 1..9  \"Stiffness\"\nparameter mass = 100 [g] # light\n\n\
+                mass*x'' = -k*x + 0*k\nx(0)  = 1 [cm]\nx'(0) = 0\nwhen x > 2 [m] {\n    x' = -x', stop\n}\n```\n\n\
                 ```plots\n\"Swing\": x, x + 1 [m] against t\n```\n";
     assert_eq!(formatted(text), expected);
 }
 
+/// Columns follow from the words and not from the blanks between them.
 #[test]
-fn columns_move_together() {
-    let text = "```model\na   =1  [m]  \"One\"\nbcd =a+a [m]  \"Two\"\n```\n";
+fn columns_of_neighbouring_lines() {
+    let cases = [
+        // Names, units, ranges, steps and labels of parameters; definitions are a group of their own.
+        (
+            "parameter k=4[N/m]in 1..10 step 2\"Stiffness\"\nparameter mu_0=0.25 in 0..1\"Friction\"\nT=k*x^2/2 in[J]\"Energy\"\n",
+            "parameter k    = 4 [N/m] in 1..10 step 2  \"Stiffness\"\nparameter mu_0 = 0.25    in 0..1          \"Friction\"\n\
+             T = k*x^2/2 in [J]  \"Energy\"\n",
+        ),
+        // A comment and the further lines of a statement end no group, a blank line does.
+        (
+            "a = 1\n# between\nbcd = (2 +\n    3)\ne = 4\n\nfgh = 5\ni = 6\n",
+            "a   = 1\n# between\nbcd = (2 +\n    3)\ne   = 4\n\nfgh = 5\ni   = 6\n",
+        ),
+        // An equation of motion is in no column, nor the `in` of a family.
+        (
+            "m*x'' = -k*x\nx[i](0) = 1 for i in 1..3\ny(0) = 0 in [cm]\n",
+            "m*x'' = -k*x\nx[i](0) = 1 for i in 1..3\ny(0)    = 0 in [cm]\n",
+        ),
+        // A line that is much longer than the others moves none of them.
+        (
+            "a = 1 \"One\"\nb = 1 + 2 + 3 + 4 + 5 + 6 + 7 + 8 + 9 + 10 + 11 + 12 + 13 + 14 \"Many\"\nc = 10 \"Ten\"\n",
+            "a = 1   \"One\"\nb = 1 + 2 + 3 + 4 + 5 + 6 + 7 + 8 + 9 + 10 + 11 + 12 + 13 + 14  \"Many\"\nc = 10  \"Ten\"\n",
+        ),
+    ];
+    for (text, expected) in cases {
+        let whole = |model: &str| format!("```model\n{model}```\n");
+        assert_eq!(formatted(&whole(text)), whole(expected));
+        assert_eq!(formatted(&whole(expected)), whole(expected));
+    }
     assert_eq!(
-        formatted("```model\na   = 1+1*2 \"One\"\nbcd = 2     \"Two\"\n```\n"),
-        "```model\na   = 1 + 1*2 \"One\"\nbcd = 2       \"Two\"\n```\n"
+        formatted("```presets\n\"Moon\": g = 1.62\n\"Mercury\":g = 3.7\n```\n"),
+        "```presets\n\"Moon\":    g = 1.62\n\"Mercury\": g = 3.7\n```\n"
     );
-    assert_eq!(formatted(&formatted(text)), formatted(text));
 }
 
 #[test]

@@ -5,8 +5,8 @@ use super::kept;
 use crate::app::App;
 use crate::visited::Visited;
 use crate::{opening, visited};
-use desk::{TEMPLATES, Template};
 use document::page::Source;
+use document::{TEMPLATES, Template};
 use view::browser;
 use view::views::*;
 

@@ -11,8 +11,6 @@ use std::ops::Range;
 pub(super) struct Cell<'a> {
     /// Where it stands.
     pub(super) span: Span,
-    /// How many columns it takes in the text.
-    pub(super) length: usize,
     /// How it is written.
     pub(super) text: Cow<'a, str>,
     pub(super) role: Role,
@@ -59,8 +57,7 @@ pub(super) fn line_cells<'a>(source: &'a str, line: &[Token], roles: &[Role], ra
             None => (Span::new(range.start, span.start), if role == Role::Point { Gap::Exact } else { Gap::None }),
         };
         let found = width(&source[before.range()]);
-        let length = width(&source[span.range()]);
-        let mut cell = Cell { span, length, text, role, before, found, gap, blanks: 0 };
+        let mut cell = Cell { span, text, role, before, found, gap, blanks: 0 };
         cell.blanks = cell.natural();
         cells.push(cell);
     }

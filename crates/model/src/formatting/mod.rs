@@ -1,7 +1,7 @@
 //! One layout for the text of a model, whoever wrote it: how many blanks stand between two tokens, at the beginning and at the
 //! end of a line, and how many blank lines between statements. Line ends, comments and the spelling of tokens stay.
 //!
-//! What stands in one column in several lines of a paragraph stays in one column.
+//! Neighbouring lines of one kind are set in columns.
 
 mod cells;
 mod columns;
@@ -69,8 +69,6 @@ fn is_readable(source: &str, found: &[Diagnostic]) -> bool {
 struct Line<'a> {
     /// The blanks with which it begins.
     indentation: Span,
-    /// How many these are.
-    found: usize,
     /// How many there are after this.
     indented: usize,
     cells: Vec<Cell<'a>>,
@@ -124,11 +122,9 @@ fn lines<'a>(source: &'a str, range: Range<usize>, tokens: &[Token]) -> Vec<Line
         };
         paragraph += usize::from(cells.is_empty());
         let indentation = Span::new(start, from);
-        let found = cells::width(&source[indentation.range()]);
         let mut line = Line {
             indentation,
-            found,
-            indented: found,
+            indented: cells::width(&source[indentation.range()]),
             cells,
             trailing: Span::new(to, end),
             next: token.span.end,

@@ -24,7 +24,7 @@ impl Template {
 
     /// Its title in a language.
     pub fn title(&self, language: Language) -> String {
-        document::card(self.text(language)).title
+        crate::card(self.text(language)).title
     }
 }
 
@@ -32,8 +32,8 @@ macro_rules! templates {
     ($($name:literal),*) => {
         [$(Template {
             name: $name,
-            english: include_str!(concat!("../../templates/en/", $name, ".md")),
-            spanish: include_str!(concat!("../../templates/es/", $name, ".md")),
+            english: include_str!(concat!("../templates/en/", $name, ".md")),
+            spanish: include_str!(concat!("../templates/es/", $name, ".md")),
         }),*]
     };
 }

@@ -1,0 +1,62 @@
+//! `meniscus format`: documents in one layout.
+
+use super::arguments::Format;
+use crate::failure::Failure;
+use crate::load::{Sources, text_of};
+use crate::output;
+use crate::terminal::Terminal;
+use document::{edit, read};
+use model::Diagnostic;
+use std::path::Path;
+use units::{Language, words};
+
+/// Writes each document in the layout, or says whose layout differs.
+///
+/// # Errors
+/// A file cannot be read or written; a layout differs and only that was asked; or a part has errors and is left as it is.
+pub fn format(arguments: &Format, terminal: Terminal) -> Result<(), Failure> {
+    let mut is_whole = true;
+    for path in &arguments.documents {
+        is_whole &= format_one(path, arguments.check, terminal)?;
+    }
+    if is_whole { Ok(()) } else { Err(Failure::Document) }
+}
+
+/// Whether the document has the layout in all its parts, now or already.
+fn format_one(path: &Path, only_check: bool, terminal: Terminal) -> Result<bool, Failure> {
+    let text = text_of(path)?;
+    let outline = read(&text);
+    let formatted = document::format(&outline);
+    let sources = Sources::of_text(&path.display().to_string(), &text);
+    for &part in &formatted.left {
+        let message = words(
+            "this part keeps its layout, because it has errors",
+            "esta parte conserva su disposición porque tiene errores",
+        );
+        let hint = words("`meniscus check` says which", "`meniscus check` dice cuáles");
+        terminal.report_one(&sources, &Diagnostic::warning("layout-kept", message, part).with_hint(hint));
+    }
+    let written = edit::apply(&text, &formatted.edits)
+        .map_err(|error| Failure::Request { message: error.words(), hint: None })?;
+    let differs = written != text;
+    if only_check {
+        if differs {
+            let line = 1 + text.lines().zip(written.lines()).take_while(|(before, after)| before == after).count();
+            let (name, language) = (path.display(), terminal.language);
+            output::print(&match language {
+                Language::English => format!("{name}: the layout differs, first in line {line}\n"),
+                Language::Spanish => format!("{name}: la disposición es otra, primero en la línea {line}\n"),
+            })?;
+        }
+    } else if path == Path::new("-") {
+        output::print(&written)?;
+    } else if differs {
+        output::file(path, &[], written.as_bytes())?;
+        terminal.print(&format!(
+            "{}: {}\n",
+            path.display(),
+            terminal.language.pick("formatted", "con la disposición nueva")
+        ));
+    }
+    Ok(formatted.left.is_empty() && !(only_check && differs))
+}

@@ -1,0 +1,56 @@
+//! `meniscus new`: a folder with a document to begin with.
+
+use super::arguments::New;
+use crate::failure::Failure;
+use crate::terminal::Terminal;
+use document::TEMPLATES;
+use std::fs::{self, OpenOptions};
+use std::io::Write;
+use std::path::Path;
+use units::{Language, words};
+
+/// Writes `DIR/DIR.md` from a template, in the language of messages.
+///
+/// # Errors
+/// The folder has no name or cannot be made, or the document exists.
+pub fn new(arguments: &New, terminal: Terminal) -> Result<(), Failure> {
+    let directory = arguments.directory.as_path();
+    let language = terminal.language;
+    fs::create_dir_all(directory).map_err(|error| Failure::file("make", directory, &error))?;
+    let path = directory.join(format!("{}.md", name(directory)?));
+    let template = TEMPLATES.iter().find(|template| template.name == arguments.template);
+    let text = template.map_or("", |template| template.text(language));
+    let mut file = match OpenOptions::new().write(true).create_new(true).open(&path) {
+        Ok(file) => file,
+        Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => {
+            let path = path.display();
+            return Err(Failure::in_words(
+                words!("{path} exists already", "{path} ya existe"),
+                words("choose another folder, or move the file away", "elige otra carpeta o mueve el archivo"),
+            ));
+        }
+        Err(error) => return Err(Failure::file("write", &path, &error)),
+    };
+    file.write_all(text.as_bytes()).map_err(|error| Failure::file("write", &path, &error))?;
+    let (path, folder) = (path.display(), directory.display());
+    terminal.print(&match language {
+        Language::English => format!(
+            "Wrote {path}\n\n  meniscus serve {path}   shows it while you write it\n  meniscus check {path}   says what is wrong with it\n  \
+             meniscus export {path} --output page.html   makes one offline page of it\n  \
+             meniscus build {folder} --output site   makes a web site of the folder\n"
+        ),
+        Language::Spanish => format!(
+            "Se escribió {path}\n\n  meniscus serve {path}   lo muestra mientras lo escribes\n  meniscus check {path}   dice qué errores tiene\n  \
+             meniscus export {path} --output page.html   hace de él una página sin conexión\n  \
+             meniscus build {folder} --output site   hace de la carpeta un sitio web\n"
+        ),
+    });
+    Ok(())
+}
+
+/// The last part of the folder's path; of `.` that of the folder itself.
+fn name(directory: &Path) -> Result<String, Failure> {
+    let whole = directory.canonicalize().map_err(|error| Failure::file("read", directory, &error))?;
+    let name = whole.file_name().and_then(|name| name.to_str());
+    name.map(str::to_owned).ok_or_else(|| Failure::request(format!("{} has no name for a document", whole.display())))
+}

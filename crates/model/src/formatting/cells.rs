@@ -7,6 +7,9 @@ use crate::lexer::{Token, TokenKind, tokens};
 use std::borrow::Cow;
 use std::ops::Range;
 
+/// How far a level of braces or a statement's next line is indented.
+pub(super) const LEVEL: usize = 4;
+
 /// A token or a comment.
 pub(super) struct Cell<'a> {
     /// Where it stands.
@@ -66,7 +69,7 @@ pub(super) fn line_cells<'a>(source: &'a str, line: &[Token], roles: &[Role], ra
 
 /// How many columns a text takes; a tabulator as many as a level of indentation.
 pub(super) fn width(text: &str) -> usize {
-    text.chars().map(|c| if c == '\t' { super::LEVEL } else { 1 }).sum()
+    text.chars().map(|c| if c == '\t' { LEVEL } else { 1 }).sum()
 }
 
 /// A token as it is written: units without blanks at their ends, indices without any.

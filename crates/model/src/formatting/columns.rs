@@ -4,9 +4,9 @@
 //! Where a column stands follows from the tokens alone and not from the blanks that are found, so a layout is reached in one step
 //! whoever wrote the text.
 
-use super::Line;
 use super::cells::{Cell, width};
 use super::gaps::Gap;
+use super::line::Line;
 use super::roles::Role;
 use std::ops::RangeInclusive;
 

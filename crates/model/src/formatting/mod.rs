@@ -6,13 +6,15 @@
 mod cells;
 mod columns;
 mod gaps;
+mod line;
 mod roles;
 
 use crate::lexer::{Token, TokenKind, tokens};
 use crate::parser::goes_on;
 use crate::{Diagnostic, Edit, Span};
-use cells::{Cell, line_cells};
+use cells::{LEVEL, line_cells};
 use gaps::Gap;
+use line::{Line, lines};
 use std::ops::Range;
 
 /// What the lines of a text are.
@@ -64,87 +66,6 @@ pub fn spaced(source: &str, range: Range<usize>) -> String {
 fn is_readable(source: &str, found: &[Diagnostic]) -> bool {
     found.iter().all(|diagnostic| source.get(diagnostic.span().range()) == Some("%"))
 }
-
-/// A line of the text.
-struct Line<'a> {
-    /// The blanks with which it begins.
-    indentation: Span,
-    /// How many there are after this.
-    indented: usize,
-    cells: Vec<Cell<'a>>,
-    /// The blanks with which it ends, its line end left out.
-    trailing: Span,
-    /// Where the next line begins.
-    next: usize,
-    /// How many paragraphs come before it.
-    paragraph: usize,
-    /// The token with which it begins, in the order of the text.
-    first: usize,
-}
-
-impl Line<'_> {
-    fn edit(&self, source: &str, edits: &mut Vec<Edit>) {
-        let mut replace = |span: Span, text: &str| {
-            if &source[span.range()] != text {
-                edits.push(Edit { span, text: text.to_owned() });
-            }
-        };
-        replace(self.indentation, &" ".repeat(self.indented));
-        for cell in &self.cells {
-            replace(cell.before, &" ".repeat(cell.blanks));
-            replace(cell.span, &cell.text);
-        }
-        replace(self.trailing, "");
-    }
-}
-
-/// The lines of a text, as they stand there.
-fn lines<'a>(source: &'a str, range: Range<usize>, tokens: &[Token]) -> Vec<Line<'a>> {
-    let roles = roles::roles(source, tokens);
-    let mut lines = Vec::new();
-    let mut start = range.start;
-    let mut first = 0;
-    let mut paragraph = 0;
-    for (index, token) in tokens.iter().enumerate() {
-        let is_end = token.kind == TokenKind::End;
-        if !is_end && token.kind != TokenKind::Newline {
-            continue;
-        }
-        let end = if is_end { range.end } else { token.span.start };
-        if is_end && start == end {
-            break;
-        }
-        let end = end - usize::from(source[start..end].ends_with('\r'));
-        let cells = line_cells(source, &tokens[first..index], &roles[first..index], start..end);
-        let (from, to) = match (cells.first(), cells.last()) {
-            (Some(first), Some(last)) => (first.before.end, last.span.end),
-            _ => (start, start),
-        };
-        paragraph += usize::from(cells.is_empty());
-        let indentation = Span::new(start, from);
-        let mut line = Line {
-            indentation,
-            indented: cells::width(&source[indentation.range()]),
-            cells,
-            trailing: Span::new(to, end),
-            next: token.span.end,
-            paragraph,
-            first,
-        };
-        if let Some(cell) = line.cells.first_mut() {
-            // What stands before the first one is the indentation.
-            cell.before = Span::new(from, from);
-            cell.blanks = 0;
-        }
-        lines.push(line);
-        start = token.span.end;
-        first = index + 1;
-    }
-    lines
-}
-
-/// How far a level of braces or a statement's next line is indented.
-const LEVEL: usize = 4;
 
 fn indent_statements(tokens: &[Token], lines: &mut [Line]) {
     let goes_on = goes_on(tokens);

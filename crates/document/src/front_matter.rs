@@ -126,7 +126,8 @@ fn report(entry: &Entry, given: &mut BTreeMap<&'static str, Span>, diagnostics: 
             words!("the front matter has no key `{name}`", "la cabecera no tiene ninguna clave `{name}`"),
             *key_span,
         );
-        diagnostics.push(match nearest(name, KEYS) {
+        let begun = || KEYS.into_iter().find(|key| name.len() > 2 && key.starts_with(name.as_str()));
+        diagnostics.push(match nearest(name, KEYS).or_else(begun) {
             Some(near) => unknown.meaning(near),
             None => unknown.with_hint(words!("the keys are {}", "las claves son {}", KEYS.join(", "))),
         });

@@ -49,13 +49,16 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
     };
     let title = leading_text(source, statement.clone());
     let Some((title, title_end)) = title.filter(|(title, _)| !title.trim().is_empty()) else {
-        expressions.diagnostics.push(malformed(
+        let untitled = malformed(
             words(
                 "a plot begins with its title in quotation marks",
                 "una gráfica empieza con su título entre comillas",
             ),
             &statement,
-        ));
+        );
+        let what = source[statement.clone()].replace('"', "").split_whitespace().collect::<Vec<_>>().join(" ");
+        let before = Span::new(statement.start, statement.start);
+        expressions.diagnostics.push(untitled.with_fix(before, format!("\"{what}\": ")));
         return None;
     };
     let rest = trim(source, title_end..statement.end);
@@ -131,10 +134,15 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
         }
     }
     if !waiting.is_empty() || plot.is_none() {
-        expressions.diagnostics.push(malformed(
+        let unclear = malformed(
             words("the plot does not say what it is drawn against", "la gráfica no dice frente a qué se dibuja"),
             &statement,
-        ));
+        );
+        let other = AGAINST.iter().find_map(|word| find_word(source, rest.clone(), word));
+        expressions.diagnostics.push(match other {
+            Some(word) => unclear.with_fix(span(&word), "against"),
+            None => unclear,
+        });
         return None;
     }
     let plot = plot.filter(|plot| !plot.curves.is_empty())?;
@@ -149,6 +157,9 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
     };
     Some(Plot { equal, drawing, ..plot })
 }
+
+/// What others write for `against`.
+const AGAINST: [&str; 5] = ["vs", "versus", "over", "contra", "frente"];
 
 /// The word before what is drawn as single points.
 const POINTS: &str = "points";

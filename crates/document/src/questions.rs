@@ -128,7 +128,8 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion) -> Option<Quest
             .with_hint(words(
                 "end it with `within 2 %` or, say, `within 0.1 [s]`",
                 "termínala con `within 2 %` o, por ejemplo, `within 0.1 [s]`",
-            )),
+            ))
+            .with_fix(Span::new(answer.end, answer.end), " within 2 %"),
         );
         return None;
     };

@@ -214,6 +214,7 @@ fn scope(model: &Model, variables: &[(&str, Chain)]) -> Scope {
     let mut scope = Scope::new(&model.independent.name);
     for (index, parameter) in model.parameters.iter().enumerate() {
         scope.declare(&parameter.name, Meaning::Parameter(index));
+        scope.declare_label(&parameter.name, parameter.label.as_deref());
         if let Choices::Texts(_) = parameter.choices {
             let texts = parameter.words(&model.texts).into_iter().map(str::to_owned).collect();
             scope.declare_choice(&parameter.name, texts);
@@ -234,6 +235,10 @@ fn scope(model: &Model, variables: &[(&str, Chain)]) -> Scope {
     }
     for (index, quantity) in model.quantities.iter().enumerate() {
         scope.declare(&quantity.name, Meaning::Definition(index));
+        scope.declare_label(&quantity.name, quantity.label.as_deref());
+    }
+    for state in &model.states {
+        scope.declare_label(&primed(&state.variable, state.order), state.label.as_deref());
     }
     for (index, (name, _)) in variables.iter().enumerate() {
         scope.declare(name, Meaning::Variable(index));
@@ -250,6 +255,7 @@ fn types(model: &Model, variables: &[(&str, Chain)]) -> Types {
     Types {
         independent: model.independent.unit.dimension.into(),
         parameters: model.parameters.iter().map(|parameter| parameter.unit.dimension.into()).collect(),
+        parameter_places: Vec::new(),
         parameter_kinds: model.parameters.iter().map(program::Parameter::kind).collect(),
         definitions: model.quantities.iter().map(|quantity| of_quantity(&quantity.value)).collect(),
         numbers: model.quantities.iter().map(|quantity| model.graph.as_constant(quantity.value.node)).collect(),

@@ -47,7 +47,7 @@ pub fn parse(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
     }
     while open.len() > 1 {
         if let Some(element) = open.last() {
-            reader.unclosed(element.name.clone());
+            reader.unclosed(element.name.clone(), range.end);
         }
         close(&mut open);
     }
@@ -83,9 +83,13 @@ impl Reader<'_> {
         self.diagnostics.push(Diagnostic::error("scene-syntax", message, Span::new(range.start, range.end)));
     }
 
-    fn unclosed(&mut self, name: Range<usize>) {
-        let message = words!("`<{}>` is not closed", "`<{}>` no se cierra", &self.source[name.clone()]);
-        self.error(message, name);
+    /// Says that an element ends at `end` without its tag.
+    fn unclosed(&mut self, name: Range<usize>, end: usize) {
+        let text = &self.source[name.clone()];
+        let message = words!("`<{text}>` is not closed", "`<{text}>` no se cierra");
+        let span = Span::new(name.start, name.end);
+        let diagnostic = Diagnostic::error("scene-syntax", message, span);
+        self.diagnostics.push(diagnostic.with_fix(Span::new(end, end), format!("</{text}>")));
     }
 
     /// Up to the next tag.
@@ -151,7 +155,7 @@ impl Reader<'_> {
         };
         while open.len() > depth + 2 {
             if let Some(inner) = open.last() {
-                self.unclosed(inner.name.clone());
+                self.unclosed(inner.name.clone(), start);
             }
             close(open);
         }

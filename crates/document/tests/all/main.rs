@@ -4,6 +4,7 @@
 
 mod arbitrary;
 mod assist;
+mod beginners;
 mod bundles;
 #[path = "../../../model/tests/all/common/catalogue.rs"]
 mod catalogue;

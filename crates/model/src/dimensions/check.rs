@@ -10,11 +10,11 @@ use super::form::{Conflict, Form, Solver};
 use super::infer::Inference;
 use super::mismatch::is_bare;
 use super::terms::{Place, Term};
-use super::types::{Type, Types};
+use super::types::{ParameterPlace, Type, Types};
 use crate::components::vector_or_family;
 use crate::names::{Declarations, Equation, EventEntry, InitialEntry, Meaning, Unknown};
 use crate::notation::primed;
-use crate::{Diagnostic, Expression, Span, StatedUnit, has_errors};
+use crate::{Diagnostic, Expression, ParameterStatement, Span, StatedUnit, has_errors};
 use std::collections::HashMap;
 use units::{Dimension, Words, words};
 
@@ -31,6 +31,7 @@ pub(crate) fn check_dimensions(
     let mut types = Types {
         independent: declarations.independent.1.dimension.into(),
         parameters: declarations.parameters.iter().map(|entry| unit(entry.statement.unit.as_ref()).into()).collect(),
+        parameter_places: declarations.parameters.iter().map(|entry| place(entry.statement)).collect(),
         parameter_kinds: declarations.parameters.iter().map(|entry| entry.statement.form.kind()).collect(),
         definitions: vec![Type::Unknown; declarations.definitions.len()],
         numbers: vec![None; declarations.definitions.len()],
@@ -57,6 +58,10 @@ pub(crate) fn check_dimensions(
     inference.settle(unknowns, !has_errors(diagnostics));
     diagnostics.append(&mut inference.diagnostics);
     types
+}
+
+fn place(parameter: &ParameterStatement) -> ParameterPlace {
+    ParameterPlace { value: parameter.value_span, unit: parameter.unit.as_ref().map(|stated| stated.span) }
 }
 
 impl Inference<'_> {

@@ -177,7 +177,17 @@ impl Inference<'_> {
             if is_name { words!("{title} is {what}", "{title} es {what}", title = title, what = what) } else { what };
         let diagnostic = self.mismatch(&subject, value, (&title, needed.1), context).with_label(needed.2, label);
         let diagnostic = self.with_origins(diagnostic, &[value.1, needed.1]);
-        self.diagnostics.push(self.with_remedy(diagnostic, value.0, value.1, needed.1));
+        let mut diagnostic = self.with_remedy(diagnostic, value.0, value.1, needed.1);
+        let found = self.solver.resolve(value.1).ok().and_then(|form| form.dimension()).map(units::Unit::si);
+        let is_usual = |unit: &units::Unit| {
+            !unit.dimension.is_none() && unit.dimension.base().all(|(_, exponent)| exponent.is_whole())
+        };
+        let is_stated =
+            !is_name && self.factor(value.1, needed.1).is_some_and(|factor| !self.has_offer(factor, value.0));
+        if let Some(unit) = found.filter(|unit| is_stated && diagnostic.fixes.is_empty() && is_usual(unit)) {
+            diagnostic = diagnostic.with_fix(needed.2, format!("[{unit}]"));
+        }
+        self.diagnostics.push(diagnostic);
     }
 
     /// What must be a pure number and is not.

@@ -25,7 +25,11 @@ impl Inference<'_> {
     ) -> Diagnostic {
         let expected_unit = self.solver.resolve(expected).ok().and_then(|form| form.dimension()).map(units::Unit::si);
         let (true, Some(unit)) = (is_bare(expression), expected_unit) else {
-            return diagnostic.with_hint(self.change(expression, found, expected));
+            let diagnostic = diagnostic.with_hint(self.change(expression, found, expected));
+            return match self.other_unit(expression, found, expected) {
+                Some((place, unit)) => diagnostic.with_fix(place, unit),
+                None => diagnostic,
+            };
         };
         let quoted = quote(expression);
         let end = expression.span.end;
@@ -35,6 +39,41 @@ impl Inference<'_> {
                 "da una unidad al número: `{quoted} [{unit}]`"
             ))
             .with_fix(Span::new(end, end), format!(" [{unit}]"))
+    }
+
+    /// Where a parameter among the factors of a product would get another unit, with which the product fits: one without a unit, or
+    /// the only one of a product with an unknown, such as `k*y`. Where a name of the model could be the factor that is missing or too
+    /// many, that is likelier.
+    fn other_unit(&self, product: &Expression, found: &Form, expected: &Form) -> Option<(Span, String)> {
+        let factor = self.factor(found, expected)?;
+        let parameters = self.parameters_of(product);
+        let pure = parameters.iter().find(|index| self.types.parameters[**index] == Form::pure());
+        let index = match (pure, parameters.as_slice()) {
+            (Some(pure), _) => *pure,
+            (None, [only]) if self.has_unknown(product) && !self.has_offer(factor, product) => *only,
+            _ => return None,
+        };
+        let place = self.types.parameter_places.get(index)?;
+        let unit = units::Unit::si(self.types.parameters.get(index)?.dimension()?.times(factor.lacking())?);
+        Some(match place.unit {
+            Some(brackets) if unit.dimension.is_none() => (brackets, String::new()),
+            Some(brackets) => (brackets, format!("[{unit}]")),
+            None => (Span::new(place.value.end, place.value.end), format!(" [{unit}]")),
+        })
+    }
+
+    fn has_unknown(&self, expression: &Expression) -> bool {
+        let mut found = false;
+        for_each_name(expression, |name, _, _| found |= matches!(self.scope.meaning(name), Some(Meaning::Variable(_))));
+        found
+    }
+
+    /// Whether what is too many stands in the expression, or what is lacking somewhere in the model.
+    pub fn has_offer(&self, factor: Factor, expression: &Expression) -> bool {
+        match factor {
+            Factor::Excess(_) => !self.offered_inside(factor, expression).is_empty(),
+            Factor::Lacking(_) => !self.offered_anywhere(factor, expression).is_empty(),
+        }
     }
 
     /// What to multiply or divide by.
@@ -74,7 +113,17 @@ impl Inference<'_> {
     }
 
     /// A parameter among the factors of a product that is a pure number: perhaps its unit was forgotten.
-    fn factor_without_unit<'e>(&self, product: &'e Expression) -> Option<&'e str> {
+    fn factor_without_unit(&self, product: &Expression) -> Option<&str> {
+        let pure =
+            self.parameters_of(product).into_iter().find(|index| self.types.parameters[*index] == Form::pure())?;
+        self.scope
+            .names()
+            .find(|name| matches!(self.scope.meaning(name), Some(Meaning::Parameter(index)) if index == pure))
+    }
+
+    /// The parameters among the factors of a product, each once.
+    fn parameters_of(&self, product: &Expression) -> Vec<usize> {
+        let mut found = Vec::new();
         let mut waiting = vec![product];
         while let Some(next) = waiting.pop() {
             match &next.kind {
@@ -85,44 +134,55 @@ impl Inference<'_> {
                 ExpressionKind::Binary(BinaryOperator::Divide, numerator, _) => waiting.push(numerator),
                 ExpressionKind::Name { name, order: 0 } => {
                     if let Some(Meaning::Parameter(index)) = self.scope.meaning(name)
-                        && self.types.parameters[index] == Form::pure()
+                        && !found.contains(&index)
                     {
-                        return Some(name);
+                        found.push(index);
                     }
                 }
                 _ => {}
             }
         }
-        None
+        found
     }
 
     /// `, such as L, h_l or h_r`: the names of the model with just this dimension. What is too many is first looked for in
     /// the expression itself, what is lacking everywhere.
     pub fn offers(&self, factor: Factor, expression: &Expression) -> Words {
-        let wanted = factor.dimension();
-        if wanted.is_none() {
-            return Words::default();
-        }
-        let fits = |name: &str| self.dimension_of(name) == Some(wanted);
-        let mut names: Vec<&str> = Vec::new();
-        let quoted = quote(expression);
-        let alone = |name: &str| quoted.trim_start_matches('-') == name;
-        if matches!(factor, Factor::Excess(_)) {
-            for_each_name(expression, |name, order, _| {
-                if order == 0 && fits(name) && !alone(name) && !names.contains(&name) {
-                    names.push(name);
-                }
-            });
-        }
-        if names.is_empty() {
-            names = self.scope.names().filter(|name| fits(name) && !alone(name)).collect();
-        }
+        let inside = match factor {
+            Factor::Excess(_) => self.offered_inside(factor, expression),
+            Factor::Lacking(_) => Vec::new(),
+        };
+        let mut names = if inside.is_empty() { self.offered_anywhere(factor, expression) } else { inside };
         names.truncate(MOST_OFFERS);
         if names.is_empty() {
             return Words::default();
         }
         let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
         words!(", such as {names}", ", por ejemplo {names}", names = alternatives(&names))
+    }
+
+    /// The names in an expression with the dimension of a factor.
+    fn offered_inside<'e>(&self, factor: Factor, expression: &'e Expression) -> Vec<&'e str> {
+        let mut names: Vec<&str> = Vec::new();
+        for_each_name(expression, |name, order, _| {
+            if order == 0 && self.is_offer(name, factor, expression) && !names.contains(&name) {
+                names.push(name);
+            }
+        });
+        names
+    }
+
+    /// The names of the model with the dimension of a factor.
+    fn offered_anywhere(&self, factor: Factor, expression: &Expression) -> Vec<&str> {
+        self.scope.names().filter(|name| self.is_offer(name, factor, expression)).collect()
+    }
+
+    /// Whether a name has the dimension of a factor and is not the whole expression.
+    fn is_offer(&self, name: &str, factor: Factor, expression: &Expression) -> bool {
+        let wanted = factor.dimension();
+        !wanted.is_none()
+            && self.dimension_of(name) == Some(wanted)
+            && quote(expression).trim_start_matches('-') != name
     }
 
     /// The dimension of a parameter, definition or unknown; the independent variable is no factor to offer.

@@ -1,6 +1,7 @@
 //! What kinds of values there are, and of which kind is what has a name.
 
 use super::form::Form;
+use crate::Span;
 use program::Kind;
 use units::{Words, words};
 
@@ -22,6 +23,8 @@ pub(crate) enum Type {
 pub(crate) struct Types {
     pub independent: Form,
     pub parameters: Vec<Form>,
+    /// Where the number of each parameter and its unit stand; nothing where the parameters are those of another text.
+    pub parameter_places: Vec<ParameterPlace>,
     /// What the value of each parameter is.
     pub parameter_kinds: Vec<Kind>,
     pub definitions: Vec<Type>,
@@ -31,6 +34,13 @@ pub(crate) struct Types {
     pub unknowns: Vec<Form>,
     /// The names of the unknown functions.
     pub unknown_names: Vec<String>,
+}
+
+/// Where a parameter's number and its unit in brackets stand.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ParameterPlace {
+    pub value: Span,
+    pub unit: Option<Span>,
 }
 
 impl Type {

@@ -299,7 +299,17 @@ impl<'a> Lexer<'a> {
         if let Some((text, kind, ours)) = foreign {
             self.at += text.len();
             let wrong = words!("`{text}` is written `{ours}` here", "`{text}` se escribe aquí `{ours}`");
-            self.diagnostics.push(Diagnostic::error("foreign-operator", wrong, Span::new(start, self.at)));
+            let span = Span::new(start, self.at);
+            // A word such as `and` does not touch its neighbours.
+            let is_word = ours.starts_with(|c: char| c.is_alphabetic());
+            let apart = |is_blank: bool| if is_word && !is_blank { " " } else { "" };
+            let (before, after) = (&self.source[..start], &self.source[self.at..]);
+            let written = format!(
+                "{}{ours}{}",
+                apart(before.ends_with(char::is_whitespace)),
+                apart(after.starts_with(char::is_whitespace))
+            );
+            self.diagnostics.push(Diagnostic::error("foreign-operator", wrong, span).with_fix(span, written));
             return self.push(kind.clone(), start);
         }
         self.at += first.len_utf8();

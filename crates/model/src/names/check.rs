@@ -46,7 +46,7 @@ impl<'a> NameCheck<'a> {
         for_each(expression, |part| match &part.kind {
             ExpressionKind::Name { name, order } => self.name(name, *order, part.span),
             ExpressionKind::InitialValue { name, order } => self.initial_value(name, *order, part.span),
-            ExpressionKind::Call { function, arguments } => self.call(function, arguments),
+            ExpressionKind::Call { function, arguments } => self.call(function, arguments, part.span),
             ExpressionKind::Binary(BinaryOperator::Equal | BinaryOperator::NotEqual, left, right) => {
                 self.alternative(left, right);
                 self.alternative(right, left);
@@ -145,7 +145,7 @@ impl<'a> NameCheck<'a> {
         }
     }
 
-    fn call(&mut self, name: &Name, arguments: &[Expression]) {
+    fn call(&mut self, name: &Name, arguments: &[Expression], span: Span) {
         if chance::draws(&name.text) && !chance::has_stream(arguments) && !self.scope.is_function(&name.text) {
             self.diagnostics.push(chance::out_of_place(name));
             return;
@@ -187,6 +187,9 @@ impl<'a> NameCheck<'a> {
             }
         } else if let Some(hint) = foreign::instead_of(self.scope, name, arguments) {
             diagnostic = diagnostic.with_hint(hint);
+            if let Some(derivative) = foreign::derivative_of(name, arguments) {
+                diagnostic = diagnostic.with_fix(span, derivative);
+            }
         } else if let Some(near) = self.scope.near_function(text) {
             diagnostic = diagnostic.meaning(near);
         }
@@ -260,7 +263,7 @@ fn unknown_name(scope: &Scope, unknown: &Unknown) -> Diagnostic {
     if let Some(hint) = as_differential(scope, name).filter(|_| order == 0) {
         return diagnostic.with_hint(hint);
     }
-    if let Some(near) = scope.near(name) {
+    if let Some(near) = scope.called(name).filter(|_| order == 0).or_else(|| scope.near(name)) {
         let hint = words!("did you mean `{near}`?", "¿querías decir `{near}`?");
         return meaning(diagnostic.with_hint(hint), near);
     }

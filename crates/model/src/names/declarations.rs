@@ -2,6 +2,7 @@
 //! reserved names, ranges of parameters.
 
 use super::scope::{Meaning, PI, Scope};
+use crate::notation::primed;
 use crate::{
     Action, Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, ParameterForm, ParameterStatement, Quoted,
     Span, StatedUnit, Statement, StatementKind, TableStatement,
@@ -103,6 +104,7 @@ impl<'a> Declarations<'a> {
                     if declarations.may_declare(&parameter.name, &mut declared, diagnostics) {
                         let meaning = Meaning::Parameter(declarations.parameters.len());
                         declarations.scope.declare(&parameter.name.text, meaning);
+                        declarations.scope.declare_label(&parameter.name.text, label);
                         if let ParameterForm::Choice(texts) = &parameter.form {
                             declarations.scope.declare_choice(&parameter.name.text, texts.clone());
                         }
@@ -113,6 +115,7 @@ impl<'a> Declarations<'a> {
                     if declarations.may_declare(name, &mut declared, diagnostics) {
                         let meaning = Meaning::Definition(declarations.definitions.len());
                         declarations.scope.declare(&name.text, meaning);
+                        declarations.scope.declare_label(&name.text, label);
                         if let Some(texts) = texts(value) {
                             declarations.scope.declare_choice(&name.text, texts);
                         }
@@ -121,6 +124,7 @@ impl<'a> Declarations<'a> {
                 }
                 StatementKind::InitialValue { name, order, value, unit } => {
                     let order = *order;
+                    declarations.scope.declare_label(&primed(&name.text, order), label);
                     declarations.initial_values.push(InitialEntry { name, order, value, unit: unit.as_ref(), label });
                 }
                 StatementKind::Discrete { name, value, unit, rate } => {

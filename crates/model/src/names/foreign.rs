@@ -61,16 +61,30 @@ pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression
     })
 }
 
+/// `y'` for `diff(y)` and `diff(y, t)`.
+pub(super) fn derivative_of(function: &Name, arguments: &[Expression]) -> Option<String> {
+    let first = arguments.first().filter(|_| DERIVATIVES.contains(&function.text.as_str()))?;
+    match &first.kind {
+        ExpressionKind::Name { name, order } => Some(primed(name, order + 1)),
+        _ => None,
+    }
+}
+
 /// What is said of the derivatives in an expression that are written as quotients: `dx/dt`, `d2x/dt^2`.
 pub(crate) fn quotients(scope: &Scope, expression: &Expression) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for_each(expression, |part| {
-        if let ExpressionKind::Binary(BinaryOperator::Divide, above, below) = &part.kind
-            && let Some((variable, order)) = derivative(scope, above, below)
-        {
-            let (written, ours) = (quote(part), primed(variable, order));
+        let ExpressionKind::Binary(BinaryOperator::Divide, above, below) = &part.kind else { return };
+        // `m*d2x/dt2` is a product that is divided.
+        let above = match &above.kind {
+            ExpressionKind::Binary(BinaryOperator::Multiply, _, last) => last,
+            _ => above,
+        };
+        if let Some((variable, order)) = derivative(scope, above, below) {
+            let span = above.span.to(below.span);
+            let (written, ours) = (format!("{}/{}", quote(above), quote(below)), primed(variable, order));
             let message = words!("`{written}` is written `{ours}` here", "`{written}` se escribe aquí `{ours}`");
-            found.push(Diagnostic::error("foreign-derivative", message, part.span).with_fix(part.span, ours));
+            found.push(Diagnostic::error("foreign-derivative", message, span).with_fix(span, ours));
         }
     });
     found

@@ -34,7 +34,24 @@ pub(crate) struct Scope {
     tables: HashMap<String, TableFunction>,
     /// The names of choices with their texts.
     choices: HashMap<String, Vec<String>>,
+    /// The labels of names, in small letters.
+    labels: Vec<(String, String)>,
 }
+
+/// Functions as other languages and programs call them, which are too far from ours to be taken for a slip.
+const FOREIGN_FUNCTIONS: [(&str, &[&str]); 11] = [
+    ("sqrt", &["raiz", "raíz", "root", "wurzel", "racine"]),
+    ("sin", &["sen", "seno"]),
+    ("cos", &["coseno"]),
+    ("tan", &["tg", "tang", "tangente"]),
+    ("asin", &["arcsen", "arcsin", "asen"]),
+    ("acos", &["arccos"]),
+    ("atan", &["arctan", "arctg", "atg"]),
+    ("abs", &["fabs", "valabs", "betrag"]),
+    ("floor", &["int", "trunc", "entero"]),
+    ("max", &["maximo", "máximo"]),
+    ("min", &["minimo", "mínimo"]),
+];
 
 /// The name of the constant.
 pub(crate) const PI: &str = "pi";
@@ -49,6 +66,7 @@ impl Scope {
             functions: Vec::new(),
             tables: HashMap::new(),
             choices: HashMap::new(),
+            labels: Vec::new(),
         };
         scope.declare(PI, Meaning::Pi);
         scope.declare(independent, Meaning::Independent);
@@ -84,6 +102,20 @@ impl Scope {
         self.choices.insert(name.to_owned(), texts);
     }
 
+    /// Notes how the author calls a name in words.
+    pub fn declare_label(&mut self, name: &str, label: Option<&str>) {
+        self.labels.extend(label.map(|label| (label.to_lowercase(), name.to_owned())));
+    }
+
+    /// The one name whose label is `words`, with blanks for underscores, or begins with them: `m` for `mass`.
+    pub fn called(&self, words: &str) -> Option<&str> {
+        let words = words.to_lowercase().replace('_', " ");
+        let begins =
+            |label: &str| label.strip_prefix(&words).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '));
+        let mut found = self.labels.iter().filter(|(label, _)| begins(label)).map(|(_, name)| name.as_str());
+        found.next().filter(|_| found.next().is_none())
+    }
+
     /// The texts that the value of a name can be; `None` if it is no choice.
     pub fn choice(&self, name: &str) -> Option<&[String]> {
         self.choices.get(name).map(Vec::as_slice)
@@ -111,6 +143,10 @@ impl Scope {
 
     /// The function that `name` was probably meant to be.
     pub fn near_function(&self, name: &str) -> Option<&str> {
+        let foreign = FOREIGN_FUNCTIONS.iter().find(|(_, others)| others.contains(&name.to_lowercase().as_str()));
+        if let Some((ours, _)) = foreign {
+            return Some(ours);
+        }
         let own = self.functions.iter().map(String::as_str);
         nearest(name, own.chain(FUNCTIONS.iter().map(|function| function.name)))
     }

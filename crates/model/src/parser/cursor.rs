@@ -50,7 +50,12 @@ impl<'a> Cursor<'a> {
 
     /// Where the next token stands.
     pub(super) fn span(&self) -> Span {
-        self.token(0).map(|token| token.span).unwrap_or_default()
+        self.span_ahead(0)
+    }
+
+    /// Where the token `ahead` of the next one stands.
+    pub(super) fn span_ahead(&self, ahead: usize) -> Span {
+        self.token(ahead).map(|token| token.span).unwrap_or_default()
     }
 
     /// Where the token before it stands; at the beginning, the empty place there.

@@ -4,8 +4,8 @@ use super::cursor::{Cursor, Read};
 use super::statement::{Salvaged, nothing};
 use super::unread;
 use crate::lexer::{Keyword, Symbol, TokenKind};
-use crate::{Assignment, Bounds, Diagnostic, ParameterForm, ParameterStatement, Span, StatedUnit, StatementKind};
-use units::{Words, words};
+use crate::{Assignment, Bounds, Diagnostic, Edit, ParameterForm, ParameterStatement, Span, StatedUnit, StatementKind};
+use units::{Unit, Words, words};
 
 impl Cursor<'_> {
     /// `parameter b = 50 [kg/s] in 0..20000 step 1`
@@ -46,6 +46,9 @@ impl Cursor<'_> {
         let start = self.span();
         let value = self.signed_number().map(|value| self.divided(value));
         parameter.value_span = start.to(self.last_span());
+        if value.is_some() {
+            self.refuse_round_unit()?;
+        }
         let goes_on = matches!(
             self.peek(),
             TokenKind::Symbol(
@@ -105,11 +108,51 @@ impl Cursor<'_> {
         self.parameter_limits(parameter)
     }
 
+    /// `0.5 (kg)`
+    fn refuse_round_unit(&mut self) -> Read<()> {
+        let start = self.span().start;
+        let rest = &self.source[start..];
+        let Some((unit, length)) =
+            rest.strip_prefix('(').and_then(|rest| Some((rest.split(')').next()?, rest.find(')')?)))
+        else {
+            return Ok(());
+        };
+        if Unit::parse(unit).is_err() {
+            return Ok(());
+        }
+        let wrong = words!("the unit `{unit}` stands in round brackets", "la unidad `{unit}` va entre paréntesis");
+        let place = Span::new(start, start + length + 2);
+        let diagnostic = Diagnostic::error("unit-without-brackets", wrong, place);
+        let hint = words!("a unit stands in square brackets: [{unit}]", "una unidad va entre corchetes: [{unit}]");
+        self.fail(diagnostic.with_hint(hint).with_fix(place, format!("[{unit}]")))
+    }
+
+    /// `from 0.1 to 2`
+    fn refuse_range_in_words(&mut self) -> Read<()> {
+        let from = self.span();
+        self.advance();
+        let low = self.signed_number();
+        let (end, to) = (self.last_span().end, self.span());
+        let is_to = ["to", "until", "a", "hasta"].iter().any(|word| self.at_word(word));
+        let wrong = words("a range is not written with words", "un intervalo no se escribe con palabras");
+        let diagnostic = Diagnostic::error("parameter-range", wrong, from).with_hint(range_form());
+        self.advance();
+        let high = self.span();
+        self.fail(if low.is_some() && is_to {
+            let dots = Edit { span: Span::new(end, high.start.max(to.end)), text: "..".to_owned() };
+            diagnostic.with_fixes(vec![Edit { span: from, text: "in".to_owned() }, dots])
+        } else {
+            diagnostic
+        })
+    }
+
     fn parameter_limits(&mut self, parameter: &mut ParameterStatement) -> Read<()> {
         loop {
             let start = self.span();
             if parameter.range.is_none() && self.take_keyword(Keyword::In).is_some() {
                 parameter.range = Some(self.bounds(start)?);
+            } else if parameter.range.is_none() && ["from", "de", "desde"].iter().any(|word| self.at_word(word)) {
+                return self.refuse_range_in_words();
             } else if parameter.step.is_none() && self.at_word("step") {
                 self.advance();
                 let Some(step) = self.signed_number() else {
@@ -142,10 +185,7 @@ impl Cursor<'_> {
             );
             return self.fail(Diagnostic::error("parameter-range", wrong, start).with_hint(hint));
         }
-        let form = words(
-            "a range is written LOW..HIGH, such as: in 0..30",
-            "un intervalo se escribe MÍNIMO..MÁXIMO, por ejemplo: in 0..30",
-        );
+        let form = range_form();
         let Some(low) = self.signed_number() else {
             let wrong = words!(
                 "after the `in` of a parameter its range is expected, not {found}",
@@ -162,7 +202,10 @@ impl Cursor<'_> {
                 found = self.found()
             );
             let place = if self.at_line_end() { start.to(self.last_span()) } else { self.span() };
-            return self.fail(Diagnostic::error("parameter-range", wrong, place).with_hint(form.clone()));
+            let diagnostic = Diagnostic::error("parameter-range", wrong, place).with_hint(form.clone());
+            let meant =
+                *self.peek() == TokenKind::Symbol(Symbol::Minus) && matches!(self.peek_ahead(1), TokenKind::Number(_));
+            return self.fail(if meant { diagnostic.with_fix(place, "..") } else { diagnostic });
         }
         let Some(high) = self.signed_number() else {
             let wrong = words("this range has no upper end", "este intervalo no tiene extremo superior");
@@ -280,4 +323,12 @@ impl Cursor<'_> {
             || self.at_line_end();
         if ended { Ok(()) } else { self.unexpected_after_expression() }
     }
+}
+
+/// What a range looks like.
+fn range_form() -> Words {
+    words(
+        "a range is written LOW..HIGH, such as: in 0..30",
+        "un intervalo se escribe MÍNIMO..MÁXIMO, por ejemplo: in 0..30",
+    )
 }

@@ -41,6 +41,17 @@ impl Cursor<'_> {
             );
         }
         let span = self.span();
+        if let (TokenKind::Name { .. }, StatementKind::Parameter(_)) = (self.peek(), kind) {
+            let rest = self.source[span.start..].lines().next().unwrap_or_default();
+            let label = rest.split('#').next().unwrap_or_default().trim_end();
+            if label.chars().all(|c| c.is_alphabetic() || c == ' ') {
+                let wrong = words!("`{label}` cannot stand here", "`{label}` no puede estar aquí");
+                let place = Span::new(span.start, span.start + label.len());
+                let hint = words("a label stands in double quotation marks", "una etiqueta va entre comillas dobles");
+                let diagnostic = Diagnostic::error("unexpected-token", wrong, place);
+                return self.fail(diagnostic.with_hint(hint).with_fix(place, format!("\"{label}\"")));
+            }
+        }
         if let (TokenKind::Keyword(Keyword::In), StatementKind::Equation { .. }) = (self.peek(), kind) {
             let diagnostic = Diagnostic::error(
                 "unit-of-equation",

@@ -6,7 +6,7 @@ use super::cursor::{Cursor, Read, Told};
 use super::statement::{Salvaged, nothing};
 use super::unread;
 use crate::lexer::{Keyword, Symbol, TokenKind};
-use crate::{Action, Diagnostic, EventExtras, Span, StatementKind};
+use crate::{Action, Diagnostic, Edit, EventExtras, Span, StatementKind};
 use units::{Words, words};
 
 const EVENT_FORM: Words =
@@ -34,7 +34,14 @@ impl Cursor<'_> {
         let form = if extras.button.is_some() { BUTTON_FORM } else { EVENT_FORM };
         let Some(open) = self.open_brace() else {
             let expected = self.brace_expected("missing-braces", self.last_span());
-            let expected = expected.with_label(start, words("of this event", "de este evento"));
+            let mut expected = expected.with_label(start, words("of this event", "de este evento"));
+            if *self.peek() == TokenKind::Keyword(Keyword::Then) {
+                let then = self.span();
+                let line = self.source[then.end..].lines().next().unwrap_or_default();
+                let end = then.end + line.split('#').next().unwrap_or_default().trim_end().len();
+                let closing = Edit { span: Span::new(end, end), text: " }".to_owned() };
+                expected = expected.with_fixes(vec![Edit { span: then, text: "{".to_owned() }, closing]);
+            }
             return self.fail(expected.with_hint(form));
         };
         let mut wrong_actions = false;

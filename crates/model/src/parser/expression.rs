@@ -4,7 +4,6 @@ use super::cursor::{Cursor, Read};
 use super::{after, unread};
 use crate::lexer::{Keyword, Symbol, TokenKind};
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, StatedUnit, UnaryOperator};
-use program::functions::Function;
 use units::{Words, words};
 
 /// Parentheses, prefixes, exponents and branches in one another.
@@ -150,7 +149,7 @@ impl Cursor<'_> {
             let Some((operator, strength)) = operator(self.peek()) else {
                 // `2 g`, `(a)(b)`: reported, and then read as the product that was meant.
                 if weakest <= Strength::Product && self.begins_operand() {
-                    self.missing_operator(&left);
+                    self.missing_operator(&left.expression);
                     let right = self.climb(right_of(Strength::Product))?;
                     let span = right.expression.span;
                     left = self.join(BinaryOperator::Multiply, left, right, span)?;
@@ -227,55 +226,6 @@ impl Cursor<'_> {
         number && matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "step")
     }
 
-    fn missing_operator(&mut self, left: &Tree) {
-        let source = self.source;
-        let next = self.span();
-        // Only the operands next to the gap, not all of the expression before it.
-        let last = last_operand(&left.expression);
-        let before = &source[last.span.range()];
-        let now = &source[next.range()];
-        let gap = Span::new(left.expression.span.end, next.start);
-        let place = if gap.start < gap.end { gap } else { next };
-        if let ExpressionKind::Name { name, order: 0 } = &last.kind
-            && Function::named(name).is_some()
-        {
-            let wrong = words!(
-                "the argument of `{before}` stands in parentheses",
-                "el argumento de `{before}` va entre paréntesis"
-            );
-            let diagnostic = Diagnostic::error("missing-parentheses", wrong, last.span.to(next));
-            let diagnostic = diagnostic.with_hint(words!("write {before}({now})", "escribe {before}({now})"));
-            return self.say(diagnostic.with_fix(last.span.to(next), format!("{before}({now})")));
-        }
-        let wrong = words!(
-            "an operator is missing between `{before}` and `{now}`",
-            "falta un operador entre `{before}` y `{now}`"
-        );
-        let is_call = *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftParenthesis);
-        let rest = match now {
-            "(" => "...)",
-            "√" => "...",
-            _ if is_call => "(...)",
-            _ => "",
-        };
-        let hint = words!(
-            "a product is written with *: {before}*{now}{rest}",
-            "un producto se escribe con *: {before}*{now}{rest}"
-        );
-        let mut diagnostic = Diagnostic::error("missing-operator", wrong, place).with_hint(hint).with_fix(gap, "*");
-        let is_number = matches!(last.kind, ExpressionKind::Number { unit: None, .. });
-        let is_name = matches!(self.peek(), TokenKind::Name { order: 0, .. });
-        if is_number && is_name && units::Unit::parse(now).is_ok() {
-            diagnostic = diagnostic
-                .with_hint(words!(
-                    "a unit stands in brackets: {before} [{now}]",
-                    "una unidad va entre corchetes: {before} [{now}]"
-                ))
-                .with_fix(gap.to(next), format!(" [{now}]"));
-        }
-        self.say(diagnostic);
-    }
-
     /// `10^3 [m]`: the unit directly after a number is that number's, and here that is the exponent.
     fn refuse_unit_in_exponent(&mut self, base: &Tree, exponent: &mut Tree) {
         let Expression { kind: ExpressionKind::Number { value, unit: Some(unit) }, span } = &exponent.expression else {
@@ -348,12 +298,17 @@ impl Cursor<'_> {
                 found = self.found()
             );
             let place = if self.at_line_end() { after(self.last_span()) } else { self.span() };
-            Diagnostic::error(code, wrong, place).with_label(start, words("of this `if`", "de este `if`")).with_hint(
-                words(
+            let end = Span::new(self.last_span().end, self.last_span().end);
+            let diagnostic = Diagnostic::error(code, wrong, place)
+                .with_label(start, words("of this `if`", "de este `if`"))
+                .with_hint(words(
                     "the form is: if CONDITION then VALUE else VALUE",
                     "la forma es: if CONDICIÓN then VALOR else VALOR",
-                ),
-            )
+                ));
+            // A 0 fits every dimension.
+            let is_last =
+                self.at_line_end() || matches!(self.peek(), TokenKind::Text(_) | TokenKind::Keyword(Keyword::In));
+            if keyword == Keyword::Else && is_last { diagnostic.with_fix(end, " else 0") } else { diagnostic }
         };
         self.fail(diagnostic)
     }
@@ -380,14 +335,4 @@ fn unary(operator: UnaryOperator, operand: Tree, start: Span) -> Tree {
     let height = operand.height + 1;
     let kind = ExpressionKind::Unary(operator, Box::new(operand.expression));
     Tree { expression: Expression { kind, span }, height, parenthesised: false }
-}
-
-/// The operand that stands last in an expression.
-fn last_operand(expression: &Expression) -> &Expression {
-    match &expression.kind {
-        ExpressionKind::Binary(_, _, last) | ExpressionKind::Unary(_, last) if last.span.end == expression.span.end => {
-            last_operand(last)
-        }
-        _ => expression,
-    }
 }

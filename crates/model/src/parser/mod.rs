@@ -65,6 +65,7 @@ mod event;
 mod expression;
 mod family;
 mod function;
+mod juxtaposed;
 mod layout;
 mod map;
 mod operand;

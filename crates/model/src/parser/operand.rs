@@ -162,6 +162,7 @@ impl Cursor<'_> {
         if *self.peek() == TokenKind::Symbol(Symbol::Comma) {
             return self.decimal_comma();
         }
+        let end = Span::new(self.last_span().end, self.last_span().end);
         let diagnostic = if self.at_line_end() {
             Diagnostic::error("unclosed-parenthesis", words("this `(` is not closed", "este `(` no se cierra"), open)
                 .with_label(
@@ -174,7 +175,7 @@ impl Cursor<'_> {
             Diagnostic::error("unclosed-parenthesis", wrong, self.span())
                 .with_label(open, words("closes this `(`", "cierra este `(`"))
         };
-        self.fail(diagnostic)
+        self.fail(diagnostic.with_fix(end, ")"))
     }
 
     /// A comma where none can stand; if it stands between digits, it was meant as a decimal point.

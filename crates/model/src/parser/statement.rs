@@ -268,10 +268,12 @@ impl Cursor<'_> {
                     "para continuar en la línea siguiente, termina esta con el operador o ponlo todo entre paréntesis",
                 ))
         } else {
-            diagnostic.with_hint(words(
+            let diagnostic = diagnostic.with_hint(words(
                 "a definition is written NAME = EXPRESSION, an equation LEFT = RIGHT",
                 "una definición se escribe NOMBRE = EXPRESIÓN; una ecuación, IZQUIERDA = DERECHA",
-            ))
+            ));
+            let is_rate = self.source[span.range()].contains(|c| units::alphabet::primes(c).is_some());
+            if is_rate { diagnostic.with_fix(Span::new(span.end, span.end), " = 0") } else { diagnostic }
         };
         self.fail(diagnostic)
     }

@@ -145,6 +145,13 @@ export class Lab {
     await this.drawn();
   }
 
+  /** Copies a link to what is seen: in the laboratory with the dialog *Share*, elsewhere with the button itself. */
+  async copyLink() {
+    await this.page.locator("#share").click();
+    if (await this.page.locator("#publish").count()) await this.page.locator("#copy-link").click();
+    await this.drawn();
+  }
+
   /** Until what was done before has been drawn: a person sees it no earlier, either. */
   async drawn() {
     await this.page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));

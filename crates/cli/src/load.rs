@@ -1,11 +1,13 @@
-//! Documents from files: a base document with the translations beside it, or the sources inside an exported page.
+//! Documents from files: a base document with the translations beside it, or the sources inside an exported page or a project.
 
 use crate::failure::Failure;
 use document::Opened;
 use document::page::{Source, read};
+use document::project::{PROJECT_ENDING, Project, ProjectError};
 use model::Severity;
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use units::Words;
 
 /// The texts of a document: the base first, then its translations.
 #[derive(Debug)]
@@ -87,7 +89,7 @@ impl Loaded {
     }
 }
 
-/// Reads what belongs to `path`: `-` is the standard input, a page gives the sources inside it, a translation its base,
+/// Reads what belongs to `path`: `-` is the standard input, a page or a project gives the sources inside it, a translation its base,
 /// and a base its translations.
 pub fn sources(path: &Path) -> Result<Sources, Failure> {
     if path == Path::new("-") {
@@ -98,6 +100,9 @@ pub fn sources(path: &Path) -> Result<Sources, Failure> {
     if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html") || ending.eq_ignore_ascii_case("htm"))
     {
         return inside_page(path, &text);
+    }
+    if path.to_string_lossy().to_lowercase().ends_with(PROJECT_ENDING) {
+        return inside_project(path, &text);
     }
     let Some(name) = document::translates(&text) else {
         return with_translations(path, text, None);
@@ -162,12 +167,29 @@ fn inside_page(path: &Path, page: &str) -> Result<Sources, Failure> {
     let sources = read(page).filter(|sources| !sources.is_empty());
     let sources =
         sources.ok_or_else(|| Failure::request(format!("{} is a page without a document inside", path.display())))?;
+    Ok(inside(path, sources))
+}
+
+fn inside_project(path: &Path, text: &str) -> Result<Sources, Failure> {
+    let refused = |error: ProjectError| {
+        let (name, why) = (path.display(), error.words());
+        let message = Words {
+            english: format!("{name} {}", why.english).into(),
+            spanish: format!("{name} {}", why.spanish).into(),
+        };
+        Failure::Request { message, hint: None }
+    };
+    Project::read(text).map(|project| inside(path, project.documents)).map_err(refused)
+}
+
+/// Sources that stand in another file.
+fn inside(path: &Path, sources: Vec<Source>) -> Sources {
     let files = sources.into_iter().map(|source| File {
         path: format!("{}:{}", path.display(), source.name).into(),
         name: source.name,
         text: source.text,
     });
-    Ok(Sources { files: files.collect() })
+    Sources { files: files.collect() }
 }
 
 fn read_text(path: &Path) -> Result<String, Failure> {

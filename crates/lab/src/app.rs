@@ -97,6 +97,8 @@ pub struct Laboratory {
     pub record_refusal: Signal<Option<String>>,
     /// Whether the list of documents has been asked for.
     pub library_asked_for: Signal<bool>,
+    /// Whether the ways to publish the document have been asked for.
+    pub publishing: Signal<bool>,
     /// Raised when a text in the editor has been checked.
     pub written: Signal<u64>,
     /// Which file the editor shows.
@@ -155,6 +157,7 @@ impl App {
             record_progress: create_signal(None),
             record_refusal: create_signal(None),
             library_asked_for: create_signal(false),
+            publishing: create_signal(false),
             written: counter(),
             written_file: create_signal(0),
             equations: create_signal(BTreeMap::new()),

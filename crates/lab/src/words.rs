@@ -162,4 +162,5 @@ table_of_words! {
     nothing: "There is no document in this page", "No hay ningún documento en esta página";
     nothing_intro: "Open a simulation document: a Markdown file with a model in it, or a page that Meniscus exported.", "Abre un documento de simulación: un archivo Markdown con un modelo, o una página exportada por Meniscus.";
     unreadable: "This file is neither a simulation document nor an exported page", "Este archivo no es un documento de simulación ni una página exportada";
+    project_items_refused: "Records, fits, films and answers that could not be taken:", "Registros, ajustes, vídeos y respuestas que no se han podido tomar:";
 }

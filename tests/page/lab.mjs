@@ -11,7 +11,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
-const program = process.env.MENISCUS ?? join(root, "target", "debug", "meniscus");
+export const program = process.env.MENISCUS ?? join(root, "target", "debug", "meniscus");
 export const labPage = process.env.PAGE ?? join(root, "target", "page", "meniscus.html");
 
 const SWITCHES = [

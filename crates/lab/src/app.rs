@@ -3,7 +3,7 @@
 mod host;
 
 use crate::film::{Films, Player};
-use crate::stored::Saved;
+use crate::stored::{Kept, Saved, VersionTimes};
 use crate::words::{Words, words_in};
 use crate::write::Editor;
 use desk::{Desk, FitProgress, RecordProgress, Refusal, Writing};
@@ -43,8 +43,10 @@ pub struct Lab {
     pub reads_equations: bool,
     /// The editor, once it has been started.
     pub editor: Option<Editor>,
-    /// Under which name the browser keeps what is written of the open document.
-    pub written_as: Option<String>,
+    /// Under which name the browser keeps what is written of the open document, and what this page has kept there last.
+    pub written_as: Option<Kept>,
+    /// When the text was changed, and when a version of it was made.
+    pub version_times: VersionTimes,
     /// Whether the editor shows the open document, and not the one before it.
     pub editor_is_current: bool,
     /// Whether the editor takes the focus when it is there.

@@ -28,6 +28,7 @@ mod project;
 mod publish;
 mod records;
 mod saved;
+mod served;
 mod stored;
 mod tabs;
 mod titles;

@@ -2,6 +2,7 @@
 
 use crate::app::{App, Lab};
 use crate::links::Arrival;
+use crate::stored::VersionTimes;
 use crate::visited::Visited;
 use crate::{fit, saved, visited, write};
 use desk::{Desk, Writing};
@@ -56,6 +57,7 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
         lab.sources = sources;
         lab.findings = findings;
         lab.written_as = None;
+        lab.version_times = VersionTimes::default();
         lab.editor_is_current = false;
         place(lab, desk)
     });

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::links::Arrival;
-use crate::{drop, film, header, idle, library_list, links, navigation, opening, panel, publish};
+use crate::{drop, film, header, idle, library_list, links, navigation, opening, panel, publish, served};
 use units::Language;
 use view::views::*;
 use view::{browser, shell, stage};
@@ -31,6 +31,7 @@ fn prepare(app: App, arrival: Arrival) {
     opening::save_when_left(app);
     navigation::listen(app);
     drop::listen(app);
+    served::follow(app);
     film::mark_page(app);
     film::follow(app);
 }

@@ -5,8 +5,10 @@ mod mark;
 mod rewriting;
 mod state;
 mod template;
+mod versions;
 
 pub use completion::Proposals;
 pub use mark::{Mark, TextChange};
 pub use state::Writing;
 pub use template::{TEMPLATES, Template};
+pub use versions::{LineChanges, line_changes, superfluous_versions};

@@ -97,6 +97,11 @@ impl Editor {
         self.call("change", &[changes.iter().map(change).collect::<Array>().into()]);
     }
 
+    /// Takes another text for a file, as a step that can be undone. It is not told as a change of the writer's.
+    pub fn take(&self, file: usize, text: &str) {
+        self.call("take", &[(file as f64).into(), text.into()]);
+    }
+
     /// Goes to a place in the text shown.
     pub fn go(&self, place: usize) {
         self.call("go", &[(place as f64).into(), (place as f64).into()]);

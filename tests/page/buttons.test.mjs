@@ -48,7 +48,7 @@ visit("the link repeats the presses, and so does the run", async (lab) => {
   await lab.watchUntil(1.2);
   await lab.press("Pause");
   const shown = [await lab.number("Displacement"), await lab.value("Kicks"), await lab.time()];
-  await lab.press("Copy link");
+  await lab.copyLink();
   await eventually(async () => assert.match(lab.page.url(), /b=kick:0:\d\.\d+&/));
   const address = lab.page.url();
   await lab.page.reload();

@@ -86,7 +86,7 @@ visit("a link reopens the same state, and so does a reload", async (lab) => {
     displacement: await lab.number("Displacement"),
   });
   const expected = await state(lab);
-  await lab.press("Copy link");
+  await lab.copyLink();
   const link = lab.page.url();
   assert.match(link, /#.+/);
 

@@ -40,7 +40,7 @@ visit("a push drawn with the mouse moves the cart, is in the link, and is cleare
   await eventually(async () => assert.equal(await lab.time(), 0, "the run starts again"));
   const accelerated = async () => parseFloat((await lab.value("Acceleration")).replace("−", "-"));
   await eventually(async () => assert.ok(Math.abs((await accelerated()) - 2.5) < 0.1, `${await accelerated()}`));
-  await lab.press("Copy link");
+  await lab.copyLink();
   await eventually(async () => assert.match(lab.page.url(), /a=F:[\w-]{104}/));
   const line = await field.locator("path.curve").getAttribute("d");
   await lab.page.reload();

@@ -211,6 +211,7 @@ visit("a link opens the same state for somebody else", "", async (visitor) => {
   await (await visitor.find("textbox", "Damping")).click({ count: 3 });
   await visitor.page.keyboard.type("20\n");
   await visitor.press("Step forward");
+  await visitor.press("Share");
   await visitor.press("Copy link");
   await eventually(() => assert.match(visitor.page.url(), /#.+/));
   const time = await visitor.time();

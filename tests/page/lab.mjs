@@ -11,7 +11,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
-const program = process.env.MENISCUS ?? join(root, "target", "debug", "meniscus");
+export const program = process.env.MENISCUS ?? join(root, "target", "debug", "meniscus");
 export const labPage = process.env.PAGE ?? join(root, "target", "page", "meniscus.html");
 
 const SWITCHES = [
@@ -142,6 +142,13 @@ export class Lab {
 
   async press(name) {
     await this.button(name).click();
+    await this.drawn();
+  }
+
+  /** Copies a link to what is seen: in the laboratory with the dialog *Share*, elsewhere with the button itself. */
+  async copyLink() {
+    await this.page.locator("#share").click();
+    if (await this.page.locator("#publish").count()) await this.page.locator("#copy-link").click();
     await this.drawn();
   }
 

@@ -71,7 +71,7 @@ async function other(address, does, options = {}) {
 }
 
 async function copyLink(lab) {
-  await lab.press("Copy link");
+  await lab.copyLink();
   await eventually(async () => assert.match(await lab.told(), /[Ll]ink/));
   return { address: lab.page.url(), told: await lab.told() };
 }

@@ -164,7 +164,7 @@ visit("a link holds what was written", async (lab) => {
   await begin(lab, "A mass on a spring");
   await replace(lab, "title: A mass on a spring", "title: My spring");
   await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "My spring"));
-  await lab.press("Copy link");
+  await lab.copyLink();
   await eventually(() => assert.match(lab.page.url(), /#1&s=/));
   const other = await Lab.open();
   try {

@@ -26,14 +26,27 @@ struct Kind {
     package: &'static str,
     /// Its style sheets, below `crates`, in their order.
     styles: &'static [&'static str],
-    /// Whether it is the laboratory: that carries the documents that ship, and the editor.
+    /// Whether it is the laboratory: that carries the documents that ship, the editor, and the player.
     is_laboratory: bool,
     /// Where it goes.
     path: fn() -> PathBuf,
 }
 
-/// The laboratory, and the player that `meniscus export` fills with a simulation.
+/// The player, which `meniscus export` and the laboratory fill with a simulation, and the laboratory, which carries it.
 const KINDS: [Kind; 2] = [
+    Kind {
+        package: "player",
+        styles: &[
+            "view/page/style.css",
+            "view/page/stage.css",
+            "view/page/panel.css",
+            "view/page/narrow.css",
+            "player/page/embedded.css",
+            "view/page/print.css",
+        ],
+        is_laboratory: false,
+        path: steps::player,
+    },
     Kind {
         package: "lab",
         styles: &[
@@ -44,23 +57,12 @@ const KINDS: [Kind; 2] = [
             "lab/page/film.css",
             "lab/page/library.css",
             "lab/page/write.css",
+            "lab/page/publish.css",
             "view/page/narrow.css",
             "view/page/print.css",
         ],
         is_laboratory: true,
         path: steps::page,
-    },
-    Kind {
-        package: "player",
-        styles: &[
-            "view/page/style.css",
-            "view/page/stage.css",
-            "view/page/panel.css",
-            "view/page/narrow.css",
-            "view/page/print.css",
-        ],
-        is_laboratory: false,
-        path: steps::player,
     },
 ];
 
@@ -73,8 +75,11 @@ pub fn build() -> Result<PathBuf> {
         let module = directory.join(format!("{}_bg.wasm", kind.package));
         let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
         let packed = pack(zopfli::Format::Gzip, &module)?;
-        let editor = if kind.is_laboratory { editor::bundle()? } else { String::new() };
-        let page = assemble(kind, &glue, &packed, &editor)?;
+        let (mut editor, mut player) = (String::new(), String::new());
+        if kind.is_laboratory {
+            (editor, player) = (editor::bundle()?, read(&steps::player())?);
+        }
+        let page = assemble(kind, &glue, &packed, [(page::EDITOR, &editor), (page::PLAYER, &player)])?;
         let path = (kind.path)();
         write_whole(&path, page.as_bytes()).with_context(|| format!("cannot write {}", path.display()))?;
         println!("{}", kind.package);
@@ -83,6 +88,7 @@ pub fn build() -> Result<PathBuf> {
             ("glue", glue.len(), gzip(glue.as_bytes())?.len()),
             ("module", module.len(), packed.len()),
             ("editor", editor.len(), gzip(editor.as_bytes())?.len()),
+            ("player", player.len(), gzip(player.as_bytes())?.len()),
         ] {
             println!("  {name:10}{:8.1} kB, gzipped {:6.1} kB", bytes as f64 / 1000.0, sent as f64 / 1000.0);
         }
@@ -99,7 +105,9 @@ fn pack(format: zopfli::Format, part: &[u8]) -> Result<Vec<u8>> {
 }
 
 /// Puts the parts into the template's places.
-fn assemble(kind: &Kind, glue: &str, packed: &[u8], editor: &str) -> Result<String> {
+///
+/// `lazy` are parts of the laboratory that are inflated when they are first needed, each with the tag that opens its element.
+fn assemble(kind: &Kind, glue: &str, packed: &[u8], lazy: [(&str, &String); 2]) -> Result<String> {
     let crates = steps::root().join("crates");
     let source = crates.join("view").join("page");
     let base64 = |bytes: &[u8]| base64::engine::general_purpose::STANDARD.encode(bytes);
@@ -109,12 +117,13 @@ fn assemble(kind: &Kind, glue: &str, packed: &[u8], editor: &str) -> Result<Stri
     let style = styles.replace("/*math-font*/", &base64(&font));
     let boot = read(&source.join("boot.js"))?;
     let module = format!("<script type=\"application/octet-stream\" id=\"module\">{}</script>", base64(packed));
-    let (mut carried, mut lazy) = (String::new(), String::new());
+    let (mut carried, mut deflated) = (String::new(), String::new());
     if kind.is_laboratory {
         carried = format!("<script type=\"application/json\" id=\"library\">{}</script>", library()?);
-        // Deflated, as texts in links are. It is inflated and started when it is first needed.
-        let packed = pack(zopfli::Format::Deflate, editor.as_bytes())?;
-        lazy = format!("{}{}</script>", page::EDITOR, base64(&packed));
+        for (tag, text) in lazy {
+            // As texts in links are.
+            deflated += &format!("{tag}{}</script>", base64(&pack(zopfli::Format::Deflate, text.as_bytes())?));
+        }
     }
     let mut html = read(&source.join("index.html"))?;
     let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">", page::POLICY);
@@ -125,7 +134,7 @@ fn assemble(kind: &Kind, glue: &str, packed: &[u8], editor: &str) -> Result<Stri
         ("<!--module-->", module),
         ("<!--library-->", carried),
         ("<!--boot-->", script(&boot)),
-        ("<!--editor-->", lazy),
+        ("<!--later-->", deflated),
     ] {
         if html.matches(marker).count() != 1 {
             bail!("crates/view/page/index.html must contain {marker} once");

@@ -359,7 +359,8 @@ Examples:
   meniscus export simulations/utube.md --output lab.html --lab     the whole laboratory with it
 
 The page needs nothing else: it opens from a file, from any web server and inside a course page, and works offline.
-Its source is inside: `serve`, `run`, `check` and `export` take an exported page wherever they take a document.";
+Its source is inside: `serve`, `run`, `check` and `export` take an exported page wherever they take a document, and
+a project (NAME.meniscus) that the laboratory has saved.";
 
 /// `meniscus export`
 #[derive(Debug, Args)]

@@ -1,11 +1,13 @@
-//! Documents from files: a base document with the translations beside it, or the sources inside an exported page.
+//! Documents from files: a base document with the translations beside it, or the sources inside an exported page or a project.
 
 use crate::failure::Failure;
 use document::Opened;
 use document::page::{Source, read};
+use document::project::{PROJECT_ENDING, Project, ProjectError};
 use model::Severity;
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use units::Words;
 
 /// The texts of a document: the base first, then its translations.
 #[derive(Debug)]
@@ -89,16 +91,16 @@ impl Loaded {
 
 /// The text of one file, `-` being the standard input.
 pub fn text_of(path: &Path) -> Result<String, Failure> {
-    if is_page(path) {
+    if is_page(path) || is_project(path) {
         return Err(Failure::with_hint(
-            format!("{} is a page and not a document", path.display()),
+            format!("{} holds a document and is none itself", path.display()),
             "open it in the laboratory and save its document",
         ));
     }
     if path == Path::new("-") { standard_input() } else { read_text(path) }
 }
 
-/// Reads what belongs to `path`: `-` is the standard input, a page gives the sources inside it, a translation its base,
+/// Reads what belongs to `path`: `-` is the standard input, a page or a project gives the sources inside it, a translation its base,
 /// and a base its translations.
 pub fn sources(path: &Path) -> Result<Sources, Failure> {
     if path == Path::new("-") {
@@ -108,6 +110,9 @@ pub fn sources(path: &Path) -> Result<Sources, Failure> {
     let text = read_text(path)?;
     if is_page(path) {
         return inside_page(path, &text);
+    }
+    if is_project(path) {
+        return inside_project(path, &text);
     }
     let Some(name) = document::translates(&text) else {
         return with_translations(path, text, None);
@@ -168,6 +173,10 @@ fn language_of<'a>(name: &'a str, stem: &str) -> Option<&'a str> {
         .then_some(language)
 }
 
+fn is_project(path: &Path) -> bool {
+    path.to_string_lossy().to_lowercase().ends_with(PROJECT_ENDING)
+}
+
 fn is_page(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html") || ending.eq_ignore_ascii_case("htm"))
 }
@@ -176,12 +185,29 @@ fn inside_page(path: &Path, page: &str) -> Result<Sources, Failure> {
     let sources = read(page).filter(|sources| !sources.is_empty());
     let sources =
         sources.ok_or_else(|| Failure::request(format!("{} is a page without a document inside", path.display())))?;
+    Ok(inside(path, sources))
+}
+
+fn inside_project(path: &Path, text: &str) -> Result<Sources, Failure> {
+    let refused = |error: ProjectError| {
+        let (name, why) = (path.display(), error.words());
+        let message = Words {
+            english: format!("{name} {}", why.english).into(),
+            spanish: format!("{name} {}", why.spanish).into(),
+        };
+        Failure::Request { message, hint: None }
+    };
+    Project::read(text).map(|project| inside(path, project.documents)).map_err(refused)
+}
+
+/// Sources that stand in another file.
+fn inside(path: &Path, sources: Vec<Source>) -> Sources {
     let files = sources.into_iter().map(|source| File {
         path: format!("{}:{}", path.display(), source.name).into(),
         name: source.name,
         text: source.text,
     });
-    Ok(Sources { files: files.collect() })
+    Sources { files: files.collect() }
 }
 
 fn read_text(path: &Path) -> Result<String, Failure> {

@@ -2,9 +2,8 @@
 
 use crate::failure::Failure;
 use crate::load::Sources;
-use base64::Engine as _;
 use document::Document;
-use document::page::{Options, embed};
+use document::page::{Options, Source, embed};
 use flate2::{Compression, write::GzEncoder};
 use program::{Program, bundle};
 use std::io::Write as _;
@@ -38,32 +37,24 @@ fn missing() -> Failure {
 
 /// The page that plays a document, which stands beside the simulation in it.
 pub fn player(sources: &Sources, document: &Document) -> Result<String, Failure> {
-    let bundle = Some(packed(&document.program)?);
-    filled(bare_player()?, sources, Options { bundle, ..options(Some(document)) })
+    played(bare_player()?, &sources.embedded(), &document.program)
 }
 
-/// A simulation as a page carries it: its bundle, gzipped, in base64.
-pub fn packed(program: &Program) -> Result<String, Failure> {
+/// A player with a simulation, and with these sources beside it.
+pub fn played(player: &str, sources: &[Source], program: &Program) -> Result<String, Failure> {
     let bundle = bundle::write(program)
         .map_err(|_| Failure::request("this document is too large for a page that plays it; try `--lab`"))?;
-    Ok(base64::engine::general_purpose::STANDARD.encode(gzip(&bundle)?))
+    document::page::played(player, sources, program, gzip(&bundle)?).ok_or_else(no_place)
 }
 
 /// The laboratory with these sources instead. `document` is what they say, where they could be read.
 pub fn with(sources: &Sources, document: Option<&Document>) -> Result<String, Failure> {
-    filled(own()?, sources, options(document))
-}
-
-fn options(document: Option<&Document>) -> Options {
-    Options {
+    let options = Options {
         title: document.map(|document| document.program.title.clone()),
         language: document.map(|document| document.program.language.clone()),
         bundle: None,
-    }
-}
-
-fn filled(page: &str, sources: &Sources, options: Options) -> Result<String, Failure> {
-    embed(page, &sources.embedded(), &options).ok_or_else(no_place)
+    };
+    embed(own()?, &sources.embedded(), &options).ok_or_else(no_place)
 }
 
 /// The page inside this program is not made as it should be.

@@ -11,7 +11,7 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
-use document::page::POLICY;
+use document::page::{POLICY, write_list};
 use hyper::server::conn::http1;
 use hyper_util::rt::TokioIo;
 use hyper_util::service::TowerToHyperService;
@@ -34,6 +34,9 @@ const PAUSE: Duration = Duration::from_millis(200);
 /// The port unless one is asked for, and how many after it are tried.
 const PORT: u16 = 4242;
 const TRIED: u16 = 20;
+
+/// Where the page asks for the files of the document as they are now, so that it follows them while they are written.
+const DOCUMENT: &str = "/document";
 
 /// What a request needs.
 #[derive(Clone, Debug)]
@@ -84,7 +87,8 @@ async fn answer(listener: TcpListener, laboratory: Laboratory) -> io::Result<()>
     listener.set_nonblocking(true)?;
     let listener = tokio::net::TcpListener::from_std(listener)?;
     let guard = middleware::from_fn_with_state(laboratory.clone(), only_this_computer);
-    let routes = Router::new().route("/", get(index)).layer(guard).with_state(laboratory);
+    let routes =
+        Router::new().route("/", get(index)).route(DOCUMENT, get(document)).layer(guard).with_state(laboratory);
     tokio::select! {
         () = accept(listener, routes) => Ok(()),
         interrupted = tokio::signal::ctrl_c() => interrupted,
@@ -130,7 +134,7 @@ fn is_local(headers: &HeaderMap, port: u16) -> bool {
 /// The page, with the document as it is now.
 async fn index(State(laboratory): State<Laboratory>) -> Response {
     // Only as a header can a policy forbid that other sites put the page into a frame.
-    let policy = format!("{POLICY}; frame-ancestors 'self'");
+    let policy = format!("{POLICY}{ASKS}; frame-ancestors 'self'");
     let headers = [
         (header::CONTENT_SECURITY_POLICY, policy.as_str()),
         (header::CONTENT_TYPE, "text/html; charset=utf-8"),
@@ -148,6 +152,24 @@ async fn index(State(laboratory): State<Laboratory>) -> Response {
     }
 }
 
+/// The files of the document.
+async fn document(State(laboratory): State<Laboratory>) -> Response {
+    let headers = [
+        (header::CONTENT_TYPE, "application/json"),
+        (header::CACHE_CONTROL, "no-store"),
+        (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
+    ];
+    let sources = laboratory.document.as_deref().map(load::sources);
+    match sources {
+        Some(Ok(sources)) => (headers, write_list(&sources.embedded())).into_response(),
+        // An editor may have the file away for a moment while it saves.
+        _ => StatusCode::NOT_FOUND.into_response(),
+    }
+}
+
+/// What the policy allows in addition: the page asks its server for the document.
+const ASKS: &str = "; connect-src 'self'";
+
 /// The page with a document, whose findings go to the terminal too; a document with errors is shown with them.
 fn laboratory_page(document: Option<&Path>, terminal: Terminal) -> Result<String, Failure> {
     let Some(path) = document else {
@@ -155,7 +177,14 @@ fn laboratory_page(document: Option<&Path>, terminal: Terminal) -> Result<String
     };
     let loaded = Loaded::open(load::sources(path)?);
     terminal.report(&loaded);
-    page::with(&loaded.sources, loaded.opened.document.as_ref())
+    let page = page::with(&loaded.sources, loaded.opened.document.as_ref())?;
+    if path == Path::new("-") {
+        // It can be read once.
+        return Ok(page);
+    }
+    let follows =
+        format!("<link rel=\"alternate\" type=\"application/json\" id=\"served\" href=\"{DOCUMENT}\">\n</head>");
+    Ok(page.replacen(POLICY, &format!("{POLICY}{ASKS}"), 1).replacen("</head>", &follows, 1))
 }
 
 #[cfg(test)]

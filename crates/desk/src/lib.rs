@@ -53,4 +53,6 @@ pub use records::{
 };
 pub use refusal::Refusal;
 pub use saved::{Change, Item, Left, Shelf};
-pub use writing::{Mark, Proposals, TextChange, Writing};
+pub use writing::{
+    LineChanges, Mark, Proposals, TextChange, Writing, line_changes, superfluous_versions,
+};

@@ -25,6 +25,7 @@ pub mod page;
 mod plots;
 mod presets;
 mod profiles;
+pub mod project;
 mod prose;
 mod questions;
 mod resized;

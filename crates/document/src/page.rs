@@ -1,5 +1,7 @@
 //! Documents inside a page: an exported page carries its source.
 
+use base64::Engine as _;
+use program::Program;
 use serde::{Deserialize, Serialize};
 use serde_json::ser::Formatter;
 use std::io::{self, Write};
@@ -20,8 +22,8 @@ pub struct Options {
     pub title: Option<String>,
     /// The `lang` of `<html>`.
     pub language: Option<String>,
-    /// The simulation of a page that plays one: its bundle, gzipped, in base64.
-    pub bundle: Option<String>,
+    /// The simulation of a page that plays one: its bundle, gzipped.
+    pub bundle: Option<Vec<u8>>,
 }
 
 /// The page's content security policy: it makes no request, and what is not in the file does not exist for it.
@@ -31,12 +33,23 @@ pub const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-u
 /// Opens the element with the editor of the laboratory: a script, deflated, in base64.
 pub const EDITOR: &str = "<script type=\"application/octet-stream\" id=\"editor\">";
 
+/// Opens the element with the page that [`played`] fills, for documents that are published from the laboratory: deflated, in
+/// base64.
+pub const PLAYER: &str = "<script type=\"application/octet-stream\" id=\"player\">";
+
 /// The place in a page where the documents go.
 pub const MARKER: &str = "<!--documents-->";
 
 const OPENING: &str = "<script type=\"application/json\" id=\"documents\">";
 const CLOSING: &str = "</script>";
 const BUNDLE: &str = "<script type=\"application/octet-stream\" id=\"bundle\">";
+
+/// The page that plays a simulation: `player` with the program's bundle (`program::bundle::write`), gzipped, and with the
+/// sources that it was made from beside it. None where `player` has no place for them.
+pub fn played(player: &str, sources: &[Source], program: &Program, gzipped_bundle: Vec<u8>) -> Option<String> {
+    let (title, language) = (Some(program.title.clone()), Some(program.language.clone()));
+    embed(player, sources, &Options { title, language, bundle: Some(gzipped_bundle) })
+}
 
 /// Puts `documents` into `template`, in the place of [`MARKER`] or of the documents it has already. None where the
 /// template has no such place.
@@ -55,13 +68,10 @@ pub fn embed(template: &str, documents: &[Source], options: &Options) -> Option<
     if let Some(language) = options.language.as_ref().filter(|language| crate::settings::is_language(language)) {
         replace_between(&mut head, "<html lang=\"", "\"", language);
     }
-    let bundle = options.bundle.as_ref().filter(|bundle| bundle.bytes().all(is_base64));
-    let bundle = bundle.map_or_else(String::new, |bundle| format!("{BUNDLE}{bundle}{CLOSING}"));
+    let encoded = |bytes: &Vec<u8>| base64::engine::general_purpose::STANDARD.encode(bytes);
+    let bundle =
+        options.bundle.as_ref().map_or_else(String::new, |bytes| format!("{BUNDLE}{}{CLOSING}", encoded(bytes)));
     Some(format!("{head}{bundle}{OPENING}{}{CLOSING}{after}", write_list(documents)))
-}
-
-fn is_base64(byte: u8) -> bool {
-    byte.is_ascii_alphanumeric() || b"+/=".contains(&byte)
 }
 
 /// Documents as a list in JSON that can stand in a `script` element: nothing in it can end the element or begin a comment.
@@ -153,6 +163,16 @@ mod tests {
         assert_eq!(read(&again).unwrap(), [source("2")]);
         assert!(again.starts_with("<!doctype html><html lang=\"es\"><title>A &lt; B</title><body><script"));
         assert!(again.ends_with("</script></body></html>"));
+    }
+
+    #[test]
+    fn a_page_that_plays_holds_bundle_and_source() {
+        let program = crate::open("---\ntitle: A & B\nlanguage: es\n---\n```model\nx' = 1 [1/s]\nx(0) = 0\n```\n", &[]);
+        let program = program.document.unwrap().program;
+        let page = played(TEMPLATE, &[source("1")], &program, vec![0, 1, 254]).unwrap();
+        let bundle = format!("<title>A &amp; B</title><body>{BUNDLE}AAH+{CLOSING}{OPENING}");
+        assert!(page.starts_with("<!doctype html><html lang=\"es\">") && page.contains(&bundle), "{page}");
+        assert_eq!(read(&page).unwrap(), [source("1")]);
     }
 
     #[test]

@@ -119,6 +119,23 @@ globalThis.meniscusEditor = (changed, propose) => {
       view.focus();
       flush();
     },
+    /** Takes another text for a file, as a step that can be undone. Only the part between what both begin and end with changes. */
+    take(number, text) {
+      const state = number === file ? view.state : states[number];
+      const before = state?.doc.toString();
+      if (before === undefined || before === text) return;
+      const most = Math.min(before.length, text.length);
+      let from = 0;
+      while (from < most && before[from] === text[from]) from += 1;
+      let rest = 0;
+      while (rest < most - from && before[before.length - 1 - rest] === text[text.length - 1 - rest]) rest += 1;
+      const changes = { from, to: before.length - rest, insert: text.slice(from, text.length - rest) };
+      const transaction = state.update({ changes, userEvent: "input" });
+      if (number === file) view.dispatch(transaction);
+      else states[number] = transaction.state;
+      clearTimeout(timer);
+      timer = since = 0;
+    },
     /** Goes to a place in the text shown. */
     go(from, to) {
       const most = view.state.doc.length;

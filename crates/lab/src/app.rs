@@ -3,7 +3,7 @@
 mod host;
 
 use crate::film::{Films, Player};
-use crate::stored::Saved;
+use crate::stored::{Kept, Saved, VersionTimes};
 use crate::words::{Words, words_in};
 use crate::write::Editor;
 use desk::{Desk, FitProgress, RecordProgress, Refusal, Writing};
@@ -43,8 +43,10 @@ pub struct Lab {
     pub reads_equations: bool,
     /// The editor, once it has been started.
     pub editor: Option<Editor>,
-    /// Under which name the browser keeps what is written of the open document.
-    pub written_as: Option<String>,
+    /// Under which name the browser keeps what is written of the open document, and what this page has kept there last.
+    pub written_as: Option<Kept>,
+    /// When the text was changed, and when a version of it was made.
+    pub version_times: VersionTimes,
     /// Whether the editor shows the open document, and not the one before it.
     pub editor_is_current: bool,
     /// Whether the editor takes the focus when it is there.
@@ -97,6 +99,8 @@ pub struct Laboratory {
     pub record_refusal: Signal<Option<String>>,
     /// Whether the list of documents has been asked for.
     pub library_asked_for: Signal<bool>,
+    /// Whether the ways to publish the document have been asked for.
+    pub publishing: Signal<bool>,
     /// Raised when a text in the editor has been checked.
     pub written: Signal<u64>,
     /// Which file the editor shows.
@@ -155,6 +159,7 @@ impl App {
             record_progress: create_signal(None),
             record_refusal: create_signal(None),
             library_asked_for: create_signal(false),
+            publishing: create_signal(false),
             written: counter(),
             written_file: create_signal(0),
             equations: create_signal(BTreeMap::new()),

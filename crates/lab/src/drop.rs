@@ -1,7 +1,7 @@
 //! Files that are dropped anywhere on the page, and the sign that they can be while they are dragged over it.
 
 use crate::app::App;
-use crate::opening;
+use crate::files;
 use view::browser;
 use view::views::*;
 use web_sys::{DragEvent, Event};
@@ -37,7 +37,7 @@ pub fn listen(app: App) {
         }
         event.prevent_default();
         if let Some(files) = event.data_transfer().and_then(|data| data.files()) {
-            opening::open_files(app, &files);
+            files::open(app, &files);
         }
     });
     // A drag that ends elsewhere, or with Escape, may cause no event; a pointer that moves again has let go.

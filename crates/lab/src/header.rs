@@ -1,7 +1,7 @@
 //! The top of the page: the mark, the document's title, and what concerns the page as a whole.
 
 use crate::app::App;
-use crate::{library_list, links, opening};
+use crate::{files, library_list, publish};
 use view::icons;
 use view::views::*;
 use web_sys::HtmlInputElement;
@@ -14,8 +14,8 @@ pub fn view(app: App) -> HtmlHeader {
         .title(words.library_title)
         .attr("aria-haspopup", "dialog")
         .when(events::click, move |_| library_list::choose(app));
-    let own = View::from((browse, open_button(app)));
-    view::header::view(app.page, own, move || links::share(app))
+    let own = View::from((browse, open_button(app), publish::button_of(app)));
+    view::header::view(app.page, own)
 }
 
 fn open_button(app: App) -> View {
@@ -25,7 +25,7 @@ fn open_button(app: App) -> View {
     let chosen = node.clone();
     let read = move |_| {
         if let Some(files) = chosen.files() {
-            opening::open_files(app, &files);
+            files::open(app, &files);
         }
         chosen.set_value("");
     };
@@ -37,7 +37,7 @@ fn open_button(app: App) -> View {
         .id("open-file")
         .hidden(true)
         .multiple(true)
-        .accept(".md,.markdown,.html,.htm,text/markdown,text/html")
+        .accept(".md,.markdown,.html,.htm,.meniscus,text/markdown,text/html")
         .attr("aria-label", words.open_title)
         .when(events::change, read);
     View::from((open, input))

@@ -4,7 +4,7 @@
 use document::page::{self, Source};
 use document::{Card, Document};
 use play::Subject;
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 
 /// Where the theories stand.
 pub const THEORIES: &str = "theories/";
@@ -49,9 +49,9 @@ impl Entry {
     }
 }
 
-/// What the page carries, which does not change while it is open. It is asked for at each change of a text.
+/// What the page carries. It is asked for at each change of a text.
 struct Carried {
-    home: Vec<Source>,
+    home: RefCell<Vec<Source>>,
     entries: Vec<Entry>,
 }
 
@@ -65,7 +65,8 @@ fn carried() -> &'static Carried {
         let element = view::views::document().get_element_by_id("documents");
         let exported = element.and_then(|element| page::read(&element.outer_html()));
         let first = || entries.first().map_or_else(Vec::new, |entry| entry.files.clone());
-        let carried: &'static Carried = Box::leak(Box::new(Carried { home: exported.unwrap_or_else(first), entries }));
+        let carried: &'static Carried =
+            Box::leak(Box::new(Carried { home: RefCell::new(exported.unwrap_or_else(first)), entries }));
         carried
     };
     CARRIED.with(|cell| *cell.get_or_init(read))
@@ -102,7 +103,12 @@ pub fn theories() -> Vec<Entry> {
 
 /// What the page opens with: the document it was exported with, else the first of the library.
 pub fn home() -> Vec<Source> {
-    carried().home.clone()
+    carried().home.borrow().clone()
+}
+
+/// The page opens with these files from now on: those that it is served from have changed.
+pub fn change_home(files: Vec<Source>) {
+    carried().home.replace(files);
 }
 
 /// The files of the entry of this name.
@@ -112,7 +118,7 @@ pub fn find(name: &str) -> Option<Vec<Source>> {
 
 /// What a link calls a document: the page's own, one of the library, or one that only its author has.
 pub fn subject(files: &[Source]) -> Subject {
-    if files == carried().home {
+    if *carried().home.borrow() == files {
         return Subject::Home;
     }
     let entry = carried().entries.iter().find(|entry| entry.files == files);

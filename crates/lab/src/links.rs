@@ -61,14 +61,20 @@ pub async fn read(fragment: &str) -> Arrival {
     arrival
 }
 
+/// A link to what is seen, and what has to be said of its document.
+pub async fn present(app: App) -> (String, Option<String>) {
+    let sources = app.with(|lab| lab.sources.clone()).unwrap_or_default();
+    let (subject, remark) = pack(app, &sources).await;
+    let state = app.read_desk(|desk| desk.play().share());
+    (address(&Link { subject, state }.write()), remark)
+}
+
 /// Puts a link to what is seen into the address bar and the clipboard, and says what it does not hold.
 pub fn share(app: App) {
     wasm_bindgen_futures::spawn_local(async move {
         let words = app.words();
-        let sources = app.with(|lab| lab.sources.clone()).unwrap_or_default();
-        let (subject, remark) = pack(app, &sources).await;
-        let (state, missing) = app.read_desk(|desk| (desk.play().share(), desk.missing_in_link()));
-        let link = address(&Link { subject, state }.write());
+        let (link, remark) = present(app).await;
+        let missing = app.read_desk(|desk| desk.missing_in_link());
         // Refused inside some frames; the clipboard may still work.
         visited::note(app, Some(&link));
         browser::copy(&link, move |allowed| {

@@ -2,11 +2,13 @@
 //! All state is theirs; what is kept here is the browser's business (nodes, canvases, the clock, the theme).
 
 mod app;
+mod carried;
 mod cycles;
 mod data;
 mod derivatives;
 mod diagnostics;
 mod drop;
+mod files;
 mod film;
 mod fit;
 mod header;
@@ -22,8 +24,11 @@ mod opening;
 mod packing;
 mod panel;
 mod pictures;
+mod project;
+mod publish;
 mod records;
 mod saved;
+mod served;
 mod stored;
 mod tabs;
 mod titles;

@@ -1,14 +1,14 @@
-//! Opening documents: those that the page carries, and files that the user picks or drops. The state of the last visit
-//! comes back with them.
+//! Opening documents. The state of the last visit comes back with them.
 
 use crate::app::{App, Lab};
 use crate::links::Arrival;
+use crate::stored::VersionTimes;
 use crate::visited::Visited;
-use crate::{film, fit, intake, saved, visited, write};
+use crate::{fit, saved, visited, write};
 use desk::{Desk, Writing};
-use document::page::{self, Source};
+use document::page::Source;
 use view::{browser, messages};
-use web_sys::{Event, File, FileList};
+use web_sys::Event;
 
 /// Opens what a link or the history leads to.
 pub fn arrive(app: App, arrival: Arrival) {
@@ -57,6 +57,7 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
         lab.sources = sources;
         lab.findings = findings;
         lab.written_as = None;
+        lab.version_times = VersionTimes::default();
         lab.editor_is_current = false;
         place(lab, desk)
     });
@@ -139,8 +140,8 @@ pub fn open_sources(app: App, sources: Vec<Source>) {
     go_to(app, sources, "");
 }
 
-/// Opens a document as the next step of the visit.
-fn go_to(app: App, sources: Vec<Source>, state: &str) {
+/// Opens a document as the next step of the visit. `state` may be empty.
+pub fn go_to(app: App, sources: Vec<Source>, state: &str) {
     leave(app);
     open(app, sources, state);
     visited::step(app);
@@ -178,51 +179,5 @@ pub fn save_when_left(app: App) {
         leave(app);
         // Back in sight, the frames go on.
         app.page.wake();
-    });
-}
-
-/// Opens files that the user picked: a document with its translations, one exported page, or records.
-pub fn open_files(app: App, files: &FileList) {
-    let files: Vec<File> = (0..files.length()).filter_map(|index| files.get(index)).collect();
-    wasm_bindgen_futures::spawn_local(async move {
-        let mut sources = Vec::new();
-        let is_document = |file: &File| {
-            let name = file.name().to_lowercase();
-            [".md", ".markdown", ".html", ".htm"].iter().any(|ending| name.ends_with(ending))
-        };
-        let (films, files): (Vec<File>, Vec<File>) = files.into_iter().partition(film::is_film);
-        if let Some(file) = films.into_iter().next() {
-            film::open(app, file);
-        }
-        let (documents, records): (Vec<File>, Vec<File>) = files.into_iter().partition(is_document);
-        if documents.is_empty() {
-            return intake::read(app, records);
-        }
-        for file in documents {
-            let Ok(text) = browser::wait(file.text()).await else {
-                app.complain(format!("{} {}", app.words().file_not_read, file.name()));
-                continue;
-            };
-            let (name, text) = (file.name(), text.as_string().unwrap_or_default());
-            if let Some(embedded) = page::read(&text) {
-                sources = embedded;
-                break;
-            }
-            if !name.to_lowercase().ends_with(".html") {
-                sources.push(Source { name, text });
-            }
-        }
-        // `utube.md` before `utube.es.md`: the document before its translations.
-        sources.sort_by_key(|source| source.name.matches('.').count());
-        if sources.is_empty() {
-            return app.complain(app.words().unreadable.to_owned());
-        }
-        // A link may have been waiting for this file.
-        let name = sources.first().map(|source| source.name.clone());
-        let awaited = app.with(|lab| lab.awaited.take_if(|(awaited, _)| Some(&*awaited) == name.as_ref()));
-        let state = awaited.flatten().map(|(_, state)| state).unwrap_or_default();
-        go_to(app, sources, &state);
-        intake::read(app, records);
-        browser::focus_later(if app.read(|_| true) { "play" } else { "apparatus" }.to_owned());
     });
 }

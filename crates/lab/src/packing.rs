@@ -1,4 +1,4 @@
-//! Texts deflated and inflated by the browser, for documents inside links.
+//! Texts deflated and inflated by the browser, for documents inside links and parts of pages.
 
 use js_sys::{Array, Function, Reflect, Uint8Array};
 use view::browser;
@@ -7,19 +7,24 @@ use web_sys::{ReadableStream, ReadableStreamDefaultReader, WritableStream, Writa
 
 /// Deflates a text; `None` where the browser cannot.
 pub async fn deflate(text: &str) -> Option<Vec<u8>> {
-    through("CompressionStream", text.as_bytes(), usize::MAX).await
+    through("CompressionStream", "deflate-raw", text.as_bytes(), usize::MAX).await
+}
+
+/// Bytes in the format of gzip; `None` where the browser cannot.
+pub async fn gzip(bytes: &[u8]) -> Option<Vec<u8>> {
+    through("CompressionStream", "gzip", bytes, usize::MAX).await
 }
 
 /// Inflates a text of at most `most` bytes. What comes from a link may be a bomb: no more than that is unpacked.
 pub async fn inflate(bytes: &[u8], most: usize) -> Option<String> {
-    String::from_utf8(through("DecompressionStream", bytes, most).await?).ok()
+    String::from_utf8(through("DecompressionStream", "deflate-raw", bytes, most).await?).ok()
 }
 
 /// What a transforming stream of the browser makes of some bytes; `None` if it fails or gives more than `most`.
-async fn through(kind: &str, bytes: &[u8], most: usize) -> Option<Vec<u8>> {
+async fn through(kind: &str, format: &str, bytes: &[u8], most: usize) -> Option<Vec<u8>> {
     // Made by name: in `web_sys` they exist only behind an unstable flag.
     let maker: Function = Reflect::get(&js_sys::global(), &kind.into()).ok()?.dyn_into().ok()?;
-    let stream = Reflect::construct(&maker, &Array::of1(&"deflate-raw".into())).ok()?;
+    let stream = Reflect::construct(&maker, &Array::of1(&format.into())).ok()?;
     let end = |name: &str| Reflect::get(&stream, &name.into()).ok();
     let writable: WritableStream = end("writable")?.dyn_into().ok()?;
     let readable: ReadableStream = end("readable")?.dyn_into().ok()?;

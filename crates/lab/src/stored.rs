@@ -18,3 +18,21 @@ pub struct Saved {
     /// Whether it has been said that the browser refuses to store anything.
     pub refused: bool,
 }
+
+/// A document in the storage, as this page has left it there.
+#[derive(Clone)]
+pub struct Kept {
+    /// Its name.
+    pub name: String,
+    /// Its text, as `visited::describe` gives it.
+    pub text: String,
+}
+
+/// When a version of the text was made and when the text was changed last, in milliseconds.
+#[derive(Clone, Copy, Default)]
+pub struct VersionTimes {
+    /// The version.
+    pub version: f64,
+    /// The change.
+    pub change: f64,
+}

@@ -142,6 +142,13 @@ table_of_words! {
     new_document_from: "Begin a new document with", "Empezar un documento nuevo con";
     kept_documents: "Go on with what you wrote", "Seguir con lo que escribiste";
     new_empty: "Empty document", "Documento vacío";
+    versions: "Versions", "Versiones";
+    versions_intro: "Open an earlier version; the present text becomes a version, too. Lines are compared with the version before.", "Abre una versión anterior; el texto actual también queda como versión. Las líneas se comparan con la versión anterior.";
+    no_versions: "There are no versions yet. They are made while you write, and stay in this browser.", "Todavía no hay versiones. Se guardan mientras escribes y se quedan en este navegador.";
+    version_first: "first version", "primera versión";
+    version_lines: "lines", "líneas";
+    version_opened: "The version is open. Ctrl Z in the text goes back.", "La versión está abierta. Ctrl Z en el texto vuelve atrás.";
+    file_followed: "The file has changed; its text runs.", "El archivo ha cambiado; su texto está en marcha.";
     text_runs: "The simulation runs as written.", "La simulación funciona tal como está escrita.";
     text_waits: "The last version without errors is running.", "Sigue funcionando la última versión sin errores.";
     one_error: "error", "error";
@@ -162,4 +169,5 @@ table_of_words! {
     nothing: "There is no document in this page", "No hay ningún documento en esta página";
     nothing_intro: "Open a simulation document: a Markdown file with a model in it, or a page that Meniscus exported.", "Abre un documento de simulación: un archivo Markdown con un modelo, o una página exportada por Meniscus.";
     unreadable: "This file is neither a simulation document nor an exported page", "Este archivo no es un documento de simulación ni una página exportada";
+    project_items_refused: "Records, fits, films and answers that could not be taken:", "Registros, ajustes, vídeos y respuestas que no se han podido tomar:";
 }

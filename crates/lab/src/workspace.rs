@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::links::Arrival;
-use crate::{drop, film, header, idle, library_list, links, navigation, opening, panel};
+use crate::{drop, film, header, idle, library_list, links, navigation, opening, panel, publish, served};
 use units::Language;
 use view::views::*;
 use view::{browser, shell, stage};
@@ -31,6 +31,7 @@ fn prepare(app: App, arrival: Arrival) {
     opening::save_when_left(app);
     navigation::listen(app);
     drop::listen(app);
+    served::follow(app);
     film::mark_page(app);
     film::follow(app);
 }
@@ -47,5 +48,5 @@ fn build(app: App) -> View {
     });
     let stage = move || if runs.get() { stage::view(app.page) } else { idle::stage(app).into() };
     let body = main().class("laboratory").child(changing(stage)).child(panel::view(app));
-    View::from((header::view(app), body, library_list::dialog(app)))
+    View::from((header::view(app), body, library_list::dialog(app), publish::dialog(app)))
 }

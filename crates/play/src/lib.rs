@@ -47,6 +47,6 @@ pub use play::{Play, Revision};
 pub use plots::{AddedPlot, AddedSeries, KeptView, Labels, LegendEntry, MOST_KEPT, POINTS, PlotId, PlotView, Points};
 pub use questions::{Answer, AnswerView, Grade, Verdict};
 pub use refusal::Refusal;
-pub use share::{LONGEST_PACKED, LONGEST_UNPACKED, Link, Subject, packed_length};
+pub use share::{Embedding, LONGEST_PACKED, LONGEST_UNPACKED, Link, PagePart, Subject, packed_length};
 pub use time::{Course, LONGEST_GAP, Problem, SPEEDS, Status, WORK_PER_TICK};
 pub use values::{Follows, Index, Members, Outline, Readout, ReadoutKind, symbol};

@@ -1,24 +1,33 @@
 //! The page: head, stage, and a panel to play, to answer and to read.
 
 use crate::simulation::{self, Simulation};
-use crate::{answers, site, source};
+use crate::{answers, height, site, source};
+use play::{Embedding, PagePart};
 use units::Language;
 use view::browser::{self, address, fragment, is_heading};
 use view::panel::Tab;
 use view::views::*;
-use view::{App, header, panel, shell, stage};
+use view::{App, header, icons, panel, shell, stage};
 
 /// Starts the page in the element `lab`.
 pub fn start() {
     let Some(place) = browser::by_id::<web_sys::HtmlElement>("lab") else { return };
-    let tag = site::asked_language()
+    let embedding = Embedding::read(&window().location().search().unwrap_or_default());
+    if embedding.follows_content {
+        height::tell();
+    }
+    let asked = embedding.language.map(|language| language.tag().to_owned());
+    if let Some(tag) = &asked {
+        site::remember_language(tag);
+    }
+    let tag = asked
         .or_else(|| browser::remembered("language"))
         .or_else(|| window().navigator().language())
         .unwrap_or_default();
     place.set_inner_html("");
     let page = move || {
         // The page is open as long as the simulation is.
-        let simulation: &'static Simulation = Box::leak(Box::default());
+        let simulation: &'static Simulation = Box::leak(Box::new(Simulation::new(embedding)));
         let app = App::new(simulation, Language::of(&tag));
         shell::prepare(app);
         let play = simulation::of_page();
@@ -36,11 +45,36 @@ pub fn start() {
 }
 
 fn content(app: App) -> View {
-    let tabs = vec![Tab::play(app), Tab::activities(app), Tab::theory(app, View::new)];
-    let panel = panel::view(app, tabs);
-    let own = View::from((site::links(app), source::button_of(app)));
-    let head = header::view(app, own, move || share(app));
-    View::from((head, main().class("laboratory").child(stage::view(app)).child(panel)))
+    let embedding = app.host().embedding();
+    let shows = |part| !embedding.hides(part);
+    let mut tabs = Vec::new();
+    if shows(PagePart::Parameters) || shows(PagePart::Values) {
+        tabs.push(Tab::play(app));
+    }
+    if shows(PagePart::Activities) {
+        tabs.push(Tab::activities(app));
+    }
+    if shows(PagePart::Text) {
+        tabs.push(Tab::theory(app, View::new));
+    }
+    let class = if tabs.is_empty() { "laboratory alone" } else { "laboratory" };
+    let body = main().class(class).child(stage::view(app));
+    let body = body.maybe((!tabs.is_empty()).then(|| panel::view(app, tabs)));
+    View::from((if shows(PagePart::Head) { head(app).into() } else { hidden_head(app) }, body))
+}
+
+fn head(app: App) -> HtmlHeader {
+    let words = app.words();
+    let share = labelled(icons::link(), words.share)
+        .id("share")
+        .title(words.share_title)
+        .when(events::click, move |_| share(app));
+    header::view(app, View::from((site::links(app), source::button_of(app), share)))
+}
+
+/// What screen readers look for at the top of a page.
+fn hidden_head(app: App) -> View {
+    h1().class("visually-hidden").child(view::title(app)).into()
 }
 
 /// What is said where the simulation in the page cannot be read.

@@ -1,7 +1,7 @@
 //! The simulation of the page, and its program.
 
 use crate::answers;
-use play::Play;
+use play::{Embedding, Play};
 use program::bundle;
 use std::cell::{Cell, OnceCell, RefCell};
 use view::{App, Host};
@@ -13,8 +13,17 @@ pub struct Simulation {
     pub play: RefCell<Option<Play>>,
     /// The views of it.
     pub app: OnceCell<App>,
+    /// What the address of the page asks for.
+    embedding: Embedding,
     /// Which answers have been saved.
     saved: Cell<u64>,
+}
+
+impl Simulation {
+    /// None yet, on a page whose address asks for this.
+    pub fn new(embedding: Embedding) -> Self {
+        Self { embedding, ..Self::default() }
+    }
 }
 
 impl Host for Simulation {
@@ -24,6 +33,10 @@ impl Host for Simulation {
         {
             work(play);
         }
+    }
+
+    fn embedding(&self) -> Embedding {
+        self.embedding.clone()
     }
 
     fn raise(&self) {

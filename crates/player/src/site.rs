@@ -2,7 +2,6 @@
 //! addresses stand in the page's head; a page of its own has none.
 
 use play::Link;
-use units::Language;
 use view::views::*;
 use view::{App, browser, icons};
 use wasm_bindgen::JsValue;
@@ -47,18 +46,18 @@ fn address(id: &str) -> Option<String> {
     browser::by_id::<HtmlLinkElement>(id).map(|link| link.href())
 }
 
-/// The language that the address asks for: a choice like that of the switch. It is taken out of the address where the browser
-/// remembers it, so that a later choice survives a reload.
-pub fn asked_language() -> Option<String> {
+/// The language that the address asks for is a choice like that of the switch. It is taken out of the address where the browser
+/// remembers it, so that a later choice survives a reload. Other fields stay.
+pub fn remember_language(tag: &str) {
     let location = window().location();
-    let query = location.search().ok()?;
-    let asked = query.trim_start_matches('?').split('&').find_map(|field| field.strip_prefix("language="))?;
-    let tag = Language::ALL.iter().map(|language| language.tag()).find(|tag| *tag == asked)?.to_owned();
-    if browser::remember("language", &tag)
+    let query = location.search().unwrap_or_default();
+    let fields = query.trim_start_matches('?').split('&').filter(|field| !field.starts_with("language="));
+    let fields: Vec<&str> = fields.filter(|field| !field.is_empty()).collect();
+    if browser::remember("language", tag)
         && let (Ok(path), Ok(history)) = (location.pathname(), window().history())
     {
-        let address = format!("{path}{}", location.hash().unwrap_or_default());
+        let query = if fields.is_empty() { String::new() } else { format!("?{}", fields.join("&")) };
+        let address = format!("{path}{query}{}", location.hash().unwrap_or_default());
         let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
     }
-    Some(tag)
 }

@@ -8,7 +8,7 @@ use crate::stage::brush::Part;
 use crate::tabs;
 use crate::views::*;
 use crate::words::{Words, words_in};
-use play::{Announcement, Play, PlotId, PlotView, Prominence, Refusal, Revision};
+use play::{Announcement, Embedding, Play, PlotId, PlotView, Prominence, Refusal, Revision};
 use std::cell::{Cell, RefCell};
 use std::ops::Deref;
 use sycamore_reactive::{NodeHandle, batch, use_current_scope};
@@ -65,6 +65,11 @@ pub trait Host {
         let mut undone = false;
         self.with_play(&mut |play| undone = play.undo(number));
         undone
+    }
+
+    /// What of the page is left out or locked where it stands inside another page.
+    fn embedding(&self) -> Embedding {
+        Embedding::default()
     }
 
     /// Whether the page can build the model with other sizes of families.

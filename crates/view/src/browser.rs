@@ -221,8 +221,13 @@ pub async fn wait(promise: Promise) -> Result<JsValue, JsValue> {
 
 /// Lets the browser do what is waiting: draw, react to keys and pointers.
 pub async fn breathe() {
+    pause(0).await;
+}
+
+/// Waits so many milliseconds.
+pub async fn pause(milliseconds: i32) {
     let promise = Promise::new(&mut |resolve, _| {
-        let _ = window().set_timeout_with_callback(&resolve);
+        let _ = window().set_timeout_with_callback_and_timeout_and_arguments_0(&resolve, milliseconds);
     });
     let _ = wait(promise).await;
 }

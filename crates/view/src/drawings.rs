@@ -120,6 +120,7 @@ fn field(app: App, first: DrawingView) -> HtmlDiv {
     });
     let id = format!("drawing-{index}");
     let hint = format!("{id}-hint");
+    let locked = app.host().embedding().locked;
     let clear = button()
         .class("quiet")
         .id(format!("{id}-clear"))
@@ -144,7 +145,8 @@ fn field(app: App, first: DrawingView) -> HtmlDiv {
                         .child(span().child(high))
                         .child(span().child(low)),
                 )
-                .child(pad(&sketch, now, &first, id, hint.clone()))
+                // A field set disables no drawing.
+                .child(pad(&sketch, now, &first, id, hint.clone()).attr("inert", move || locked.then_some("")))
                 .child(
                     div()
                         .class("drawing-arguments")

@@ -6,11 +6,9 @@ use crate::views::*;
 use crate::{browser, icons, keys, presenter};
 use units::Language;
 
-/// The head of the page, with the page's `own` buttons before the others. `share` copies a link.
-pub fn view(app: App, own: View, share: impl Fn() + 'static) -> HtmlHeader {
+/// The head of the page, with the page's `own` buttons before the others.
+pub fn view(app: App, own: View) -> HtmlHeader {
     let words = app.words();
-    let share =
-        labelled(icons::link(), words.share).id("share").title(words.share_title).when(events::click, move |_| share());
     let help = button()
         .class("icon")
         .id("help")
@@ -22,7 +20,6 @@ pub fn view(app: App, own: View, share: impl Fn() + 'static) -> HtmlHeader {
     let tools = div()
         .class("head-tools")
         .child(own)
-        .child(share)
         .child(help)
         .child(presenter::button_of(app))
         .child(theme(app))

@@ -3,16 +3,27 @@
 use crate::app::App;
 use crate::views::*;
 use crate::{controls, data, readouts};
+use play::PagePart;
 use web_sys::HtmlDetailsElement;
 
 /// The tab.
 pub fn view(app: App) -> HtmlDiv {
+    let embedding = app.host().embedding();
+    let [adjusts, reads] = [PagePart::Parameters, PagePart::Values].map(|part| !embedding.hides(part));
+    let lockable = |view: HtmlSection| {
+        if embedding.locked {
+            View::from(fieldset().class("locked").attr("disabled", "").child(view))
+        } else {
+            view.into()
+        }
+    };
     div()
         .class("playing")
-        .child(controls::view(app))
-        .child(readouts::view(app))
-        .child(controls::state_and_method(app))
-        .child(recorded(app))
+        .maybe((embedding.locked && adjusts).then(|| note(app.words().locked)))
+        .maybe(adjusts.then(|| lockable(controls::view(app))))
+        .maybe(reads.then(|| readouts::view(app)))
+        .maybe(adjusts.then(|| lockable(controls::state_and_method(app))))
+        .maybe(reads.then(|| recorded(app)))
 }
 
 /// The recorded values. While they are folded they cost nothing.

@@ -33,6 +33,9 @@ impl SceneNodes {
         let mut handles: Vec<Handle> =
             picture.take_parts().into_iter().map(|part| Handle::new(part.node, part.drag, part.name)).collect();
         Handle::number_unnamed(&mut handles);
+        if app.host().embedding().locked {
+            handles.clear();
+        }
         for handle in &mut handles {
             drag::attach(app, handle, &root);
         }

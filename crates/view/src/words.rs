@@ -45,6 +45,7 @@ table_of_words! {
     laboratory_title: "Open this simulation as it is now in the laboratory, to measure and to fit", "Abrir esta simulación tal como está en el laboratorio, para medir y ajustar";
     answers_not_saved: "The browser does not let this page store anything: your answers will be lost when it is closed", "El navegador no deja que esta página guarde nada: tus respuestas se perderán al cerrarla";
     damaged: "This file is damaged. Download it again.", "Este archivo está dañado. Vuelve a descargarlo.";
+    locked: "The values are fixed in this page.", "Los valores están fijados en esta página.";
     share: "Copy link", "Copiar enlace";
     share_title: "Copy a link that reopens this state", "Copiar un enlace que reabre este estado";
     link_copied: "Link copied", "Enlace copiado";

@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::page;
 use crate::terminal::Terminal;
 use collect::Simulation;
-use document::page::{Options, Source, embed, read_list, write_list};
+use document::page::{Source, read_list, write_list};
 use files::Files;
 use folder::Folder;
 use names::{INDEX, LABORATORY, WORKER};
@@ -66,13 +66,8 @@ fn play_page(player: &Parts, simulation: &Simulation) -> Result<String, Failure>
         escaped(&simulation.in_laboratory())
     );
     let page = player.html.replace(parts::LINKS, &links).replace(ROOT, &"../".repeat(simulation.depth()));
-    let options = Options {
-        title: Some(program.title.clone()),
-        language: Some(program.language.clone()),
-        bundle: Some(page::packed(program)?),
-    };
     // The laboratory has its source: the page stays small.
-    embed(&page, &[], &options).ok_or_else(page::no_place)
+    page::played(&page, &[], program)
 }
 
 /// The laboratory with the documents of the site, and those of its own theories that the site does not replace.

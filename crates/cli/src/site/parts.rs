@@ -5,7 +5,7 @@ use super::names::{FROM_DISK, WORKER};
 use crate::failure::Failure;
 use crate::page;
 use base64::Engine as _;
-use document::page::{EDITOR, POLICY};
+use document::page::{EDITOR, PLAYER, POLICY};
 use flate2::read::DeflateDecoder;
 use std::io::Read as _;
 
@@ -62,6 +62,12 @@ impl Parts {
                 EDITOR => {
                     let script = files.share("editor", "js", inflated(content).ok_or_else(page::no_place)?);
                     html.push_str(&EDITOR.replace('>', &format!(" data-script=\"{ROOT}{script}\"></script>")));
+                }
+                // A script puts it into the page: from a disk nothing else can be loaded.
+                PLAYER => {
+                    let script = format!("document.getElementById(\"player\").textContent = \"{content}\";\n");
+                    let script = files.share("publish", "js", script);
+                    html.push_str(&PLAYER.replace('>', &format!(" data-script=\"{ROOT}{script}\"></script>")));
                 }
                 _ => html.push_str(&rest[..end]),
             }
@@ -126,7 +132,7 @@ mod tests {
         let whole = format!(
             "<head><meta content=\"{POLICY}\"><style>\nb {{}}</style><script>\n1;\n</script></head>\
              <body><!--documents-->{LIBRARY}[]</script><script>\n2;\n</script>{MODULE}AAEC</script><script>\n3;\n</script>\
-             {EDITOR}M7EGAA==</script></body>"
+             {EDITOR}M7EGAA==</script>{PLAYER}AAAA</script></body>"
         );
         let mut files = Files::default();
         let parts = Parts::of(&whole, "page", &mut files).expect("a page");
@@ -144,7 +150,10 @@ mod tests {
         let editor = files.iter().find(|(path, _)| path.starts_with("assets/editor-")).expect("the editor");
         assert_eq!(editor.1, b"4;");
         let lazy = format!("id=\"editor\" data-script=\"{ROOT}{}\"></script>", editor.0);
-        assert!(parts.html.ends_with(&format!("{lazy}</body>")), "{}", parts.html);
+        let (publish, text) = files.iter().find(|(path, _)| path.starts_with("assets/publish-")).expect("the player");
+        assert_eq!(text, b"document.getElementById(\"player\").textContent = \"AAAA\";\n");
+        let player = format!("id=\"player\" data-script=\"{ROOT}{publish}\"></script>");
+        assert!(parts.html.ends_with(&format!("{player}</body>")) && parts.html.contains(&lazy), "{}", parts.html);
         assert!(
             parts.html.contains(&format!("<body><!--documents-->{LIBRARY}[]</script><script type")),
             "{}",

@@ -78,5 +78,5 @@ fn what_has_errors_stays_and_that_is_said() {
     assert!(written.stderr.contains(&format!("{file}:1:1")), "{}", written.stderr);
     assert_eq!(fs::read_to_string(&path).unwrap(), text.replace(":x  against", ": x against"));
     let page = meniscus(&["format", "page.html"]);
-    assert!(page.stderr.contains("page.html is a page and not a document"), "{}", page.stderr);
+    assert!(page.stderr.contains("page.html holds a document and is none itself"), "{}", page.stderr);
 }

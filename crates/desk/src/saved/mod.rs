@@ -9,6 +9,7 @@ mod format;
 mod item;
 mod number;
 mod place;
+mod project;
 mod records;
 mod shelf;
 mod tracks;

@@ -4,7 +4,9 @@ mod completion;
 mod mark;
 mod rewriting;
 mod state;
+mod versions;
 
 pub use completion::Proposals;
 pub use mark::{Mark, TextChange};
 pub use state::Writing;
+pub use versions::{LineChanges, line_changes, superfluous_versions};

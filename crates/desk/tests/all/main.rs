@@ -8,6 +8,7 @@ mod derived;
 mod films;
 mod fits;
 mod intake;
+mod projects;
 mod reading;
 mod records;
 mod saved;

@@ -1,20 +1,16 @@
 //! The editor: CodeMirror, which the page carries as a deflated script (`crates/lab/editor`) and starts when it is first needed. In
 //! a site the script is a file of its own. Places in a text are counted in UTF-16, as browsers do.
 
-use crate::packing;
+use crate::carried;
 use desk::document::assist::{Suggestion, SuggestionKind};
 use desk::{Mark, Proposals, TextChange};
-use js_sys::{Array, Function, Object, Promise, Reflect};
+use js_sys::{Array, Function, Object, Reflect};
 use model::Severity;
 use units::Language;
-use view::browser;
-use view::views::{document, window};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
-use web_sys::{Element, HtmlElement};
+use web_sys::Element;
 
-/// The script is not larger than this.
-const LONGEST: usize = 4_000_000;
 /// What the script calls itself.
 const MAKER: &str = "meniscusEditor";
 
@@ -101,6 +97,11 @@ impl Editor {
         self.call("change", &[changes.iter().map(change).collect::<Array>().into()]);
     }
 
+    /// Takes another text for a file, as a step that can be undone. It is not told as a change of the writer's.
+    pub fn take(&self, file: usize, text: &str) {
+        self.call("take", &[(file as f64).into(), text.into()]);
+    }
+
     /// Goes to a place in the text shown.
     pub fn go(&self, place: usize) {
         self.call("go", &[(place as f64).into(), (place as f64).into()]);
@@ -151,23 +152,9 @@ async fn load() -> Option<()> {
     if Reflect::has(&js_sys::global(), &MAKER.into()).ok()? {
         return Some(());
     }
-    // A heading of a document may have this id, too; a script it cannot be.
-    let part = document().query_selector("script#editor").ok()??;
-    let script: HtmlElement = document().create_element("script").ok()?.dyn_into().ok()?;
-    let head = document().head()?;
-    if let Some(address) = part.get_attribute("data-script") {
-        let loaded = Promise::new(&mut |done, failed| {
-            script.set_onload(Some(&done));
-            script.set_onerror(Some(&failed));
-        });
-        script.set_attribute("src", &address).ok()?;
-        head.append_child(&script).ok()?;
-        browser::wait(loaded).await.ok()?;
-    } else {
-        let letters = window().atob(&part.text_content()?).ok()?;
-        let bytes: Vec<u8> = letters.chars().map(|letter| letter as u8).collect();
-        script.set_text_content(Some(&packing::inflate(&bytes, LONGEST).await?));
-        head.append_child(&script).ok()?;
+    let part = carried::part("editor")?;
+    match part.get_attribute("data-script") {
+        Some(address) => carried::run_file(&address).await,
+        None => carried::run(&carried::inflated(&part).await?),
     }
-    Some(())
 }

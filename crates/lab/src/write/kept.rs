@@ -1,7 +1,9 @@
 //! What was written stays in the browser, also when the tab is closed: the latest documents, each under the time at which it was begun.
 //! Two open pages write different documents under different names.
 
+use super::versions;
 use crate::app::App;
+use crate::stored::Kept;
 use crate::visited::{self, Visited};
 use view::browser;
 
@@ -14,27 +16,42 @@ pub fn begin(app: App) {
     if app.with(|lab| lab.written_as.is_some()) == Some(true) {
         return;
     }
-    let present = visited::describe(app);
-    let known = browser::all_remembered(PREFIX).into_iter().find(|(_, text)| *text == present);
-    // Of the same length for centuries, so that names stand in the order of time.
-    let name = known.map_or_else(|| format!("{PREFIX}{}", js_sys::Date::now() as u64), |(name, _)| name);
-    app.with(|lab| lab.written_as = Some(name));
+    let text = visited::describe(app);
+    let known = browser::all_remembered(PREFIX).into_iter().find(|(_, kept)| *kept == text);
+    let name = known.map_or_else(new_name, |(name, _)| name);
+    app.with(|lab| lab.written_as = Some(Kept { name, text }));
 }
 
-/// Keeps the document as it stands in the editor.
+/// A name that no document has. Names have the same length for centuries, so that they stand in the order of time.
+fn new_name() -> String {
+    let mut time = js_sys::Date::now() as u64;
+    while browser::remembered(&format!("{PREFIX}{time}")).is_some() {
+        time += 1;
+    }
+    format!("{PREFIX}{time}")
+}
+
+/// Keeps the document as it stands in the editor. Where another page has changed it in the storage meanwhile, that stays, and this
+/// one is kept beside it.
 pub fn keep(app: App) {
-    let Some(name) = app.with(|lab| lab.written_as.clone()).flatten() else { return };
+    let Some(Kept { name, text: before }) = app.with(|lab| lab.written_as.clone()).flatten() else { return };
+    let is_changed = browser::remembered(&name).is_some_and(|stored| stored != before);
+    let name = if is_changed { new_name() } else { name };
     let text = visited::describe(app);
     let mut others: Vec<String> = browser::all_remembered(PREFIX).into_iter().map(|(name, _)| name).collect();
     others.retain(|other| *other != name);
     others.sort_unstable();
     let excess = (others.len() + 1).saturating_sub(MOST);
-    others.drain(..excess).for_each(|other| browser::forget(&other));
+    for other in others.drain(..excess) {
+        browser::forget(&other);
+        versions::forget(&other);
+    }
     if !browser::remember(&name, &text)
         && app.with(|lab| std::mem::replace(&mut lab.saved.refused, true)) == Some(false)
     {
         app.complain(app.words().not_saved.to_owned());
     }
+    app.with(|lab| lab.written_as = Some(Kept { name, text }));
 }
 
 /// What was written, the latest first, with its title.

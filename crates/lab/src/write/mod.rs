@@ -6,7 +6,10 @@ mod editor;
 mod findings;
 mod kept;
 mod tools;
+mod version_list;
+mod versions;
 
+pub use changes::follow_file;
 pub use draft::{flush, resume};
 pub use editor::Editor;
 

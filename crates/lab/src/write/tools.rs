@@ -1,7 +1,7 @@
 //! What stands above the editor: which file is shown, new documents, saving.
 
 use super::draft::flush;
-use super::kept;
+use super::{kept, version_list};
 use crate::app::App;
 use crate::visited::Visited;
 use crate::{opening, visited};
@@ -47,13 +47,16 @@ pub fn view(app: App) -> HtmlDiv {
         };
         if documents.is_empty() { View::new() } else { View::from((note(words.kept_documents), chips(documents))) }
     };
+    let [versions, version_list] = version_list::view(app);
     let templates = div().class("templates").id("templates").hidden(move || !choosing.get());
     div()
         .class("writing-tools")
         .child(new)
         .child(save)
+        .child(versions)
         .maybe(file_choice(app))
         .child(templates.child(note(words.new_document_from)).child(chips).child(changing(kept)))
+        .child(version_list)
 }
 
 /// Which file is shown, where there are several.

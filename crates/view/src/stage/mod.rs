@@ -22,6 +22,7 @@ use crate::app::App;
 use crate::scene::SceneNodes;
 use crate::views::*;
 use crate::{icons, transport};
+use play::PagePart;
 use sycamore_reactive::untrack;
 
 /// The stage, which is built again for another program.
@@ -51,13 +52,16 @@ fn scene(app: App) -> HtmlSection {
     let mut place = div().class("drawing");
     let language = app.language.get_untracked().tag();
     let scene = app.read(|play| play.program().scene(language).cloned());
-    let (exists, draggable) = (scene.is_some(), scene.as_ref().is_some_and(|scene| has_handle(&scene.root)));
+    let embedding = app.host().embedding();
+    let (exists, has_handle) = (scene.is_some(), scene.as_ref().is_some_and(|scene| has_handle(&scene.root)));
+    let draggable = has_handle && !embedding.locked;
     if let Some(scene) = &scene {
         let drawn = SceneNodes::build(app, scene, &place.node(), words.scene);
         app.nodes(|nodes| nodes.scene = drawn);
         app.wake();
     }
     part("scene", "scene card", words.scene)
+        .hidden(embedding.hides(PagePart::Scene))
         .child(place)
         .child(instruments(app, exists))
         .child(changing(move || outline_legend(app)))

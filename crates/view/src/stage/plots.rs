@@ -5,7 +5,7 @@ use super::pins;
 use super::{gestures, legend, plot, plot_tools, runs};
 use crate::app::App;
 use crate::views::*;
-use play::{PlotId, PlotView};
+use play::{PagePart, PlotId, PlotView};
 use web_sys::Element;
 
 /// All plots, and which of them are shown.
@@ -16,6 +16,7 @@ pub fn view(app: App) -> View {
     let shown = move |id: PlotId| is_in_sight(app, id);
     let offered = move |id: PlotId| app.plot(id).is_some_and(|plot| plot.offered);
     let count = plots.len();
+    let hides = app.host().embedding().hides(PagePart::Plots);
     let switch = |plot: &PlotView| {
         let id = plot.id;
         let turn = move |_| {
@@ -39,7 +40,7 @@ pub fn view(app: App) -> View {
         .class("plots")
         .attr("aria-labelledby", "plots-title")
         .id("plots")
-        .hidden(move || !(0..count).map(PlotId::at).any(offered))
+        .hidden(move || hides || !(0..count).map(PlotId::at).any(offered))
         .child(
             div()
                 .class("plots-bar")

@@ -1,0 +1,53 @@
+//! Projects: what a desk holds besides its document goes into one file and comes back in another visit.
+
+use crate::support::utube;
+use desk::document::page::Source;
+use desk::document::project::Project;
+use proptest::prelude::*;
+
+const RECORD: &[u8] = b"t [s],y [m]\n0,0.5\n0.5,0.2\n1,-0.3\n1.5,-0.45\n2,-0.1\n2.5,0.3\n3,0.44\n";
+
+#[test]
+fn records_and_answers_come_back_and_are_not_taken_twice() {
+    let mut desk = utube();
+    desk.begin_record("film.csv", RECORD.to_vec()).unwrap();
+    while desk.record_progress().is_some() {
+        desk.advance_record(1 << 20).unwrap();
+    }
+    let items = desk.project_items(5);
+    assert_eq!(items.len(), 1);
+    let source = Source { name: "a.md".to_owned(), text: "x".to_owned() };
+    let project = Project { documents: vec![source], state: desk.play().share(), items };
+    let project = Project::read(&project.write()).unwrap();
+    let mut other = utube();
+    assert_eq!(other.take_project_items(&project.items), 0);
+    assert_eq!(other.records().len(), 1);
+    assert_eq!(other.project_items(5), project.items, "the same to the letter");
+    assert_eq!(other.take_project_items(&project.items), 0);
+    assert_eq!(other.records().len(), 1, "what is there already stays");
+    let damaged = [("a".to_owned(), "{}".to_owned()), ("b".to_owned(), "[".to_owned()), project.items[0].clone()];
+    let mut third = utube();
+    assert_eq!(third.take_project_items(&damaged), 2, "what cannot be read is counted");
+    assert_eq!(third.records().len(), 1);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+
+    /// Whatever stands in a file: no panic, and what is taken is written again.
+    #[test]
+    fn any_text_is_a_project_or_refused(text in "\\PC{0,200}", at in 0usize..400, byte in any::<u8>()) {
+        let _ = Project::read(&text);
+        let mut desk = utube();
+        desk.take_project_items(&[(text.clone(), text)]);
+        let source = Source { name: "a".to_owned(), text: "b".to_owned() };
+        let items = vec![("r".to_owned(), "{\"meniscus\":3,\"since\":1,\"item\":{\"answer\":{}}}".to_owned())];
+        let mut bytes = Project { documents: vec![source], state: String::new(), items }.write().into_bytes();
+        let place = at % bytes.len();
+        bytes[place] = byte;
+        if let Ok(project) = String::from_utf8(bytes).map_err(drop).and_then(|text| Project::read(&text).map_err(drop)) {
+            desk.take_project_items(&project.items);
+            prop_assert_eq!(Project::read(&project.write()), Ok(project));
+        }
+    }
+}

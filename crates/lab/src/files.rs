@@ -1,0 +1,57 @@
+//! Files that a person picks or drops.
+
+use crate::app::App;
+use crate::{film, intake, opening, project};
+use document::page::{self, Source};
+use view::browser;
+use web_sys::{File, FileList};
+
+/// Opens files that the user picked: a document with its translations, one exported page, a project, or records.
+pub fn open(app: App, files: &FileList) {
+    let files: Vec<File> = (0..files.length()).filter_map(|index| files.get(index)).collect();
+    wasm_bindgen_futures::spawn_local(async move {
+        let mut sources = Vec::new();
+        let is_document = |file: &File| {
+            let name = file.name().to_lowercase();
+            [".md", ".markdown", ".html", ".htm"].iter().any(|ending| name.ends_with(ending))
+        };
+        let (films, files): (Vec<File>, Vec<File>) = files.into_iter().partition(film::is_film);
+        if let Some(file) = films.into_iter().next() {
+            film::open(app, file);
+        }
+        let (projects, files): (Vec<File>, Vec<File>) = files.into_iter().partition(project::is_project);
+        if let Some(file) = projects.into_iter().next() {
+            project::open(app, &file).await;
+        }
+        let (documents, records): (Vec<File>, Vec<File>) = files.into_iter().partition(is_document);
+        if documents.is_empty() {
+            return intake::read(app, records);
+        }
+        for file in documents {
+            let Ok(text) = browser::wait(file.text()).await else {
+                app.complain(format!("{} {}", app.words().file_not_read, file.name()));
+                continue;
+            };
+            let (name, text) = (file.name(), text.as_string().unwrap_or_default());
+            if let Some(embedded) = page::read(&text) {
+                sources = embedded;
+                break;
+            }
+            if !name.to_lowercase().ends_with(".html") {
+                sources.push(Source { name, text });
+            }
+        }
+        // `utube.md` before `utube.es.md`: the document before its translations.
+        sources.sort_by_key(|source| source.name.matches('.').count());
+        if sources.is_empty() {
+            return app.complain(app.words().unreadable.to_owned());
+        }
+        // A link may have been waiting for this file.
+        let name = sources.first().map(|source| source.name.clone());
+        let awaited = app.with(|lab| lab.awaited.take_if(|(awaited, _)| Some(&*awaited) == name.as_ref()));
+        let state = awaited.flatten().map(|(_, state)| state).unwrap_or_default();
+        opening::go_to(app, sources, &state);
+        intake::read(app, records);
+        browser::focus_later(if app.read(|_| true) { "play" } else { "apparatus" }.to_owned());
+    });
+}

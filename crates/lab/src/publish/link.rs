@@ -1,0 +1,124 @@
+//! The link, and its QR code.
+
+use super::{close, stem, words};
+use crate::app::App;
+use crate::links;
+use qrcodegen::{QrCode, QrCodeEcc};
+use std::fmt::Write as _;
+use view::browser;
+use view::views::*;
+
+/// The longest address of which a code is offered, in bytes: of version 20 with 97 modules on a side, which telephones read from a
+/// screen and from paper.
+const LONGEST: usize = 858;
+
+/// Modules of white around the code: ISO 18004 asks for four.
+const MARGIN: usize = 4;
+
+/// What the section of the code shows.
+#[derive(Clone, PartialEq)]
+enum Shown {
+    Nothing,
+    /// The code as an SVG.
+    Code(String),
+    /// Why there is none of the link; a field takes another address.
+    Refused(&'static str),
+}
+
+/// The section.
+pub fn view(app: App) -> View {
+    let words = words(app);
+    let copy =
+        button().class("action").id("copy-link").title(app.page.words().share_title).child(app.page.words().share);
+    let copy = copy.when(events::click, move |_| {
+        close();
+        links::share(app);
+    });
+    let shown = create_signal(Shown::Nothing);
+    let make = move |_| {
+        if shown.get_clone_untracked() != Shown::Nothing {
+            return shown.set(Shown::Nothing);
+        }
+        wasm_bindgen_futures::spawn_local(async move {
+            let (address, _) = links::present(app).await;
+            if shown.is_alive() {
+                shown.set(code_of_link(app, &address));
+            }
+        });
+    };
+    let code = button()
+        .class("quiet outlined")
+        .id("qr")
+        .attr("aria-expanded", move || (shown.get_clone() != Shown::Nothing).to_string())
+        .attr("aria-controls", "qr-code")
+        .when(events::click, make)
+        .child(words.qr_code);
+    let place = div().id("qr-code").attr("aria-live", "polite").child(changing(move || match shown.get_clone() {
+        Shown::Nothing => View::new(),
+        Shown::Code(svg) => code_view(app, svg),
+        Shown::Refused(why) => other_address(app, why),
+    }));
+    View::from((note(words.link_intro), div().class("ways").child(copy).child(code), place))
+}
+
+fn code_of_link(app: App, address: &str) -> Shown {
+    let words = words(app);
+    if address.starts_with("file:") {
+        return Shown::Refused(words.qr_from_disk);
+    }
+    code(address).map_or(Shown::Refused(words.qr_too_long), Shown::Code)
+}
+
+/// The code, and a button that saves it.
+fn code_view(app: App, svg: String) -> View {
+    let words = words(app);
+    let picture = div().class("qr").role("img").attr("aria-label", words.qr_label).inner_html(svg.clone());
+    let save = button().class("quiet outlined").id("save-qr").child(words.qr_save);
+    let save = save.when(events::click, move |_| {
+        browser::save_text(&format!("{}-qr.svg", stem(app)), "image/svg+xml", &svg);
+    });
+    View::from((picture, div().class("ways").child(save)))
+}
+
+/// Why the link has no code, and a field for an address that gets one.
+fn other_address(app: App, why: &'static str) -> View {
+    let words = words(app);
+    let typed = create_signal(String::new());
+    let field = input()
+        .r#type("url")
+        .id("qr-address")
+        .class("address")
+        .attr("placeholder", "https://")
+        .when(events::input, move |event| typed.set(value_of(&event)));
+    let made = move || {
+        let address = typed.get_clone();
+        match (address.trim(), code(address.trim())) {
+            ("", _) => View::new(),
+            (_, Some(svg)) => code_view(app, svg),
+            (_, None) => p().class("refusal").child(words.qr_not_made).into(),
+        }
+    };
+    let field = label().class("field").child(span().child(words.qr_address)).child(field);
+    View::from((p().class("note").child(why), field, changing(made)))
+}
+
+/// A code as an SVG: black on white, whatever the colours of the page are. None where the text is too long.
+fn code(text: &str) -> Option<String> {
+    // The level is raised where that needs no larger code.
+    let code = QrCode::encode_text(text, QrCodeEcc::Low).ok().filter(|_| text.len() <= LONGEST)?;
+    let size = usize::try_from(code.size()).ok()?;
+    let mut path = String::new();
+    for row in 0..code.size() {
+        for column in (0..code.size()).filter(|column| code.get_module(*column, row)) {
+            // Writing to a string cannot fail.
+            let _ = write!(path, "M{column} {row}h1v1h-1z");
+        }
+    }
+    let (whole, start) = (size + 2 * MARGIN, -(MARGIN as i64));
+    Some(format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{start} {start} {whole} {whole}\" width=\"{0}\" height=\"{0}\" \
+         shape-rendering=\"crispEdges\"><path fill=\"#fff\" d=\"M{start} {start}h{whole}v{whole}h-{whole}z\"/>\
+         <path d=\"{path}\"/></svg>",
+        4 * whole
+    ))
+}

@@ -1,0 +1,92 @@
+//! The page that plays the document: the file that `meniscus export` writes, too.
+
+use super::{files, stem, words};
+use crate::app::App;
+use crate::{carried, packing};
+use document::page::{self, Source};
+use program::bundle;
+use std::rc::Rc;
+use view::browser;
+use view::views::*;
+
+/// The page, while the dialog is open.
+#[derive(Clone, Copy)]
+pub struct Page(Signal<State>);
+
+#[derive(Clone)]
+enum State {
+    Preparing,
+    Ready(Rc<String>),
+    Refused(&'static str),
+}
+
+impl Page {
+    /// Begins to make the page of the open document as it stands in the editor.
+    pub fn prepare(app: App) -> Self {
+        let state = create_signal(State::Preparing);
+        let words = words(app);
+        let sources = files::present(app);
+        wasm_bindgen_futures::spawn_local(async move {
+            let made = match made(&sources).await {
+                Ok(page) => State::Ready(Rc::new(page)),
+                Err(Refused::Faulty) => State::Refused(words.faulty),
+                Err(Refused::TooLarge) => State::Refused(words.page_too_large),
+                Err(Refused::PlayerMissing) => State::Refused(words.page_missing),
+            };
+            // The dialog may have been closed meanwhile.
+            if state.is_alive() {
+                state.set(made);
+            }
+        });
+        Self(state)
+    }
+
+    /// The section, with a button that saves the page and says how large it is.
+    pub fn view(self, app: App) -> View {
+        let words = words(app);
+        let Self(state) = self;
+        let save = move |_| {
+            if let State::Ready(page) = state.get_clone_untracked() {
+                browser::save_text(&format!("{}.html", stem(app)), "text/html", &page);
+            }
+        };
+        let waits = move || (!matches!(state.get_clone(), State::Ready(_))).then_some("true");
+        let save = button().class("action").id("save-page").attr("aria-disabled", waits).when(events::click, save);
+        let size = move || match state.get_clone() {
+            State::Preparing => words.page_preparing.to_owned(),
+            State::Ready(page) => format!("{} kB", page.len().div_ceil(1000)),
+            State::Refused(why) => why.to_owned(),
+        };
+        let size = span().class("note").role("status").id("page-size").child(text(size));
+        View::from((note(words.page_intro), div().class("ways").child(save.child(words.page_save)).child(size)))
+    }
+}
+
+/// Why there is no page.
+enum Refused {
+    Faulty,
+    TooLarge,
+    PlayerMissing,
+}
+
+/// The page of these sources.
+async fn made(sources: &[Source]) -> Result<String, Refused> {
+    let texts: Vec<&str> = sources.iter().map(|source| source.text.as_str()).collect();
+    let (base, translations) = texts.split_first().ok_or(Refused::Faulty)?;
+    let document = document::open(base, translations).sound().ok_or(Refused::Faulty)?;
+    let bundle = bundle::write(&document.program).map_err(|_| Refused::TooLarge)?;
+    let gzipped = packing::gzip(&bundle).await.ok_or(Refused::PlayerMissing)?;
+    let player = player().await.ok_or(Refused::PlayerMissing)?;
+    page::played(&player, sources, &document.program, gzipped).ok_or(Refused::PlayerMissing)
+}
+
+/// The player without a simulation.
+async fn player() -> Option<String> {
+    let part = carried::part("player")?;
+    if let Some(address) =
+        part.get_attribute("data-script").filter(|_| part.text_content().is_none_or(|text| text.is_empty()))
+    {
+        carried::run_file(&address).await?;
+    }
+    carried::inflated(&part).await
+}

@@ -1,0 +1,61 @@
+//! The words of publishing in every language.
+
+use view::table_of_words;
+
+table_of_words! {
+    title: "Share and publish", "Compartir y publicar";
+    button: "Share", "Compartir";
+    button_title: "Link, page, frame for other pages, QR code, files", "Enlace, página, marco para otras páginas, código QR, archivos";
+    close: "Close", "Cerrar";
+    faulty: "The text has errors. They are listed in the tab Write; what is published here is ready as soon as they are corrected.", "El texto tiene errores. Están en la pestaña Escribir; se podrá publicar en cuanto estén corregidos.";
+
+    // Link and QR code.
+    link: "Link", "Enlace";
+    link_intro: "Opens this document with the present values in this laboratory.", "Abre este documento con los valores actuales en este laboratorio.";
+    qr_code: "QR code", "Código QR";
+    qr_save: "Save QR code", "Guardar código QR";
+    qr_label: "QR code of the link", "Código QR del enlace";
+    qr_too_long: "This link is too long for a QR code that a telephone reads reliably. Save the page, put it on a web server, and make the QR code of its address here:", "Este enlace es demasiado largo para un código QR que un teléfono lea con seguridad. Guarda la página, súbela a un servidor web y crea aquí el código QR de su dirección:";
+    qr_from_disk: "This laboratory was opened from a file, which no other device can reach. Save the page, put it on a web server, and make the QR code of its address here:", "Este laboratorio se abrió desde un archivo, al que ningún otro dispositivo puede llegar. Guarda la página, súbela a un servidor web y crea aquí el código QR de su dirección:";
+    qr_address: "Address for the QR code", "Dirección para el código QR";
+    qr_not_made: "This address is too long for a QR code.", "Esta dirección es demasiado larga para un código QR.";
+
+    // The page.
+    page: "Page", "Página";
+    page_intro: "One file that plays this simulation in any browser, without a network. Its source is inside: the laboratory opens it again.", "Un solo archivo que reproduce esta simulación en cualquier navegador, sin conexión. Lleva dentro su fuente: el laboratorio lo vuelve a abrir.";
+    page_save: "Save as page", "Guardar como página";
+    page_preparing: "The page is being prepared ...", "Se está preparando la página ...";
+    page_too_large: "This document is too large for a page that plays it.", "Este documento es demasiado grande para una página que lo reproduzca.";
+    page_missing: "The player could not be loaded. Check the connection, and open this dialog again.", "No se ha podido cargar el reproductor. Comprueba la conexión y vuelve a abrir este diálogo.";
+
+    // The frame.
+    frame: "Frame in another page", "Marco en otra página";
+    frame_intro: "Put the page on a web server, and this code into a page of Moodle, Google Sites or your own.", "Sube la página a un servidor web y pon este código en una página de Moodle, de Google Sites o tuya.";
+    frame_address: "Address of the page", "Dirección de la página";
+    frame_width: "Width", "Anchura";
+    frame_height: "Height", "Altura";
+    frame_follows: "The height follows the content (a script for the page around it is added)", "La altura sigue al contenido (se añade un script para la página que lo rodea)";
+    frame_language: "Language", "Idioma";
+    frame_any_language: "that of the reader", "el del lector";
+    frame_shown: "Shown", "Se muestra";
+    frame_locked: "Fix the values (parameters, presets and handles)", "Fijar los valores (parámetros, ajustes y asas)";
+    frame_state: "With the present values", "Con los valores actuales";
+    frame_code: "Code", "Código";
+    frame_copy: "Copy code", "Copiar código";
+    frame_copied: "Code copied.", "Código copiado.";
+    frame_not_copied: "The browser does not allow copying. Select the code and copy it.", "El navegador no permite copiar. Selecciona el código y cópialo.";
+    part_head: "Title and buttons", "Título y botones";
+    part_scene: "Scene", "Escena";
+    part_plots: "Plots", "Gráficas";
+    part_parameters: "Parameters", "Parámetros";
+    part_values: "Values", "Valores";
+    part_activities: "Activities", "Actividades";
+    part_text: "Theory", "Teoría";
+
+    // Files.
+    files: "Files", "Archivos";
+    source_intro: "The text of the document, with its translations beside it.", "El texto del documento, con sus traducciones al lado.";
+    project_intro: "Everything in one file: document, translations, present values, records, fits, work on films and answers. Open it or drop it on this page to go on.", "Todo en un archivo: documento, traducciones, valores actuales, registros, ajustes, trabajo en vídeos y respuestas. Ábrelo o suéltalo en esta página para continuar.";
+    project_save: "Save project", "Guardar proyecto";
+    source_save: "Save as file", "Guardar como archivo";
+}

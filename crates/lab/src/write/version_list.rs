@@ -1,0 +1,80 @@
+//! The list of versions of what is written, and how to go back to one.
+
+use super::versions::{self, Version};
+use super::{changes, draft};
+use crate::app::App;
+use desk::{LineChanges, line_changes};
+use js_sys::{Date, Object, Reflect};
+use view::views::*;
+use wasm_bindgen::JsValue;
+
+/// The button that shows the list, and the list below the tools.
+pub fn view(app: App) -> [View; 2] {
+    let words = app.words();
+    let open = create_signal(false);
+    let button = button()
+        .class("quiet outlined")
+        .id("versions")
+        .attr("aria-controls", "version-list")
+        .attr("aria-expanded", move || open.get().to_string())
+        .when(events::click, move |_| {
+            draft::flush(app);
+            open.update(|open| *open = !*open);
+        })
+        .child(words.versions);
+    let list = changing(move || {
+        app.written.track();
+        if open.get() { list(app) } else { View::new() }
+    });
+    let place = div().class("templates").id("version-list").hidden(move || !open.get()).child(list);
+    [button.into(), place.into()]
+}
+
+/// The versions, the latest first, each with what has changed since the one before it.
+fn list(app: App) -> View {
+    let words = app.words();
+    let all = versions::all(app);
+    if all.is_empty() {
+        return note(words.no_versions).into();
+    }
+    let mut before: Option<Vec<String>> = None;
+    let mut rows = Vec::new();
+    for version in all {
+        let changes = before
+            .as_ref()
+            .map(|before| line_changes(before.iter().map(String::as_str), version.texts.iter().map(String::as_str)));
+        before = Some(version.texts.clone());
+        rows.push(row(app, version, changes));
+    }
+    rows.reverse();
+    View::from((note(words.versions_intro), ul().class("versions").each(rows, |row| row)))
+}
+
+fn row(app: App, version: Version, changes: Option<LineChanges>) -> HtmlLi {
+    let words = app.words();
+    let changed = match changes {
+        Some(LineChanges { added, removed }) => format!("+{added} −{removed} {}", words.version_lines),
+        None => words.version_first.to_owned(),
+    };
+    let texts = version.texts;
+    let open = move |_| {
+        draft::flush(app);
+        // What stands there now can be gone back to, too.
+        versions::make(app);
+        changes::take(app, &texts);
+        app.notify(words.version_opened);
+    };
+    let time = span().class("version-time").child(time_text(app, version.time));
+    li().child(button().class("quiet").when(events::click, open).child(time).child(span().class("note").child(changed)))
+}
+
+/// Day and time, as they are written in the language of the page.
+fn time_text(app: App, time: u64) -> String {
+    let options = Object::new();
+    for (name, value) in [("dateStyle", "medium"), ("timeStyle", "medium")] {
+        let _ = Reflect::set(&options, &name.into(), &value.into());
+    }
+    let locale = app.language.get_untracked().pick("en-GB", "es-ES");
+    let text = Date::new(&JsValue::from(time as f64)).to_locale_string(locale, &options);
+    text.as_string().unwrap_or_default()
+}

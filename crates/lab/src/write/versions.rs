@@ -1,0 +1,113 @@
+//! Versions of what is written, to go back to: texts as they stood before a change, in the storage of the browser beside the draft.
+
+use crate::app::App;
+use crate::visited;
+use desk::superfluous_versions;
+use document::page::{self, Source};
+use js_sys::Date;
+use view::browser;
+
+const PREFIX: &str = "version:";
+/// More of one document are not kept.
+const MOST: usize = 50;
+/// The longest texts of all documents together, in bytes; the rest of the storage is for records and drafts.
+const LONGEST: usize = 1_000_000;
+/// A text becomes a version if the last version is so old, in milliseconds.
+const BETWEEN: f64 = 60_000.0;
+/// A text becomes a version if its writer has rested so long before the change.
+const REST: f64 = 15_000.0;
+
+/// A version in the storage.
+pub struct Version {
+    key: String,
+    /// When it was made, in milliseconds.
+    pub time: u64,
+    /// Its texts.
+    pub texts: Vec<String>,
+}
+
+/// A change is about to be made: the text before it becomes a version if enough has happened since the last one.
+pub fn before_change(app: App) {
+    let now = Date::now();
+    let times = app.with(|lab| {
+        let before = lab.version_times;
+        lab.version_times.change = now;
+        before
+    });
+    if times.is_some_and(|times| now - times.version >= BETWEEN || now - times.change >= REST) {
+        make(app);
+    }
+}
+
+/// Makes the text as it stands a version, unless the last one is the same.
+pub fn make(app: App) {
+    let Some(document) = document_key(app) else { return };
+    let now = Date::now();
+    app.with(|lab| lab.version_times.version = now);
+    let files = visited::written(app);
+    let mut versions = of_document(&document);
+    let same = |version: &Version| version.texts.iter().eq(files.iter().map(|file| &file.text));
+    if files.is_empty() || versions.last().is_some_and(same) {
+        return;
+    }
+    let key = format!("{document}{}", now as u64);
+    browser::remember(&key, &page::write_list(&files));
+    versions.push(Version { key, time: now as u64, texts: Vec::new() });
+    let times: Vec<u64> = versions.iter().map(|version| version.time).collect();
+    for place in superfluous_versions(&times, now as u64, MOST) {
+        if let Some(version) = versions.get(place) {
+            browser::forget(&version.key);
+        }
+    }
+    make_room();
+}
+
+/// Forgets the oldest versions of all documents if all together are too long.
+fn make_room() {
+    let mut all = browser::all_remembered(PREFIX);
+    let mut length: usize = all.iter().map(|(_, text)| text.len()).sum();
+    all.sort_by_key(|(key, _)| time_of(key));
+    for (key, text) in all {
+        if length <= LONGEST {
+            return;
+        }
+        browser::forget(&key);
+        length -= text.len();
+    }
+}
+
+/// Forgets the versions of a draft that is not kept any longer.
+pub fn forget(draft: &str) {
+    for (key, _) in browser::all_remembered(&key_of(draft)) {
+        browser::forget(&key);
+    }
+}
+
+/// What the keys of the versions of a draft begin with.
+fn key_of(draft: &str) -> String {
+    format!("{PREFIX}{}:", draft.rsplit(':').next().unwrap_or_default())
+}
+
+fn document_key(app: App) -> Option<String> {
+    app.with(|lab| lab.written_as.as_ref().map(|written| key_of(&written.name))).flatten()
+}
+
+fn time_of(key: &str) -> u64 {
+    key.rsplit(':').next().and_then(|time| time.parse().ok()).unwrap_or(0)
+}
+
+/// The versions of the open document, the oldest first.
+pub fn all(app: App) -> Vec<Version> {
+    document_key(app).map_or_else(Vec::new, |document| of_document(&document))
+}
+
+/// The versions whose keys begin like this.
+fn of_document(document: &str) -> Vec<Version> {
+    let read = |(key, text): (String, String)| {
+        let texts = page::read_list(&text)?.into_iter().map(|Source { text, .. }| text).collect();
+        Some(Version { time: time_of(&key), key, texts })
+    };
+    let mut versions: Vec<Version> = browser::all_remembered(document).into_iter().filter_map(read).collect();
+    versions.sort_by_key(|version| version.time);
+    versions
+}

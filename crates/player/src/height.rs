@@ -1,0 +1,36 @@
+//! The height of the page, told to the page around it: `{ meniscus: { height } }`, in pixels.
+
+use js_sys::{Object, Reflect};
+use std::cell::Cell;
+use view::views::{document, window};
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::ResizeObserver;
+
+/// Makes the page as high as its content, and tells its height whenever it changes, as long as the page is open.
+pub fn tell() {
+    let (Some(root), Some(body)) = (document().document_element(), document().body()) else { return };
+    let _ = root.set_attribute("data-height", "content");
+    let told = Cell::new(0.0);
+    let content = body.clone();
+    let changed = Closure::<dyn FnMut()>::new(move || {
+        let height = content.get_bounding_client_rect().height().ceil();
+        if told.replace(height) != height {
+            post(height);
+        }
+    });
+    if let Ok(observer) = ResizeObserver::new(changed.as_ref().unchecked_ref()) {
+        observer.observe(&body);
+    }
+    changed.forget();
+}
+
+/// To whatever page is around this one: a height is no secret.
+fn post(height: f64) {
+    let (message, inner) = (Object::new(), Object::new());
+    let _ = Reflect::set(&inner, &"height".into(), &height.into());
+    let _ = Reflect::set(&message, &"meniscus".into(), &inner);
+    if let Ok(Some(parent)) = window().parent() {
+        let _ = parent.post_message(&JsValue::from(message), "*");
+    }
+}

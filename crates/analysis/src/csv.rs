@@ -1,19 +1,34 @@
 //! Tables of numbers as CSV files, for programs and for spreadsheets of both kinds.
 
+use crate::scale_line;
 use crate::spreadsheet::Cell;
 pub use engine::csv::Dialect;
+
+/// The table of a film: as [`write`], below a line with the relative standard error of its scale, where it has one.
+pub fn write_film(headers: &[&str], columns: &[&[f64]], scale_error: Option<f64>, dialect: Dialect) -> String {
+    let mut out = dialect.start().to_owned();
+    if let Some(error) = scale_error {
+        write_row(&mut out, std::iter::once(Borrowed::Text(&scale_line(error))), dialect);
+    }
+    add_table(&mut out, headers, columns, dialect);
+    out
+}
 
 /// A table with one header line. Numbers have all their digits; what is not finite is an empty cell. Columns may be of
 /// different lengths.
 pub fn write(headers: &[&str], columns: &[&[f64]], dialect: Dialect) -> String {
     let mut out = dialect.start().to_owned();
-    write_row(&mut out, headers.iter().map(|header| Borrowed::Text(header)), dialect);
+    add_table(&mut out, headers, columns, dialect);
+    out
+}
+
+fn add_table(out: &mut String, headers: &[&str], columns: &[&[f64]], dialect: Dialect) {
+    write_row(out, headers.iter().map(|header| Borrowed::Text(header)), dialect);
     let rows = columns.iter().map(|column| column.len()).max().unwrap_or(0);
     for row in 0..rows {
         let cells = columns.iter().map(|column| Borrowed::Number(column.get(row).copied().unwrap_or(f64::NAN)));
-        write_row(&mut out, cells, dialect);
+        write_row(out, cells, dialect);
     }
-    out
 }
 
 /// Rows of cells, those of the header among them.

@@ -92,6 +92,8 @@ pub enum Finding {
     AssumedSeconds(String),
     /// The times of these columns are all the same, or there are none.
     NoTimes(String),
+    /// All lengths share a relative standard error, that of the scale of their film.
+    Scale(f64),
     /// Frames are missing.
     Missing {
         /// Where.
@@ -234,6 +236,18 @@ impl Finding {
                     format!("the times in {column} are missing or all the same: nothing can be measured against them"),
                     format!(
                         "los tiempos de {column} faltan o son todos iguales: no se puede medir nada frente a ellos"
+                    ),
+                )
+            }
+            Self::Scale(error) => {
+                let percent = decimal(100.0 * error, 2, language);
+                say(
+                    format!(
+                        "all lengths share the standard error of the film's scale, {percent} %, which fits take into account"
+                    ),
+                    format!(
+                        "todas las longitudes comparten el error típico de la escala del vídeo, {percent} %, que los ajustes tienen \
+                         en cuenta"
                     ),
                 )
             }

@@ -14,6 +14,7 @@ mod packed;
 pub mod reading;
 mod run_name;
 pub mod sampling;
+mod scale_line;
 pub mod smoothing;
 pub mod spreadsheet;
 pub mod stencil;
@@ -21,3 +22,5 @@ pub mod table;
 pub mod tracker;
 pub mod virtual_record;
 pub mod workbook;
+
+pub use scale_line::scale_line;

@@ -9,6 +9,8 @@ use units::Unit;
 pub struct Table {
     /// The columns, in the order of the file.
     pub columns: Vec<Column>,
+    /// The relative standard error that all lengths share, where the file states it: that of the ruler in a film.
+    pub scale_error: Option<f64>,
 }
 
 /// One column of measured data.

@@ -120,6 +120,10 @@ pub(crate) fn fit_error(language: Language, error: &FitError) -> String {
             "The value of a parameter is not a finite number.",
             "El valor de un parámetro no es un número finito.",
         ),
+        FitError::BadScaleError(_) => language.pick(
+            "The standard error of the film's scale is not greater than 0.",
+            "El error típico de la escala del vídeo no es mayor que 0.",
+        ),
         FitError::BadErrors { count, .. } => {
             return language.pick(
                 format!("{count} values have a standard error that is missing or not greater than 0."),

@@ -1,7 +1,8 @@
-//! What has to be known beside the numbers of a fit: values that are off, and a record too short for its correlation.
+//! What has to be known beside the numbers of a fit: the scales of films, values that are off, and a record too short for its
+//! correlation.
 
-use analysis::fit::{Estimate, Loss, Outcome, Outlier, Task};
-use units::number::{fixed, plain, with_unit};
+use analysis::fit::{Estimate, FilmScale, Loss, Outcome, Outlier, Task};
+use units::number::{Group, fixed, plain, with_unit};
 use units::{Language, Unit};
 
 /// No more outliers than this are named one by one, those farthest off.
@@ -10,7 +11,30 @@ const NAMED: usize = 5;
 /// Sentences in English or Spanish; `clock` is the unit of the independent variable, whose name is `independent`.
 pub fn remarks(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Vec<String> {
     let sentences = [loss(outcome, language), outliers(outcome, task, independent, language), short(outcome, language)];
-    sentences.into_iter().flatten().collect()
+    scales(outcome, task, language).into_iter().chain(sentences.into_iter().flatten()).collect()
+}
+
+/// `Scale of the film 1.0003 ± 0.0012 (prior ± 0.0015)`
+fn scales(outcome: &Outcome, task: &Task, language: Language) -> Vec<String> {
+    let sentence = |scale: &FilmScale| {
+        let error = scale.stderr.unwrap_or(scale.prior);
+        let group = Group::of_errors(&Unit::dimensionless(), &[(scale.value, error)], language.style());
+        let record = task.records.get(scale.record).filter(|_| task.records.len() > 1);
+        let record = record.map_or_else(String::new, |record| [&record.name, ": "].concat());
+        [
+            record.as_str(),
+            language.pick::<&str>("Scale of the film ", "Escala del vídeo: "),
+            &group.with_error(scale.value, error),
+            language.pick::<&str>(" (prior ± ", " (a priori ± "),
+            &plain(scale.prior, 2, language.style()),
+            language.pick::<&str>(
+                "); the standard errors of lengths include it.",
+                "); los errores típicos de las longitudes lo incluyen.",
+            ),
+        ]
+        .concat()
+    };
+    outcome.scales.iter().map(sentence).collect()
 }
 
 /// What a robust loss has changed: how many values count less, and the greatest change of a number.

@@ -49,8 +49,8 @@ pub(crate) struct Autoregression {
 impl Autoregression {
     /// Of weighted residuals of a fit. `series` holds the places of each one's values, in the order of time; errors of different
     /// series are taken for independent. `basis` is orthonormal and spans the columns of the Jacobian.
-    pub fn new(series: &[Vec<usize>], basis: &[Vec<f64>], residuals: &[f64]) -> Self {
-        let size = basis.len();
+    /// `priors` is what rows of other known errors add to the covariance of its coefficients.
+    pub fn new(series: &[Vec<usize>], basis: &[Vec<f64>], residuals: &[f64], priors: &[f64]) -> Self {
         let blocks: Vec<Block> = series
             .iter()
             .filter(|places| !places.is_empty())
@@ -59,9 +59,11 @@ impl Autoregression {
         let mut errors: Vec<Errors> = blocks.iter().map(|block| block.errors(0.0, block.count())).collect();
         let mut shares: Vec<Vec<f64>> = blocks.iter().map(|block| block.products(0.0).0).collect();
         // What one series is expected to leave depends on the others, through the fit: a few rounds are enough.
-        for _ in 0..if blocks.len() > 1 { 3 } else { 1 } {
+        let alone = blocks.len() == 1 && priors.iter().all(|value| *value == 0.0);
+        for _ in 0..if alone { 1 } else { 3 } {
             for (place, block) in blocks.iter().enumerate() {
-                let mut rest = vec![0.0; size * size];
+                let scale = 1.0 / errors[place].variance.max(f64::MIN_POSITIVE);
+                let mut rest: Vec<f64> = priors.iter().map(|value| (value * scale).min(1e12)).collect();
                 for (other, share) in shares.iter().enumerate().filter(|(other, _)| *other != place) {
                     let ratio = errors[other].variance / errors[place].variance.max(f64::MIN_POSITIVE);
                     rest.iter_mut().zip(share).for_each(|(rest, value)| *rest += ratio.min(1e12) * value);
@@ -70,7 +72,7 @@ impl Autoregression {
                 shares[place] = block.products(errors[place].rho).0;
             }
         }
-        let mut covariance = vec![0.0; size * size];
+        let mut covariance = priors.to_vec();
         let mut doubt = Vec::with_capacity(blocks.len());
         for ((block, errors), share) in blocks.iter().zip(&errors).zip(&shares) {
             covariance.iter_mut().zip(share).for_each(|(sum, value)| *sum += errors.variance * value);
@@ -203,7 +205,7 @@ mod tests {
         let count = 40;
         let basis = vec![vec![1.0 / (count as f64).sqrt(); count]];
         let residuals: Vec<f64> = (0..count).map(|row| if row % 4 < 2 { 1.0 } else { -1.0 }).collect();
-        let found = Autoregression::new(&[(0..count).collect()], &basis, &residuals);
+        let found = Autoregression::new(&[(0..count).collect()], &basis, &residuals, &[0.0]);
         // The correlation of these is 1/40; that of values about their mean is less by about as much.
         assert!((0.03..0.07).contains(&found.errors[0].rho), "{found:?}");
         assert!((found.errors[0].variance / (40.0 / 39.0) - 1.0).abs() < 0.01, "{found:?}");

@@ -20,6 +20,10 @@ pub(super) fn task(task: &Task) -> Result<(), FitError> {
             return Err(FitError::BadStart(place));
         }
     }
+    let bad = |record: &Record| record.scale_error.is_some_and(|error| !(error > 0.0 && error.is_finite()));
+    if let Some(record) = task.records.iter().position(bad) {
+        return Err(FitError::BadScaleError(record));
+    }
     let fixed = task.records.iter().flat_map(|record| &record.fixed).copied();
     if let Some((index, _)) =
         task.parameters.iter().copied().enumerate().chain(fixed).find(|(_, value)| !value.is_finite())

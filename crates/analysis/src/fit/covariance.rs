@@ -6,6 +6,7 @@ use super::hac::{self, Left};
 use super::linear::{Decomposition, Jacobian, dot, norm, quadratic};
 use super::plan::Plan;
 use super::search::Search;
+use std::ops::Range;
 
 /// A direction is undetermined if the curve changes along it by less than this part of the greatest change.
 const FLAT: f64 = 1e-10;
@@ -35,10 +36,13 @@ pub(crate) struct Covariance {
 }
 
 impl Covariance {
-    /// At the end of `search`, whose residuals are those of `plans`. `values` is the number of independent values; where
-    /// `errors_given`, the weights are taken at their word, else they only tell ratios.
-    pub fn new(search: &Search, plans: &[Plan], values: f64, errors_given: bool) -> Self {
+    /// At the end of `search`, whose residuals are those of `plans` and below them those of priors, whose standard deviation is
+    /// `prior` in units of the weighted residuals. `values` is the number of independent values; where `errors_given`, the
+    /// weights are taken at their word, else they only tell ratios.
+    pub fn new(search: &Search, plans: &[Plan], values: f64, errors_given: bool, prior: f64) -> Self {
         let size = search.x.len();
+        let rows = search.residuals.len();
+        let priors = plans.iter().map(|plan| plan.points.len()).sum::<usize>()..rows;
         let scale: Vec<f64> = (0..size).map(|column| norm(search.jacobian.column(column))).collect();
         let mut flat: Vec<Vec<f64>> = Vec::new();
         let mut free = Vec::new();
@@ -52,9 +56,18 @@ impl Covariance {
             }
         }
         let known = Inverse::new(&search.jacobian, &free, &scale);
-        let dof = values - known.directions.len() as f64;
+        let dof = values + priors.len() as f64 - known.directions.len() as f64;
         let variance = |squares: f64| if errors_given { 1.0 } else { squares / dof.max(f64::MIN_POSITIVE) };
-        let mut textbook: Vec<f64> = known.inverse.iter().map(|value| value * variance(search.sum)).collect();
+        let columns = || (0..size).map(|column| search.jacobian.column(column));
+        // What is known before has a variance of its own, whatever the residuals are.
+        let meat_of_priors = products(columns(), priors.clone(), prior * prior);
+        let textbook_of = |inverse: &[f64], squares: f64| {
+            let variance = variance(squares);
+            let more = products(columns(), priors.clone(), prior * prior - variance);
+            let more = product(&product(inverse, &more, size), inverse, size);
+            inverse.iter().zip(more).map(|(value, more)| value * variance + more).collect::<Vec<f64>>()
+        };
+        let mut textbook = textbook_of(&known.inverse, search.sum);
         let mut series = series(plans, |_| true);
         let mut errors = None;
         // What was computed from other columns has errors that follow from theirs. Where these determine as much by themselves,
@@ -64,17 +77,18 @@ impl Covariance {
             let alone = Inverse::new(&jacobian, &free, &scale);
             if alone.directions.len() == known.directions.len() {
                 let squares = dot(&residuals, &residuals);
-                textbook = alone.inverse.iter().map(|value| value * variance(squares)).collect();
+                textbook = textbook_of(&alone.inverse, squares);
                 series = self::series(plans, |measured| measured);
-                errors = Some(alone.errors(&series, &alone.basis(&jacobian), &residuals));
+                errors = Some(alone.errors(&series, &alone.basis(&jacobian), &residuals, (priors.clone(), prior)));
             }
         }
         let basis = known.basis(&search.jacobian);
         let (errors, autoregressive, doubt) =
-            errors.unwrap_or_else(|| known.errors(&series, &basis, &search.residuals));
+            errors.unwrap_or_else(|| known.errors(&series, &basis, &search.residuals, (priors.clone(), prior)));
         let left =
             Left { residuals: &search.residuals, jacobian: &search.jacobian, free: &free, inverse: &known.inverse };
-        let meat = hac::meat(&left, plans);
+        let mut meat = hac::meat(&left, plans);
+        meat.iter_mut().zip(&meat_of_priors).for_each(|(sum, value)| *sum += value);
         let hac = product(&product(&known.inverse, &meat, size), &known.inverse, size);
         flat.extend(known.flat);
         let lengths = scale.iter().map(|scale| if *scale > 0.0 { 1.0 / scale } else { 0.0 }).collect();
@@ -190,15 +204,17 @@ impl Inverse {
         self.directions.iter().map(along).collect()
     }
 
-    /// The errors by series, the covariance of what is varied, and by series its standard deviation due to that of the
+    /// The errors by series, those of priors having this standard deviation, the covariance of what is varied, and by series its standard deviation due to that of the
     /// correlation.
     fn errors(
         &self,
         series: &[Vec<usize>],
         basis: &[Vec<f64>],
         residuals: &[f64],
+        (priors, deviation): (Range<usize>, f64),
     ) -> (Vec<Errors>, Vec<f64>, Vec<Vec<f64>>) {
-        let found = Autoregression::new(series, basis, residuals);
+        let of_priors = products(basis.iter().map(Vec::as_slice), priors, deviation * deviation);
+        let found = Autoregression::new(series, basis, residuals, &of_priors);
         let doubt = found.doubt.iter().map(|doubt| self.of_columns(doubt)).collect();
         (found.errors, self.of_columns(&found.covariance), doubt)
     }
@@ -235,6 +251,12 @@ fn measured_alone(search: &Search, plans: &[Plan]) -> (Jacobian, Vec<f64>) {
         }
     }
     (jacobian, residuals)
+}
+
+/// The products of columns over some rows, times a factor, row by row.
+fn products<'a>(columns: impl Iterator<Item = &'a [f64]>, rows: Range<usize>, factor: f64) -> Vec<f64> {
+    let columns: Vec<&[f64]> = columns.map(|column| &column[rows.clone()]).collect();
+    columns.iter().flat_map(|one| columns.iter().map(move |other| factor * dot(one, other))).collect()
 }
 
 fn product(a: &[f64], b: &[f64], size: usize) -> Vec<f64> {

@@ -60,12 +60,13 @@ impl Fit {
     /// As for [`Fit::new`].
     pub fn again(model: &Model, task: Task, found: &[f64]) -> Result<Self, FitError> {
         let mut problem = Problem::new(model, task)?;
-        if found.len() != problem.own.len() {
+        if found.len() + problem.scales() != problem.own.len() {
             return Ok(Self::from_own_values(problem));
         }
+        let scales = problem.own[found.len()..].to_vec();
         let refinement = Refinement::of_known(&mut problem);
         let mut fit = Self::with(problem, Stages::default(), refinement);
-        fit.search_from(found);
+        fit.search_from(&[found, &scales].concat());
         fit.course.starts = 1;
         Ok(fit)
     }

@@ -127,12 +127,14 @@ impl Elsewhere {
     /// Of all searches so far, the one that has ended lowest in another minimum that fits as well within the noise.
     pub fn rival(&self, problem: &Problem, best: &Search) -> Option<Rival> {
         let variance = variance(problem, best);
+        // Scales come last.
+        let numbers = best.x.len() - problem.scales();
         let rival = |(x, sum): &(Vec<f64>, f64)| {
             let growth = (sum - best.sum) / variance;
             // The same curve from other numbers is no other minimum: terms of a sum have changed places.
             let same = *sum <= best.sum * (1.0 + Self::EQUAL);
             (growth <= Self::AS_WELL && !same && growth_at(best, x) > Self::APART * variance)
-                .then(|| Rival { growth, values: x.clone() })
+                .then(|| Rival { growth, values: x[..numbers].to_vec() })
         };
         self.ends.iter().filter_map(rival).min_by(|one, other| one.growth.total_cmp(&other.growth))
     }
@@ -176,7 +178,7 @@ impl Elsewhere {
 
 /// The variance of a residual: as given, or as the residuals show it where that is larger.
 fn variance(problem: &Problem, best: &Search) -> f64 {
-    let dof = (problem.independent_values() - best.x.len() as f64).max(1.0);
+    let dof = (problem.independent_values() + problem.scales() as f64 - best.x.len() as f64).max(1.0);
     let shown = best.sum / dof;
     if problem.task.errors_given() { shown.max(1.0) } else { shown }
 }
@@ -199,7 +201,8 @@ fn texture(problem: &Problem) -> Texture {
     }
     let mut roots: Vec<NodeId> = problem.layout.expressions.clone();
     roots.extend(model.states.iter().flat_map(|state| [state.derivative, state.initial]));
-    let varied = |index: &u32| problem.columns.iter().any(|column| column.target == Target::Parameter(*index as usize));
+    let varied =
+        |index: &u32| problem.columns.iter().any(|column| column.target() == Some(Target::Parameter(*index as usize)));
     let branches = |id: &NodeId| {
         is_branch(model.graph.node(*id)) && {
             let dependence = model.depends(*id);

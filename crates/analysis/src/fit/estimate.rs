@@ -92,18 +92,19 @@ pub(super) fn estimates(problem: &Problem, best: &Search, covariance: &Covarianc
     let size = best.x.len();
     let mut parameters = Vec::with_capacity(size);
     for (number, column) in problem.columns.iter().enumerate() {
+        let Some(target) = column.target() else { continue };
         let mut gradient = vec![0.0; size];
         gradient[number] = 1.0;
         let at_bound = best.at_bound(number);
         let determined = covariance.determines(&gradient);
         let certain = determined && !at_bound && covariance.dof > 0.0;
         let Uncertainty { stderr, stderr_hac, freedom } = Uncertainty::along(&gradient, covariance, certain);
-        let (name, label, unit) = describe(problem, model, column.target);
+        let (name, label, unit) = describe(problem, model, target);
         parameters.push(Estimate {
             name,
             label,
             unit,
-            target: Some(column.target),
+            target: Some(target),
             record: column.record,
             value: best.x[number],
             determined,
@@ -118,7 +119,7 @@ pub(super) fn estimates(problem: &Problem, best: &Search, covariance: &Covarianc
     distinct.dedup();
     let mut derived_values = Derived::new(model, &distinct);
     let mut derived = Vec::new();
-    let own_values = problem.columns.iter().any(|column| column.record.is_some());
+    let own_values = problem.columns.iter().any(|column| !column.is_scale() && column.record.is_some());
     let records = if own_values { problem.task.records.len() } else { 1 };
     for record in 0..records {
         let (values, slopes) = derived_values.evaluate(&problem.parameters(record, &best.x));
@@ -127,7 +128,7 @@ pub(super) fn estimates(problem: &Problem, best: &Search, covariance: &Covarianc
             let mut gradient = vec![0.0; size];
             for (number, column) in problem.columns.iter().enumerate() {
                 if column.belongs_to(record)
-                    && let Target::Parameter(index) = column.target
+                    && let Some(Target::Parameter(index)) = column.target()
                     && let Some(slope) = distinct.iter().position(|&known| known == index)
                 {
                     gradient[number] = slopes[place][slope];
@@ -174,16 +175,16 @@ fn describe(problem: &Problem, model: &Model, target: Target) -> (String, Option
     }
 }
 
-/// The correlations of the columns of a covariance; NaN where there is none.
-pub(super) fn correlation(covariance: &[f64], size: usize) -> Vec<f64> {
-    let deviation: Vec<f64> = (0..size).map(|k| covariance[k * size + k].sqrt()).collect();
-    let mut correlation = vec![f64::NAN; size * size];
-    for row in 0..size {
-        for column in 0..size {
+/// The correlations of the first `count` columns of a covariance of `size`; NaN where there is none.
+pub(super) fn correlation(covariance: &[f64], size: usize, count: usize) -> Vec<f64> {
+    let deviation: Vec<f64> = (0..count).map(|k| covariance[k * size + k].sqrt()).collect();
+    let mut correlation = vec![f64::NAN; count * count];
+    for row in 0..count {
+        for column in 0..count {
             let scale = deviation[row] * deviation[column];
             if scale > 0.0 {
                 let rounded = covariance[row * size + column] / scale;
-                correlation[row * size + column] = if row == column { 1.0 } else { rounded };
+                correlation[row * count + column] = if row == column { 1.0 } else { rounded };
             }
         }
     }

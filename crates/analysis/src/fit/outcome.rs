@@ -11,6 +11,7 @@ use super::observed::{ObservationFit, Outside};
 use super::plan::{Plan, independent};
 use super::problem::Problem;
 use super::robust::{self, Reweighted, Reweighting};
+use super::scale::{self, FilmScale};
 use super::search::Search;
 use super::statistics::RunsTest;
 use std::sync::Arc;
@@ -32,7 +33,7 @@ pub struct Outcome {
     /// Degrees of freedom: `n` minus the numbers that the data determine. What is stopped by its range is not determined by
     /// them.
     pub dof: usize,
-    /// The weighted sum of squares.
+    /// The weighted sum of squares, that of the priors of scales included.
     pub chi2: f64,
     /// The root of the mean square of the residuals of the first observation, over all records.
     pub rmse: f64,
@@ -69,6 +70,8 @@ pub struct Outcome {
     pub wanders: bool,
     /// What was varied, in the order of the search.
     pub parameters: Vec<Estimate>,
+    /// The scales of films, for each record with a known error of its lengths, in the order of the records.
+    pub scales: Vec<FilmScale>,
     /// The document's derived quantities that depend on it.
     pub derived: Vec<Estimate>,
     /// The correlations of the parameters, row by row; NaN where there is none.
@@ -125,17 +128,20 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
     let values = problem.independent_values();
     let covariance = reweighting.covariance(problem, best);
     let observations = observations(problem, best, course.finished);
+    let scales = scale::found(problem, best, &covariance);
     let (parameters, derived) = estimate::estimates(problem, best, &covariance);
-    let names: Vec<String> = parameters.iter().map(|one| estimate::full_name(one, problem)).collect();
+    let mut names: Vec<String> = parameters.iter().map(|one| estimate::full_name(one, problem)).collect();
+    names.resize(best.x.len(), "film_scale".to_owned());
     let first = observations.iter().filter(|one| one.observation == 0);
     let rmse = Outside::together(first.map(|one| one.error_where(|_, inside| inside))).rmse;
     let residuals = robust::plain_residuals(problem, best);
     let chi2 = dot(&residuals, &residuals);
+    let priors = dot(&residuals[residuals.len() - scales.len()..], &residuals[residuals.len() - scales.len()..]);
     let reweighted = reweighting.reweighted(problem);
     // A robust loss is not pulled by what it gives no weight.
     let basis = if reweighted.is_none() { &covariance.basis[..] } else { &[] };
     let judgement = Judgement::new(problem, &problem.plans, &observations, residuals, basis);
-    let determined = covariance.basis.len();
+    let determined = covariance.basis.len() - scales.len();
     let Criteria { aicc, bic, exact } = criteria(problem, &observations, determined, chi2, values);
     Outcome {
         converged: course.converged,
@@ -148,7 +154,7 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
         rmse,
         rmse_unit: observations.first().map_or_else(Unit::dimensionless, |one| one.unit.clone()),
         chi2_reduced: (errors_given && reweighted.is_none() && covariance.dof > 0.0).then(|| chi2 / covariance.dof),
-        r2: if reweighted.is_none() { 1.0 - chi2 / problem.total } else { f64::NAN },
+        r2: if reweighted.is_none() { 1.0 - (chi2 - priors) / problem.total } else { f64::NAN },
         exact,
         aicc,
         bic,
@@ -159,11 +165,12 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
         runs: judgement.runs,
         independent: covariance.independent(),
         wanders: covariance.wanders(),
-        correlation: estimate::correlation(&covariance.textbook, best.x.len()),
+        correlation: estimate::correlation(&covariance.textbook, best.x.len(), parameters.len()),
         undetermined: undetermined(&covariance.flat, &names, &best.x),
         settings: (0..problem.task.records.len()).map(|record| problem.parameters(record, &best.x)).collect(),
         origins: origins(problem, best),
         parameters,
+        scales,
         derived,
         observations,
         reweighted,

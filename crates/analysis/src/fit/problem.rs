@@ -5,6 +5,7 @@ use super::columns::{self, Column};
 use super::curve::{self, Curve};
 use super::linear::Jacobian;
 use super::plan::{self, Layout, Plan, Point};
+use super::scale;
 use super::task::{FitError, Record, Target, Task};
 use super::{MOST_VALUES, MOST_VARIED, check, weights};
 use program::{Model, NodeId};
@@ -32,6 +33,8 @@ pub(crate) struct Problem {
     pub plans: Arc<Vec<Plan>>,
     /// The weighted sum of squares about the mean of each observation.
     pub total: f64,
+    /// The standard deviation of a weighted residual, by which the priors of scales are weighed; 1 where errors are given.
+    pub deviation: f64,
     /// Which of [`curve::TOLERANCES`] holds for equations of motion.
     precision: usize,
     /// Whether searches need not find the last digits.
@@ -76,7 +79,7 @@ impl Problem {
         let forwards = curve.has_states() && !varies_origin;
         let layout = Layout { expressions, autonomous: model.is_autonomous(), forwards };
         let plans = layout.plans(&task, |time| task.covers(time));
-        check::points(&layout, &task, &plans, columns.len())?;
+        check::points(&layout, &task, &plans, columns.len() - scale::count(&columns))?;
         let mut problem = Self {
             model: curve::bare(model),
             bounds: columns::bounds(model, &task, &columns),
@@ -87,6 +90,7 @@ impl Problem {
             layout,
             plans: Arc::new(plans),
             total: 0.0,
+            deviation: 1.0,
             precision: 0,
             rough: false,
             clock: Vec::new(),
@@ -116,13 +120,25 @@ impl Problem {
         self.total = weights::spread_sum(&self.plans);
     }
 
-    /// Weighs several observations by the scatter of their `residuals`; whether that changes the weights.
+    /// Weighs several observations, and the priors of scales, by the scatter of the `residuals`; whether that changes the weights.
     pub fn reweigh(&mut self, residuals: &[f64]) -> bool {
         let sizes = weights::sizes(&self.plans, &self.task, residuals);
         if let Some(sizes) = &sizes {
             self.weigh(sizes);
+            return true;
         }
-        sizes.is_some()
+        let deviation = scale::deviation(self, residuals);
+        let changed = (deviation / self.deviation - 1.0).abs() > 1e-3;
+        if changed {
+            self.deviation = deviation;
+        }
+        changed
+    }
+
+    /// How many of the numbers of the search, the last ones, are scales of films. Each has a prior, which adds a row below the
+    /// residuals of the values.
+    pub fn scales(&self) -> usize {
+        scale::count(&self.columns)
     }
 
     /// All fitted points, to be trusted more or less.
@@ -172,7 +188,7 @@ impl Problem {
             }
         }
         for (column, &value) in self.columns.iter().zip(x) {
-            if let Target::Parameter(index) = column.target
+            if let Some(Target::Parameter(index)) = column.target()
                 && column.belongs_to(record)
                 && let Some(parameter) = parameters.get_mut(index)
             {
@@ -182,7 +198,8 @@ impl Problem {
         parameters
     }
 
-    /// The residuals of all points of `plans`, model minus measured, times weight, with their derivatives.
+    /// The residuals of all points of `plans`, model minus measured, times weight, and below them one for the prior of each scale,
+    /// with their derivatives.
     pub fn residuals(&mut self, plans: &[Plan], x: &[f64], residuals: &mut [f64], jacobian: &mut Jacobian) -> bool {
         let mut base = 0;
         for (record, plan) in plans.iter().enumerate() {
@@ -191,6 +208,7 @@ impl Problem {
             }
             base += plan.points.len();
         }
+        scale::add_priors(self, x, base, residuals, jacobian);
         residuals.iter().all(|value| value.is_finite())
     }
 
@@ -224,27 +242,32 @@ impl Problem {
         for (number, column) in self.columns.iter().enumerate() {
             let slopes = &mut jacobian.column_mut(number)[base..][..points.len()];
             let rows = slopes.iter_mut().zip(points);
-            match column.target {
+            match column.target() {
                 _ if !column.belongs_to(record) => slopes.fill(0.0),
-                Target::Parameter(index) => {
+                Some(Target::Parameter(index)) => {
                     let of_parameter = self.curve.place(index);
                     rows.for_each(|(slope, point)| *slope = point.factor() * values[place(point, of_parameter)]);
                 }
-                Target::Origin => {
+                Some(Target::Origin) => {
                     // What has not moved yet does not begin to move where the origin does.
                     let moves = |point: &Point| plan.times[point.row] - origin >= earliest;
                     rows.for_each(|(slope, point)| {
                         *slope = if moves(point) { point.factor() * -values[place(point, stride - 1)] } else { 0.0 };
                     });
                 }
-                Target::Offset(observation) => {
+                Some(Target::Offset(observation)) => {
                     for ((slope, point), residual) in rows.zip(residuals.iter_mut()) {
                         let own = point.observation == observation;
                         *slope = if own { point.factor() } else { 0.0 };
                         *residual += if own { x[number] } else { 0.0 };
                     }
                 }
+                // It follows when all terms are together.
+                None => {}
             }
+        }
+        if let Some((number, scale)) = self.scale(record, x) {
+            scale::apply(self.powers(record), (number, scale), points, (base, residuals, jacobian));
         }
         for (residual, point) in residuals.iter_mut().zip(points) {
             *residual = point.factor() * (*residual - point.value);
@@ -255,17 +278,20 @@ impl Problem {
     /// The columns in which the residuals are linear, all of them together.
     pub fn linear_columns(&self) -> Vec<usize> {
         let linear = |target| match target {
-            Target::Parameter(index) => self.curve.is_linear_in(index),
-            Target::Offset(_) => true,
-            Target::Origin => false,
+            Some(Target::Parameter(index)) => self.curve.is_linear_in(index),
+            Some(Target::Offset(_)) => true,
+            Some(Target::Origin) | None => false,
         };
-        (0..self.columns.len()).filter(|&number| linear(self.columns[number].target)).collect()
+        (0..self.columns.len()).filter(|&number| linear(self.columns[number].target())).collect()
     }
 
     /// The clock's reading at the model's 0.
     pub fn origin(&self, record: usize, plan: &Plan, x: &[f64]) -> f64 {
-        let varied =
-            self.columns.iter().zip(x).find(|(column, _)| column.target == Target::Origin && column.belongs_to(record));
+        let varied = self
+            .columns
+            .iter()
+            .zip(x)
+            .find(|(column, _)| column.target() == Some(Target::Origin) && column.belongs_to(record));
         varied.map_or(plan.origin, |(_, value)| *value)
     }
 }

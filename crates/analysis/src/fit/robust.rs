@@ -86,6 +86,7 @@ impl Reweighting {
         if self.scales.is_empty() || (self.begun && self.rounds < Self::SCALES) {
             self.scales = scales(problem, &raw, &series);
         }
+        problem.deviation = 1.0;
         let present = if self.begun { loss } else { Loss::Huber };
         let mut changed: f64 = 0.0;
         let mut points: Vec<_> = problem.points_mut().collect();
@@ -113,7 +114,8 @@ impl Reweighting {
     pub fn covariance(&self, problem: &mut Problem, best: &Search) -> Covariance {
         let best = self.linearised(problem, best);
         let errors_given = problem.task.errors_given() && problem.task.loss == Loss::Squares;
-        Covariance::new(&best, &problem.plans, problem.independent_values(), errors_given)
+        let prior = problem.deviation * self.scale_of_priors(problem);
+        Covariance::new(&best, &problem.plans, problem.independent_values(), errors_given, prior)
     }
 
     /// A search of the whole as the statistics need it: of a robust loss with pseudo-residuals s psi(r/s)/mean(psi') instead
@@ -136,13 +138,25 @@ impl Reweighting {
                 raw.residuals[place] *= factor * loss.weight(raw.residuals[place] / scale);
             }
         }
+        let values: usize = series.iter().map(Vec::len).sum();
+        let scale = self.scale_of_priors(problem);
+        for row in values..raw.residuals.len() {
+            raw.residuals[row] *= scale;
+            (0..raw.x.len()).for_each(|column| raw.jacobian.column_mut(column)[row] *= scale);
+        }
         raw.sum = dot(&raw.residuals, &raw.residuals);
         raw
     }
 
+    /// What priors are multiplied by where values are not divided by the scale of their series.
+    fn scale_of_priors(&self, problem: &Problem) -> f64 {
+        if problem.task.loss == Loss::Squares { 1.0 } else { self.scales.first().copied().unwrap_or(1.0) }
+    }
+
     /// What the loss has changed, once a fit is finished.
     pub fn reweighted(&self, problem: &Problem) -> Option<Reweighted> {
-        let (least_squares, _) = self.least_squares.clone()?;
+        let (mut least_squares, _) = self.least_squares.clone()?;
+        least_squares.truncate(least_squares.len() - problem.scales());
         let scales = &self.scales;
         let points: Vec<_> = problem.plans.iter().flat_map(|plan| &plan.points).collect();
         let series = series(&problem.plans, |_| true);

@@ -162,7 +162,10 @@ impl Stages {
 
     /// Starts spread over the ranges. Those of a formula are cheap enough to look at many, and to begin with the best.
     fn spread(problem: &mut Problem) -> Vec<Vec<f64>> {
-        let start = |index| start::spread(&problem.own, &problem.bounds, index);
+        // The scales of films stay where their priors are.
+        let numbers = problem.own.len() - problem.scales();
+        let (own, scales) = problem.own.split_at(numbers);
+        let start = |index| [start::spread(own, &problem.bounds, index), scales.to_vec()].concat();
         if problem.curve.has_states() {
             return (0..Self::SPREAD).map(start).collect();
         }
@@ -200,6 +203,11 @@ fn moving(problem: &Problem) -> Vec<bool> {
     {
         parameters.extend(model.depends(node).parameters);
     }
-    let moves = |target| matches!(target, Target::Parameter(index) if parameters.contains(&(index as u32)));
-    problem.columns.iter().map(|column| moves(column.target)).collect()
+    let moves = |target| match target {
+        Some(Target::Parameter(index)) => parameters.contains(&(index as u32)),
+        Some(Target::Origin | Target::Offset(_)) => false,
+        // The beginning of a motion does not determine the scale of its film.
+        None => true,
+    };
+    problem.columns.iter().map(|column| moves(column.target())).collect()
 }

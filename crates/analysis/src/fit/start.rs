@@ -120,10 +120,10 @@ fn roles(problem: &Problem) -> Vec<Role> {
     problem
         .columns
         .iter()
-        .map(|column| match column.target {
-            Target::Offset(_) => Role::Linear,
-            Target::Origin => Role::Other,
-            Target::Parameter(index) => {
+        .map(|column| match column.target() {
+            Some(Target::Offset(_)) => Role::Linear,
+            Some(Target::Origin) | None => Role::Other,
+            Some(Target::Parameter(index)) => {
                 let dimension = problem.model.parameters.get(index).map(|parameter| parameter.unit.dimension);
                 if problem.curve.is_linear_in(index) {
                     Role::Linear

@@ -19,7 +19,9 @@ const TRIES: usize = 60;
 pub(crate) fn like_start(problem: &mut Problem, best: &Search) -> Option<Vec<f64>> {
     let own = problem.own.clone();
     let linear = problem.linear_columns();
-    let others: Vec<usize> = (0..own.len()).filter(|column| !linear.contains(column)).collect();
+    // Scales come last.
+    let numbers = own.len() - problem.scales();
+    let others: Vec<usize> = (0..numbers).filter(|column| !linear.contains(column)).collect();
     let mut x = best.x.clone();
     for &column in &others {
         if x[column] * own[column] < 0.0 {
@@ -63,9 +65,9 @@ fn equal(problem: &mut Problem, best: &Search, x: Vec<f64>) -> Option<Vec<f64>> 
 /// What must be the same of two numbers that may change places: the unit's dimension, and the record they belong to.
 fn sort(problem: &Problem, column: usize) -> (Option<Dimension>, Option<usize>) {
     let column = problem.columns[column];
-    let dimension = match column.target {
-        Target::Parameter(index) => problem.model.parameters.get(index).map(|parameter| parameter.unit.dimension),
-        Target::Origin | Target::Offset(_) => None,
+    let dimension = match column.target() {
+        Some(Target::Parameter(index)) => problem.model.parameters.get(index).map(|parameter| parameter.unit.dimension),
+        Some(Target::Origin | Target::Offset(_)) | None => None,
     };
     (dimension, column.record)
 }

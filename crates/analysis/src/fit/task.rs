@@ -35,6 +35,9 @@ pub struct Record {
     /// equations of motion in which the independent variable does not occur, the first measured value of the fitted part, so
     /// that initial values hold there; otherwise 0.
     pub origin: Option<f64>,
+    /// The relative standard error that all its lengths share, where it is known: that of the ruler in a film. The fit then takes
+    /// in a factor of all lengths, [`super::Outcome::scales`].
+    pub scale_error: Option<f64>,
 }
 
 /// What a varied number is.
@@ -117,6 +120,8 @@ pub enum FitError {
     },
     /// The same number is varied twice, or one is both varied and fixed: its place in [`Task::varied`].
     VariedTwice(usize),
+    /// The error of the lengths of a record that is not finite or not greater than 0: which of [`Task::records`].
+    BadScaleError(usize),
     /// Bounds without room between them: the place in [`Task::varied`].
     BadBounds(usize),
     /// A start that is no finite number: the place in [`Task::varied`].
@@ -151,6 +156,7 @@ impl std::fmt::Display for FitError {
                 write!(f, "{values} values cannot determine {varied} numbers")
             }
             Self::VariedTwice(_) => f.write_str("a number is varied twice, or varied and fixed"),
+            Self::BadScaleError(_) => f.write_str("the standard error of the scale is not greater than 0"),
             Self::BadBounds(_) => f.write_str("the lower bound is not below the upper one"),
             Self::BadStart(_) => f.write_str("a start is not a finite number"),
             Self::BadValue(_) => f.write_str("the value of a parameter is not a finite number"),

@@ -34,7 +34,8 @@ impl Window<'_> {
 
     /// The same between other bounds than the problem's.
     pub fn search_within(&mut self, start: &[f64], bounds: Vec<(f64, f64)>, limit: usize) -> Search {
-        let rows = self.plans.iter().map(|plan| plan.points.len()).sum();
+        let points: usize = self.plans.iter().map(|plan| plan.points.len()).sum();
+        let rows = points + self.problem.scales();
         let tolerance = self.problem.tolerance();
         Search::new(self, start, bounds, rows, tolerance, limit)
     }

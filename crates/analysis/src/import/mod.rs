@@ -28,6 +28,7 @@ pub use refusal::{ImportError, Refusal};
 
 use crate::finding::Finding;
 use crate::origin::Origin;
+use crate::scale_line;
 use crate::table::{Column, Table};
 use clock::Form;
 use first::First;
@@ -179,7 +180,9 @@ impl<'a> Importer<'a> {
             findings.push(Finding::Stamps { unit: unit.text });
         }
         roles::assign(&mut columns);
-        let mut table = Table { columns };
+        let scale_error = scale_line::read(head_lines.iter().copied());
+        findings.extend(scale_error.map(Finding::Scale));
+        let mut table = Table { columns, scale_error };
         runs::side_by_side(&mut table, &rows.repeats);
         let label = |index| kept.iter().position(|kept| *kept == index).map(|place| table.label(place));
         findings.extend(clocks.iter().filter_map(|clock| Some(clock_finding(clock, label(clock.column)?))));

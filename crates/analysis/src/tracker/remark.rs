@@ -291,6 +291,12 @@ fn calibration(axes: &Placement, changes: bool, unit: Option<&str>, language: La
             " en el primer fotograma; cambian de un fotograma a otro, lo que se tiene en cuenta",
         ));
     }
+    if unit.is_some() {
+        text.push_str(language.pick(
+            "; the project states no error of the scale, and errors of lengths in fits do not include it",
+            "; el proyecto no indica el error de la escala, y los errores de las longitudes en los ajustes no lo incluyen",
+        ));
+    }
     text
 }
 

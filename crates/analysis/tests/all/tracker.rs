@@ -57,7 +57,7 @@ masa A.y [cm]: -0.25000 0.18301 0.86603
 2.x [cm]: · 0.00000 ·
 2.y [cm]: · 0.00000 ·
 - times are the frame number times a constant step of 40 ms, as the project states; the film, `videos/fall & rise.mp4`, has a time for each frame, which is better: `meniscus track` reads it
-- the scale of the project is 200 px/cm; the origin is at the pixel (320.0; 240.0), the x axis at 30.00°
+- the scale of the project is 200 px/cm; the origin is at the pixel (320.0; 240.0), the x axis at 30.00°; the project states no error of the scale, and errors of lengths in fits do not include it
 - Tracker shows positions relative to 2; those here are relative to the axes
 - masa A: 2 of 5 positions are key frames, marked by hand or confirmed; the autotracker found the others, or they were interpolated (autofill)
 - positions outside the clip that the project selects were left out: 2
@@ -76,7 +76,7 @@ t [s]: 0.00000 0.06670 0.11670 0.15000
 x [m]: 0.10000 0.40000 0.60000 0.80000
 y [m]: 0.20000 0.60000 0.80000 1.00000
 - los tiempos son los que el proyecto enumera para los fotogramas de su vídeo
-- la escala del proyecto es 100 px/m; el origen está en el píxel (100,0; 200,0) y el eje x a 0,00° en el primer fotograma; cambian de un fotograma a otro, lo que se tiene en cuenta
+- la escala del proyecto es 100 px/m; el origen está en el píxel (100,0; 200,0) y el eje x a 0,00° en el primer fotograma; cambian de un fotograma a otro, lo que se tiene en cuenta; el proyecto no indica el error de la escala, y los errores de las longitudes en los ajustes no lo incluyen
 - el proyecto no indica la unidad de longitud: se suponen metros, como hace Tracker
 - se dejaron fuera las posiciones ajenas al corte que elige el proyecto: 1
 ";

@@ -47,6 +47,10 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
         "verdict": outcome.verdict_text(Language::English),
         "remarks": fitted.remarks(),
         "parameters": estimates(&outcome.parameters, &fitted.intervals, least_squares, None),
+        "film_scales": outcome.scales.iter().map(|scale| json!({
+            "record": fitted.task.records.get(scale.record).map(|record| &record.name),
+            "value": scale.value, "stderr": scale.stderr, "prior_stderr": scale.prior,
+        })).collect::<Vec<_>>(),
         "derived": estimates(&outcome.derived, &[], None, None),
         "correlation": correlation(fitted),
         "undetermined": outcome.undetermined.iter().flat_map(|one| one.names.clone()).collect::<Vec<_>>(),

@@ -167,7 +167,8 @@ fn record(
     arguments: &Common,
     observed: &[(String, Compiled)],
 ) -> Result<(Record, Vec<usize>), Failure> {
-    let mut record = Record { name: short_name(&measured.name), ..Record::default() };
+    let scale_error = measured.table.scale_error;
+    let mut record = Record { name: short_name(&measured.name), scale_error, ..Record::default() };
     let mut columns: Vec<usize> = Vec::new();
     for (observe, (name, compiled)) in arguments.observe.iter().zip(observed) {
         let column = measured.column(observe, &columns)?;

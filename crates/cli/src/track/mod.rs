@@ -17,6 +17,7 @@ use crate::terminal::Terminal;
 use analysis::csv::{self, Dialect};
 use arguments::{Track as Arguments, TrackFormat};
 use clock::Clock;
+use film::calibration::Calibration;
 use film::table::Table;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use opened::Opened;
@@ -60,7 +61,7 @@ fn one(path: &Path, target: Option<&Path>, arguments: &Arguments, terminal: Term
     let found = notes::notes(&followed.tracks, &table, &calibration);
     let notes: Vec<Words> = [film.notes.clone(), clock.notes.clone(), followed.notes, found].concat();
     let text = match format(arguments) {
-        TrackFormat::Csv => text(&table),
+        TrackFormat::Csv => text(&table, &calibration),
         TrackFormat::Json => {
             let found = (followed.tracks.as_slice(), &table, &calibration);
             json::object(&film, arguments, &clock, found, &notes, terminal.language)
@@ -75,11 +76,11 @@ fn one(path: &Path, target: Option<&Path>, arguments: &Arguments, terminal: Term
     Ok(())
 }
 
-fn text(table: &Table) -> String {
+fn text(table: &Table, calibration: &Calibration) -> String {
     let columns = table.columns();
     let (heads, values): (Vec<&str>, Vec<&[f64]>) =
         columns.iter().map(|(head, values)| (head.as_str(), *values)).unzip();
-    csv::write(&heads, &values, Dialect::Commas)
+    csv::write_film(&heads, &values, calibration.relative_sigma(), Dialect::Commas)
 }
 
 fn format(arguments: &Arguments) -> TrackFormat {

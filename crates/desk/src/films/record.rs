@@ -101,7 +101,7 @@ pub(crate) fn text(work: &Work) -> Option<String> {
     let columns = table.columns();
     let (heads, values): (Vec<&str>, Vec<&[f64]>) =
         columns.iter().map(|(head, values)| (head.as_str(), *values)).unzip();
-    Some(csv::write(&heads, &values, Dialect::Commas))
+    Some(csv::write_film(&heads, &values, work.calibration.relative_sigma(), Dialect::Commas))
 }
 
 /// The numbers of the record.

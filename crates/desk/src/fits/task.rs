@@ -48,7 +48,13 @@ impl Desk {
                 return Err(Refusal::Fit { why });
             }
             let (fixed, origin) = (part.fixed.clone(), part.origin);
-            records.push(analysis::fit::Record { name: part.name.clone(), observations, fixed, origin });
+            records.push(analysis::fit::Record {
+                name: part.name.clone(),
+                observations,
+                fixed,
+                origin,
+                scale_error: record.table.scale_error,
+            });
         }
         Ok(Task {
             parameters: definition.parameters.clone(),

@@ -7,4 +7,5 @@ mod known;
 mod nist;
 mod parts;
 mod robust;
+mod scale;
 mod utube;

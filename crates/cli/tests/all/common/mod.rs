@@ -85,5 +85,9 @@ pub fn names(directory: &Path) -> Vec<String> {
 /// The numbers of a CSV table, row by row, without its header.
 pub fn numbers(csv: &str) -> Vec<Vec<f64>> {
     let number = |cell: &str| cell.parse().unwrap_or(f64::NAN);
-    csv.lines().skip(1).map(|line| line.split(',').map(number).collect()).collect()
+    csv.lines()
+        .filter(|line| !line.starts_with('#'))
+        .skip(1)
+        .map(|line| line.split(',').map(number).collect())
+        .collect()
 }

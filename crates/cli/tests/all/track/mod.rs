@@ -29,7 +29,8 @@ fn track(film: &Path, words: &[&str]) -> Done {
 fn tracked(film: &Path, words: &[&str]) -> (String, Vec<Vec<f64>>) {
     let done = track(film, words);
     assert_eq!(done.code, 0, "{words:?}: {}", done.stderr);
-    (done.stdout.lines().next().unwrap_or_default().to_owned(), numbers(&done.stdout))
+    let head = done.stdout.lines().find(|line| !line.starts_with('#'));
+    (head.unwrap_or_default().to_owned(), numbers(&done.stdout))
 }
 
 /// The root mean square of the differences from the truth about their mean, and in units of the stated errors.
@@ -85,6 +86,15 @@ fn a_fit_of_the_track_finds_period_and_decay() {
     let named = meniscus(&[&fit[..], &["--error", "y=sigma_y"]].concat());
     assert_eq!(named.stdout, done.stdout);
     let json: serde_json::Value = serde_json::from_str(&done.stdout).expect("JSON");
+    // The scale is known to 0.7 pixels of 100; the start, a length, has at least that error, and the period has none of it.
+    let [scale, start] = [&json["film_scales"][0], &json["parameters"]["y_0"]];
+    let number = |of: &serde_json::Value, key: &str| of[key].as_f64().expect("a number");
+    assert!((number(scale, "prior_stderr") - 0.5 * 2.0_f64.sqrt() / 100.0).abs() < 1e-9, "{scale}");
+    assert!((number(scale, "value") - 1.0).abs() < 0.01, "{scale}");
+    let relative = number(start, "stderr_hac") / number(start, "value").abs();
+    assert!((0.007..0.02).contains(&relative), "{start}");
+    let text = meniscus(&fit[..fit.len() - 2]).stdout;
+    assert!(text.contains("Scale of the film 1.00"), "{text}");
     // The length of the column stands for the period.
     let (omega, gamma) = (std::f64::consts::TAU / PERIOD, 1.0 / DECAY);
     let squared = omega * omega + gamma * gamma;

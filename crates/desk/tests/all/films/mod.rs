@@ -108,6 +108,9 @@ fn a_fit_of_a_film_finds_the_truth() {
     let fit = desk.fits()[0].id;
     let detail = desk.fit_detail(fit).unwrap();
     assert!(detail.sentences.iter().any(|one| one.contains("sigma_")), "{:?}", detail.sentences);
+    // The marks are 100 pixels apart: 0.7 pixels are 0.7 %.
+    let scale = "Scale of the film 1.000 ± 0.007 (prior ± 0.0071)";
+    assert!(detail.sentences.iter().any(|one| one.starts_with(scale)), "{:?}", detail.sentences);
     for (name, truth) in [("omega", (OMEGA * OMEGA + DECAY * DECAY).sqrt()), ("beta", DECAY)] {
         let text = &detail.estimates.iter().find(|one| one.name == name).unwrap().value;
         let number = |text: &str| desk::number::parse(text, desk.play().style()).unwrap().0;

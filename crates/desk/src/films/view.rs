@@ -4,6 +4,7 @@ use crate::films::clip::Clip;
 use crate::films::doubt::{DoubtfulFrame, doubts};
 use crate::films::identity::FilmIdentity;
 use crate::films::lengths::CalibrationForm;
+use crate::films::recipe::FilmRecipe;
 use crate::films::record::table;
 use crate::films::space_time::SpaceTimePicture;
 use crate::films::state::Open;
@@ -113,6 +114,11 @@ impl<'a> OpenFilm<'a> {
     /// The id of the record that it has become; it may have been removed.
     pub fn record(self) -> Option<u32> {
         self.work.record
+    }
+
+    /// How it was taken, if it is that of a simulation.
+    pub fn recipe(self) -> Option<&'a FilmRecipe> {
+        self.work.recipe.as_ref()
     }
 
     /// The frames that a person should look at, in order.

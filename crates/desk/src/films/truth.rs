@@ -9,6 +9,8 @@ use film::tracking::{Point, Track};
 pub struct FilmTruth {
     /// Metres in a pixel; `None` where the scene has no scale.
     pub pixel: Option<f64>,
+    /// The length of the ruler that stands beside the scene, for people.
+    pub ruler: Option<String>,
     /// The middle of each moving part in each frame, at the middle of its exposure: pixels of the picture. Not a number where it
     /// is not seen.
     pub parts: Vec<Vec<[f64; 2]>>,

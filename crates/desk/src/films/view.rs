@@ -9,6 +9,7 @@ use crate::films::record::table;
 use crate::films::space_time::SpaceTimePicture;
 use crate::films::state::Open;
 use crate::films::subject::Subject;
+use crate::films::truth::FilmTruth;
 use crate::films::work::Work;
 use crate::{Desk, number};
 use film::calibration::{Calibration, Lengths};
@@ -119,6 +120,11 @@ impl<'a> OpenFilm<'a> {
     /// How it was taken, if it is that of a simulation.
     pub fn recipe(self) -> Option<&'a FilmRecipe> {
         self.work.recipe.as_ref()
+    }
+
+    /// What is known of a filmed simulation.
+    pub fn truth(self) -> Option<&'a FilmTruth> {
+        self.open.truth.as_ref()
     }
 
     /// The frames that a person should look at, in order.

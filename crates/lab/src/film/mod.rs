@@ -7,6 +7,7 @@ mod aim;
 mod calibrating;
 mod camera;
 mod doubts;
+mod filming;
 mod frame;
 mod frames;
 mod keys;

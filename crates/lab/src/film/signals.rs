@@ -2,7 +2,7 @@
 
 use super::aim::{Aim, Kind, Pixel, Tool};
 use super::state::Now;
-use desk::{SpaceTimePicture, TrackingProgress};
+use desk::{SpaceTimePicture, TrackingProgress, TruthComparison};
 use film::tracking::column::Click;
 use std::rc::Rc;
 use view::views::*;
@@ -20,6 +20,12 @@ pub struct Films {
     pub painted: Signal<Option<usize>>,
     /// The file that is being opened.
     pub opening: Signal<Option<String>>,
+    /// How many frames of the simulation have been filmed, and of how many, while it is filmed.
+    pub filming: Signal<Option<[usize; 2]>>,
+    /// Whether the form for filming the simulation is open.
+    pub camera_form: Signal<bool>,
+    /// How far the tracks are from the truth, once a person has asked.
+    pub truth: Signal<Vec<TruthComparison>>,
     /// Whether it is playing.
     pub playing: Signal<bool>,
     /// What the desk says of the film.
@@ -65,6 +71,9 @@ impl Films {
             frame: create_signal(0),
             painted: create_signal(None),
             opening: create_signal(None),
+            filming: create_signal(None),
+            camera_form: create_signal(false),
+            truth: create_signal(Vec::new()),
             playing: create_signal(false),
             now: create_signal(None),
             pictures: create_signal(Vec::new()),

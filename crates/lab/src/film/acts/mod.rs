@@ -6,8 +6,9 @@ mod notes;
 mod opened;
 mod record;
 mod tool;
+mod truth;
 
-use super::{camera, opening, words};
+use super::{camera, filming, opening, words};
 use crate::app::App;
 use desk::LengthsForm;
 use view::icons;
@@ -33,7 +34,7 @@ pub fn way_in(app: App) -> View {
         .child(icons::film())
         .child(span().child(words.open));
     let input = input.id("film-file").hidden(true).attr("aria-label", words.open).when(events::change, take);
-    View::from((open, input, camera::button(app)))
+    View::from((open, input, camera::button(app), filming::button(app)))
 }
 
 /// The acts; nothing while no film is open.
@@ -62,7 +63,7 @@ pub fn view(app: App) -> View {
             .child(act("4", "film-act-record", words.act_record, done(3), record::view(app)))
             .into()
     };
-    View::from((changing(opening), changing(acts)))
+    View::from((changing(opening), filming::view(app), changing(acts)))
 }
 
 /// An act with its number; a tick stands for the number of one that is done.

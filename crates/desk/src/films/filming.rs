@@ -26,7 +26,7 @@ impl Desk {
                 "Una cámara filma en segundos, y esta simulación no transcurre en el tiempo.",
             )));
         }
-        Ok(CameraSettings::usual(program.pace().per_second, self.play.end()))
+        Ok(CameraSettings::usual(program.pace().per_second, program.until.unwrap_or(f64::INFINITY)))
     }
 
     /// How the simulation is filmed with its present parameters from its start.

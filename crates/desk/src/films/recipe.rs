@@ -39,7 +39,7 @@ impl CameraSettings {
     pub fn usual(pace: f64, end: f64) -> Self {
         let pace = if pace.is_finite() && pace > 0.0 { pace } else { 1.0 };
         let rate = (30.0 / pace).clamp(RATES[0], RATES[1]);
-        Self { seconds: (10.0 * pace).min(end), rate, exposure: 0.1 / rate, noise: 2.0, seed: 1 }
+        Self { seconds: (10.0 * pace).min(end), rate, exposure: 0.12 / rate, noise: 2.0, seed: 1 }
     }
 
     /// How many frames are taken.

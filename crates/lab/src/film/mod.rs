@@ -26,6 +26,7 @@ mod tracking;
 mod words;
 
 pub use access::Player;
+pub use filming::view as virtual_camera;
 pub use frames::look_at;
 pub use now::refresh;
 pub use opening::{is_film, mark_page, open};

@@ -90,8 +90,8 @@ fn show(app: App, player: Rc<Player>, opening: FilmOpening) {
     app.films.open.set(false);
     app.with(|lab| lab.player = Some(player));
     begin(app);
-    if opening == FilmOpening::TakenUp && now(app).is_some_and(|now| now.subject.needs_tracking()) {
-        tracking::begin(app);
+    if opening == FilmOpening::TakenUp {
+        tracking::take_up(app);
     }
 }
 
@@ -105,6 +105,7 @@ fn begin(app: App) {
     films.points.set(Vec::new());
     films.aim.set(None);
     films.last.set(None);
+    films.selected.set(None);
     films.body.set(0);
     refresh(app);
     let now = now(app);

@@ -1,6 +1,6 @@
 //! What the views of the film track.
 
-use super::aim::{Aim, Kind, Pixel, Tool};
+use super::aim::{Aim, Handle, Kind, Pixel, Tool};
 use super::state::Now;
 use desk::{SpaceTimePicture, TrackingProgress, TruthComparison};
 use film::tracking::column::Click;
@@ -44,6 +44,8 @@ pub struct Films {
     pub points: Signal<Vec<Pixel>>,
     /// The point that is being placed or moved.
     pub aim: Signal<Option<Aim>>,
+    /// The point that can be removed.
+    pub selected: Signal<Option<Handle>>,
     /// Where a point was placed last by keys.
     pub last: Signal<Option<Pixel>>,
     /// The correction of a surface that is being made.
@@ -83,6 +85,7 @@ impl Films {
             tool: create_signal(Tool::default()),
             points: create_signal(Vec::new()),
             aim: create_signal(None),
+            selected: create_signal(None),
             last: create_signal(None),
             anchor: create_signal(None),
             ruler: create_signal(Vec::new()),

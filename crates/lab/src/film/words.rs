@@ -42,7 +42,9 @@ table_of_words! {
     ask_second_mark: "Click another mark of the ruler", "Haz clic en otra marca de la regla";
     ask_origin: "Click the point that becomes zero", "Haz clic en el punto que será el cero";
     ask_axis: "Click a point to which the x axis leads from the origin", "Haz clic en un punto hacia el que va el eje x desde el origen";
-    ask_corner: "Click the corners of the rectangle: bottom left, bottom right, top right, top left", "Haz clic en las esquinas del rectángulo: abajo izquierda, abajo derecha, arriba derecha, arriba izquierda";
+    ask_corner: "Click the four corners of the rectangle", "Haz clic en las cuatro esquinas del rectángulo";
+    remove: "Remove", "Quitar";
+    remove_key: "Remove (Delete)", "Quitar (Suprimir)";
     surface: "Surface", "Superficie";
     tube_end: "End of the tube", "Extremo del tubo";
     body: "Body", "Cuerpo";

@@ -63,7 +63,7 @@ pub fn view(app: App) -> View {
             .child(act("4", "film-act-record", words.act_record, done(3), record::view(app)))
             .into()
     };
-    View::from((changing(opening), filming::view(app), changing(acts)))
+    View::from((changing(opening), changing(acts)))
 }
 
 /// An act with its number; a tick stands for the number of one that is done.

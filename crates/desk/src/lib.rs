@@ -40,8 +40,9 @@ pub use announcement::Announcement;
 pub use cycles::{CycleColumn, CyclesView};
 pub use desk::{Desk, Revision};
 pub use films::{
-    CalibrationForm, Clip, Doubt, DoubtfulFrame, FilmIdentity, FilmOpening, FilmedBody, FilmedSurface, LengthsForm,
-    MOST_BODIES, MOST_SURFACES, OpenFilm, POINT_SIGMA, ParallaxForm, SpaceTimePicture, Subject, TrackingProgress,
+    CalibrationForm, CameraSettings, Clip, Doubt, DoubtfulFrame, FILMED_SIZE, FilmIdentity, FilmOpening, FilmRecipe,
+    FilmTruth, FilmedBody, FilmedSurface, LengthsForm, MOST_BODIES, MOST_SURFACES, OpenFilm, POINT_SIGMA, ParallaxForm,
+    SpaceTimePicture, Subject, TrackingProgress, TruthComparison,
 };
 pub use fits::{
     ChoiceView, EstimateView, Export, ExportKind, FitDetail, FitProgress, FitRecordView, FitView, Imprint, KnownView,

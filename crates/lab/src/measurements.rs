@@ -16,6 +16,7 @@ pub fn view(app: App) -> HtmlDiv {
         .child(film::acts::view(app))
         .child(note(words.measurements_intro))
         .child(ways_in(app))
+        .child(film::virtual_camera(app))
         .child(intake::view(app))
         // No live region: the line of messages has said it.
         .child(

@@ -299,6 +299,17 @@ impl Play {
     }
 
     /// Starts another run; the present one stays behind as a ghost if there is something to see of it.
+    /// The same simulation as it would begin again with the present parameters, at time 0; without kept runs.
+    #[must_use]
+    pub fn from_start(&self) -> Self {
+        let mut play = Self::open(self.program.clone());
+        play.set_language(&self.tag);
+        let parameters = self.course.parameters().to_vec();
+        play.restart(Setup { parameters, ..self.course.begun().clone() });
+        play.clear_ghost();
+        play
+    }
+
     pub(crate) fn restart(&mut self, mut setup: Setup) {
         // What was pressed in the former run was pressed for what happened there.
         setup.presses.clear();

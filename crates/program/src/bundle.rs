@@ -11,7 +11,7 @@ use crate::{
 /// What a bundle begins with.
 const SIGNATURE: &[u8] = b"meniscus";
 /// The version of the format; raised whenever a program of an earlier version would be misread.
-const VERSION: u8 = 4;
+const VERSION: u8 = 5;
 /// The longest bundle, in bytes. Documents are at most 1 MiB long.
 const LONGEST: usize = 16 << 20;
 
@@ -101,7 +101,8 @@ fn check(program: &Program) -> Result<(), BundleError> {
         && program.editions.first().is_some_and(|first| first.questions.len() == program.questions.len())
         && program.editions.iter().filter_map(|edition| edition.scene.as_ref()).all(|scene| {
             let drawn = scene.values.iter().all(compiled);
-            let named = scene.trails.iter().flat_map(Trail::values).all(|index| index < scene.values.len());
+            let mut named = scene.trails.iter().flat_map(Trail::values).chain(scene.length);
+            let named = named.all(|index| index < scene.values.len());
             drawn && named && element_exists(&scene.root, scene, model)
         });
     if good { Ok(()) } else { Err(BundleError::Damaged) }

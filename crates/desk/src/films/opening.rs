@@ -59,7 +59,16 @@ impl Desk {
                 work.subject = Subject::Nothing;
             }
         }
-        self.films.open = Some(Open { work: place, clip, following: None, running: false, pictures: Vec::new() });
+        self.films.open = Some(Open {
+            work: place,
+            clip,
+            following: None,
+            running: false,
+            reading: false,
+            finished: false,
+            truth: None,
+            pictures: Vec::new(),
+        });
         self.revision.films += 1;
         Ok(opening)
     }

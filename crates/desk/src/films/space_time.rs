@@ -8,6 +8,8 @@ use film::tracking::column::SpaceTime;
 pub struct SpaceTimePicture {
     /// The frame of each column.
     pub frames: Vec<usize>,
+    /// How many of the columns have been read; the others are black.
+    pub read: usize,
     /// How many rows it has; each is a pixel of the film along the tube.
     pub rows: usize,
     /// Grey values, row by row: one for each frame.
@@ -24,9 +26,13 @@ impl SpaceTimePicture {
     /// Of frames in this order.
     pub(crate) fn new(picture: &SpaceTime, frames: Vec<usize>, clip: &Clip) -> Self {
         let rows = picture.columns.iter().map(Vec::len).min().unwrap_or(0);
-        let value = |row: usize| picture.columns.iter().map(move |column| column.get(row).copied().unwrap_or(0));
+        let count = frames.len();
+        let grey =
+            |row: usize, at: usize| picture.columns.get(at).and_then(|column| column.get(row)).copied().unwrap_or(0);
+        let value = |row: usize| (0..count).map(move |at| grey(row, at));
         Self {
             frames,
+            read: picture.columns.len().min(count),
             rows,
             grey: (0..rows).flat_map(value).collect(),
             origin: clip.upright(picture.origin),

@@ -2,6 +2,7 @@
 
 use crate::films::clip::Clip;
 use crate::films::space_time::SpaceTimePicture;
+use crate::films::truth::FilmTruth;
 use crate::films::work::Work;
 use film::tracking::Following;
 
@@ -22,6 +23,12 @@ pub(crate) struct Open {
     pub following: Option<Following>,
     /// Whether the tracking is to go on.
     pub running: bool,
+    /// Whether only strips are read: what was found at an earlier visit stays.
+    pub reading: bool,
+    /// Whether the tracking has been finished, so that another result is a correction of it.
+    pub finished: bool,
+    /// What is known of a filmed simulation.
+    pub truth: Option<FilmTruth>,
     /// The space-time picture of each surface.
     pub pictures: Vec<SpaceTimePicture>,
 }

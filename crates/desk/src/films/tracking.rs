@@ -65,13 +65,32 @@ impl Desk {
     /// # Errors
     /// Where nothing is followed that has to be tracked, and where no film is open.
     pub fn begin_tracking(&mut self) -> Result<(), Refusal> {
+        self.begin_following(false)
+    }
+
+    /// Takes up what was found in the open film at an earlier visit: nothing is tracked again, and only the strips of surfaces are read for
+    /// the space-time picture and for corrections. Where nothing is known of what is followed, it is tracked.
+    ///
+    /// # Errors
+    /// As [`Desk::begin_tracking`].
+    pub fn take_up_tracking(&mut self) -> Result<(), Refusal> {
+        let Some((_, work)) = self.films.current() else { return Err(self.no_film()) };
+        let is_found = work.found.is_some() && !work.tracks().iter().all(|track| track.points.is_empty());
+        match &work.subject {
+            Subject::Surfaces(_) => self.begin_following(is_found),
+            Subject::Bodies(_) if !is_found => self.begin_following(false),
+            _ => Ok(()),
+        }
+    }
+
+    fn begin_following(&mut self, reading: bool) -> Result<(), Refusal> {
         let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
         if !work.subject.needs_tracking() {
             return Err(self.film_refusal(&nothing_followed()));
         }
         match Following::new(plan(&open.clip, work)) {
             Ok(following) => {
-                (open.following, open.running) = (Some(following), true);
+                (open.following, open.running, open.reading, open.finished) = (Some(following), true, reading, reading);
                 open.pictures.clear();
                 self.revision.films += 1;
                 Ok(())
@@ -114,12 +133,19 @@ impl Desk {
     /// # Errors
     /// Where the film cannot be followed, and where there is no room for another record; what was found is kept then.
     pub fn advance_tracking(&mut self, steps: usize) -> Result<bool, Refusal> {
+        if self.wanted_frame().is_none() && self.films.open.as_ref().is_some_and(|open| open.running && open.reading) {
+            self.show_strips();
+            if let Some(open) = &mut self.films.open {
+                (open.running, open.reading) = (false, false);
+            }
+            return Ok(true);
+        }
         if self.drive(|following| following.advance(steps))? != Some(true) {
             return Ok(false);
         }
         let Some((open, work)) = self.films.current_mut() else { return Ok(false) };
         open.running = false;
-        let corrected = work.found.is_some() && !open.pictures.is_empty();
+        let corrected = work.found.is_some() && std::mem::replace(&mut open.finished, true);
         if let Some(following) = &open.following {
             work.found = Some(found(following, &open.clip, work.factor()));
             open.pictures = pictures(following, &open.clip);
@@ -128,6 +154,15 @@ impl Desk {
         self.film_changed(kept)?;
         self.announce(Announcement::FilmTracked);
         Ok(true)
+    }
+
+    /// Brings the space-time pictures up to the frames that have been taken. It takes some milliseconds: a few times a second will do.
+    pub fn show_strips(&mut self) {
+        let Some(open) = self.films.open.as_mut().filter(|open| open.running) else { return };
+        if let Some(following) = &open.following {
+            open.pictures = pictures(following, &open.clip);
+            self.revision.films += 1;
+        }
     }
 
     /// Whether a tracking is running.
@@ -186,7 +221,7 @@ impl Desk {
             return Err(self.film_refusal(&refusal.words()));
         }
         work.subject = subject;
-        let Some(following) = &mut open.following else { return self.begin_tracking() };
+        let Some(following) = open.following.as_mut().filter(|_| !open.reading) else { return self.begin_tracking() };
         match anchor {
             Some(click) => following.anchor(surface, stored(&open.clip, &click)),
             None => following.release(surface, frame),

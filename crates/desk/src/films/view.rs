@@ -4,10 +4,12 @@ use crate::films::clip::Clip;
 use crate::films::doubt::{DoubtfulFrame, doubts};
 use crate::films::identity::FilmIdentity;
 use crate::films::lengths::CalibrationForm;
+use crate::films::recipe::FilmRecipe;
 use crate::films::record::table;
 use crate::films::space_time::SpaceTimePicture;
 use crate::films::state::Open;
 use crate::films::subject::Subject;
+use crate::films::truth::FilmTruth;
 use crate::films::work::Work;
 use crate::{Desk, number};
 use film::calibration::{Calibration, Lengths};
@@ -113,6 +115,16 @@ impl<'a> OpenFilm<'a> {
     /// The id of the record that it has become; it may have been removed.
     pub fn record(self) -> Option<u32> {
         self.work.record
+    }
+
+    /// How it was taken, if it is that of a simulation.
+    pub fn recipe(self) -> Option<&'a FilmRecipe> {
+        self.work.recipe.as_ref()
+    }
+
+    /// What is known of a filmed simulation.
+    pub fn truth(self) -> Option<&'a FilmTruth> {
+        self.open.truth.as_ref()
     }
 
     /// The frames that a person should look at, in order.

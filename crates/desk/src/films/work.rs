@@ -2,6 +2,7 @@
 
 use crate::films::identity::FilmIdentity;
 use crate::films::lengths::CalibrationForm;
+use crate::films::recipe::FilmRecipe;
 use crate::films::subject::Subject;
 use film::calibration::Calibration;
 use film::tracking::{Point, Track};
@@ -26,6 +27,8 @@ pub(crate) struct Work {
     /// The map that follows from it, from pixels of the upright picture.
     pub calibration: Calibration,
     pub found: Option<Found>,
+    /// How the film was taken, if it is that of a simulation.
+    pub recipe: Option<FilmRecipe>,
     /// The record that the film has become; there may be none of this id any more.
     pub record: Option<u32>,
 }

@@ -8,7 +8,8 @@ use super::tracks;
 use crate::Desk;
 use crate::films::work::Work;
 use crate::films::{
-    CalibrationForm, FilmIdentity, FilmedBody, FilmedSurface, LengthsForm, POINT_SIGMA, ParallaxForm, Subject,
+    CalibrationForm, CameraSettings, FilmIdentity, FilmRecipe, FilmedBody, FilmedSurface, LengthsForm, POINT_SIGMA,
+    ParallaxForm, Subject,
 };
 use film::calibration::{CLICK, Calibration, Lengths, Parallax, Rectangle, Scale};
 use film::tracking::column::Click;
@@ -126,6 +127,7 @@ fn saved(work: &Work, found: Option<format::FoundInFilm>, record: Option<String>
         ends: work.ends,
         found,
         record,
+        recipe: work.recipe.as_ref().map(saved_recipe),
     }
 }
 
@@ -188,5 +190,32 @@ fn restored(saved: &format::Film) -> Option<Work> {
         calibration,
         found: saved.found.as_ref().and_then(tracks::restored),
         record: None,
+        recipe: saved.recipe.as_ref().and_then(restored_recipe),
+    })
+}
+
+fn saved_recipe(recipe: &FilmRecipe) -> format::Recipe {
+    let CameraSettings { seconds, rate, exposure, noise, seed } = recipe.settings;
+    format::Recipe {
+        document: recipe.document.clone(),
+        source: recipe.source.clone(),
+        state: recipe.state.clone(),
+        language: recipe.language.clone(),
+        camera: Some([seconds, rate, exposure, noise].map(Number)),
+        seed,
+    }
+}
+
+/// The recipe; `None` where its camera is not possible.
+fn restored_recipe(saved: &format::Recipe) -> Option<FilmRecipe> {
+    let [Number(seconds), Number(rate), Number(exposure), Number(noise)] = saved.camera?;
+    let settings = CameraSettings { seconds, rate, exposure, noise, seed: saved.seed };
+    settings.check().ok()?;
+    Some(FilmRecipe {
+        document: saved.document.clone(),
+        source: saved.source.clone(),
+        state: saved.state.clone(),
+        language: saved.language.clone(),
+        settings,
     })
 }

@@ -236,6 +236,23 @@ pub(crate) struct Film {
     /// The record by the name under which it is stored.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub record: Option<String>,
+    /// How it was taken, if it is that of a simulation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub recipe: Option<Recipe>,
+}
+
+/// How a simulation was filmed.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub(crate) struct Recipe {
+    /// The title of the document, the hash of its text, and the state of its start as in a link.
+    pub document: String,
+    pub source: String,
+    pub state: String,
+    pub language: String,
+    /// Seconds, frames a second, exposure in seconds, noise in grey values.
+    pub camera: Option<[Number; 4]>,
+    pub seed: u32,
 }
 
 /// What was found in a film, in seconds and pixels of the upright picture.

@@ -46,6 +46,7 @@ pub fn build(
         expressions,
         values: Vec::new(),
         trails: Vec::new(),
+        length: None,
         numbers: BTreeMap::new(),
         words: Vec::new(),
         ids: BTreeSet::new(),
@@ -81,9 +82,9 @@ pub fn build(
         }
     }
     builder.check_references();
-    let Builder { values, trails, words, .. } = builder;
+    let Builder { values, trails, length, words, .. } = builder;
     expressions.forget();
-    Some((Scene { root: root?, values, trails }, words))
+    Some((Scene { root: root?, values, trails, length }, words))
 }
 
 impl Builder<'_, '_> {

@@ -20,6 +20,8 @@ pub struct Builder<'b, 'a> {
     pub values: Vec<Compiled>,
     /// Where points have been.
     pub trails: Vec<Trail>,
+    /// How long a unit of the drawing is, by the first frame of lengths: the index of a value.
+    pub length: Option<usize>,
     /// Which of the values have a node.
     pub numbers: BTreeMap<NodeId, Vec<usize>>,
     /// What the texts so far say.

@@ -59,6 +59,13 @@ impl Builder<'_, '_> {
         };
         let (by_x, by_y) = (scale_of(graph, x, width), scale_of(graph, y, height));
         let scale = graph.binary(Binary::Minimum, by_x, by_y);
+        if x.dimension == Dimension::LENGTH && self.length.is_none() {
+            let graph = self.expressions.graph();
+            let one = graph.constant(1.0);
+            let value = Compiled { node: graph.divide(one, scale), kind: Kind::Number, unit: Unit::si(x.dimension) };
+            self.length = self.value(Placed { value, span: x.span });
+        }
+        let graph = self.expressions.graph();
         // The middle of the frame lies in the middle of its box.
         let middle = |graph: &mut Graph, axis: Axis| {
             let (sum, half) = (graph.add(axis.low, axis.high), graph.constant(0.5));

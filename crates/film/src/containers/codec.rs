@@ -18,6 +18,8 @@ pub enum Coding {
     Av1,
     /// A JPEG picture for each frame (Motion JPEG).
     Jpeg,
+    /// Grey values as they are.
+    Raw,
 }
 
 impl Coding {
@@ -30,6 +32,7 @@ impl Coding {
             Self::Vp9 => "VP9",
             Self::Av1 => "AV1",
             Self::Jpeg => "Motion JPEG",
+            Self::Raw => "Y8",
         }
     }
 }

@@ -16,6 +16,8 @@ pub enum Container {
     Matroska,
     /// AVI.
     Avi,
+    /// None: the frames are drawn, and in no file.
+    Drawn,
 }
 
 /// How a decoded picture is turned to be upright: mirrored first, if at all, then by quarter turns.

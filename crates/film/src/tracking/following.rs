@@ -190,7 +190,7 @@ impl Following {
         }
     }
 
-    /// The space-time picture of a surface, once the first part of the search is done.
+    /// The space-time picture of a surface: the frames that have been taken in this reading of the film.
     pub fn space_time(&self, surface: usize) -> Option<SpaceTime> {
         self.pass.columns.get(surface)?.space_time()
     }

@@ -11,6 +11,9 @@ use view::views::*;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent, PointerEvent};
 
+/// A drag by fewer CSS pixels moves nothing: a finger is never quite still.
+const STILL: f64 = 3.0;
+
 /// The frame with what lies over it.
 pub fn view(app: App) -> View {
     let words = words::of(app);
@@ -57,7 +60,7 @@ fn prompt(app: App) -> View {
     changing(move || {
         let asked = asked.get();
         if asked.is_empty() {
-            return View::from(div().class("film-prompt none"));
+            return selection(app);
         }
         let leave = move |_| {
             app.films.points.set(Vec::new());
@@ -67,6 +70,29 @@ fn prompt(app: App) -> View {
         let leave = button().class("quiet").id("film-leave").when(events::click, leave).child(words.leave);
         div().class("film-prompt").child(p().id("film-asked").child(asked)).child(leave).into()
     })
+}
+
+/// The point that is selected, with the button that removes it.
+fn selection(app: App) -> View {
+    let words = words::of(app);
+    let frame = app.films.frame.get();
+    let is_seen = |held: &Held| held.frame.is_none_or(|own| own == frame);
+    let seen = |handle: &Handle| tools::held(app).iter().any(|held| held.handle == *handle && is_seen(held));
+    let Some(handle) = app.films.selected.get().filter(seen) else {
+        return View::from(div().class("film-prompt none"));
+    };
+    let remove = move |_| {
+        tools::remove(app, handle);
+        view::browser::focus("film-frame");
+    };
+    let (_, name) = name(handle, words);
+    let button = button()
+        .class("quiet")
+        .id("film-remove")
+        .title(words.remove_key)
+        .when(events::click, remove)
+        .child(words.remove);
+    div().class("film-prompt").child(p().child(name)).child(button).into()
 }
 
 /// What a tool asks for, with so many points clicked.
@@ -123,9 +149,11 @@ fn handle(app: App, held: Held, frame: usize, size: Pixel, words: &'static Words
         .style(place)
         .attr("aria-label", format!("{name}: x {:.1}, y {:.1} px", at[0], at[1]))
         .when(events::keydown, move |event| handle_key(app, &event, handle, at, size))
+        .when(events::focus, move |_| app.films.selected.set(Some(handle)))
         .when(events::pointerdown, move |event: PointerEvent| {
             capture(&event);
             event.stop_propagation();
+            app.films.selected.set(Some(handle));
             app.films.aim.set(Some(Aim { handle: Some(handle), at, by_keys: false }));
         })
         .into()
@@ -177,6 +205,14 @@ fn place_of(event: &PointerEvent, size: Pixel) -> Option<Pixel> {
     ])
 }
 
+/// Whether two points are a few CSS pixels apart at most.
+fn is_near(one: Pixel, other: Pixel, size: Pixel) -> bool {
+    let shown =
+        view::browser::by_id::<Element>("film-frame").map_or(size[0], |frame| frame.get_bounding_client_rect().width());
+    let far = |k: usize| (one[k] - other[k]).abs() * shown / size[0];
+    far(0).max(far(1)) < STILL
+}
+
 fn down(app: App, event: &PointerEvent, size: Pixel) {
     if event.button() != 0 || app.films.tool.get_untracked() == Tool::Rest {
         return;
@@ -195,6 +231,11 @@ fn moved(app: App, event: &PointerEvent, size: Pixel) {
 fn up(app: App, event: &PointerEvent, size: Pixel) {
     let Some(aim) = app.films.aim.get_untracked().filter(|aim| !aim.by_keys) else { return };
     let at = place_of(event, size).unwrap_or(aim.at);
+    // A point that is only pointed at stays where it is.
+    let held = aim.handle.and_then(|handle| tools::held(app).into_iter().find(|held| held.handle == handle));
+    if held.is_some_and(|held| is_near(held.at, at, size)) {
+        return app.films.aim.set(None);
+    }
     finish(app, Aim { at, ..aim });
 }
 
@@ -202,7 +243,12 @@ fn up(app: App, event: &PointerEvent, size: Pixel) {
 fn finish(app: App, aim: Aim) {
     app.films.aim.set(None);
     match aim.handle {
-        Some(handle) => tools::moved(app, handle, aim.at),
+        Some(handle) => {
+            tools::moved(app, handle, aim.at);
+            if aim.by_keys {
+                view::browser::focus_later(id(handle));
+            }
+        }
         None => tools::place(app, aim.at),
     }
 }
@@ -236,6 +282,11 @@ fn handle_key(app: App, event: &KeyboardEvent, handle: Handle, at: Pixel, size: 
     let aiming = app.films.aim.get_untracked().is_some_and(|aim| aim.by_keys);
     if !aiming && event.key().starts_with("Arrow") {
         app.films.aim.set(Some(Aim { handle: Some(handle), at, by_keys: true }));
+    }
+    if !aiming && matches!(event.key().as_str(), "Delete" | "Backspace") {
+        event.prevent_default();
+        view::browser::focus("film-frame");
+        return tools::remove(app, handle);
     }
     if aim_key(app, event, size) || matches!(event.key().as_str(), "Enter" | " ") {
         event.prevent_default();

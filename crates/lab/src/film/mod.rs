@@ -7,6 +7,7 @@ mod aim;
 mod calibrating;
 mod camera;
 mod doubts;
+mod filming;
 mod frame;
 mod frames;
 mod keys;
@@ -25,6 +26,7 @@ mod tracking;
 mod words;
 
 pub use access::Player;
+pub use filming::view as virtual_camera;
 pub use frames::look_at;
 pub use now::refresh;
 pub use opening::{is_film, mark_page, open};

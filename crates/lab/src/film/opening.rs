@@ -7,7 +7,8 @@ use super::refusals::said;
 use super::{frames, tracking, words};
 use crate::app::App;
 use crate::tabs;
-use desk::{FilmIdentity, FilmOpening, LengthsForm};
+use desk::{FilmIdentity, FilmOpening, FilmRecipe, FilmTruth, LengthsForm};
+use film::Plane;
 use std::rc::Rc;
 use view::browser;
 use view::views::*;
@@ -64,25 +65,47 @@ async fn take(app: App, file: File) -> Result<FilmOpening, String> {
     let opened =
         app.act_on_desk(|desk| Some(desk.open_film(identity, container).map_err(|why| desk.refusal_text(&why))));
     let opening = opened.unwrap_or_else(|| Err(said(app, &Trouble::Closed)))?;
+    show(app, player, opening);
+    Ok(opening)
+}
+
+/// Opens a filmed simulation in place of the film that is open.
+///
+/// # Errors
+/// Why it could not be opened, in words.
+pub fn open_filmed(app: App, recipe: FilmRecipe, planes: Vec<Plane>, truth: FilmTruth) -> Result<FilmOpening, String> {
+    let opened = app.act_on_desk(|desk| {
+        let opening = desk.open_filmed(recipe, planes.len(), truth).map_err(|why| desk.refusal_text(&why));
+        Some(opening.map(|opening| (opening, desk.film().map(|film| film.clip().container().clone()))))
+    });
+    let (opening, container) = opened.unwrap_or_else(|| Err(said(app, &Trouble::Closed)))?;
+    let player = container.and_then(|film| Player::new(Rc::new(Source::drawn(film, planes))));
+    show(app, player.ok_or_else(|| said(app, &Trouble::Closed))?, opening);
+    Ok(opening)
+}
+
+/// Puts a film on the stage that the desk has opened, and follows what was followed in it before.
+fn show(app: App, player: Rc<Player>, opening: FilmOpening) {
     // What showed the film before goes first.
     app.films.open.set(false);
     app.with(|lab| lab.player = Some(player));
     begin(app);
-    if opening == FilmOpening::TakenUp && now(app).is_some_and(|now| now.subject.needs_tracking()) {
-        tracking::begin(app);
+    if opening == FilmOpening::TakenUp {
+        tracking::take_up(app);
     }
-    Ok(opening)
 }
 
 /// Shows a film that the desk has opened, with what is known of it.
 fn begin(app: App) {
     let films = app.films;
     films.playing.set(false);
+    films.truth.set(Vec::new());
     films.painted.set(None);
     films.frame.set(0);
     films.points.set(Vec::new());
     films.aim.set(None);
     films.last.set(None);
+    films.selected.set(None);
     films.body.set(0);
     refresh(app);
     let now = now(app);

@@ -1,8 +1,8 @@
 //! What the views of the film track.
 
-use super::aim::{Aim, Kind, Pixel, Tool};
+use super::aim::{Aim, Handle, Kind, Pixel, Tool};
 use super::state::Now;
-use desk::{SpaceTimePicture, TrackingProgress};
+use desk::{SpaceTimePicture, TrackingProgress, TruthComparison};
 use film::tracking::column::Click;
 use std::rc::Rc;
 use view::views::*;
@@ -20,6 +20,12 @@ pub struct Films {
     pub painted: Signal<Option<usize>>,
     /// The file that is being opened.
     pub opening: Signal<Option<String>>,
+    /// How many frames of the simulation have been filmed, and of how many, while it is filmed.
+    pub filming: Signal<Option<[usize; 2]>>,
+    /// Whether the form for filming the simulation is open.
+    pub camera_form: Signal<bool>,
+    /// How far the tracks are from the truth, once a person has asked.
+    pub truth: Signal<Vec<TruthComparison>>,
     /// Whether it is playing.
     pub playing: Signal<bool>,
     /// What the desk says of the film.
@@ -38,6 +44,8 @@ pub struct Films {
     pub points: Signal<Vec<Pixel>>,
     /// The point that is being placed or moved.
     pub aim: Signal<Option<Aim>>,
+    /// The point that can be removed.
+    pub selected: Signal<Option<Handle>>,
     /// Where a point was placed last by keys.
     pub last: Signal<Option<Pixel>>,
     /// The correction of a surface that is being made.
@@ -65,6 +73,9 @@ impl Films {
             frame: create_signal(0),
             painted: create_signal(None),
             opening: create_signal(None),
+            filming: create_signal(None),
+            camera_form: create_signal(false),
+            truth: create_signal(Vec::new()),
             playing: create_signal(false),
             now: create_signal(None),
             pictures: create_signal(Vec::new()),
@@ -74,6 +85,7 @@ impl Films {
             tool: create_signal(Tool::default()),
             points: create_signal(Vec::new()),
             aim: create_signal(None),
+            selected: create_signal(None),
             last: create_signal(None),
             anchor: create_signal(None),
             ruler: create_signal(Vec::new()),

@@ -51,16 +51,20 @@ pub fn view(app: App) -> View {
 
 fn strip(app: App, surface: usize, picture: Rc<SpaceTimePicture>) -> Option<Strip> {
     let now = now(app)?;
-    let track = now.tracks.get(surface)?;
-    let rows = track.points.iter().map(|point| picture.row_of(point.position));
+    let track = now.tracks.get(surface);
+    let rows = track.into_iter().flat_map(|track| &track.points).map(|point| picture.row_of(point.position));
     let [low, high] = rows.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row), high.max(row)]);
     let all = picture.rows as f64;
+    // The whole tube, as long as nothing has been found.
+    let [low, high] = if low > high { [0.0, all] } else { [low, high] };
     let (middle, half) = ((low + high) / 2.0, ((0.5 + AROUND) * (high - low)).max(LEAST / 2.0));
     let first = (middle - half).clamp(0.0, all - 1.0).floor();
     let count = ((middle + half).clamp(first + 1.0, all) - first).ceil();
     let width = picture.frames.len();
     let part = picture.grey.get(first as usize * width..(first + count) as usize * width)?;
-    let colours: Vec<u8> = part.iter().flat_map(|&grey| [grey, grey, grey, 255]).collect();
+    // What has not been read yet is seen through.
+    let seen = |at: usize| if at % width.max(1) < picture.read { 255 } else { 0 };
+    let colours: Vec<u8> = part.iter().enumerate().flat_map(|(at, &grey)| [grey, grey, grey, seen(at)]).collect();
     let data = ImageData::new_with_u8_clamped_array_and_sh(Clamped(&colours), width as u32, count as u32).ok()?;
     let painted: HtmlCanvasElement = document().create_element("canvas").ok()?.dyn_into().ok()?;
     painted.set_width(width as u32);
@@ -99,7 +103,7 @@ impl Strip {
         let painted = &self.painted;
         context.draw_image_with_html_canvas_element_and_dw_and_dh(painted, 0.0, 0.0, width, height).ok()?;
         let now = now(app)?;
-        let track = now.tracks.get(self.surface)?;
+        let Some(track) = now.tracks.get(self.surface) else { return Some(()) };
         let scale = |[across, down]: Pixel| [across * width, down * height];
         let found = track.points.iter().map(|point| scale(self.place(point.frame, point.position)));
         // Up and down by the standard error, which is a band only where it is large.

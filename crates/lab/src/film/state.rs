@@ -33,6 +33,10 @@ pub struct Now {
     pub doubts: Vec<DoubtfulFrame>,
     /// The record, if it is there.
     pub record: Option<u32>,
+    /// Whether it is a filmed simulation.
+    pub filmed: bool,
+    /// The length of the ruler in the picture of a filmed simulation.
+    pub ruler: Option<String>,
     /// What a person should know.
     pub notes: Vec<String>,
 }
@@ -56,6 +60,8 @@ impl Now {
             tracks: film.tracks(),
             doubts: film.doubtful(),
             record: film.record().filter(|id| desk.records().iter().any(|record| record.id == *id)),
+            filmed: film.truth().is_some(),
+            ruler: film.truth().and_then(|truth| truth.ruler.clone()),
             notes: desk.film_notes(),
         })
     }

@@ -5,8 +5,9 @@ use super::now::now;
 use super::refusals::refuse;
 use super::{calibrating, frames, tracking};
 use crate::app::App;
-use desk::{FilmedBody, FilmedSurface, POINT_SIGMA, Subject};
+use desk::{FilmedBody, FilmedSurface, LengthsForm, POINT_SIGMA, Subject};
 use film::tracking::column::Click;
+use view::views::*;
 
 /// Sets what the tool is for.
 pub fn place(app: App, at: Pixel) {
@@ -49,12 +50,32 @@ pub fn place(app: App, at: Pixel) {
             films.tool.set(Tool::Rest);
             calibrating::change(app, move |form| *if origin { &mut form.origin } else { &mut form.axis } = Some(at));
         }
-        Tool::Corners => collect(app, at, 4, |app, corners| {
-            app.films.corners.set(corners);
-            calibrating::rectangle(app);
-            view::browser::focus("film-width");
-        }),
+        Tool::Corners => {
+            let mut corners = films.corners.get_clone_untracked();
+            if corners.len() >= 4 {
+                corners.clear();
+            }
+            corners.push(at);
+            let complete = corners.len() == 4;
+            films.corners.set(if complete { around(corners) } else { corners });
+            if complete {
+                films.tool.set(Tool::Rest);
+                calibrating::rectangle(app);
+                view::browser::focus("film-width");
+            }
+        }
     }
+}
+
+/// Corners in the order bottom left, bottom right, top right, top left, whatever the order in which they were clicked.
+fn around(mut corners: Vec<Pixel>) -> Vec<Pixel> {
+    // The lower ones first; each pair in the sense of the way around.
+    corners.sort_by(|one, other| other[1].total_cmp(&one[1]));
+    let half = corners.len() / 2;
+    let (low, high) = corners.split_at_mut(half);
+    low.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    high.sort_by(|one, other| other[0].total_cmp(&one[0]));
+    corners
 }
 
 /// Collects points until there are enough for what is done with them.
@@ -143,6 +164,57 @@ pub fn set_marks(app: App, marks: Vec<Pixel>) {
     refuse(app, refusal);
     if !refused && now(app).is_some_and(|now| now.subject.needs_tracking()) {
         tracking::begin(app);
+    }
+}
+
+/// Removes a point.
+pub fn remove(app: App, handle: Handle) {
+    app.films.selected.set(None);
+    match handle {
+        Handle::Surface(_) | Handle::Tube(..) | Handle::Body(..) | Handle::Hand(_) => {
+            change_subject(app, |subject| remove_from(subject, handle));
+        }
+        Handle::Still(mark) => {
+            let mut marks = now(app).map(|now| now.marks.clone()).unwrap_or_default();
+            if mark < marks.len() {
+                marks.remove(mark);
+            }
+            set_marks(app, marks);
+        }
+        Handle::Ruler(mark) => remove_length(app, app.films.ruler, mark),
+        Handle::Corner(corner) => remove_length(app, app.films.corners, corner),
+        Handle::Origin => calibrating::change(app, |form| form.origin = None),
+        Handle::Axis => calibrating::change(app, |form| form.axis = None),
+    }
+}
+
+/// Removes a point of a length: there is no scale then, until another point is clicked.
+fn remove_length(app: App, points: Signal<Vec<Pixel>>, at: usize) {
+    points.update(|points| {
+        if at < points.len() {
+            points.remove(at);
+        }
+    });
+    calibrating::change(app, |form| form.lengths = LengthsForm::Pixels);
+}
+
+fn remove_from(subject: &mut Subject, handle: Handle) {
+    match (handle, subject) {
+        (Handle::Surface(number), Subject::Surfaces(surfaces)) if number < surfaces.len() => {
+            surfaces.remove(number);
+        }
+        (Handle::Tube(number, _), Subject::Surfaces(surfaces)) => {
+            surfaces.get_mut(number).into_iter().for_each(|surface| surface.tube = None);
+        }
+        (Handle::Body(number, key), Subject::Bodies(bodies)) => {
+            if let Some(keys) = bodies.get_mut(number).map(|body| &mut body.keys).filter(|keys| key < keys.len()) {
+                keys.remove(key);
+            }
+        }
+        (Handle::Hand(number), Subject::Points { clicks, .. }) if number < clicks.len() => {
+            clicks.remove(number);
+        }
+        _ => {}
     }
 }
 

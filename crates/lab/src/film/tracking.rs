@@ -8,6 +8,8 @@ use view::views::*;
 
 /// The page reacts after so many milliseconds of work.
 const SLICE: f64 = 20.0;
+/// The pictures under the film grow after so many milliseconds.
+const STRIPS: f64 = 300.0;
 /// So many steps are computed between two looks at the clock.
 const STEPS: usize = 10;
 /// If so many frames in a row cannot be decoded, the film is damaged.
@@ -21,6 +23,12 @@ pub fn begin(app: App) {
     if !refused {
         go_on(app);
     }
+}
+
+/// Takes up what was found in the film at an earlier visit.
+pub fn take_up(app: App) {
+    refuse(app, app.attempt_on_desk(|desk| desk.take_up_tracking()));
+    go_on(app);
 }
 
 /// Goes on with what the desk has to follow, unless that is being done.
@@ -51,6 +59,7 @@ async fn follow(app: App) -> Option<String> {
     let clock = window().performance();
     let now = || clock.as_ref().map_or(0.0, |clock| clock.now());
     let mut end = now() + SLICE;
+    let mut shown = now();
     let mut failed = 0;
     while app.read_desk(|desk| desk.is_tracking()) {
         let refusal = match app.read_desk(|desk| desk.wanted_frame()) {
@@ -86,6 +95,10 @@ async fn follow(app: App) -> Option<String> {
         }
         if now() > end {
             show_progress(app);
+            if now() > shown + STRIPS && app.read_desk(|desk| desk.wanted_frame()).is_some() {
+                app.act_on_desk(|desk| desk.show_strips());
+                shown = now();
+            }
             browser::breathe().await;
             end = now() + SLICE;
         }

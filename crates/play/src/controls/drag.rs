@@ -12,6 +12,7 @@ use crate::controls::start::Start;
 use crate::{Announcement, Play, number};
 use engine::Setup;
 use program::{Child, Drag, Dragged, Element, Piece, Program};
+use units::{Dimension, Unit};
 
 /// What a run begins with when a handle has been pulled.
 struct Pulled {
@@ -62,8 +63,16 @@ impl Play {
         Some((one.min(other).min(now), one.max(other).max(now)))
     }
 
-    /// A length in the drawing in words, where a handle says how long a unit of the drawing is; `None` where none does.
+    /// A length in the drawing in words; `None` where the drawing has no scale.
     pub fn scene_length(&mut self, units: f64) -> Option<String> {
+        let (metres, unit) = self.scene_scale()?;
+        let text = number::plain(unit.from_si(units * metres), LENGTH_DIGITS, self.style);
+        Some(format!("{text} {}", number::unit_text(&unit.text)))
+    }
+
+    /// How many metres a unit of the drawing stands for at the time shown, and the unit in which lengths of this size are stated: by a
+    /// handle that changes a length, else by a frame of lengths; `None` where there is neither.
+    pub fn scene_scale(&mut self) -> Option<(f64, Unit)> {
         let scene = self.program.scene(&self.tag)?;
         let mut drags = Vec::new();
         collect_drags(&scene.root, &mut drags);
@@ -72,13 +81,12 @@ impl Play {
                 Dragged::State(index) => &self.program.model.states.get(index)?.unit,
                 Dragged::Parameter(index) => &self.program.model.parameters.get(index)?.unit,
             };
-            (unit.dimension == units::Dimension::LENGTH).then_some((drag.up.or(drag.right)?, unit.clone()))
+            (unit.dimension == Dimension::LENGTH).then_some((drag.up.or(drag.right)?, unit.clone()))
         });
-        let (factor, unit) = lengths.collect::<Vec<_>>().into_iter().next()?;
+        let framed = scene.length.map(|index| (index, Unit::si(Dimension::LENGTH)));
+        let (factor, unit) = lengths.collect::<Vec<_>>().into_iter().next().or(framed)?;
         let factor = self.scene_values().get(factor).copied().filter(|factor| factor.is_finite() && *factor != 0.0)?;
-        let value = unit.from_si(units * factor.abs());
-        let text = number::plain(value, LENGTH_DIGITS, self.style);
-        Some(format!("{text} {}", number::unit_text(&unit.text)))
+        Some((factor.abs(), unit))
     }
 
     /// What is to be known of a part that is taken hold of; `None` where the state cannot be dragged.

@@ -16,6 +16,8 @@ pub struct Scene {
     pub values: Vec<Compiled>,
     /// Where points have been.
     pub trails: Vec<Trail>,
+    /// How long a unit of the drawing is (SI), where a frame of lengths says so: an index into `values`.
+    pub length: Option<usize>,
 }
 
 /// Where a point has been: a line, or dots at multiples of a time.
@@ -44,6 +46,7 @@ struct Written {
     elements: Vec<WrittenElement>,
     values: Vec<Compiled>,
     trails: Vec<Trail>,
+    length: Option<usize>,
 }
 
 #[derive(Serialize, Deserialize)]

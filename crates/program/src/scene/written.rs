@@ -7,7 +7,8 @@ const DEEPEST: usize = 64;
 
 impl From<Scene> for Written {
     fn from(scene: Scene) -> Self {
-        let mut written = Self { elements: Vec::new(), values: scene.values, trails: scene.trails };
+        let mut written =
+            Self { elements: Vec::new(), values: scene.values, trails: scene.trails, length: scene.length };
         written.add(scene.root);
         written
     }
@@ -54,6 +55,6 @@ impl TryFrom<Written> for Scene {
         if built.iter().any(Option::is_some) {
             return Err("an element of the scene without a place");
         }
-        Ok(Self { root, values: written.values, trails: written.trails })
+        Ok(Self { root, values: written.values, trails: written.trails, length: written.length })
     }
 }

@@ -1,5 +1,6 @@
 //! Films in the laboratory: from pictures to a record, a fit, and the work at the next visit.
 
+mod filmed;
 mod scene;
 mod work;
 

@@ -229,12 +229,18 @@ impl Column {
         self.track.as_ref()
     }
 
-    /// The space-time picture, once the first part of the search is done.
+    /// The space-time picture of the frames that have been taken; `None` before the first. Which part of the strip is the bore is known
+    /// the better, the more frames there are.
     pub fn space_time(&self) -> Option<SpaceTime> {
-        let (layout, solving) = self.layout.as_ref().zip(self.solving.as_ref())?;
-        let grey = |profile: &Vec<f32>| profile.iter().map(|value| value.round() as u8).collect();
-        let columns = solving.profiles().iter().map(grey).collect();
-        let (grid, (first, end)) = (layout.grid, solving.task.bins);
+        let layout = self.layout.as_ref()?;
+        let grid = layout.grid;
+        let solving = self.solving.as_ref().filter(|solving| solving.profiles().len() == self.strips.len());
+        let (first, end) = solving.map_or_else(|| layout.changes.bore(grid), |solving| solving.task.bins);
+        let grey = |profile: &[f32]| profile.iter().map(|value| value.round() as u8).collect();
+        let columns = match solving {
+            Some(solving) => solving.profiles().iter().map(|profile| grey(profile)).collect(),
+            None => self.strips.iter().map(|strip| grey(&strip.profile(grid, (first, end)))).collect(),
+        };
         let bore = [first, end].map(|bin| (bin as f64 - grid.bins as f64 / 2.0) * grid.width);
         Some(SpaceTime { columns, origin: layout.line.origin, direction: layout.line.direction, bore })
     }

@@ -138,9 +138,7 @@ impl Solving {
         let half = self.task.window().half as usize;
         let grid = self.task.grid;
         if let Some(strip) = strips.get(self.profiles.len()) {
-            let bins = self.task.bins;
-            let mean = |row| strip.values(grid, row, bins).sum::<f64>() / (bins.1 - bins.0) as f64;
-            let profile: Vec<f32> = (0..grid.rows).map(|row| mean(row) as f32).collect();
+            let profile = strip.profile(grid, self.task.bins);
             self.strongest.push(strengths(&profile, half).into_iter().fold(0.0, f64::max));
             self.profiles.push(profile);
             return Ok(Stage::Profiles);

@@ -106,6 +106,12 @@ impl Strip {
         let values = self.grey.get(start + bins.0..start + bins.1).unwrap_or(&[]);
         values.iter().map(|value| f64::from(*value) / STEPS)
     }
+
+    /// The mean over some neighbouring bins in every row.
+    pub(crate) fn profile(&self, grid: Grid, bins: (usize, usize)) -> Vec<f32> {
+        let mean = |row| self.values(grid, row, bins).sum::<f64>() / (bins.1 - bins.0) as f64;
+        (0..grid.rows).map(|row| mean(row) as f32).collect()
+    }
 }
 
 /// The weights of the pixels of a row in the sum of the values at some places, linear between the middles of the pixels.

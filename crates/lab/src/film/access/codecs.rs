@@ -104,6 +104,9 @@ extern "C" {
     #[wasm_bindgen(method, setter, js_name = imageSmoothingEnabled)]
     pub fn set_image_smoothing_enabled(this: &Painter, smooth: bool);
 
+    #[wasm_bindgen(method, catch, js_name = putImageData)]
+    pub fn put_image_data(this: &Painter, data: &ImageData, x: f64, y: f64) -> Result<(), JsValue>;
+
     #[wasm_bindgen(method, catch, js_name = getImageData)]
     pub fn image_data(this: &Painter, x: f64, y: f64, width: f64, height: f64) -> Result<ImageData, JsValue>;
 

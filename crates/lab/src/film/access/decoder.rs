@@ -43,6 +43,9 @@ impl Reader {
     ///
     /// The file cannot be read, or the decoder does not give this frame.
     pub async fn picture(&mut self, frame: usize) -> Result<Picture, Trouble> {
+        if let Some(plane) = self.source.plane(frame) {
+            return Ok(Picture::Grey(plane));
+        }
         let lost = Trouble::Frame(frame + 1);
         let sample = self.source.sample_of(frame).ok_or_else(|| lost.clone())?;
         if self.source.film.codec.coding == Coding::Jpeg {

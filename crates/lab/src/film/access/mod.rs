@@ -8,7 +8,7 @@ mod source;
 mod trouble;
 
 pub use decoder::Reader;
-pub use picture::Greys;
+pub use picture::{Greys, drawn};
 pub use player::Player;
 pub use source::{Source, object};
 pub use trouble::Trouble;

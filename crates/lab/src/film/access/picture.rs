@@ -5,10 +5,11 @@ use super::source::{Source, object};
 use film::Plane;
 use film::containers::Orientation;
 use js_sys::{Array, Uint8Array};
+use std::rc::Rc;
 use view::browser;
 use view::views::document;
-use wasm_bindgen::{JsCast, JsValue};
-use web_sys::{HtmlCanvasElement, ImageBitmap};
+use wasm_bindgen::{Clamped, JsCast, JsValue};
+use web_sys::{HtmlCanvasElement, ImageBitmap, ImageData};
 
 /// Formats of which the first plane is the grey values, a byte each.
 const GREY_FIRST: [&str; 7] = ["I420", "I420A", "I422", "I422A", "I444", "I444A", "NV12"];
@@ -19,6 +20,8 @@ pub enum Picture {
     Frame(VideoFrame),
     /// Kept in order to be shown, or made from a JPEG.
     Bitmap(ImageBitmap),
+    /// Grey values that have been drawn.
+    Grey(Rc<Plane>),
 }
 
 impl Drop for Picture {
@@ -26,6 +29,7 @@ impl Drop for Picture {
         match self {
             Self::Frame(frame) => frame.close(),
             Self::Bitmap(bitmap) => bitmap.close(),
+            Self::Grey(_) => {}
         }
     }
 }
@@ -39,13 +43,16 @@ impl Picture {
                 part.map_or([0; 2], |part| [part.width(), part.height()].map(|length| length as usize))
             }
             Self::Bitmap(bitmap) => [bitmap.width(), bitmap.height()].map(|length| length as usize),
+            Self::Grey(plane) => [plane.width(), plane.height()],
         }
     }
 
-    fn pixels(&self) -> &JsValue {
+    /// What a canvas can draw.
+    fn pixels(&self) -> Option<&JsValue> {
         match self {
-            Self::Frame(frame) => frame.as_ref(),
-            Self::Bitmap(bitmap) => bitmap.as_ref(),
+            Self::Frame(frame) => Some(frame.as_ref()),
+            Self::Bitmap(bitmap) => Some(bitmap.as_ref()),
+            Self::Grey(_) => None,
         }
     }
 
@@ -59,6 +66,12 @@ impl Picture {
     /// Paints it over a whole canvas, upright.
     pub fn paint(&self, canvas: &HtmlCanvasElement, orientation: Orientation) -> Option<()> {
         let painter = painter(canvas, false)?;
+        if let Self::Grey(plane) = self {
+            let colours: Vec<u8> = plane.grey().iter().flat_map(|&grey| [grey, grey, grey, 255]).collect();
+            let [width, height] = [plane.width(), plane.height()].map(|length| length as u32);
+            let data = ImageData::new_with_u8_clamped_array_and_sh(Clamped(&colours), width, height).ok()?;
+            return painter.put_image_data(&data, 0.0, 0.0).ok();
+        }
         let size = [canvas.width(), canvas.height()].map(f64::from);
         // The size before the turn: the same exchange of width and height as after it.
         let stored = orientation.upright_size(size);
@@ -69,7 +82,7 @@ impl Picture {
         };
         let (across, down) = (edge([1.0, 0.0]), edge([0.0, 1.0]));
         painter.set_transform(across[0], across[1], down[0], down[1], corner[0], corner[1]);
-        painter.draw_image(self.pixels(), 0.0, 0.0, stored[0], stored[1]).ok()
+        painter.draw_image(self.pixels()?, 0.0, 0.0, stored[0], stored[1]).ok()
     }
 }
 
@@ -91,6 +104,9 @@ impl Greys {
 
     /// The grey values of a picture as it is stored.
     pub async fn read(&mut self, picture: &Picture) -> Option<Plane> {
+        if let Picture::Grey(plane) = picture {
+            return Some(Plane::clone(plane));
+        }
         if let Picture::Frame(frame) = picture
             && picture.size() == self.size
             && let Some(plane) = self.copied(frame).await
@@ -136,18 +152,24 @@ impl Greys {
             Some(canvas) => canvas,
             None => document().create_element("canvas").ok()?.dyn_into().ok()?,
         };
-        if [canvas.width(), canvas.height()].map(|length| length as usize) != size {
-            canvas.set_width(size[0] as u32);
-            canvas.set_height(size[1] as u32);
-        }
-        let painter = painter(&canvas, true)?;
-        let [width, height] = size.map(|length| length as f64);
-        painter.draw_image(picture.pixels(), 0.0, 0.0, width, height).ok()?;
-        let values = painter.image_data(0.0, 0.0, width, height).ok()?.data().0;
+        let plane = drawn(picture.pixels()?, &canvas, size);
         self.canvas = Some(canvas);
-        let greys = values.as_chunks().0.iter().map(|&[r, g, b, _]| luma([r, g, b])).collect();
-        Plane::new(size[0], size[1], greys)
+        plane
     }
+}
+
+/// The grey values of what a canvas can draw, in this size.
+pub fn drawn(pixels: &JsValue, canvas: &HtmlCanvasElement, size: [usize; 2]) -> Option<Plane> {
+    if [canvas.width(), canvas.height()].map(|length| length as usize) != size {
+        canvas.set_width(size[0] as u32);
+        canvas.set_height(size[1] as u32);
+    }
+    let painter = painter(canvas, true)?;
+    let [width, height] = size.map(|length| length as f64);
+    painter.draw_image(pixels, 0.0, 0.0, width, height).ok()?;
+    let values = painter.image_data(0.0, 0.0, width, height).ok()?.data().0;
+    let greys = values.as_chunks().0.iter().map(|&[r, g, b, _]| luma([r, g, b])).collect();
+    Plane::new(size[0], size[1], greys)
 }
 
 /// The grey value of a colour (Rec. ITU-R BT.601, 2.5.1), in 256ths.

@@ -2,10 +2,12 @@
 
 use super::codecs;
 use super::trouble::Trouble;
+use film::Plane;
 use film::containers::{Coding, Film, FilmError, Opening};
 use js_sys::{Object, Reflect, Uint8Array};
 use std::cell::RefCell;
 use std::ops::Range;
+use std::rc::Rc;
 use view::browser;
 use wasm_bindgen::JsValue;
 use web_sys::File;
@@ -15,9 +17,17 @@ const AHEAD: u64 = 1 << 20;
 /// The identity of a film is found from so many bytes.
 const BEGINNING: u64 = 1 << 20;
 
+/// Where the pictures of a film are.
+enum Content {
+    /// In a file, coded.
+    File(File),
+    /// In memory, in the order in which they are shown.
+    Planes(Vec<Rc<Plane>>),
+}
+
 /// A film that has been opened.
 pub struct Source {
-    file: File,
+    content: Content,
     /// What its container says.
     pub film: Film,
     /// The place in `film.samples` of each frame that is shown.
@@ -48,6 +58,17 @@ impl Source {
                 Opening::Done(film) => break *film?,
             }
         };
+        let source = Self::new(Content::File(file), film);
+        source.check().await?;
+        Ok(source)
+    }
+
+    /// A film that has been drawn.
+    pub fn drawn(film: Film, planes: Vec<Plane>) -> Self {
+        Self::new(Content::Planes(planes.into_iter().map(Rc::new).collect()), film)
+    }
+
+    fn new(content: Content, film: Film) -> Self {
         let samples = film.shown();
         let mut order: Vec<usize> = (0..film.samples.len()).collect();
         order.sort_by_key(|&at| film.samples[at].ticks);
@@ -55,9 +76,22 @@ impl Source {
         order.iter().enumerate().for_each(|(rank, &at)| ranks[at] = rank);
         let mut frames = vec![None; order.len()];
         samples.iter().enumerate().for_each(|(frame, &at)| frames[ranks[at]] = Some(frame));
-        let source = Self { file, film, samples, ranks, frames, piece: RefCell::default() };
-        source.check().await?;
-        Ok(source)
+        Self { content, film, samples, ranks, frames, piece: RefCell::default() }
+    }
+
+    /// The picture of a frame that is in memory.
+    pub fn plane(&self, frame: usize) -> Option<Rc<Plane>> {
+        match &self.content {
+            Content::File(_) => None,
+            Content::Planes(planes) => planes.get(frame).cloned(),
+        }
+    }
+
+    fn file(&self) -> Option<&File> {
+        match &self.content {
+            Content::File(file) => Some(file),
+            Content::Planes(_) => None,
+        }
     }
 
     /// Whether the browser has a decoder.
@@ -94,12 +128,12 @@ impl Source {
 
     /// The name of the file.
     pub fn name(&self) -> String {
-        self.file.name()
+        self.file().map(File::name).unwrap_or_default()
     }
 
     /// Its size in bytes.
     pub fn bytes(&self) -> u64 {
-        self.file.size() as u64
+        self.file().map_or(0, |file| file.size() as u64)
     }
 
     /// Its first bytes, from which it is known again.
@@ -108,7 +142,8 @@ impl Source {
     ///
     /// The file cannot be read any more.
     pub async fn beginning(&self) -> Result<Vec<u8>, Trouble> {
-        Ok(read(&self.file, 0..BEGINNING.min(self.bytes())).await?.to_vec())
+        let file = self.file().ok_or(Trouble::Unreadable)?;
+        Ok(read(file, 0..BEGINNING.min(self.bytes())).await?.to_vec())
     }
 
     /// How many frames are shown.
@@ -143,7 +178,7 @@ impl Source {
             return Ok(bytes);
         }
         let wide = range.start..range.end.max((range.start + AHEAD).min(self.bytes()));
-        let bytes = read(&self.file, wide).await?;
+        let bytes = read(self.file().ok_or(Trouble::Unreadable)?, wide).await?;
         *self.piece.borrow_mut() = Some((range.start, bytes));
         self.at_hand(&range).ok_or(Trouble::Unreadable)
     }

@@ -44,8 +44,14 @@ pub fn view(app: App) -> View {
         .class("step-line")
         .child(field_of("film-length", words.length).child(length))
         .child(field_of("film-intervals", words.intervals).child(intervals));
+    let ruler = move || app.films.now.with(|now| now.as_ref().and_then(|now| now.ruler.clone()));
+    let ruler = changing(move || match ruler() {
+        Some(length) => View::from(note(format!("{} {length}.", words.ruler_is))),
+        None => View::new(),
+    });
     View::from((
         note(words.hint_ruler),
+        ruler,
         tools,
         fields,
         p().class("film-scale").id("film-scale").role("status").child(text(scale)),

@@ -6,8 +6,9 @@ mod notes;
 mod opened;
 mod record;
 mod tool;
+mod truth;
 
-use super::{camera, opening, words};
+use super::{camera, filming, opening, words};
 use crate::app::App;
 use desk::LengthsForm;
 use view::icons;
@@ -33,7 +34,7 @@ pub fn way_in(app: App) -> View {
         .child(icons::film())
         .child(span().child(words.open));
     let input = input.id("film-file").hidden(true).attr("aria-label", words.open).when(events::change, take);
-    View::from((open, input, camera::button(app)))
+    View::from((open, input, camera::button(app), filming::button(app)))
 }
 
 /// The acts; nothing while no film is open.

@@ -1,6 +1,6 @@
 //! The fourth act: the record, what was found beside it, and the fit.
 
-use super::notes;
+use super::{notes, truth};
 use crate::app::App;
 use crate::film::now::now;
 use crate::film::{doubts, words};
@@ -65,6 +65,7 @@ fn result(app: App) -> View {
     View::from((
         notes::view(app),
         doubts::list(app),
+        truth::view(app),
         div()
             .class("intake")
             .child(button().class("primary").id("film-fit").when(events::click, fit).child(words.fit))

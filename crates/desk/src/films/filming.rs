@@ -1,0 +1,91 @@
+//! Filming the simulation of the open document, and opening what was filmed.
+
+use crate::films::opening::FilmOpening;
+use crate::films::recipe::{CameraSettings, FilmRecipe, hash};
+use crate::films::truth::FilmTruth;
+use crate::{Desk, Refusal};
+use play::Play;
+use units::{Dimension, Words, words};
+
+impl Desk {
+    /// What the camera is set to at first.
+    ///
+    /// # Errors
+    /// Why this simulation cannot be filmed: it has no scene, or no time in seconds.
+    pub fn usual_camera(&self) -> Result<CameraSettings, Refusal> {
+        let program = self.play.program();
+        if program.scene(self.play.tag()).is_none() {
+            return Err(self.film_refusal(&words(
+                "This document has no scene, so there is nothing to film.",
+                "Este documento no tiene escena, así que no hay nada que filmar.",
+            )));
+        }
+        if self.play.model().independent.unit.dimension != Dimension::TIME {
+            return Err(self.film_refusal(&words(
+                "A camera films in seconds, and this simulation does not run in time.",
+                "Una cámara filma en segundos, y esta simulación no transcurre en el tiempo.",
+            )));
+        }
+        Ok(CameraSettings::usual(program.pace().per_second, program.until.unwrap_or(f64::INFINITY)))
+    }
+
+    /// How the simulation is filmed with its present parameters from its start.
+    ///
+    /// # Errors
+    /// As [`Desk::usual_camera`], and settings that no camera has.
+    pub fn film_recipe(&self, settings: CameraSettings) -> Result<FilmRecipe, Refusal> {
+        self.usual_camera()?;
+        settings.check().map_err(|why| self.film_refusal(&why))?;
+        Ok(FilmRecipe {
+            document: self.play.program().edition(self.play.tag()).title.clone(),
+            source: hash(&self.document.source),
+            state: self.play.from_start().share(),
+            language: self.play.tag().to_owned(),
+            settings,
+        })
+    }
+
+    /// The simulation as a recipe has it, at its start.
+    ///
+    /// # Errors
+    /// A recipe for another document, or for another version of this one.
+    pub fn filmed_play(&self, recipe: &FilmRecipe) -> Result<Play, Refusal> {
+        recipe.settings.check().map_err(|why| self.film_refusal(&why))?;
+        let mut play = Play::open(self.play.program().clone());
+        play.set_language(&recipe.language);
+        let restored = recipe.source == hash(&self.document.source) && play.restore(&recipe.state).is_ok();
+        if restored { Ok(play) } else { Err(self.film_refusal(&other_document(&recipe.document))) }
+    }
+
+    /// Opens a film that was taken by a recipe, with so many frames, in place of the one that is open. The same recipe takes up the work
+    /// on its film.
+    ///
+    /// # Errors
+    /// As [`Desk::open_film`].
+    pub fn open_filmed(&mut self, recipe: FilmRecipe, frames: usize, truth: FilmTruth) -> Result<FilmOpening, Refusal> {
+        let opening = self.open_film(recipe.identity(), recipe.film(frames))?;
+        if let Some((open, work)) = self.films.current_mut() {
+            open.truth = Some(truth);
+            work.recipe = Some(recipe);
+        }
+        self.revision.films += 1;
+        // Each recipe is another film, whatever its name is.
+        Ok(if opening == FilmOpening::SameName { FilmOpening::New } else { opening })
+    }
+
+    /// The recipes of films of this document on which work is kept, the last one first; without that of the open film.
+    pub fn film_recipes(&self) -> Vec<FilmRecipe> {
+        let source = hash(&self.document.source);
+        let open = self.films.open.as_ref().map(|open| open.work);
+        let others = self.films.works.iter().enumerate().filter(|(place, _)| Some(*place) != open);
+        let recipes = others.rev().filter_map(|(_, work)| work.recipe.clone());
+        recipes.filter(|recipe| recipe.source == source).collect()
+    }
+}
+
+fn other_document(title: &str) -> Words {
+    words!(
+        "The film shows {title} in another version or with other sizes. Open that document to film it again.",
+        "El vídeo muestra {title} en otra versión o con otros tamaños. Abre ese documento para filmarlo de nuevo."
+    )
+}

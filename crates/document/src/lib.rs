@@ -16,6 +16,7 @@ mod edition;
 mod expressions;
 mod fences;
 mod findings;
+pub mod form;
 mod front_matter;
 mod members;
 mod open;

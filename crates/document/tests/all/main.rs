@@ -9,6 +9,7 @@ mod bundles;
 mod catalogue;
 mod checks;
 mod edit;
+mod form;
 mod frames;
 mod hostile;
 mod independent;

@@ -53,4 +53,4 @@ pub use records::{
 };
 pub use refusal::Refusal;
 pub use saved::{Change, Item, Left, Shelf};
-pub use writing::{Mark, Proposals, TEMPLATES, Template, TextChange, Writing};
+pub use writing::{Insight, Mark, Proposals, TEMPLATES, Template, TextChange, Writing, insight, text_changes};

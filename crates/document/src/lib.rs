@@ -33,6 +33,7 @@ mod scene;
 mod settings;
 mod source;
 mod sweeps;
+pub mod translating;
 mod translation;
 mod vary;
 

@@ -34,17 +34,24 @@ pub fn set_cell(outline: &Outline, number: usize, kind: CellKind, text: &str) ->
     let edit = match (kind, cell.outer.start == cell.outer.end) {
         (CellKind::Text | CellKind::Value, _) => Edit { span: cell.span, text: text.clone() },
         (_, false) if text.is_empty() => Edit { span: cell.outer, text: String::new() },
-        (_, false) => Edit { span: cell.span, text: text.clone() },
+        // With the bracket or quotation mark behind it, so that blanks which keep the columns stand outside.
+        (_, false) => {
+            let end = &outline.source()[cell.span.end..cell.outer.end];
+            Edit { span: Span::new(cell.span.start, cell.outer.end), text: format!("{text}{end}") }
+        }
         (_, true) => Edit { span: cell.outer, text: dressed(&parts[number], kind, &text) },
     };
-    let others = parts.iter().filter_map(|part| part.cell(kind)).map(|cell| cell.span);
-    let others = others.filter(|span| span.start < span.end);
+    let others = parts.iter().filter_map(|part| part.cell(kind)).map(|cell| cell.outer);
+    let others = others.filter(|span| span.start < span.end).map(|span| Span::new(span.end, span.end));
+    let others = others.filter(|other| other.end != cell.outer.end);
     let keeps = kind != CellKind::Text && (kind == CellKind::Value || !text.is_empty());
     let edit = if keeps { keeping_columns(outline.source(), edit, others) } else { edit };
     let refusal = if kind == CellKind::Text { EditError::NotOneStatement } else { EditError::NotOneCell };
     let mut expected: Vec<Vec<(CellKind, String)>> = parts.iter().map(texts).collect();
-    if let Some((_, old)) = expected.get_mut(number).and_then(|cells| cells.iter_mut().find(|(one, _)| *one == kind)) {
-        old.clone_from(&text);
+    match expected.get_mut(number) {
+        Some(cells) if kind == CellKind::Text => *cells = vec![(kind, text)],
+        Some(cells) => cells.iter_mut().filter(|(one, _)| *one == kind).for_each(|(_, old)| old.clone_from(&text)),
+        None => {}
     }
     expect(outline, std::slice::from_ref(&edit), (parts[number].block, &expected), refusal)?;
     Ok(vec![edit])

@@ -33,6 +33,8 @@ pub enum EditError {
     NotOneCell,
     /// The text is not one whole statement.
     NotOneStatement,
+    /// A translation has its questions in the order of the document; so many stand before this one.
+    EarlierQuestion(usize),
     /// No name of the model stands at the place.
     NoName,
     /// This cannot be a name, or has a meaning already.
@@ -89,6 +91,10 @@ impl EditError {
             Self::NotOneStatement => words(
                 "this is not one whole statement: it is empty, has several, or a brace or parenthesis is open",
                 "esto no es una sentencia completa: está vacía, hay varias, o queda abierta una llave o un paréntesis",
+            ),
+            Self::EarlierQuestion(number) => words!(
+                "translate the first {number} questions before this one: a translation has them in the same order",
+                "traduce antes las primeras {number} preguntas: una traducción las tiene en el mismo orden"
             ),
             Self::NoName => words("no name of the model stands here", "aquí no hay ningún nombre del modelo"),
             Self::NewName(name) => words!(

@@ -12,6 +12,7 @@ mod parameter;
 mod rename;
 mod settings;
 mod statements;
+mod translation;
 
 pub use blocks::{insert_block, remove_block, replace_block};
 pub use cell::set_cell;
@@ -21,6 +22,7 @@ pub use parameter::set_parameter;
 pub use rename::rename;
 pub use settings::set_front_matter;
 pub use statements::{add_statement, remove_statement};
+pub use translation::set_translation;
 
 /// Applies edits, in any order; their spans are places in `source`. Insertions at one place keep the order of `edits`.
 ///

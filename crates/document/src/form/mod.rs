@@ -31,6 +31,8 @@ pub struct Part {
     pub span: Span,
     /// The word with which a row begins: `parameter`, `switch`, `random`, `size`, `discrete`; otherwise empty.
     pub word: String,
+    /// The whole text.
+    pub whole: Cell,
     /// What can be edited: the cells of a row in the order of [`CellKind`], or one cell with the whole text.
     pub cells: Vec<Cell>,
     /// The statement as `<math>` elements; empty where there is nothing to typeset.
@@ -59,16 +61,17 @@ pub(crate) fn structure(outline: &Outline) -> Vec<Part> {
         let section = section::of(source, statement, row.is_some());
         let written = trim(source, statement.span.range());
         let span = Span::new(written.start, written.end);
-        let (word, cells) = row.unwrap_or_else(|| (String::new(), vec![Cell::whole(source, span)]));
-        Part { section, block: number, span, word, cells, typeset: String::new() }
+        let whole = Cell::whole(source, span);
+        let (word, cells) = row.unwrap_or_else(|| (String::new(), vec![whole.clone()]));
+        Part { section, block: number, span, word, whole, cells, typeset: String::new() }
     };
     statements.map(part).collect()
 }
 
 impl Part {
-    /// The cell of a kind.
+    /// The cell of a kind. A row has its whole text beside its cells.
     pub fn cell(&self, kind: CellKind) -> Option<&Cell> {
-        self.cells.iter().find(|cell| cell.kind == kind)
+        if kind == CellKind::Text { Some(&self.whole) } else { self.cells.iter().find(|cell| cell.kind == kind) }
     }
 }
 

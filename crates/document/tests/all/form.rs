@@ -76,7 +76,7 @@ fn a_cell_gets_another_text_and_its_line_keeps_its_comment_and_columns() {
         (0, Range, "", "parameter m   = 0.5 [kg] step 0.1 \"Mass\"  # of the bob"),
         (0, Step, "", "parameter m   = 0.5 [kg] in 0.1..2 \"Mass\"  # of the bob"),
         (0, Label, "", "parameter m   = 0.5 [kg] in 0.1..2 step 0.1  # of the bob"),
-        (0, Label, "Masse", "parameter m   = 0.5 [kg] in 0.1..2 step 0.1 \"Masse\"  # of the bob"),
+        (0, Label, "Masse", "parameter m   = 0.5 [kg] in 0.1..2 step 0.1 \"Masse\" # of the bob"),
         (1, Value, "7", "parameter k_1 = 7   [N/m]"),
         (1, Range, "0..5", "parameter k_1 = 20  [N/m] in 0..5"),
         (1, Step, "1", "parameter k_1 = 20  [N/m] step 1"),
@@ -93,13 +93,16 @@ fn a_cell_gets_another_text_and_its_line_keeps_its_comment_and_columns() {
         assert_eq!(difference(SPRING, &after), [expected], "{kind:?} {value}");
         assert_eq!(form(&read(&after)).parts[number].cell(kind).unwrap().text, value);
     }
+    let aligned = "```model\nparameter k   = 20  [N/m]  in 1..100   \"Stiffness\"\nparameter b   = 0.1 [kg/s] in 0..5     \"Damping\"\n```\n";
+    assert_eq!(set(aligned, 0, Unit, "N").unwrap(), aligned.replace("[N/m]  in", "[N]    in"));
+    assert_eq!(set(aligned, 1, Unit, "N").unwrap(), aligned.replace("[kg/s] in", "[N]    in"));
+    assert_eq!(set(aligned, 1, Range, "0..25").unwrap(), aligned.replace("0..5     ", "0..25    "));
     let renamed = set(SPRING, 1, Name, "k").unwrap();
     assert_eq!(renamed, SPRING.replace("k_1", "k"));
     assert_eq!(set(SPRING, 6, Name, "x'(0)").unwrap().matches("x'").count(), 3);
     for (number, kind, value, error) in [
         (0, Label, "a\" in 3", EditError::NotOneCell),
         (0, Unit, "m] in [s", EditError::NotOneCell),
-        (0, Value, "5 in 2", EditError::NotOneCell),
         (0, Value, "5\n6", EditError::NotOneCell),
         (4, Text, "", EditError::NotOneStatement),
         (4, Text, "a = 1\nb = 2", EditError::NotOneStatement),
@@ -197,7 +200,7 @@ fn asked() -> impl Strategy<Value = Asked> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 40, ..ProptestConfig::default() })]
 
     /// Whatever is asked of the forms of the gallery, one thing after the other.
     #[test]

@@ -55,5 +55,5 @@ pub use records::{
 pub use refusal::Refusal;
 pub use saved::{Change, Item, Left, Shelf};
 pub use writing::{
-    LineChanges, Mark, Proposals, TextChange, Writing, line_changes, superfluous_versions,
+    Insight, LineChanges, Mark, Proposals, TextChange, Writing, insight, line_changes, superfluous_versions, text_changes,
 };

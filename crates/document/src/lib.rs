@@ -16,6 +16,7 @@ mod edition;
 mod expressions;
 mod fences;
 mod findings;
+pub mod form;
 mod format;
 mod front_matter;
 mod members;
@@ -35,6 +36,7 @@ mod settings;
 mod source;
 mod sweeps;
 mod template;
+pub mod translating;
 mod translation;
 mod vary;
 

@@ -71,13 +71,13 @@ pub(crate) struct File<'a> {
 }
 
 impl<'a> File<'a> {
-    fn new(source: &'a str) -> Self {
+    pub(crate) fn new(source: &'a str) -> Self {
         let mut outline = crate::read(source);
         let diagnostics = std::mem::take(&mut outline.layout);
         Self { outline, diagnostics }
     }
 
-    fn model(&mut self) -> Option<Checked> {
+    pub(crate) fn model(&mut self) -> Option<Checked> {
         if self.outline.blocks_of(BlockKind::Model).next().is_none() {
             if !model::has_errors(&self.diagnostics) {
                 let start = self.outline.front_matter().span.end;
@@ -102,7 +102,7 @@ impl<'a> File<'a> {
     }
 
     /// Everything else.
-    fn document(&mut self, checked: Checked) -> Read {
+    pub(crate) fn document(&mut self, checked: Checked) -> Read {
         let Checked { mut model, statements, places, functions } = checked;
         let settings = settings::read(self.outline.front_matter(), &model, &mut self.diagnostics);
         card::check(self.outline.front_matter(), &mut self.diagnostics);

@@ -68,6 +68,15 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
     question
 }
 
+/// Where the text of a part of a question stands, without blanks around it: behind its word, or that before the first word.
+pub fn part(source: &str, range: Range<usize>, word: Option<&str>) -> Option<Range<usize>> {
+    let raw = split(source, range, &mut Vec::new());
+    match word {
+        None => Some(trim(source, raw.prompt)),
+        Some(word) => raw.field(word).map(|range| trim(source, range)),
+    }
+}
+
 /// The words of a question.
 pub fn texts(prose: &mut Prose, raw: &RawQuestion) -> QuestionText {
     QuestionText {

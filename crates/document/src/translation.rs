@@ -103,7 +103,7 @@ impl Texts {
 }
 
 /// `"original" = "translation"`
-fn entry(source: &str, statement: Range<usize>) -> Option<(&str, &str)> {
+pub fn entry(source: &str, statement: Range<usize>) -> Option<(&str, &str)> {
     let (original, end) = leading_text(source, statement.clone())?;
     let equals = trim(source, end..statement.end);
     if !source[equals.clone()].starts_with('=') {

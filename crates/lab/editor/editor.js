@@ -2,7 +2,7 @@
 // them and gives back what was found.
 
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { defaultKeymap, history, historyKeymap, indentWithTab, redo, undo } from "@codemirror/commands";
 import { bracketMatching } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
@@ -29,9 +29,9 @@ const LONGEST = 2000;
 
 /**
  * Makes an editor. `changed(file, text)` is called when a text has changed and its writer rests, `propose(text, place)` for what can
- * stand at a place: `{ from, options }`.
+ * stand at a place: `{ from, options }`, `moved(text, place)` when the cursor has come to rest somewhere else.
  */
-globalThis.meniscusEditor = (changed, propose) => {
+globalThis.meniscusEditor = (changed, propose, moved) => {
   let states = [];
   let file = 0;
   let timer = 0;
@@ -39,16 +39,28 @@ globalThis.meniscusEditor = (changed, propose) => {
   const words = new Compartment();
   let phrases = [];
 
+  /** The files whose last change has not been checked. */
+  const unchecked = new Set();
+  const state = (number) => (number === file ? view.state : states[number]);
+
   const flush = () => {
     if (!timer) return;
     clearTimeout(timer);
     timer = since = 0;
-    changed(file, view.state.doc.toString());
+    const files = [...unchecked];
+    unchecked.clear();
+    for (const number of files) changed(number, state(number).doc.toString());
   };
-  const later = () => {
+  const later = (number) => {
+    unchecked.add(number);
     since ||= Date.now();
     clearTimeout(timer);
     timer = setTimeout(flush, Math.max(0, Math.min(REST, since + LONGEST - Date.now())));
+  };
+  let resting = 0;
+  const rest = () => {
+    clearTimeout(resting);
+    resting = setTimeout(() => moved(view.state.doc.toString(), view.state.selection.main.head), REST);
   };
   const extensions = () => [
     words.of(phrases),
@@ -69,7 +81,10 @@ globalThis.meniscusEditor = (changed, propose) => {
     EditorView.lineWrapping,
     EditorState.tabSize.of(4),
     keymap.of([indentWithTab, ...closeBracketsKeymap, ...completionKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
-    EditorView.updateListener.of((update) => update.docChanged && later()),
+    EditorView.updateListener.of((update) => {
+      if (update.docChanged) later(file);
+      if (update.docChanged || update.selectionSet) rest();
+    }),
     EditorView.contentAttributes.of({ tabindex: "0", spellcheck: "false", autocorrect: "off", autocapitalize: "off" }),
     language,
     theme,
@@ -88,6 +103,7 @@ globalThis.meniscusEditor = (changed, propose) => {
     open(texts) {
       clearTimeout(timer);
       timer = since = 0;
+      unchecked.clear();
       states = texts.map((doc) => EditorState.create({ doc, extensions: extensions() }));
       file = 0;
       if (states[0]) show(states[0]);
@@ -99,6 +115,7 @@ globalThis.meniscusEditor = (changed, propose) => {
       states[file] = view.state;
       file = next;
       show(states[file]);
+      rest();
       view.dispatch({ effects: words.reconfigure(phrases) });
     },
     /** The name of the text for screen readers, and the language of the editor's own words. */
@@ -121,20 +138,43 @@ globalThis.meniscusEditor = (changed, propose) => {
     },
     /** Takes another text for a file, as a step that can be undone. Only the part between what both begin and end with changes. */
     take(number, text) {
-      const state = number === file ? view.state : states[number];
-      const before = state?.doc.toString();
+      const before = state(number)?.doc.toString();
       if (before === undefined || before === text) return;
       const most = Math.min(before.length, text.length);
       let from = 0;
       while (from < most && before[from] === text[from]) from += 1;
-      let rest = 0;
-      while (rest < most - from && before[before.length - 1 - rest] === text[text.length - 1 - rest]) rest += 1;
-      const changes = { from, to: before.length - rest, insert: text.slice(from, text.length - rest) };
-      const transaction = state.update({ changes, userEvent: "input" });
+      let same = 0;
+      while (same < most - from && before[before.length - 1 - same] === text[text.length - 1 - same]) same += 1;
+      const transaction = state(number).update({
+        changes: { from, to: before.length - same, insert: text.slice(from, text.length - same) },
+        userEvent: "input",
+      });
       if (number === file) view.dispatch(transaction);
       else states[number] = transaction.state;
       clearTimeout(timer);
       timer = since = 0;
+      unchecked.clear();
+    },
+    /** The text of a file as it stands. */
+    text: (number) => state(number)?.doc.toString() ?? "",
+    /** Changes any file, shown or not, as typing would: the focus stays, and the history of the file can take it back. */
+    edit(number, changes) {
+      const change = { changes, userEvent: "input.type" };
+      if (number === file) view.dispatch(change);
+      else if (states[number]) {
+        states[number] = states[number].update(change).state;
+        later(number);
+      }
+    },
+    /** Takes back the last change of a file, or what was taken back last. */
+    undo(number, forwards) {
+      const dispatch = (change) => {
+        if (number === file) return view.dispatch(change);
+        states[number] = change.state;
+        later(number);
+      };
+      if (states[number]) (forwards ? redo : undo)({ state: state(number), dispatch });
+      flush();
     },
     /** Goes to a place in the text shown. */
     go(from, to) {
@@ -144,6 +184,8 @@ globalThis.meniscusEditor = (changed, propose) => {
       view.focus();
     },
     focus: () => view.focus(),
+    /** Measures again what was out of sight. */
+    measure: () => view.requestMeasure(),
     /** Has a pending change checked now. */
     flush,
   };

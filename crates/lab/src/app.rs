@@ -5,8 +5,8 @@ mod host;
 use crate::film::{Films, Player};
 use crate::stored::{Kept, Saved, VersionTimes};
 use crate::words::{Words, words_in};
-use crate::write::Editor;
-use desk::{Desk, FitProgress, RecordProgress, Refusal, Writing};
+use crate::write::{Editor, Panel};
+use desk::{Desk, FitProgress, Insight, RecordProgress, Refusal, Writing};
 use document::page::Source;
 use model::Diagnostic;
 use std::cell::{Cell, OnceCell, RefCell, RefMut};
@@ -103,8 +103,16 @@ pub struct Laboratory {
     pub publishing: Signal<bool>,
     /// Raised when a text in the editor has been checked.
     pub written: Signal<u64>,
+    /// Raised when a text has been changed from outside the editor, before it is checked.
+    pub typed: Signal<u64>,
     /// Which file the editor shows.
     pub written_file: Signal<usize>,
+    /// What is under the cursor.
+    pub insight: Signal<Insight>,
+    /// Counts the moves of the cursor in a form, so that only the last one is followed.
+    pub resting: Signal<u64>,
+    /// In which form the document is written.
+    pub writing_panel: Signal<Panel>,
     /// The first equation of each theory that has been read so far, by its file.
     pub equations: Signal<BTreeMap<String, String>>,
 }
@@ -161,7 +169,11 @@ impl App {
             library_asked_for: create_signal(false),
             publishing: create_signal(false),
             written: counter(),
+            typed: counter(),
             written_file: create_signal(0),
+            insight: create_signal(Insight::default()),
+            resting: counter(),
+            writing_panel: create_signal(Panel::default()),
             equations: create_signal(BTreeMap::new()),
         };
         let app = Self(Box::leak(Box::new(laboratory)));

@@ -40,6 +40,31 @@ pub fn list(app: App, sources: &[Source], findings: &[(usize, Diagnostic)], lead
     ol().class("findings").each(findings, item)
 }
 
+/// A finding in a few words, where the place is in sight: what is wrong, why, and what can be done.
+pub fn brief(app: App, text: &str, diagnostic: &Diagnostic, carry_out: CarryOut) -> HtmlDiv {
+    let language = app.language.get_untracked();
+    let class = if diagnostic.severity == Severity::Error { "brief error" } else { "brief warning" };
+    let fixes: Vec<View> =
+        diagnostic.fixes.iter().map(|fix| fix_button(app, text, fix, (carry_out.clone(), 0)).into()).collect();
+    div()
+        .class(class)
+        .child(p().class("what").child(with_code(&capitalised(diagnostic.message.text(language)))).child("."))
+        .each(&diagnostic.hints, |hint| hint_of(app, hint))
+        .maybe((!fixes.is_empty()).then(|| div().class("actions").child(fixes)))
+}
+
+fn hint_of(app: App, hint: &Words) -> HtmlP {
+    let hint = with_code(hint.text(app.language.get_untracked()));
+    p().class("remedy").child(strong().child(app.words().help).child(": ")).child(hint)
+}
+
+/// A button that changes the file of a number as a remedy says.
+fn fix_button(app: App, text: &str, fix: &Fix, (carry_out, file): (CarryOut, usize)) -> HtmlButton {
+    let own = fix.clone();
+    let title = with_code(&capitalised(fix.title(text).text(app.language.get_untracked())));
+    button().class("quiet outlined fix").when(events::click, move |_| carry_out(file, &own)).child(title)
+}
+
 fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic, leads: Option<(Leads, usize)>) -> HtmlArticle {
     let (words, language) = (app.words(), app.language.get_untracked());
     let (kind, class) = match diagnostic.severity {
@@ -49,17 +74,8 @@ fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic, leads: Op
     let (text, name) = source.map_or(("", ""), |source| (&source.text, &source.name));
     let places = if source.is_some() { places(text, &diagnostic.labels, language) } else { Vec::new() };
     let note = |note: &Words| pre().tabindex("0").class("reason").child(with_code(note.text(language)));
-    let hint = |hint: &Words| {
-        p().class("remedy").child(strong().child(words.help).child(": ")).child(with_code(hint.text(language)))
-    };
     let fixes = leads.as_ref().and_then(|(leads, file)| Some((leads.fix.clone()?, *file)));
-    let fix = |fix: &Fix| {
-        let (carry_out, file) = fixes.clone()?;
-        let own = fix.clone();
-        let title = with_code(&capitalised(fix.title(text).text(language)));
-        let press = move |_| carry_out(file, &own);
-        Some(button().class("quiet outlined fix").when(events::click, press).child(title))
-    };
+    let fix = |fix: &Fix| Some(fix_button(app, text, fix, fixes.clone()?));
     let fixes: Vec<View> = diagnostic.fixes.iter().filter_map(fix).map(View::from).collect();
     let title = titles::title(diagnostic.code, language);
     article()
@@ -68,7 +84,7 @@ fn finding(app: App, source: Option<&Source>, diagnostic: &Diagnostic, leads: Op
         .child(p().class("what").child(with_code(&capitalised(diagnostic.message.text(language)))).child("."))
         .each(places, |place| place.view(app, name, leads.clone()))
         .each(&diagnostic.notes, note)
-        .each(&diagnostic.hints, hint)
+        .each(&diagnostic.hints, |hint| hint_of(app, hint))
         .maybe((!fixes.is_empty()).then(|| div().class("actions").child(fixes)))
 }
 

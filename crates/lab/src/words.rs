@@ -156,6 +156,38 @@ table_of_words! {
     one_warning: "remark", "observación";
     many_warnings: "remarks", "observaciones";
 
+    writing_panels: "The document as", "El documento como";
+    panel_text: "Text", "Texto";
+    panel_model: "Model", "Modelo";
+    insight: "Under the cursor", "Bajo el cursor";
+    insight_none: "What the cursor is on is explained here.", "Aquí se explica aquello sobre lo que está el cursor.";
+    undo_change: "Undo", "Deshacer";
+    redo_change: "Redo", "Rehacer";
+    remove_statement: "Remove", "Quitar";
+    form_parameters: "Parameters", "Parámetros";
+    form_initial_values: "Initial values", "Valores iniciales";
+    form_equations: "Equations and definitions", "Ecuaciones y definiciones";
+    form_events: "Events", "Eventos";
+    form_choices: "Choices", "Elecciones";
+    form_tables: "Tables", "Tablas";
+    form_statement: "Statement", "Sentencia";
+    add_parameter: "Parameter", "Parámetro";
+    add_initial_value: "Quantity with an initial value", "Magnitud con valor inicial";
+    add_equation: "Equation or definition", "Ecuación o definición";
+    add_event: "Event", "Evento";
+    add_choice: "Choice", "Elección";
+    add_table: "Table", "Tabla";
+    column_name: "Name", "Nombre";
+    column_quantity: "Quantity", "Magnitud";
+    column_value: "Value", "Valor";
+    column_start: "At the start", "Al inicio";
+    column_shown_in: "Shown in", "Se muestra en";
+    column_range: "Range", "Intervalo";
+    column_step: "Step", "Paso";
+    column_label: "Label", "Etiqueta";
+    switch_on: "on", "sí";
+    switch_off: "off", "no";
+
     // Diagnostics.
     nothing_runs: "There is nothing to run yet.", "Todavía no hay nada que ejecutar.";
     nothing_runs_intro: "The model has errors. They are listed below the text in the tab Write, each with its place. As soon as they are corrected, the simulation appears here.", "El modelo tiene errores. Están debajo del texto en la pestaña Escribir, cada uno con su lugar. En cuanto estén corregidos, la simulación aparece aquí.";

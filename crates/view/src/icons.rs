@@ -31,6 +31,10 @@ icons! {
     step_forward: "M8 6.5v11l7.5-5.5zM17 6.5v11";
     /// An arrow that runs back around.
     reset: "M5 5.5V10h4.5M5.6 10A7 7 0 1 1 5 13";
+    /// An arrow that turns back to the left.
+    undo: "M9 5L5 9l4 4M5 9h9a5 5 0 0 1 0 10h-3";
+    /// An arrow that turns back to the right.
+    redo: "M15 5l4 4-4 4M19 9h-9a5 5 0 0 0 0 10h3";
     /// A plus.
     plus: "M12 6v12M6 12h12";
     /// A minus.

@@ -1,6 +1,6 @@
 //! Places of findings as editors in browsers count them: in units of UTF-16.
 
-use model::{Diagnostic, Edit, Fix, Severity};
+use model::{Diagnostic, Edit, Severity};
 use std::collections::BTreeMap;
 use units::Words;
 
@@ -15,15 +15,15 @@ pub struct TextChange {
     pub text: String,
 }
 
-/// The changes of a text that `fix` makes.
-pub(super) fn changes(text: &str, fix: &Fix) -> Vec<TextChange> {
-    let places = in_utf16(text, fix.edits.iter().flat_map(|edit| [edit.span.start, edit.span.end]));
+/// Edits of a text in the units of an editor.
+pub fn text_changes(text: &str, edits: &[Edit]) -> Vec<TextChange> {
+    let places = in_utf16(text, edits.iter().flat_map(|edit| [edit.span.start, edit.span.end]));
     let place = |bytes: usize| places.get(&bytes).copied().unwrap_or_default();
     let change = |edit: &Edit| {
         let (from, to) = (place(edit.span.start), place(edit.span.end));
         TextChange { from, to: to.max(from), text: edit.text.clone() }
     };
-    fix.edits.iter().map(change).collect()
+    edits.iter().map(change).collect()
 }
 
 /// The primary place of a finding.

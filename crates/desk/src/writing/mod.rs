@@ -6,7 +6,7 @@ mod rewriting;
 mod state;
 mod versions;
 
-pub use completion::Proposals;
-pub use mark::{Mark, TextChange};
+pub use completion::{Insight, Proposals, insight};
+pub use mark::{Mark, TextChange, text_changes};
 pub use state::Writing;
 pub use versions::{LineChanges, line_changes, superfluous_versions};

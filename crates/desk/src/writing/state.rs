@@ -1,6 +1,6 @@
 //! What is known of the texts in the editor.
 
-use super::mark::{Mark, TextChange, changes, in_utf16, marks};
+use super::mark::{Mark, TextChange, in_utf16, marks, text_changes};
 use document::{Document, Opened};
 use model::{Diagnostic, Fix, Severity};
 
@@ -86,7 +86,7 @@ impl Writing {
 
     /// The changes of one text that a remedy makes.
     pub fn changes(&self, file: usize, fix: &Fix) -> Vec<TextChange> {
-        changes(self.texts.get(file).map_or("", String::as_str), fix)
+        text_changes(self.texts.get(file).map_or("", String::as_str), &fix.edits)
     }
 
     /// The places of the findings in one text.

@@ -10,10 +10,10 @@ pub use suggestion::{Completion, Explanation, Suggestion, SuggestionKind};
 
 use crate::{Outline, scene};
 use model::Span;
-use names::names;
+use names::{dimension, names};
 use place::{Place, attribute_around, attribute_at, place, word_at};
 use program::Program;
-use units::{QuantityName, Unit, Words, words};
+use units::{Dimension, QuantityName, Unit, Words, words};
 
 /// What can stand where the cursor is, `offset` bytes from the beginning. `program` is the last that could be made of the text;
 /// it knows the units.
@@ -56,7 +56,7 @@ pub fn explain(outline: &Outline, program: Option<&Program>, offset: usize) -> O
         Place::Nothing => None,
         Place::Key => named(vocabulary::KEYS),
         Place::Fence => named(vocabulary::BLOCKS),
-        Place::Unit => Unit::parse(word).ok().map(|unit| quantity(&unit)),
+        Place::Unit => Unit::parse(word).ok().map(|unit| quantity(&unit.dimension)),
         Place::Element | Place::Attribute(_) => named(vocabulary::PARTS).or_else(|| named(vocabulary::ATTRIBUTES)),
         Place::Statement | Place::Expression => {
             let name = names(outline, program).into_iter().find(|name| name.text == word).map(|name| name.meaning);
@@ -64,7 +64,19 @@ pub fn explain(outline: &Outline, program: Option<&Program>, offset: usize) -> O
             name.or(lists).or_else(|| vocabulary::function(word))
         }
     };
-    meaning.map(|meaning| Explanation { span, meaning })
+    let order = source[span.end..].chars().take_while(|letter| matches!(letter, '\'' | '′')).count();
+    let is_name = matches!(place, Place::Statement | Place::Expression);
+    let dimension = program.filter(|_| is_name).and_then(|program| dimension(&program.model, word, order));
+    let primes: usize = source[span.end..].chars().take(order).map(char::len_utf8).sum();
+    let span = Span::new(span.start, span.end + if is_name { primes } else { 0 });
+    meaning.map(|meaning| Explanation { span, meaning, dimension: dimension.as_ref().map(quantity) })
+}
+
+/// The statement of the model in which `offset` lies, as `<math>` elements; empty where there is none.
+pub fn typeset_at(outline: &Outline, offset: usize) -> String {
+    let form = crate::form::read(outline);
+    let number = form.at(offset).map(|(number, _)| number);
+    number.and_then(|number| form.parts.into_iter().nth(number)).map(|part| part.typeset).unwrap_or_default()
 }
 
 /// A word that can be a name.
@@ -94,17 +106,17 @@ fn of_word(word: &str, meaning: &(&'static str, &'static str)) -> Suggestion {
 }
 
 fn of_unit(unit: &str) -> Suggestion {
-    let meaning = Unit::parse(unit).map(|unit| quantity(&unit)).unwrap_or_default();
+    let meaning = Unit::parse(unit).map(|unit| quantity(&unit.dimension)).unwrap_or_default();
     Suggestion { kind: SuggestionKind::Unit, text: unit.to_owned(), meaning }
 }
 
-/// What is measured in a unit: `length`.
-fn quantity(unit: &Unit) -> Words {
-    if unit.dimension.is_none() {
+/// What has a dimension: `length`.
+fn quantity(dimension: &Dimension) -> Words {
+    if dimension.is_none() {
         return QuantityName::PURE_NUMBER.noun();
     }
-    let names = unit.dimension.quantity_names();
-    names.first().map_or_else(|| Words::same(unit.dimension.to_string()), |name| name.noun())
+    let names = dimension.quantity_names();
+    names.first().map_or_else(|| Words::same(dimension.to_string()), |name| name.noun())
 }
 
 /// The keys of the front matter that are not given yet.

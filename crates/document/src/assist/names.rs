@@ -4,7 +4,7 @@ use super::suggestion::{Suggestion, SuggestionKind};
 use crate::Outline;
 use model::{Expression, ExpressionKind, Statement, StatementKind};
 use program::{Model, Program};
-use units::{Unit, Words, words};
+use units::{Dimension, Unit, Words, words};
 
 /// The names that the statements of a document give, each once, in their order, and those that every document has.
 pub fn names(outline: &Outline, program: Option<&Program>) -> Vec<Suggestion> {
@@ -80,6 +80,16 @@ fn described(name: &str, label: Option<&str>, what: Words, program: Option<&Prog
 /// A label in the languages in which the document has it.
 fn translated(label: &str, program: Option<&Program>) -> Words {
     Words::each(|language| program.map_or(label, |program| program.text(language.tag(), label)).to_owned())
+}
+
+/// The dimension of a name with its primes.
+pub fn dimension(model: &Model, name: &str, order: usize) -> Option<Dimension> {
+    let time = model.independent.unit.dimension;
+    let mut dimension = unit(model, name)?.dimension;
+    for _ in 0..order {
+        dimension = dimension.per(time)?;
+    }
+    Some(dimension)
 }
 
 fn unit<'a>(model: &'a Model, name: &str) -> Option<&'a Unit> {

@@ -41,8 +41,10 @@ pub struct Completion {
 /// What stands at a place of a document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Explanation {
-    /// The word.
+    /// The word, with its primes.
     pub span: Span,
     /// What it is.
     pub meaning: Words,
+    /// What kind of quantity it is, such as a length, or its dimension; only of names of the model, where it is known.
+    pub dimension: Option<Words>,
 }

@@ -27,6 +27,14 @@ pub enum EditError {
     UnknownBlock(usize),
     /// With this text, other parts of the document would be read differently.
     ChangesOthers,
+    /// The form has no such statement or cell.
+    UnknownCell,
+    /// The text would not stand in its cell alone.
+    NotOneCell,
+    /// The text is not one whole statement.
+    NotOneStatement,
+    /// A translation has its questions in the order of the document; so many stand before this one.
+    EarlierQuestion(usize),
     /// No name of the model stands at the place.
     NoName,
     /// This cannot be a name, or has a meaning already.
@@ -74,6 +82,19 @@ impl EditError {
             Self::ChangesOthers => words(
                 "this text would change how the blocks around it are read",
                 "este texto cambiaría cómo se leen los bloques que lo rodean",
+            ),
+            Self::UnknownCell => words("the form has no such cell", "el formulario no tiene esa celda"),
+            Self::NotOneCell => words(
+                "this does not fit into its cell; write it in the text",
+                "esto no cabe en su celda; escríbelo en el texto",
+            ),
+            Self::NotOneStatement => words(
+                "this is not one whole statement: it is empty, has several, or a brace or parenthesis is open",
+                "esto no es una sentencia completa: está vacía, hay varias, o queda abierta una llave o un paréntesis",
+            ),
+            Self::EarlierQuestion(number) => words!(
+                "translate the first {number} questions before this one: a translation has them in the same order",
+                "traduce antes las primeras {number} preguntas: una traducción las tiene en el mismo orden"
             ),
             Self::NoName => words("no name of the model stands here", "aquí no hay ningún nombre del modelo"),
             Self::NewName(name) => words!(

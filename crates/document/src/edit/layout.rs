@@ -49,6 +49,16 @@ impl Layout {
         Self { entries: self.entries, blocks }
     }
 
+    /// Whether a text has the same front matter and blocks, the content of one block aside.
+    pub(super) fn differs_only_in(mut self, block: usize, text: &str) -> bool {
+        let mut other = Self::read(text);
+        if let (Some((_, content)), Some((_, other))) = (self.blocks.get_mut(block), other.blocks.get_mut(block)) {
+            content.clear();
+            other.clear();
+        }
+        self == other
+    }
+
     /// Refuses `edits` unless they turn the text of `outline` into one that is read as `self`.
     pub(super) fn expect_of(self, outline: &Outline, edits: &[Edit]) -> Result<(), EditError> {
         let text = result(outline, edits)?;

@@ -4,19 +4,26 @@
 //! how the rest of the text is read: a closing fence inside a block, for example, would end the block early.
 
 mod blocks;
+mod cell;
+mod columns;
 mod error;
 mod layout;
 mod parameter;
 mod rename;
 mod settings;
+mod statements;
+mod translation;
 
 pub use blocks::{insert_block, remove_block, replace_block};
+pub use cell::set_cell;
 pub use error::EditError;
 pub(crate) use layout::line_end;
 pub use model::Edit;
 pub use parameter::set_parameter;
 pub use rename::rename;
 pub use settings::set_front_matter;
+pub use statements::{add_statement, remove_statement};
+pub use translation::set_translation;
 
 /// Applies edits, in any order; their spans are places in `source`. Insertions at one place keep the order of `edits`.
 ///

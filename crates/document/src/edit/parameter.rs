@@ -1,5 +1,6 @@
 //! The default values of parameters, and the values of sizes.
 
+use super::columns::keeping_columns;
 use super::{Edit, EditError, layout};
 use crate::outline::Outline;
 use model::{ExpressionKind, ParameterForm, Span, StatementKind};
@@ -24,22 +25,8 @@ pub fn set_parameter(outline: &Outline, name: &str, text: &str) -> Result<Edit, 
     let Some(span) = span else {
         return Err(EditError::UnreadableParameter(name.to_owned()));
     };
-    let source = outline.source();
-    let mut edit = Edit { span, text: text.to_owned() };
-    if let Some(follower) = Follower::of(source, edit.span) {
-        let (old, new) = (source[edit.span.range()].chars().count(), text.chars().count());
-        let spare = follower.blanks.saturating_sub(1);
-        let is_aligned = || {
-            let others = values(outline).filter_map(|(_, span)| span).filter(|other| *other != edit.span);
-            let mut others = others.filter_map(|other| Follower::of(source, other));
-            spare > 0 || others.any(|other| other.column == follower.column)
-        };
-        if new > old {
-            edit.span.end += spare.min(new - old);
-        } else if is_aligned() {
-            edit.text.extend(std::iter::repeat_n(' ', old - new));
-        }
-    }
+    let others = values(outline).filter_map(|(_, span)| span);
+    let edit = keeping_columns(outline.source(), Edit { span, text: text.to_owned() }, others);
     layout::result(outline, std::slice::from_ref(&edit))?;
     Ok(edit)
 }
@@ -54,27 +41,6 @@ fn values<'a>(outline: &'a Outline) -> impl Iterator<Item = (&'a str, Option<Spa
         StatementKind::Size(size) => Some((size.name.text.as_str(), Some(size.value_span))),
         _ => None,
     })
-}
-
-/// What follows a value on its line.
-struct Follower {
-    /// How many blanks are between.
-    blanks: usize,
-    /// The characters before it on the line.
-    column: usize,
-}
-
-impl Follower {
-    /// None if the line ends after the value.
-    fn of(source: &str, value: Span) -> Option<Self> {
-        let rest = &source[value.end..];
-        let blanks = rest.len() - rest.trim_start_matches(' ').len();
-        if rest[blanks..].is_empty() || rest[blanks..].starts_with(['\r', '\n']) {
-            return None;
-        }
-        let start = source[..value.start].rfind('\n').map_or(0, |at| at + 1);
-        Some(Self { blanks, column: source[start..value.end + blanks].chars().count() })
-    }
 }
 
 /// Whether the model language reads a text as one number, with or without a sign.

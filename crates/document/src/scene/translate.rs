@@ -20,6 +20,11 @@ pub struct SceneText {
 }
 
 impl SceneText {
+    /// The text as written, if a translation has it.
+    pub(crate) fn translatable(&self) -> Option<&str> {
+        (self.generated.is_none() && self.needed).then_some(self.key.as_str())
+    }
+
     /// The text in another language, if there is one.
     fn translate(&self, texts: &mut Texts, language: Language) -> Option<Template> {
         if let Some(words) = &self.generated {

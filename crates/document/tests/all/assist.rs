@@ -1,6 +1,6 @@
 //! What is suggested and explained at places of a document, marked by `|`.
 
-use document::assist::{Completion, complete, explain};
+use document::assist::{Completion, complete, explain, typeset_at};
 use program::functions::{FUNCTIONS, Function};
 
 const DOCUMENT: &str = "---\ntitle: Spring\nst\n---\n\nText {x in [c]} here.\n\n```model\nparameter k = 4 [N/m] in 1..9 \"Stiffness\"\n\
@@ -85,6 +85,26 @@ fn words_are_explained() {
         let found = explain(&document::read(DOCUMENT), program, offset).unwrap_or_else(|| panic!("{before}"));
         assert_eq!((&DOCUMENT[found.span.range()], &*found.meaning.english), (word, meaning), "{before}");
     }
+}
+
+#[test]
+fn a_name_has_its_dimension_with_its_primes_and_its_statement() {
+    for (before, behind, word, dimension) in [
+        ("\nm*x", "'' = ", "x''", Some("acceleration")),
+        ("-k*", "x\nx(0)", "x", Some("length")),
+        ("\nx", "'(0) = 0", "x'", Some("velocity")),
+        ("sqrt(k", "/m)", "k", Some("stiffness")),
+        ("omega = sq", "rt(k", "sqrt", None),
+    ] {
+        let (opened, offset) = at(before, behind);
+        let program = opened.document.as_ref().map(|document| &document.program);
+        let found = explain(&document::read(DOCUMENT), program, offset).unwrap_or_else(|| panic!("{before}"));
+        let named = found.dimension.as_ref().map(|words| &*words.english);
+        assert_eq!((&DOCUMENT[found.span.range()], named), (word, dimension), "{before}");
+    }
+    let typeset = |before, behind| typeset_at(&document::read(DOCUMENT), at(before, behind).1);
+    assert!(typeset("omega = sq", "rt(k").contains("<msqrt>"));
+    assert_eq!(typeset("Te", "xt"), "");
 }
 
 #[test]

@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use std::path::Path;
 
 /// The texts of all documents that come with Meniscus, without translations.
-fn documents() -> Vec<String> {
+pub fn documents() -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../simulations");
     let mut texts = Vec::new();
     for folder in [folder.clone(), folder.join("theories")] {

@@ -10,6 +10,7 @@ mod bundles;
 mod catalogue;
 mod checks;
 mod edit;
+mod form;
 mod format;
 mod frames;
 mod hostile;

@@ -20,10 +20,11 @@ pub struct Editor(JsValue);
 
 impl Editor {
     /// Starts the editor. `changed` is called with the number of a text and the text when its writer rests, `propose` with the text
-    /// shown and a place in it.
+    /// shown and a place in it, `moved` with them when the cursor has come to rest.
     pub async fn start(
         mut changed: impl FnMut(usize, String) + 'static,
         propose: impl Fn(String, usize) -> (Proposals, Language) + 'static,
+        mut moved: impl FnMut(String, usize) + 'static,
     ) -> Option<Self> {
         load().await?;
         let maker: Function = Reflect::get(&js_sys::global(), &MAKER.into()).ok()?.dyn_into().ok()?;
@@ -32,18 +33,19 @@ impl Editor {
             let (proposals, language) = propose(text, place as usize);
             proposed(&proposals, language)
         });
-        let editor = maker.call2(&JsValue::UNDEFINED, changed.as_ref(), propose.as_ref()).ok()?;
+        let moved = Closure::<dyn FnMut(String, f64)>::new(move |text, place: f64| moved(text, place as usize));
+        let editor = maker.call3(&JsValue::UNDEFINED, changed.as_ref(), propose.as_ref(), moved.as_ref()).ok()?;
         // They are called as long as the page is open.
         changed.forget();
         propose.forget();
+        moved.forget();
         Some(Self(editor))
     }
 
-    fn call(&self, method: &str, arguments: &[JsValue]) {
+    fn call(&self, method: &str, arguments: &[JsValue]) -> JsValue {
         let method = Reflect::get(&self.0, &method.into()).ok().and_then(|method| method.dyn_into::<Function>().ok());
-        if let Some(method) = method {
-            let _ = method.apply(&self.0, &arguments.iter().collect::<Array>());
-        }
+        let answer = method.and_then(|method| method.apply(&self.0, &arguments.iter().collect::<Array>()).ok());
+        answer.unwrap_or_default()
     }
 
     /// Puts the editor into an element.
@@ -87,14 +89,27 @@ impl Editor {
 
     /// Changes the text shown, unless it has changed since it was checked.
     pub fn change(&self, changes: &[TextChange]) {
-        let change = |change: &TextChange| {
-            object([
-                ("from", (change.from as f64).into()),
-                ("to", (change.to as f64).into()),
-                ("insert", change.text.as_str().into()),
-            ])
-        };
-        self.call("change", &[changes.iter().map(change).collect::<Array>().into()]);
+        self.call("change", &[described(changes)]);
+    }
+
+    /// A text as it stands, also where it has not been checked.
+    pub fn text(&self, file: usize) -> String {
+        self.call("text", &[(file as f64).into()]).as_string().unwrap_or_default()
+    }
+
+    /// Changes a text that need not be the one shown; the focus stays where it is.
+    pub fn edit(&self, file: usize, changes: &[TextChange]) {
+        self.call("edit", &[(file as f64).into(), described(changes)]);
+    }
+
+    /// Takes back the last change of a text, or makes again what was taken back, and has the text checked.
+    pub fn undo(&self, file: usize, forwards: bool) {
+        self.call("undo", &[(file as f64).into(), forwards.into()]);
+    }
+
+    /// Measures the text again, which was out of sight.
+    pub fn measure(&self) {
+        self.call("measure", &[]);
     }
 
     /// Takes another text for a file, as a step that can be undone. It is not told as a change of the writer's.
@@ -116,6 +131,18 @@ impl Editor {
     pub fn flush(&self) {
         self.call("flush", &[]);
     }
+}
+
+/// Changes as the editor takes them: `[{ from, to, insert }]`.
+fn described(changes: &[TextChange]) -> JsValue {
+    let change = |change: &TextChange| {
+        object([
+            ("from", (change.from as f64).into()),
+            ("to", (change.to as f64).into()),
+            ("insert", change.text.as_str().into()),
+        ])
+    };
+    changes.iter().map(change).collect::<Array>().into()
 }
 
 /// Proposals as the editor takes them: `{ from, options: [{ label, type, detail }] }`.

@@ -1,6 +1,6 @@
 //! What is wrong with the text: marked in it, counted in a line, and listed with reasons and remedies.
 
-use super::Editor;
+use super::{Editor, Panel, panels};
 use crate::app::App;
 use crate::diagnostics::{self, Leads};
 use crate::visited;
@@ -48,11 +48,15 @@ pub fn status(app: App) -> HtmlP {
     p().class(class).role("status").id("writing-status").child(text(sentence))
 }
 
-/// The findings. Each place leads to it in the text.
+/// The findings, but for those that stand beside their statement. Each place leads to it in the text.
 pub fn view(app: App) -> View {
     changing(move || {
         app.written.track();
-        let findings = app.read_writing(|writing| writing.findings().to_vec());
+        let mut findings = app.read_writing(|writing| writing.findings().to_vec());
+        if app.writing_panel.get() == Panel::Model {
+            let text = app.read_writing(|writing| writing.texts().first().cloned().unwrap_or_default());
+            findings.retain(|(file, found)| *file > 0 || !super::model::is_beside(&text, found));
+        }
         if findings.is_empty() {
             return View::new();
         }
@@ -68,6 +72,7 @@ pub fn view(app: App) -> View {
 fn go_to(app: App, file: usize, place: usize) {
     let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() else { return };
     let place = app.read_writing(|writing| writing.in_utf16(file, place));
+    panels::show(app, Panel::Text);
     show(app, &editor, file);
     editor.go(place);
 }
@@ -76,6 +81,7 @@ fn go_to(app: App, file: usize, place: usize) {
 fn carry_out(app: App, file: usize, fix: &Fix) {
     let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() else { return };
     let changes = app.read_writing(|writing| writing.changes(file, fix));
+    panels::show(app, Panel::Text);
     show(app, &editor, file);
     editor.change(&changes);
 }

@@ -4,14 +4,19 @@ mod changes;
 mod draft;
 mod editor;
 mod findings;
+mod insight;
 mod kept;
+mod model;
+mod panels;
 mod tools;
+mod typing;
 mod version_list;
 mod versions;
 
 pub use changes::follow_file;
 pub use draft::{flush, resume};
 pub use editor::Editor;
+pub use panels::Panel;
 
 use crate::app::App;
 use view::views::*;
@@ -34,11 +39,20 @@ pub fn view(app: App) -> View {
             app.complain(app.words().editor_missing.to_owned());
         }
     });
+    let text = panels::body(app, Panel::Text)
+        .child(p().id("editor-keys").hidden(true).child(app.words().editor_keys))
+        .child(place.child(changing(wait)));
+    let built = move |panel: Panel, content: fn(App) -> View| {
+        let shown = memo(move || !waiting.get() && app.writing_panel.get() == panel);
+        panels::body(app, panel).child(changing(move || if shown.get() { content(app) } else { View::new() }))
+    };
     div()
         .class("writing")
         .child(tools::view(app))
-        .child(p().id("editor-keys").hidden(true).child(app.words().editor_keys))
-        .child(place.child(changing(wait)))
+        .child(panels::tabs(app))
+        .child(text)
+        .child(built(Panel::Model, model::view))
+        .child(insight::view(app))
         .child(findings::status(app))
         .child(findings::view(app))
         .into()
@@ -53,7 +67,8 @@ async fn show(app: App, place: &Element) -> Option<()> {
             let propose = move |text: String, place| {
                 (app.read_desk(|desk| desk.propose(&text, place)), app.language.get_untracked())
             };
-            let started = Editor::start(move |file, text| changes::written(app, file, text), propose).await?;
+            let written = move |file, text| changes::written(app, file, text);
+            let started = Editor::start(written, propose, move |text, place| insight::look(app, &text, place)).await?;
             // The tab may have been built twice while the script was loading.
             app.with(|lab| lab.editor.get_or_insert(started).clone())?
         }
@@ -62,6 +77,7 @@ async fn show(app: App, place: &Element) -> Option<()> {
         let texts = app.read_writing(|writing| writing.texts().to_vec());
         app.written_file.set(0);
         editor.open(&texts);
+        app.typed.update(|count| *count += 1);
     }
     editor.mount(place);
     editor.speak(app.words().editor_label, app.language.get_untracked());

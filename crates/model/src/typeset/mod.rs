@@ -19,15 +19,25 @@ use units::markup::escaped;
 /// initial values and events. Parameters are controls and not shown here. `translate` is given the texts that are values
 /// (`"underdamped"`).
 pub fn typeset(statements: &[Statement], translate: &dyn Fn(&str) -> String) -> Vec<String> {
+    typeset_each(statements, translate).concat()
+}
+
+/// The same for each statement, also for those of which nothing is shown or nothing could be read: these have no element.
+pub fn typeset_each(statements: &[Statement], translate: &dyn Fn(&str) -> String) -> Vec<Vec<String>> {
     let vectors = Vectors::of(statements);
     let typesetter = Typesetter { translate, vectors: &vectors };
     let rows = |statement: &Statement| match &statement.kind {
+        StatementKind::Equation { left, right }
+            if [left, right].iter().all(|side| side.kind == ExpressionKind::Error) =>
+        {
+            Vec::new()
+        }
         StatementKind::Choice(choice) => {
             definitions(choice).filter_map(|definition| typesetter.kind(&definition.kind, &[])).collect()
         }
         kind => typesetter.kind(kind, &statement.over).into_iter().collect::<Vec<_>>(),
     };
-    map::with_counts(statements).iter().flat_map(rows).collect()
+    map::with_counts(statements).iter().map(rows).collect()
 }
 
 /// An expression as a `<math>` element for a line of text.

@@ -1,0 +1,97 @@
+//! Single cells of a form.
+
+use super::columns::keeping_columns;
+use super::layout::{Layout, result, with_line_ends_of};
+use super::rename::rename;
+use super::{Edit, EditError};
+use crate::form::{CellKind, Part, structure};
+use crate::outline::{Outline, read};
+use model::Span;
+
+/// Gives a cell of the statement with this number in the [form](crate::form::Form) another text, as its author typed it. An empty
+/// text removes unit, range, step or label. The text may be wrong, and then findings of [`crate::open`] lie in the cell; what is
+/// refused is a text that would not be read as this one cell. The name of a parameter or state is changed everywhere in
+/// the document.
+///
+/// # Errors
+///
+/// [`EditError::UnknownCell`], [`EditError::NotOneCell`], [`EditError::NotOneStatement`], [`EditError::TooLong`], and those of
+/// [`rename`].
+pub fn set_cell(outline: &Outline, number: usize, kind: CellKind, text: &str) -> Result<Vec<Edit>, EditError> {
+    let parts = structure(outline);
+    let cell = parts.get(number).and_then(|part| part.cell(kind)).ok_or(EditError::UnknownCell)?;
+    let text = with_line_ends_of(outline.source(), text.trim());
+    if text == cell.text {
+        return Ok(Vec::new());
+    }
+    if kind == CellKind::Name {
+        // Of `y'(0)` the name is what stands before the primes.
+        let letters =
+            cell.text.find(|letter: char| !letter.is_alphanumeric() && letter != '_').unwrap_or(cell.text.len());
+        let rest = &cell.text[letters..];
+        return rename(outline, cell.span.start + letters, text.strip_suffix(rest).unwrap_or(&text));
+    }
+    let edit = match (kind, cell.outer.start == cell.outer.end) {
+        (CellKind::Text | CellKind::Value, _) => Edit { span: cell.span, text: text.clone() },
+        (_, false) if text.is_empty() => Edit { span: cell.outer, text: String::new() },
+        // With the bracket or quotation mark behind it, so that blanks which keep the columns stand outside.
+        (_, false) => {
+            let end = &outline.source()[cell.span.end..cell.outer.end];
+            Edit { span: Span::new(cell.span.start, cell.outer.end), text: format!("{text}{end}") }
+        }
+        (_, true) => Edit { span: cell.outer, text: dressed(&parts[number], kind, &text) },
+    };
+    let others = parts.iter().filter_map(|part| part.cell(kind)).map(|cell| cell.outer);
+    let others = others.filter(|span| span.start < span.end).map(|span| Span::new(span.end, span.end));
+    let others = others.filter(|other| other.end != cell.outer.end);
+    let keeps = kind != CellKind::Text && (kind == CellKind::Value || !text.is_empty());
+    let edit = if keeps { keeping_columns(outline.source(), edit, others) } else { edit };
+    let refusal = if kind == CellKind::Text { EditError::NotOneStatement } else { EditError::NotOneCell };
+    let mut expected: Vec<Vec<(CellKind, String)>> = parts.iter().map(texts).collect();
+    match expected.get_mut(number) {
+        Some(cells) if kind == CellKind::Text => *cells = vec![(kind, text)],
+        Some(cells) => cells.iter_mut().filter(|(one, _)| *one == kind).for_each(|(_, old)| old.clone_from(&text)),
+        None => {}
+    }
+    expect(outline, std::slice::from_ref(&edit), (parts[number].block, &expected), refusal)?;
+    Ok(vec![edit])
+}
+
+/// What is not there yet, as it is written behind what stands before it.
+fn dressed(part: &Part, kind: CellKind, text: &str) -> String {
+    match kind {
+        // The value of a parameter has its unit behind it; an initial value is shown in it.
+        CellKind::Unit if part.word == "parameter" => format!(" [{text}]"),
+        CellKind::Unit => format!(" in [{text}]"),
+        CellKind::Range => format!(" in {text}"),
+        CellKind::Step => format!(" step {text}"),
+        CellKind::Label => format!(" \"{text}\""),
+        CellKind::Name | CellKind::Value | CellKind::Text => text.to_owned(),
+    }
+}
+
+/// The cells of a part without their places. The text of a statement may turn it into a row, or a row into a text: it counts as a
+/// whole.
+fn texts(part: &Part) -> Vec<(CellKind, String)> {
+    part.cells.iter().map(|cell| (cell.kind, cell.text.clone())).collect()
+}
+
+/// Refuses edits unless they leave front matter and all blocks but one as they are, and turn the form into `expected`.
+pub(super) fn expect(
+    outline: &Outline,
+    edits: &[Edit],
+    (block, expected): (usize, &[Vec<(CellKind, String)>]),
+    refusal: EditError,
+) -> Result<(), EditError> {
+    let text = result(outline, edits)?;
+    if !Layout::of(outline).differs_only_in(block, &text) {
+        return Err(EditError::ChangesOthers);
+    }
+    let after = read(&text);
+    let parts = structure(&after);
+    let is_same = |(part, cells): (&Part, &Vec<(CellKind, String)>)| {
+        let whole = |span: Span| (CellKind::Text, text[span.range()].to_owned());
+        texts(part) == *cells || cells.as_slice() == [whole(part.span)]
+    };
+    if parts.len() == expected.len() && parts.iter().zip(expected).all(is_same) { Ok(()) } else { Err(refusal) }
+}

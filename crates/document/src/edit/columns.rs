@@ -1,0 +1,44 @@
+//! Columns of a model, which an edit of one line leaves in line with those above and below.
+
+use super::Edit;
+use model::Span;
+
+/// The edit with so many blanks more or less behind it that what follows on the line stays in its column, if there is space, and if
+/// blanks or the ends of `others` show that it is aligned.
+pub(super) fn keeping_columns(source: &str, mut edit: Edit, others: impl Iterator<Item = Span>) -> Edit {
+    let Some(follower) = Follower::of(source, edit.span) else { return edit };
+    let (old, new) = (source[edit.span.range()].chars().count(), edit.text.chars().count());
+    let spare = follower.blanks.saturating_sub(1);
+    let own = edit.span;
+    let is_aligned = || {
+        let mut others = others.filter(|other| *other != own).filter_map(|other| Follower::of(source, other));
+        spare > 0 || others.any(|other| other.column == follower.column)
+    };
+    if new > old {
+        edit.span.end += spare.min(new - old);
+    } else if is_aligned() {
+        edit.text.extend(std::iter::repeat_n(' ', old - new));
+    }
+    edit
+}
+
+/// What follows a piece of text on its line.
+struct Follower {
+    /// How many blanks are between.
+    blanks: usize,
+    /// The characters before it on the line.
+    column: usize,
+}
+
+impl Follower {
+    /// None if the line ends after it.
+    fn of(source: &str, piece: Span) -> Option<Self> {
+        let rest = &source[piece.end..];
+        let blanks = rest.len() - rest.trim_start_matches(' ').len();
+        if rest[blanks..].is_empty() || rest[blanks..].starts_with(['\r', '\n']) {
+            return None;
+        }
+        let start = source[..piece.start].rfind('\n').map_or(0, |at| at + 1);
+        Some(Self { blanks, column: source[start..piece.end + blanks].chars().count() })
+    }
+}

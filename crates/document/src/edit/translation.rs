@@ -1,0 +1,113 @@
+//! Single texts of a translation.
+
+use super::blocks::{insert_block, replace_block};
+use super::layout::{begin_line, line_end, result, with_line_ends_of};
+use super::settings::set_front_matter;
+use super::{Edit, EditError};
+use crate::outline::{Outline, read};
+use crate::translating::{TextKey, entry_in, prose_at, question_at, values};
+use crate::{BlockKind, questions};
+use model::Span;
+
+/// Writes the translation of a text into the file of the translation; an empty one removes it. What is not there yet is added: a
+/// label at the end of the last block `translations`, prose and questions in their order.
+///
+/// # Errors
+///
+/// [`EditError::NotOneCell`] if the text would not be read as this translation alone, [`EditError::EarlierQuestion`] if questions
+/// before this one are missing, [`EditError::Value`] for front matter, and those of blocks.
+pub fn set_translation(outline: &Outline, key: &TextKey, text: &str) -> Result<Vec<Edit>, EditError> {
+    let text = with_line_ends_of(outline.source(), text.trim());
+    let before = values(outline);
+    if before.iter().any(|(known, present)| known == key && *present == text)
+        || text.is_empty() && !before.iter().any(|(known, _)| known == key)
+    {
+        return Ok(Vec::new());
+    }
+    let edits = match key {
+        TextKey::Front(key) => set_front_matter(outline, key, Some(text.as_str()).filter(|text| !text.is_empty()))?,
+        TextKey::Short(original) => vec![short(outline, original, &text)?],
+        TextKey::Prose(segment, piece) => vec![prose(outline, *segment, *piece, &text)?],
+        TextKey::Prompt(number) => vec![question(outline, *number, None, &text)?],
+        TextKey::Hint(number) => vec![question(outline, *number, Some("hint"), &text)?],
+        TextKey::Explanation(number) => vec![question(outline, *number, Some("explanation"), &text)?],
+    };
+    let after = values(&read(&result(outline, &edits)?));
+    // A piece of prose that is taken away gives its number to the next.
+    let shifts = |other: &TextKey| text.is_empty() && matches!(other, TextKey::Prose(..));
+    let others = |texts: &[(TextKey, String)]| -> Vec<(TextKey, String)> {
+        texts.iter().filter(|(other, _)| other != key && !shifts(other)).cloned().collect()
+    };
+    let stands = text.is_empty() || after.iter().any(|(other, written)| other == key && *written == text);
+    if stands && others(&before) == others(&after) { Ok(edits) } else { Err(EditError::NotOneCell) }
+}
+
+/// `"original" = "text"`
+fn short(outline: &Outline, original: &str, text: &str) -> Result<Edit, EditError> {
+    let source = outline.source();
+    if text.contains(['"', '\n', '\r']) {
+        return Err(EditError::NotOneCell);
+    }
+    if let Some((place, line)) = entry_in(outline, original) {
+        let whole = line.start..source[line.end..].find('\n').map_or(source.len(), |at| line.end + at + 1);
+        let span = if text.is_empty() { whole } else { place };
+        return Ok(Edit { span: Span::new(span.start, span.end), text: text.to_owned() });
+    }
+    let entry = format!("\"{original}\" = \"{text}\"");
+    let blocks = outline.blocks();
+    if let Some(last) = blocks.iter().rfind(|block| block.kind == BlockKind::Translations) {
+        let at = last.content.end;
+        let text = format!("{}{entry}{}", begin_line(source, at), line_end(source));
+        return Ok(Edit { span: Span::new(at, at), text });
+    }
+    let first_prose = blocks.iter().position(|block| block.kind == BlockKind::Prose);
+    insert_block(outline, first_prose, BlockKind::Translations, &entry)
+}
+
+fn prose(outline: &Outline, segment: usize, piece: usize, text: &str) -> Result<Edit, EditError> {
+    match prose_at(outline, segment, piece) {
+        Ok(number) => {
+            let block = outline.blocks().get(number).ok_or(EditError::UnknownBlock(number))?;
+            let old = &outline.source()[block.content.range()];
+            let begin = &old[..old.len() - old.trim_start().len()];
+            let end = &old[old.trim_end().len()..];
+            let text =
+                if text.is_empty() { line_end(outline.source()).to_owned() } else { format!("{begin}{text}{end}") };
+            replace_block(outline, number, &text)
+        }
+        Err(after) => {
+            let end = line_end(outline.source());
+            insert_block(outline, after, BlockKind::Prose, &format!("{end}{text}{end}{end}"))
+        }
+    }
+}
+
+fn question(outline: &Outline, number: usize, word: Option<&str>, text: &str) -> Result<Edit, EditError> {
+    let source = outline.source();
+    let end = line_end(source);
+    let Some(block) = question_at(outline, number) else {
+        let count = outline.blocks_of(BlockKind::Question).count();
+        if count < number {
+            return Err(EditError::EarlierQuestion(number));
+        }
+        let last = outline.blocks().len().checked_sub(1);
+        let content = word.map_or_else(|| text.to_owned(), |word| format!("{word}: {text}"));
+        return insert_block(outline, last, BlockKind::Question, &content);
+    };
+    let content = outline.blocks().get(block).ok_or(EditError::UnknownBlock(block))?.content;
+    let place = questions::part(source, content.range(), word);
+    let (span, text) = match (place, word) {
+        (Some(place), None) if place.is_empty() => (content.start..content.start, format!("{text}{end}{end}")),
+        (Some(place), Some(_)) if text.is_empty() => {
+            let line = source[..place.start].rfind('\n').map_or(0, |at| at + 1);
+            let next = source[place.end..].find('\n').map_or(source.len(), |at| place.end + at + 1);
+            (line..next.min(content.end), String::new())
+        }
+        (Some(place), _) => (place, text.to_owned()),
+        (None, word) => {
+            let begin = begin_line(source, content.end);
+            (content.end..content.end, format!("{begin}{}: {text}{end}", word.unwrap_or_default()))
+        }
+    };
+    Ok(Edit { span: Span::new(span.start, span.end), text })
+}

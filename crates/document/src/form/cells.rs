@@ -1,0 +1,185 @@
+//! The cells of a statement that is a row: found in its text, so that a cell can hold something wrong while it is edited.
+
+use crate::scan::{find_word, top_level};
+use crate::source::trim;
+use model::{ExpressionKind, Span, Statement, StatementKind};
+use std::ops::Range;
+
+/// What a cell holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum CellKind {
+    /// The name of a parameter, or the left side of an initial value.
+    Name,
+    /// The default of a parameter, or the value at the start.
+    Value,
+    /// The unit, without its brackets.
+    Unit,
+    /// `LOW..HIGH`
+    Range,
+    /// The step of the slider.
+    Step,
+    /// The label, without its quotation marks.
+    Label,
+    /// The text of a statement that is no row.
+    Text,
+}
+
+/// What can be edited of a statement.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cell {
+    /// What it holds.
+    pub kind: CellKind,
+    /// Its text; empty where the statement has no such part.
+    pub text: String,
+    /// Where the text stands; where it would begin if there is none.
+    pub span: Span,
+    /// The same with the word, brackets or quotation marks around it, and the blanks before them.
+    pub outer: Span,
+}
+
+impl Cell {
+    /// The whole text of a statement.
+    pub(super) fn whole(source: &str, span: Span) -> Self {
+        Self { kind: CellKind::Text, text: source[span.range()].to_owned(), span, outer: span }
+    }
+
+    fn of(source: &str, kind: CellKind, text: Range<usize>, outer: Range<usize>) -> Self {
+        let span = Span::new(text.start, text.end);
+        Self { kind, text: source[text].to_owned(), span, outer: Span::new(outer.start, outer.end) }
+    }
+}
+
+/// The word and the cells of a statement that is a row of a form; none of one that is not. A row is one line with plain quotation
+/// marks.
+pub(super) fn row(source: &str, statement: &Statement) -> Option<(String, Vec<Cell>)> {
+    let all = statement.span.range();
+    let text = &source[all.clone()];
+    if text.contains(['\n', '“', '”', '«', '»', '#']) || !statement.over.is_empty() {
+        return None;
+    }
+    let word = ["parameter", "switch", "random", "size", "discrete"].into_iter().find(|word| begins_with(text, word));
+    let is_start = match &statement.kind {
+        StatementKind::InitialValue { .. } | StatementKind::Discrete { .. } => true,
+        StatementKind::Equation { left, .. } => {
+            left.kind == ExpressionKind::Error && (word == Some("discrete") || begins_as_initial_value(text))
+        }
+        StatementKind::Parameter(_) | StatementKind::Size(_) => word.is_none(),
+        _ => return None,
+    };
+    let word = word.unwrap_or_default();
+    if !is_start && word.is_empty() {
+        return None;
+    }
+    let equals = top_level(source, all.clone()).find(|(_, letter)| *letter == '=')?.0;
+    let name = trim(source, all.start + word.len()..equals);
+    let after = equals + 1 + usize::from(source[equals + 1..all.end].starts_with(' '));
+    let rest = after..all.end;
+    let quote = top_level(source, rest.clone()).find(|(_, letter)| *letter == '"').map(|(at, _)| at);
+    let body = after..quote.unwrap_or(all.end);
+    let mut cells = vec![Cell::of(source, CellKind::Name, name.clone(), name)];
+    if is_start {
+        cells.extend(of_start(source, &body));
+    } else {
+        let has = match word {
+            "parameter" => Parts { unit: true, range: true, step: true },
+            "switch" => Parts { unit: false, range: false, step: false },
+            _ => Parts { unit: false, range: true, step: false },
+        };
+        cells.extend(of_parameter(source, &body, has));
+    }
+    let end = trimmed_end(source, &body);
+    cells.push(match quote {
+        Some(quote) => {
+            let inside = quote + 1..source[quote + 1..all.end].find('"').map_or(all.end, |at| quote + 1 + at);
+            Cell::of(source, CellKind::Label, inside, end..all.end)
+        }
+        None => Cell::of(source, CellKind::Label, end..end, end..end),
+    });
+    Some((word.to_owned(), cells))
+}
+
+/// Which parts a kind of parameter has besides name, value and label.
+struct Parts {
+    unit: bool,
+    range: bool,
+    step: bool,
+}
+
+/// Value, unit, range and step of a parameter.
+fn of_parameter(source: &str, body: &Range<usize>, has: Parts) -> Vec<Cell> {
+    let words = |word, wanted: bool| find_word(source, body.clone(), word).filter(|_| wanted);
+    let (range, step) = (words("in", has.range), words("step", has.step));
+    let first = |after: usize| {
+        let starts = [&range, &step].into_iter().flatten().map(|word| word.start).filter(|start| *start >= after);
+        starts.min().unwrap_or(body.end)
+    };
+    let head = body.start..first(body.start);
+    let bracket = top_level(source, head.clone()).find(|(_, letter)| *letter == '[').filter(|_| has.unit);
+    let value = trimmed(source, head.start..bracket.map_or(head.end, |(at, _)| at));
+    let mut end = value.end;
+    let mut cells = vec![Cell::of(source, CellKind::Value, value.clone(), value)];
+    if has.unit {
+        cells.push(unit(source, bracket.map(|(at, _)| at), end, head.end));
+        end = bracket.map_or(end, |_| trimmed_end(source, &head));
+    }
+    let mut part = |kind, word: Option<Range<usize>>, wanted: bool| {
+        if !wanted {
+            return;
+        }
+        cells.push(match word {
+            Some(word) => {
+                let whole = word.start..first(word.end);
+                let inside = trim(source, word.end..whole.end);
+                let before = trimmed_end(source, &(body.start..word.start));
+                end = end.max(trimmed_end(source, &whole));
+                Cell::of(source, kind, inside, before..trimmed_end(source, &whole))
+            }
+            None => Cell::of(source, kind, end..end, end..end),
+        });
+    };
+    part(CellKind::Range, range.clone(), has.range);
+    part(CellKind::Step, step.clone(), has.step);
+    cells
+}
+
+/// Value and unit of what has a value at the start.
+fn of_start(source: &str, body: &Range<usize>) -> Vec<Cell> {
+    let stated = find_word(source, body.clone(), "in");
+    let value = trimmed(source, body.start..stated.as_ref().map_or(body.end, |word| word.start));
+    let bracket = stated.as_ref().and_then(|word| source[word.end..body.end].find('[').map(|at| word.end + at));
+    let end = value.end;
+    vec![Cell::of(source, CellKind::Value, value.clone(), value), unit(source, bracket, end, body.end)]
+}
+
+/// The unit whose bracket opens at `bracket`, after what ends at `before`.
+fn unit(source: &str, bracket: Option<usize>, before: usize, until: usize) -> Cell {
+    let Some(open) = bracket else {
+        return Cell::of(source, CellKind::Unit, before..before, before..before);
+    };
+    let inside = open + 1..source[open..until].find(']').map_or(until, |at| open + at);
+    Cell::of(source, CellKind::Unit, inside, before..trimmed_end(source, &(before..until)))
+}
+
+fn begins_with(text: &str, word: &str) -> bool {
+    let rest = text.strip_prefix(word).unwrap_or_default();
+    let blank = rest.len() - rest.trim_start_matches([' ', '\t']).len();
+    blank > 0
+        && (word == "parameter"
+            || rest.trim_start().starts_with(|letter: char| letter.is_alphabetic() || letter == '_'))
+}
+
+/// `y'(0) =`
+fn begins_as_initial_value(text: &str) -> bool {
+    let left = text.split('=').next().unwrap_or_default().trim_end();
+    left.strip_suffix("(0)").is_some_and(|name| !name.is_empty() && !name.contains([' ', '(', '[']))
+}
+
+/// The end of a text without the blanks there.
+fn trimmed_end(source: &str, range: &Range<usize>) -> usize {
+    range.start + source[range.clone()].trim_end().len()
+}
+
+/// Without blanks at either end; of blanks alone, the beginning.
+fn trimmed(source: &str, range: Range<usize>) -> Range<usize> {
+    if source[range.clone()].trim().is_empty() { range.start..range.start } else { trim(source, range) }
+}

@@ -1,0 +1,45 @@
+//! What a new statement begins as.
+
+use super::Section;
+use crate::Outline;
+use crate::assist::names_in;
+use model::StatementKind;
+
+/// A short statement of a section with names that are free, to be changed. That of a quantity with a value at the start brings its
+/// equation.
+pub fn proposal(outline: &Outline, section: Section) -> String {
+    let taken = names_in(outline);
+    let free = |letters: &str| {
+        let plain = letters.chars().map(String::from);
+        let numbered = (1..1000).flat_map(|number| letters.chars().map(move |letter| format!("{letter}_{number}")));
+        plain.chain(numbered).find(|name| !taken.contains(name)).unwrap_or_default()
+    };
+    let statements = outline.blocks().iter().flat_map(|block| &block.statements);
+    let mut independents = statements.filter_map(|statement| match &statement.kind {
+        StatementKind::Independent { name, unit, .. } => {
+            Some((name.text.clone(), unit.as_ref().map(|unit| unit.unit.text.clone())))
+        }
+        _ => None,
+    });
+    let (independent, unit) = independents.next().unwrap_or_else(|| ("t".to_owned(), Some("s".to_owned())));
+    let unit = unit.filter(|unit| !unit.is_empty());
+    let (per, of) = match &unit {
+        Some(unit) => (format!(" [1/({unit})]"), format!(" [{unit}]")),
+        None => (String::new(), String::new()),
+    };
+    let per = if unit.as_deref() == Some("s") { " [1/s]".to_owned() } else { per };
+    match section {
+        Section::Parameters => format!("parameter {} = 1 in 0..2", free("abcpk")),
+        Section::InitialValues => {
+            let name = free("uvwxyz");
+            format!("{name}' = 0{per}\n{name}(0) = 0")
+        }
+        Section::Equations => format!("{} = 0", free("qrsfhj")),
+        Section::Events => format!("when {independent} > 1{of} {{\n    stop\n}}"),
+        Section::Choices => {
+            let (choice, value) = (free("cdloj"), free("abpkn"));
+            format!("choice {choice} {{\n    \"A\": {value} = 1\n    \"B\": {value} = 2\n}}")
+        }
+        Section::Tables => format!("table {}(x) {{\n    0 0\n    1 1\n}}", free("fghF")),
+    }
+}

@@ -1,0 +1,51 @@
+//! Under which heading a statement stands in a form.
+
+use model::{ExpressionKind, Statement, StatementKind};
+
+/// The headings of a form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Section {
+    /// Parameters, switches, random seeds and sizes.
+    Parameters,
+    /// Quantities with a value at the start.
+    InitialValues,
+    /// Equations, definitions and functions, and all that has no heading of its own.
+    Equations,
+    /// Events and buttons.
+    Events,
+    /// Choices.
+    Choices,
+    /// Tables.
+    Tables,
+}
+
+impl Section {
+    /// All headings in the order of a form.
+    pub const ALL: [Self; 6] =
+        [Self::Parameters, Self::InitialValues, Self::Equations, Self::Events, Self::Choices, Self::Tables];
+}
+
+/// The heading of a statement. Where it could not be read, its first word decides, so that a card stays where it is while its text
+/// is edited.
+pub(super) fn of(source: &str, statement: &Statement, is_row: bool) -> Section {
+    let unread = |left: &model::Expression| left.kind == ExpressionKind::Error;
+    match &statement.kind {
+        StatementKind::Parameter(_) | StatementKind::Size(_) => Section::Parameters,
+        StatementKind::InitialValue { .. } | StatementKind::Discrete { .. } if is_row => Section::InitialValues,
+        StatementKind::Choice(_) => Section::Choices,
+        StatementKind::Table(_) => Section::Tables,
+        StatementKind::Event { .. } => Section::Events,
+        StatementKind::Equation { left, right } if unread(left) && unread(right) => {
+            let text = &source[statement.span.range()];
+            match text.split(|letter: char| !letter.is_alphanumeric()).next().unwrap_or_default() {
+                "parameter" | "switch" | "random" | "size" => Section::Parameters,
+                "when" | "every" | "button" | "next" => Section::Events,
+                "choice" => Section::Choices,
+                "table" | "smooth" | "steps" => Section::Tables,
+                _ if is_row => Section::InitialValues,
+                _ => Section::Equations,
+            }
+        }
+        _ => Section::Equations,
+    }
+}

@@ -1,0 +1,91 @@
+//! The texts of a file by their keys, with their places.
+
+use super::TextKey;
+use crate::questions;
+use crate::scan::statements;
+use crate::scene::normalised;
+use crate::translation::entry;
+use crate::{BlockKind, Outline};
+use std::ops::Range;
+
+/// The keys of the front matter that have a translation.
+const FRONT: [&str; 3] = ["title", "summary", "topics"];
+
+/// All texts of a file, but for those of its model and its drawing.
+pub fn values(outline: &Outline) -> Vec<(TextKey, String)> {
+    let source = outline.source();
+    let front = FRONT
+        .into_iter()
+        .filter_map(|key| outline.front_matter().get(key).map(|value| (TextKey::Front(key), value.text.clone())));
+    let mut found: Vec<(TextKey, String)> = front.collect();
+    let (mut questions, mut pieces) = (0, 0);
+    for block in outline.blocks() {
+        match block.kind {
+            BlockKind::Prose if !source[block.content.range()].trim().is_empty() => {
+                let text = source[block.content.range()].trim();
+                found.push((TextKey::Prose(questions, pieces), text.to_owned()));
+                pieces += 1;
+            }
+            BlockKind::Translations => {
+                let lines = statements(source, block.content.range());
+                let entries = lines.into_iter().filter_map(|line| entry(source, line));
+                found.extend(entries.map(|(original, text)| (TextKey::Short(normalised(original)), text.to_owned())));
+            }
+            BlockKind::Question => {
+                for (key, part) in [
+                    (TextKey::Prompt(questions), None),
+                    (TextKey::Hint(questions), Some("hint")),
+                    (TextKey::Explanation(questions), Some("explanation")),
+                ] {
+                    let place = questions::part(source, block.content.range(), part);
+                    let text = place.map(|place| source[place].to_owned()).unwrap_or_default();
+                    if !text.is_empty() {
+                        found.push((key, text));
+                    }
+                }
+                (questions, pieces) = (questions + 1, 0);
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// The text of a translation entry, without its quotation marks, and its whole line.
+pub fn entry_in(outline: &Outline, key: &str) -> Option<(Range<usize>, Range<usize>)> {
+    let source = outline.source();
+    let lines = outline.blocks_of(BlockKind::Translations).flat_map(|block| statements(source, block.content.range()));
+    lines.into_iter().find_map(|line| {
+        let (original, text) = entry(source, line.clone())?;
+        let end = line.end - 1;
+        (normalised(original) == key).then(|| (end - text.len()..end, line))
+    })
+}
+
+/// The block of a piece of prose; or else the block behind which it would stand.
+pub fn prose_at(outline: &Outline, segment: usize, piece: usize) -> Result<usize, Option<usize>> {
+    let (mut questions, mut pieces) = (0, 0);
+    let mut after = None;
+    for (number, block) in outline.blocks().iter().enumerate() {
+        match block.kind {
+            BlockKind::Prose if !outline.source()[block.content.range()].trim().is_empty() => {
+                if (questions, pieces) == (segment, piece) {
+                    return Ok(number);
+                }
+                pieces += 1;
+            }
+            BlockKind::Question => (questions, pieces) = (questions + 1, 0),
+            _ => {}
+        }
+        if questions <= segment {
+            after = Some(number);
+        }
+    }
+    Err(after)
+}
+
+/// The block of a question.
+pub fn question_at(outline: &Outline, number: usize) -> Option<usize> {
+    let blocks = outline.blocks().iter().enumerate();
+    blocks.filter(|(_, block)| block.kind == BlockKind::Question).map(|(place, _)| place).nth(number)
+}

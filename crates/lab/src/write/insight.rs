@@ -1,0 +1,70 @@
+//! What is under the cursor: what the word means, what kind of quantity it is, and the statement as a textbook prints it. It stands
+//! below the text and is not announced.
+
+use super::{Panel, typing};
+use crate::app::App;
+use desk::Insight;
+use document::form::CellKind;
+use view::views::*;
+use wasm_bindgen::JsCast;
+use wasm_bindgen::closure::Closure;
+
+/// How long a writer of a form rests before the place is explained, in milliseconds; the editor has the same.
+const REST: i32 = 150;
+
+/// Looks at a place of a text, in units of UTF-16.
+pub fn look(app: App, text: &str, place: usize) {
+    let found = app.with(|lab| {
+        let program = lab.desk.as_ref().map(|desk| desk.play().program());
+        desk::insight(text, program, place)
+    });
+    let found = found.unwrap_or_default();
+    if app.insight.with_untracked(|known| *known != found) {
+        app.insight.set(found);
+    }
+}
+
+/// Looks at a place of a cell, in units of UTF-16 from its beginning, once its writer rests.
+pub fn look_at_cell(app: App, number: usize, kind: CellKind, place: usize) {
+    let turn = app.resting.get_untracked() + 1;
+    app.resting.set(turn);
+    let act = move || {
+        if app.resting.get_untracked() != turn {
+            return;
+        }
+        let text = typing::text(app, 0);
+        let form = document::form::read(&document::read(&text));
+        if let Some(cell) = form.parts.get(number).and_then(|part| part.cell(kind)) {
+            let before = text.get(..cell.span.start).unwrap_or_default();
+            look(app, &text, before.encode_utf16().count() + place.min(cell.text.encode_utf16().count()));
+        }
+    };
+    let act = Closure::once_into_js(act);
+    let _ = window().set_timeout_with_callback_and_timeout_and_arguments_0(act.unchecked_ref(), REST);
+}
+
+/// The line.
+pub fn view(app: App) -> HtmlDiv {
+    let line = move || {
+        let Insight { word, typeset } = app.insight.get_clone();
+        let (words, language) = (app.words(), app.language.get_untracked());
+        if word.is_none() && typeset.is_empty() {
+            return View::from(span().class("hush").child(words.insight_none));
+        }
+        let word = word.map(|(word, found)| {
+            let dimension = found.dimension.map(|dimension| format!(" ({})", dimension.text(language)));
+            let meaning = format!(": {}{}", found.meaning.text(language), dimension.unwrap_or_default());
+            span().class("meaning").child(code().child(word)).child(meaning)
+        });
+        let typeset = (!typeset.is_empty()).then(|| span().class("typeset").inner_html(typeset));
+        View::from((word, typeset))
+    };
+    div()
+        .class("insight")
+        .id("insight")
+        .role("group")
+        .hidden(move || !matches!(app.writing_panel.get(), Panel::Text | Panel::Model))
+        .tabindex("0")
+        .attr("aria-label", app.words().insight)
+        .child(changing(line))
+}

@@ -1,0 +1,169 @@
+//! A cell: a field with the text that stands at its place in the document.
+
+use super::faults::{self, Fault};
+use crate::app::App;
+use crate::write::{insight, typing};
+use document::edit::set_cell;
+use document::form::{CellKind, Form};
+use view::views::*;
+use web_sys::{Event, HtmlInputElement, KeyboardEvent};
+
+/// What the views of the forms share.
+#[derive(Clone, Copy)]
+pub struct Forms {
+    /// The laboratory.
+    pub app: App,
+    /// The document as it stands in the editor.
+    pub form: ReadSignal<Form>,
+    /// What was found in it when it was checked last.
+    pub faults: ReadSignal<Vec<Fault>>,
+    /// Whether the text of a statement is being typed.
+    pub typing: Signal<bool>,
+}
+
+/// Why the last change of a part was refused.
+pub type Refusal = Signal<Option<(CellKind, String)>>;
+
+/// The id of a field.
+pub fn id(number: usize, kind: CellKind) -> String {
+    format!("cell-{number}-{kind:?}").to_lowercase()
+}
+
+/// What a field of any kind needs: its text, what happens when it is typed into, whether something is wrong with it.
+struct Behaviour {
+    forms: Forms,
+    number: usize,
+    kind: CellKind,
+    refusal: Refusal,
+}
+
+impl Behaviour {
+    fn text(&self) -> ReadSignal<String> {
+        let (form, number, kind) = (self.forms.form, self.number, self.kind);
+        memo(move || {
+            form.with(|form| {
+                let cell = form.parts.get(number).and_then(|part| part.cell(kind));
+                cell.map(|cell| cell.text.clone()).unwrap_or_default()
+            })
+        })
+    }
+
+    fn is_wrong(&self) -> impl Fn() -> Option<&'static str> + use<> {
+        let (faults, number, kind, refusal) = (self.forms.faults, self.number, self.kind, self.refusal);
+        move || {
+            let found = faults.with(|faults| faults.iter().any(|fault| fault.is_of(number, kind) && fault.is_error()));
+            let refused = refusal.with(|refusal| refusal.as_ref().is_some_and(|(refused, _)| *refused == kind));
+            (found || refused).then_some("true")
+        }
+    }
+
+    /// Writes what was typed into the document.
+    fn write(&self, typed: &str) {
+        let Self { forms, number, kind, refusal } = *self;
+        let text = typing::text(forms.app, 0);
+        let written = typing::change(forms.app, 0, &text, |outline| set_cell(outline, number, kind, typed));
+        refusal.set(written.err().map(|why| (kind, why)));
+    }
+}
+
+/// Explains what the cursor of a field is on.
+fn explains<E: Build>(own: &Behaviour, node: HtmlInputElement, field: E) -> E {
+    let Behaviour { forms, number, kind, .. } = *own;
+    let look = move || {
+        let place = node.selection_start().ok().flatten().unwrap_or(0);
+        insight::look_at_cell(forms.app, number, kind, place as usize);
+    };
+    let (focused, pressed) = (look.clone(), look.clone());
+    field
+        .when(events::keyup, move |_| look())
+        .when(events::focusin, move |_| focused())
+        .when(events::click, move |_| pressed())
+}
+
+/// A field in one line, with its name for those who do not see the table around it. A name is changed everywhere, once it is complete.
+pub fn field(forms: Forms, number: usize, kind: CellKind, name: String, refusal: Refusal) -> HtmlInput {
+    let own = Behaviour { forms, number, kind, refusal };
+    let (text, is_wrong) = (own.text(), own.is_wrong());
+    let mut field = input().r#type("text").class("cell").id(id(number, kind)).autocomplete("off");
+    let node: HtmlInputElement = field.node();
+    follow(node.clone(), text);
+    let field = explains(&own, node, field)
+        .attr("spellcheck", if kind == CellKind::Label { "true" } else { "false" })
+        .attr("autocapitalize", "off")
+        .attr("aria-label", name)
+        .attr("aria-describedby", faults::id(number))
+        .attr("aria-invalid", is_wrong)
+        .when(events::keydown, move |event| take_back(forms, text, &event));
+    let write = move |event: Event| own.write(&value_of(&event));
+    if kind == CellKind::Name {
+        return field.when(events::change, write);
+    }
+    let field = if kind == CellKind::Text { rests(forms, field) } else { field };
+    field.when(events::input, write)
+}
+
+/// A field of several lines.
+pub fn lines(forms: Forms, number: usize, name: String, refusal: Refusal) -> HtmlTextarea {
+    let kind = CellKind::Text;
+    let own = Behaviour { forms, number, kind, refusal };
+    let (text, is_wrong) = (own.text(), own.is_wrong());
+    let mut field = textarea().class("cell lines").id(id(number, kind));
+    // Its methods are those of an input of one line, as far as they are needed here.
+    let node: HtmlInputElement = field.node();
+    follow(node.clone(), text);
+    let rows = move || text.with(|text| (text.lines().count() + 1).to_string());
+    rests(forms, explains(&own, node, field))
+        .attr("rows", rows)
+        .attr("spellcheck", "false")
+        .attr("autocapitalize", "off")
+        .attr("aria-label", name)
+        .attr("aria-describedby", faults::id(number))
+        .attr("aria-invalid", is_wrong)
+        .when(events::keydown, move |event| take_back(forms, text, &event))
+        .when(events::input, move |event| own.write(&value_of(&event)))
+}
+
+/// On and off.
+pub fn switch_field(forms: Forms, number: usize, name: String, refusal: Refusal) -> HtmlSelect {
+    let own = Behaviour { forms, number, kind: CellKind::Value, refusal };
+    let text = own.text();
+    let words = forms.app.words();
+    let option = move |(value, others, name): (&'static str, [&'static str; 2], &'static str)| {
+        let selected = move || text.with(|text| others.contains(&text.as_str()));
+        option().value(value).prop("selected", selected).child(name)
+    };
+    select()
+        .class("cell")
+        .id(id(number, CellKind::Value))
+        .attr("aria-label", name)
+        .each([("on", ["on", "true"], words.switch_on), ("off", ["off", "false"], words.switch_off)], option)
+        .when(events::change, move |event| own.write(&value_of(&event)))
+}
+
+/// Shows the text in the field whenever it differs by more than blanks from what is typed there.
+fn follow(node: HtmlInputElement, text: ReadSignal<String>) {
+    effect(move || {
+        text.with(|text| {
+            if node.value().trim() != text.trim() {
+                node.set_value(text);
+            }
+        });
+    });
+}
+
+/// While a statement is typed it keeps its place in the form, whatever it becomes on the way.
+fn rests<E: Build>(forms: Forms, field: E) -> E {
+    field.when(events::focus, move |_| forms.typing.set(true)).when(events::blur, move |_| forms.typing.set(false))
+}
+
+/// Control with Z takes back the last change of the document, unless something is typed that is not in it.
+fn take_back(forms: Forms, text: ReadSignal<String>, event: &KeyboardEvent) {
+    let key = event.key().to_lowercase();
+    if !(event.ctrl_key() || event.meta_key()) || !matches!(key.as_str(), "z" | "y") {
+        return;
+    }
+    if text.with_untracked(|text| value_of(event).trim() == text.trim()) {
+        event.prevent_default();
+        typing::undo(forms.app, 0, key == "y" || event.shift_key());
+    }
+}

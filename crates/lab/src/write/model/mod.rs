@@ -1,0 +1,162 @@
+//! The model of the document as forms: parameters and initial values in tables, equations beside their typeset form, events, choices
+//! and tables as cards. Each cell changes its place in the text.
+
+mod cell;
+mod faults;
+mod statement;
+mod table;
+
+use super::typing;
+use crate::app::App;
+use cell::Forms;
+use document::edit::{add_statement, remove_statement};
+use document::form::{CellKind, Form, Part, Section, proposal, read};
+pub use faults::is_beside;
+use view::browser;
+use view::icons;
+use view::views::*;
+
+/// What the views are built for. While a text is typed it stays, so that what is typed into stays where it is.
+#[derive(Clone, Debug, PartialEq)]
+struct Shape {
+    section: Section,
+    word: String,
+    cells: Vec<CellKind>,
+    has_lines: bool,
+}
+
+/// The forms.
+pub fn view(app: App) -> View {
+    let form = memo(move || {
+        app.typed.track();
+        app.written.track();
+        read(&document::read(&typing::text(app, 0)))
+    });
+    let forms = Forms { app, form, faults: faults::of(app), typing: create_signal(false) };
+    let mut last: Vec<Shape> = Vec::new();
+    let shapes = memo(move || {
+        let now: Vec<Shape> = forms.form.with(|form| form.parts.iter().map(shape).collect());
+        if !(forms.typing.get() && now.len() == last.len()) {
+            last = now;
+        }
+        last.clone()
+    });
+    let undo = |icon, name: &'static str, forwards| {
+        labelled(icon, name).when(events::click, move |_| typing::undo(app, 0, forwards))
+    };
+    let words = app.words();
+    let tools = div().class("form-tools").child(undo(icons::undo(), words.undo_change, false)).child(undo(
+        icons::redo(),
+        words.redo_change,
+        true,
+    ));
+    let sections = move || {
+        let shapes = shapes.get_clone();
+        let numbered = |section: Section| -> Vec<(usize, Shape)> {
+            shapes.iter().cloned().enumerate().filter(|(_, shape)| shape.section == section).collect()
+        };
+        let section = |one: Section| section_of(forms, one, numbered(one));
+        let (shown, empty): (Vec<Section>, Vec<Section>) =
+            Section::ALL.into_iter().partition(|one| *one <= Section::Equations || !numbered(*one).is_empty());
+        let more = (!empty.is_empty()).then(|| div().class("form-tools").each(empty, |one| add_button(forms, one)));
+        div().class("forms").each(shown, section).maybe(more)
+    };
+    View::from((tools, changing(sections)))
+}
+
+fn shape(part: &Part) -> Shape {
+    let cells = part.cells.iter().map(|cell| cell.kind).collect();
+    let has_lines = part.section > Section::Equations || part.whole.text.contains('\n');
+    Shape { section: part.section, word: part.word.clone(), cells, has_lines }
+}
+
+/// A heading with what stands under it, and a button that adds more.
+fn section_of(forms: Forms, section: Section, parts: Vec<(usize, Shape)>) -> HtmlSection {
+    let id = format!("form-{section:?}").to_lowercase();
+    let is_row = |shape: &Shape| shape.cells.first() == Some(&CellKind::Name);
+    let (rows, others): (Vec<_>, Vec<_>) = parts.into_iter().partition(|(_, shape)| is_row(shape));
+    let rows = (!rows.is_empty()).then(|| table::view(forms, section, rows));
+    tags::section()
+        .class("form-section")
+        .attr("aria-labelledby", id.clone())
+        .child(h3().id(id).child(title(forms.app, section)))
+        .maybe(rows)
+        .each(others, |(number, shape)| statement::view(forms, number, shape.has_lines))
+        .child(add_button(forms, section))
+}
+
+fn title(app: App, section: Section) -> &'static str {
+    let words = app.words();
+    match section {
+        Section::Parameters => words.form_parameters,
+        Section::InitialValues => words.form_initial_values,
+        Section::Equations => words.form_equations,
+        Section::Events => words.form_events,
+        Section::Choices => words.form_choices,
+        Section::Tables => words.form_tables,
+    }
+}
+
+fn add_button(forms: Forms, section: Section) -> HtmlButton {
+    let words = forms.app.words();
+    let name = match section {
+        Section::Parameters => words.add_parameter,
+        Section::InitialValues => words.add_initial_value,
+        Section::Equations => words.add_equation,
+        Section::Events => words.add_event,
+        Section::Choices => words.add_choice,
+        Section::Tables => words.add_table,
+    };
+    labelled(icons::plus(), name).when(events::click, move |_| add(forms, section))
+}
+
+/// Adds a statement of a section, and leads to it.
+fn add(forms: Forms, section: Section) {
+    let app = forms.app;
+    let text = typing::text(app, 0);
+    let added = typing::change(app, 0, &text, |outline| {
+        add_statement(outline, section, &proposal(outline, section)).map(|edit| vec![edit])
+    });
+    match added {
+        Ok(edits) => {
+            let start = edits.first().map_or(0, |edit| edit.span.start);
+            let place = |form: &Form| form.parts.iter().position(|part| part.span.start >= start);
+            if let Some((number, kind)) = forms.form.with_untracked(|form| {
+                let number = place(form)?;
+                Some((number, form.parts.get(number)?.cells.first()?.kind))
+            }) {
+                browser::focus_later(cell::id(number, kind));
+            }
+        }
+        Err(refusal) => app.complain(refusal),
+    }
+}
+
+/// Removes a statement; the focus goes to its heading's button.
+fn remove(forms: Forms, number: usize) {
+    let app = forms.app;
+    let text = typing::text(app, 0);
+    let removed = typing::change(app, 0, &text, |outline| remove_statement(outline, number).map(|edit| vec![edit]));
+    match removed {
+        Ok(_) => {
+            let left = forms.form.with_untracked(|form| {
+                let near = number.min(form.parts.len().saturating_sub(1));
+                form.parts.get(near).and_then(|part| part.cells.first()).map(|cell| (near, cell.kind))
+            });
+            if let Some((number, kind)) = left {
+                browser::focus_later(cell::id(number, kind));
+            }
+        }
+        Err(refusal) => app.complain(refusal),
+    }
+}
+
+/// The cross that removes a statement.
+fn remove_button(forms: Forms, number: usize) -> HtmlButton {
+    let name = forms.form.with_untracked(|form| {
+        let part = form.parts.get(number);
+        let name = part.and_then(|part| part.cell(CellKind::Name).or(Some(&part.whole)));
+        name.map(|cell| cell.text.lines().next().unwrap_or_default().to_owned()).unwrap_or_default()
+    });
+    cross(format!("{} {name}", forms.app.words().remove_statement)).when(events::click, move |_| remove(forms, number))
+}

@@ -1,0 +1,44 @@
+//! Changes of the texts from outside the editor. They go through it, so that its history can take them back.
+
+use crate::app::App;
+use desk::text_changes;
+use document::Outline;
+use document::edit::EditError;
+use model::Edit;
+
+/// A file as it stands in the editor, also where its last change has not been checked.
+pub fn text(app: App, file: usize) -> String {
+    let editor = app.with(|lab| lab.editor.clone().filter(|_| lab.editor_is_current)).flatten();
+    match editor {
+        Some(editor) => editor.text(file),
+        None => app.read_writing(|writing| writing.texts().get(file).cloned().unwrap_or_default()),
+    }
+}
+
+/// Changes a file. What was changed, or why nothing was.
+///
+/// # Errors
+/// Those of `edit`, in the language of the page.
+pub fn change<'a>(
+    app: App,
+    file: usize,
+    text: &'a str,
+    edit: impl FnOnce(&Outline<'a>) -> Result<Vec<Edit>, EditError>,
+) -> Result<Vec<Edit>, String> {
+    let edits = edit(&document::read(text));
+    let edits = edits.map_err(|refusal| refusal.words().text(app.language.get_untracked()).to_owned())?;
+    let editor = app.with(|lab| lab.editor.clone()).flatten();
+    if let Some(editor) = editor.filter(|_| !edits.is_empty()) {
+        editor.edit(file, &text_changes(text, &edits));
+        app.typed.update(|count| *count += 1);
+    }
+    Ok(edits)
+}
+
+/// Takes back the last change of a file, wherever it was made, or makes it again.
+pub fn undo(app: App, file: usize, forwards: bool) {
+    if let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() {
+        editor.undo(file, forwards);
+        app.typed.update(|count| *count += 1);
+    }
+}

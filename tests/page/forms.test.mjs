@@ -1,0 +1,157 @@
+// The tab Write by forms: cells change their places in the text, faults stand beside them, one history takes everything back.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { STILL, eventually, number, visit } from "./lab.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const status = (lab) => lab.page.locator("#writing-status");
+const editor = (lab) => lab.page.locator(".cm-content");
+const text = (lab) => editor(lab).evaluate((content) => content.cmTile?.view?.state.doc.toString() ?? content.innerText);
+const runs = (lab) => eventually(async () => assert.match(await status(lab).innerText(), /^The simulation runs as written/));
+const field = (lab, name) => lab.page.getByLabel(name, { exact: true });
+const now = (lab, expected) => eventually(async () => assert.match(await text(lab), expected));
+
+async function panel(lab, name) {
+  await lab.page.getByRole("tab", { name, exact: true }).click();
+}
+
+/** The oscillator of the templates, by forms. */
+async function forms(lab, { write = "Write", begin = "New", template = "A mass on a spring", model = "Model" } = {}) {
+  await lab.tab(write);
+  await editor(lab).waitFor();
+  await lab.press(begin);
+  await lab.press(template);
+  await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), template));
+  await panel(lab, model);
+  await lab.page.locator(".forms").waitFor();
+}
+
+visit("a cell changes its place in the text, the simulation follows, and comments and columns stay", async (lab) => {
+  await forms(lab);
+  const before = await text(lab);
+  await field(lab, "m: Value").fill("0.25");
+  await now(lab, /parameter m {3}= 0\.25 /);
+  await runs(lab);
+  const lines = (text) => text.split("\n");
+  const after = lines(await text(lab));
+  const changed = lines(before).filter((line, place) => line !== after[place]);
+  assert.equal(changed.length, 1);
+  await field(lab, "m: Label").fill("Mass of the bob");
+  await field(lab, "m: Range").fill("0.1..3");
+  await field(lab, "m: Step").fill("0.05");
+  await now(lab, /in 0\.1\.\.3 step 0\.05 +"Mass of the bob"/);
+  await runs(lab);
+  await lab.tab("Play");
+  await eventually(async () => assert.equal(await lab.number("Mass of the bob"), 0.25));
+  await lab.tab("Write");
+  // Text and forms have one history.
+  await panel(lab, "Model");
+  for (let left = 40; left > 0 && (await text(lab)) !== before; left -= 1) await lab.press("Undo");
+  assert.equal(await text(lab), before);
+  await eventually(async () => assert.equal(await field(lab, "m: Value").inputValue(), /parameter m\s+= ([\d.]+)/.exec(before)[1]));
+  await lab.press("Redo");
+  await eventually(async () => assert.notEqual(await text(lab), before));
+});
+
+visit("a fault stands beside its cell with a remedy, and the last good version runs on", async (lab) => {
+  await forms(lab);
+  await field(lab, "k: Unit").fill("N");
+  await eventually(async () => assert.match(await status(lab).innerText(), /^1 error\. The last version/));
+  const line = lab.page.locator(".statement", { has: lab.page.locator(".brief.error") });
+  await line.first().waitFor();
+  await field(lab, "k: Unit").fill("N/m");
+  await runs(lab);
+  assert.equal(await lab.page.locator(".brief.error").count(), 0);
+  await field(lab, "k: Unit").fill("Nm/kgg");
+  await eventually(async () => assert.equal(await field(lab, "k: Unit").getAttribute("aria-invalid"), "true"));
+  const described = await field(lab, "k: Unit").getAttribute("aria-describedby");
+  assert.match(await lab.page.locator(`#${described}`).innerText(), /kgg/);
+  await field(lab, "k: Unit").fill("N/m");
+  await runs(lab);
+  // A remedy is carried out where it stands.
+  const equation = lab.page.locator(".statement input").first();
+  const typed = await equation.inputValue();
+  await equation.fill(typed.replace("k*", "kk*"));
+  await lab.page.locator(".forms .brief").getByRole("button", { name: /kk/ }).first().click();
+  await runs(lab);
+  assert.equal(await equation.inputValue(), typed);
+  // What would not stay in its cell is not written.
+  const kept = await text(lab);
+  await field(lab, "k: Label").fill('a" in 3');
+  await lab.page.locator(".forms .refusal", { hasText: "does not fit into its cell" }).waitFor();
+  assert.equal(await text(lab), kept);
+});
+
+visit("an equation is typeset as it is typed, a name is changed everywhere, statements come and go", async (lab) => {
+  await forms(lab);
+  const equation = lab.page.locator(".statement input").first();
+  const typeset = lab.page.locator(".statement .typeset").first();
+  const before = await typeset.innerHTML();
+  await equation.press("End");
+  await lab.page.keyboard.type(" + sqrt(2");
+  // It is not one statement until the parenthesis is closed.
+  await lab.page.locator(".forms .refusal", { hasText: "not one whole statement" }).first().waitFor().catch(() => {});
+  await lab.page.keyboard.type(")*0*y");
+  await eventually(async () => assert.match(await typeset.innerHTML(), /<msqrt>/));
+  for (let left = 40; left > 0 && (await typeset.innerHTML()) !== before; left -= 1) await lab.press("Undo");
+  await field(lab, "k: Name").fill("stiff");
+  await field(lab, "k: Name").press("Enter");
+  await now(lab, /parameter stiff/);
+  await eventually(async () => assert.match(await equation.inputValue(), /stiff\*y/));
+  await runs(lab);
+  await lab.press("Parameter");
+  await eventually(async () => assert.match(await lab.page.evaluate(() => document.activeElement.id), /^cell-\d+-name$/));
+  await now(lab, /parameter a = 1 in 0\.\.2\n/);
+  await lab.press("Event");
+  await now(lab, /when t > 1 \[s\] \{\n {4}stop\n\}/);
+  await runs(lab);
+  await lab.press("Remove a");
+  await eventually(async () => assert.doesNotMatch(await text(lab), /parameter a /));
+});
+
+visit("the forms are worked with keys alone, and what the cursor is on is explained", async (lab) => {
+  await forms(lab);
+  await lab.page.getByRole("tab", { name: "Model", exact: true }).focus();
+  await lab.keys("ArrowLeft");
+  await eventually(async () => assert.ok(await editor(lab).isVisible()));
+  await lab.keys("ArrowRight");
+  await lab.page.locator(".forms").waitFor();
+  await field(lab, "k: Value").focus();
+  await lab.keys("Control+a");
+  await lab.page.keyboard.type("30");
+  await now(lab, /parameter k\s+= 30 /);
+  await lab.keys("Control+z");
+  await eventually(async () => assert.doesNotMatch(await text(lab), /parameter k\s+= 30 /));
+  await field(lab, "k: Unit").focus();
+  await eventually(async () => assert.match(await lab.page.locator("#insight").innerText(), /N|stiffness/));
+  const equation = lab.page.locator(".statement input").first();
+  await equation.focus();
+  await lab.keys("Home", "ArrowRight");
+  await eventually(async () => assert.match(await lab.page.locator("#insight").innerText(), /^m: .*mass/i));
+  await panel(lab, "Text");
+  await editor(lab).click();
+  await lab.keys("Control+Home");
+  await lab.page.keyboard.press("ArrowDown");
+  await eventually(async () => assert.match(await lab.page.locator("#insight").innerText(), /title/));
+});
+
+for (const [device, size] of [["desk", {}], ["phone", { width: 390, height: 844, touch: true }]]) {
+  for (const theme of ["light", "dark"]) {
+    visit(`axe finds nothing in the forms, in Spanish: ${device}, ${theme}`, { ...STILL, theme, ...size, language: "es-ES" }, async (lab) => {
+      await forms(lab, { write: "Escribir", begin: "Nuevo", template: "Una masa en un resorte", model: "Modelo" });
+      await field(lab, "k: Unidad").fill("kgg");
+      await lab.page.locator(".brief.error").first().waitFor();
+      await lab.page.evaluate(axe);
+      const { violations } = await lab.page.evaluate(() => window.axe.run("html"));
+      assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`), []);
+      if (device === "phone") {
+        assert.equal(await lab.page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0);
+        const cell = await field(lab, "m: Valor").boundingBox();
+        assert.ok(cell.height >= 40, `${cell.height} px for a finger`);
+        assert.ok(number(await field(lab, "m: Valor").evaluate((one) => getComputedStyle(one).fontSize)) >= 16);
+      }
+    });
+  }
+}

@@ -59,7 +59,7 @@ impl UnitOrigin {
             Self::Cells => ("from the cells", "de las celdas"),
             Self::Clock => ("clock times, in seconds from the first row", "horas, en segundos desde la primera fila"),
             Self::Compared => ("from the time stamps beside it", "de las marcas de tiempo a su lado"),
-            Self::Person => ("stated by you", "indicada por usted"),
+            Self::Person => ("stated by you", "indicada por ti"),
         };
         (if language == Spanish { other } else { english }).to_owned()
     }

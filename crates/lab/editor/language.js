@@ -58,9 +58,17 @@ function prose(stream) {
   return null;
 }
 
+/** The words of a question are prose; what is computed stands behind `set`, `hide` and `answer`. */
+function question(stream, state) {
+  const key = stream.sol() && stream.match(/^\s*(set|hide|answer|hint|explanation)(?=\s*:)/);
+  if (!key) return state.computed ? equation(stream) : prose(stream);
+  state.computed = !["hint", "explanation"].includes(key[1]);
+  return "keyword";
+}
+
 const documents = StreamLanguage.define({
   name: "meniscus",
-  startState: () => ({ block: "", fence: "", drawing: false, front: false, first: true }),
+  startState: () => ({ block: "", fence: "", drawing: false, computed: false, front: false, first: true }),
   token(stream, state) {
     if (stream.sol()) {
       const edge = /^---\s*$/.test(stream.string);
@@ -73,7 +81,7 @@ const documents = StreamLanguage.define({
       }
       const fence = !state.front && stream.string.match(BLOCK);
       if (fence && !state.fence) {
-        Object.assign(state, { fence: fence[1], block: fence[2] ?? "code", drawing: false });
+        Object.assign(state, { fence: fence[1], block: fence[2] ?? "code", drawing: false, computed: false });
         stream.skipToEnd();
         return "meta";
       }
@@ -89,7 +97,7 @@ const documents = StreamLanguage.define({
       return "string";
     }
     if (state.block === "scene") return scene(stream, state);
-    if (state.block === "question" && !/^\s*(set|answer|hint|hide|explanation|supposing)\b.*:/.test(stream.string)) return prose(stream);
+    if (state.block === "question") return question(stream, state);
     if (state.block === "code") return stream.skipToEnd(), "string";
     return state.block ? equation(stream) : prose(stream);
   },

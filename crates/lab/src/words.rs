@@ -189,7 +189,7 @@ table_of_words! {
     switch_off: "off", "no";
 
     // Diagnostics.
-    nothing_runs: "There is nothing to run yet.", "Todavía no hay nada que ejecutar.";
+    nothing_runs: "There is nothing to run yet", "Todavía no hay nada que ejecutar";
     nothing_runs_intro: "The model has errors. They are listed below the text in the tab Write, each with its place. As soon as they are corrected, the simulation appears here.", "El modelo tiene errores. Están debajo del texto en la pestaña Escribir, cada uno con su lugar. En cuanto estén corregidos, la simulación aparece aquí.";
     previous_document: "Back to the previous document", "Volver al documento anterior";
     other_documents: "Other documents", "Otros documentos";

@@ -34,6 +34,7 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
                     "escribe un intervalo mayor que 0, por ejemplo `every 0.1 [s]`",
                 )));
             }
+            diagnostics.extend(ends_at_zero(statements, &interval));
             let ticks = Ticks {
                 independent: &independent,
                 counts,
@@ -55,6 +56,26 @@ fn is_nothing(interval: &Expression) -> bool {
         ExpressionKind::Number { value, unit } => !unit.as_ref().map_or(*value, |unit| unit.to_si(*value)).is_normal(),
         _ => false,
     }
+}
+
+/// What is said of an interval that is a parameter whose range reaches 0: there the event would not happen any more.
+fn ends_at_zero(statements: &[Statement], interval: &Expression) -> Option<Diagnostic> {
+    let ExpressionKind::Name { name, order: 0 } = &interval.kind else { return None };
+    let parameter = statements.iter().find_map(|statement| match &statement.kind {
+        StatementKind::Parameter(parameter) if parameter.name.text == *name => Some(parameter),
+        _ => None,
+    })?;
+    let is_above = |value: f64| value > 0.0;
+    if is_above(parameter.value) && parameter.range.as_ref().is_none_or(|range| is_above(range.low)) {
+        return None;
+    }
+    let message = words!(
+        "`{name}` can be 0, and at intervals of 0 an event does not happen",
+        "`{name}` puede ser 0, y a intervalos de 0 un evento no ocurre"
+    );
+    let hint =
+        words!("let the range of `{name}` begin above 0", "haz que el intervalo de `{name}` empiece por encima de 0");
+    Some(Diagnostic::warning("interval-of-zero", message, interval.span).with_hint(hint))
 }
 
 /// The moments of one event.

@@ -139,21 +139,21 @@ impl ImportError {
         match (&self.reason, language) {
             (Refusal::Commas { .. }, English) => "export it again with tabs or semicolons between the columns",
             (Refusal::Commas { .. }, Spanish) => {
-                "expórtelo de nuevo con tabuladores o puntos y comas entre las columnas"
+                "expórtalo de nuevo con tabuladores o puntos y comas entre las columnas"
             }
             (Refusal::Separator { .. }, English) => "export it again without signs between the thousands",
-            (Refusal::Separator { .. }, Spanish) => "expórtelo de nuevo sin signos entre los millares",
+            (Refusal::Separator { .. }, Spanish) => "expórtalo de nuevo sin signos entre los millares",
             (Refusal::Times { .. }, English) => {
                 "write the times as numbers, or as 10:00:00.050 or 2026-01-02T10:00:00.050"
             }
             (Refusal::Times { .. }, Spanish) => {
-                "escriba los tiempos como números, o como 10:00:00.050 o 2026-01-02T10:00:00.050"
+                "escribe los tiempos como números, o como 10:00:00.050 o 2026-01-02T10:00:00.050"
             }
             (Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup, English) => {
                 "export the table as text: in Tracker, File > Export > Data File; in a spreadsheet, save as CSV"
             }
             (Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup, Spanish) => {
-                "exporte la tabla como texto: en Tracker, Archivo > Exportar > Archivo de datos; en una hoja de cálculo, guarde como CSV"
+                "exporta la tabla como texto: en Tracker, Archivo > Exportar > Archivo de datos; en una hoja de cálculo, guarda como CSV"
             }
             (_, English) => {
                 "a table has one row a line: the time, then one or more quantities, with tabs, commas, semicolons or blanks between"

@@ -68,17 +68,17 @@ impl WorkbookError {
                 "open it in the spreadsheet program and save it again, or save the sheet as CSV"
             }
             (Self::Damaged | Self::Place { .. }, Spanish) => {
-                "ábralo en la hoja de cálculo y guárdelo de nuevo, o guarde la hoja como CSV"
+                "ábrelo en la hoja de cálculo y guárdalo de nuevo, o guarda la hoja como CSV"
             }
             (Self::Protected, English) => "save it without a password, or save the sheet as CSV",
-            (Self::Protected, Spanish) => "guárdelo sin contraseña, o guarde la hoja como CSV",
+            (Self::Protected, Spanish) => "guárdalo sin contraseña, o guarda la hoja como CSV",
             (Self::NoSheets, English) => "measured data can be text, XLSX, ODS, or a project of Tracker (TRK, TRZ)",
             (Self::NoSheets, Spanish) => "los datos pueden ser texto, XLSX, ODS o un proyecto de Tracker (TRK, TRZ)",
             (Self::Expands { .. } | Self::TooLarge { .. }, English) => {
                 "save the sheet with the measurement alone, or save it as CSV"
             }
             (Self::Expands { .. } | Self::TooLarge { .. }, Spanish) => {
-                "guarde solo la hoja de la medición, o guárdela como CSV"
+                "guarda solo la hoja de la medición, o guárdala como CSV"
             }
         }
     }

@@ -37,10 +37,11 @@ pub fn status(app: App) -> HtmlP {
         if warnings > 0 {
             found.push(count(warnings, words.one_warning, words.many_warnings));
         }
+        let nothing_runs = format!("{}.", words.nothing_runs);
         let state = match (runs, app.read(|_| true)) {
             (true, _) => words.text_runs,
             (false, true) => words.text_waits,
-            (false, false) => words.nothing_runs,
+            (false, false) => &nothing_runs,
         };
         if found.is_empty() { state.to_owned() } else { format!("{}. {state}", found.join(", ")) }
     };

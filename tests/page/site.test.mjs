@@ -2,7 +2,7 @@
 // from a disk.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { extname, join, normalize } from "node:path";
@@ -84,6 +84,33 @@ online("the editor of the laboratory is asked for when it is first opened, and k
   await page.locator(".cm-content").waitFor();
   assert.equal(await scripts(), 1);
   await eventually(async () => assert.match(await page.locator("#writing-status").innerText(), /^The simulation runs as written/));
+});
+
+online("a document of the site is published: the player comes when it is wanted, and the frame has the address of its page", {}, async (lab) => {
+  const { page } = lab;
+  await kept(page);
+  await lab.context.setOffline(true);
+  await page.goto(`${address}laboratory.html#1&d=pendulum.md`);
+  await page.getByRole("heading", { level: 1, name: /The pendulum/ }).waitFor();
+  const scripts = () => page.locator('script[src*="publish-"]').count();
+  assert.equal(await scripts(), 0);
+  await page.locator("#share").click();
+  await eventually(async () => assert.match(await page.locator("#page-size").innerText(), /^[0-9]+ kB$/));
+  assert.equal(await scripts(), 1);
+  assert.equal(await page.locator("#frame-address").inputValue(), `${address}pendulum.html`);
+  const { text } = await lab.save(page.locator("#save-page"));
+  const file = temporary("from-site.html");
+  writeFileSync(file, text);
+  const played = await Lab.open({ file });
+  try {
+    await played.press("Play");
+    await played.watchUntil(0.2);
+    played.wasQuiet();
+  } finally {
+    await played.context.close();
+  }
+  await page.locator("#qr").click();
+  await page.locator(".qr").waitFor();
 });
 
 online("after one visit every page opens without a network", {}, async (lab) => {

@@ -134,7 +134,7 @@ fn is_local(headers: &HeaderMap, port: u16) -> bool {
 /// The page, with the document as it is now.
 async fn index(State(laboratory): State<Laboratory>) -> Response {
     // Only as a header can a policy forbid that other sites put the page into a frame.
-    let policy = format!("{POLICY}{ASKS}; frame-ancestors 'self'");
+    let policy = format!("{}; frame-ancestors 'self'", policy(laboratory.document.as_deref()));
     let headers = [
         (header::CONTENT_SECURITY_POLICY, policy.as_str()),
         (header::CONTENT_TYPE, "text/html; charset=utf-8"),
@@ -159,7 +159,7 @@ async fn document(State(laboratory): State<Laboratory>) -> Response {
         (header::CACHE_CONTROL, "no-store"),
         (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
     ];
-    let sources = laboratory.document.as_deref().map(load::sources);
+    let sources = followed(laboratory.document.as_deref()).map(load::sources);
     match sources {
         Some(Ok(sources)) => (headers, write_list(&sources.embedded())).into_response(),
         // An editor may have the file away for a moment while it saves.
@@ -167,8 +167,16 @@ async fn document(State(laboratory): State<Laboratory>) -> Response {
     }
 }
 
-/// What the policy allows in addition: the page asks its server for the document.
-const ASKS: &str = "; connect-src 'self'";
+/// The document whose files the page follows. What comes from the standard input can be read once.
+fn followed(document: Option<&Path>) -> Option<&Path> {
+    document.filter(|path| *path != Path::new("-"))
+}
+
+/// The policy of the page: one that follows a document asks its server for it.
+fn policy(document: Option<&Path>) -> String {
+    let asks = if followed(document).is_some() { "; connect-src 'self'" } else { "" };
+    format!("{POLICY}{asks}")
+}
 
 /// The page with a document, whose findings go to the terminal too; a document with errors is shown with them.
 fn laboratory_page(document: Option<&Path>, terminal: Terminal) -> Result<String, Failure> {
@@ -178,13 +186,12 @@ fn laboratory_page(document: Option<&Path>, terminal: Terminal) -> Result<String
     let loaded = Loaded::open(load::sources(path)?);
     terminal.report(&loaded);
     let page = page::with(&loaded.sources, loaded.opened.document.as_ref())?;
-    if path == Path::new("-") {
-        // It can be read once.
+    if followed(document).is_none() {
         return Ok(page);
     }
     let follows =
         format!("<link rel=\"alternate\" type=\"application/json\" id=\"served\" href=\"{DOCUMENT}\">\n</head>");
-    Ok(page.replacen(POLICY, &format!("{POLICY}{ASKS}"), 1).replacen("</head>", &follows, 1))
+    Ok(page.replacen(POLICY, &policy(document), 1).replacen("</head>", &follows, 1))
 }
 
 #[cfg(test)]

@@ -2,6 +2,28 @@
 
 use crate::common::{SPRING, directory_with, meniscus, names, root};
 
+/// A project of the laboratory stands for the documents in it.
+#[test]
+fn a_project_is_checked_and_run_as_its_document() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let source =
+        document::page::Source { name: "a.md".to_owned(), text: "```model\nx' = 1 [1/s]\nx(0) = 0\n```\n".to_owned() };
+    let whole = document::project::Project { documents: vec![source], ..Default::default() }.write();
+    let path = directory.path().join("a.meniscus");
+    let file = path.to_str().expect("UTF-8");
+    std::fs::write(&path, &whole).expect("it can be written");
+    assert_eq!(meniscus(&["check", file]).code, 0);
+    assert!(meniscus(&["run", file, "--until", "1"]).stdout.starts_with("t [s],x"));
+    for (content, reason) in
+        [(&whole[..40], "damaged or no project"), (&whole.replace("\":1,", "\":2,"), "later version")]
+    {
+        std::fs::write(&path, content).expect("it can be written");
+        let done = meniscus(&["check", file]);
+        assert_eq!(done.code, 2);
+        assert!(done.stderr.contains(reason), "{}", done.stderr);
+    }
+}
+
 #[test]
 fn the_documents_that_ship_have_no_findings() {
     let simulations = root().join("simulations");

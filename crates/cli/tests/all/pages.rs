@@ -109,6 +109,30 @@ mod with_the_page {
     }
 
     #[test]
+    fn the_files_of_the_document_are_served_as_they_are_now() {
+        let (_directory, path) = directory_with(SPRING);
+        let server = Server::start(&[path.to_str().expect("UTF-8")]);
+        let own = format!("127.0.0.1:{}", server.port);
+        let page = server.get("/", &own);
+        assert!(page.contains("id=\"served\" href=\"/document\">\n</head>"), "the page asks for them");
+        assert_eq!(page.matches("connect-src 'self'").count(), 2, "and may, by header and by element");
+        let files = |answer: String| {
+            let (_, body) = answer.split_once("\r\n\r\n").expect("a head and a body");
+            document::page::read_list(body)
+        };
+        let text = |files: Option<Vec<document::page::Source>>| files.map(|files| files[0].text.clone());
+        assert_eq!(text(files(server.get("/document", &own))).as_deref(), Some(SPRING));
+        std::fs::write(&path, "other").expect("it can be written");
+        assert_eq!(text(files(server.get("/document", &own))).as_deref(), Some("other"), "also where it has errors");
+        std::fs::remove_file(&path).expect("it is there");
+        assert!(server.get("/document", &own).starts_with("HTTP/1.1 404"));
+        assert!(server.get("/document", "attacker.example").starts_with("HTTP/1.1 403"));
+        let without = Server::start(&[]);
+        let own = format!("127.0.0.1:{}", without.port);
+        assert!(without.get("/document", &own).starts_with("HTTP/1.1 404"));
+    }
+
+    #[test]
     fn the_policy_is_sent_and_no_other_site_can_frame_the_page() {
         let server = Server::start(&[]);
         let answer = server.get("/", &format!("127.0.0.1:{}", server.port)).to_lowercase();

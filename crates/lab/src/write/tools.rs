@@ -9,6 +9,8 @@ use document::page::Source;
 use document::{TEMPLATES, Template};
 use view::browser;
 use view::views::*;
+use wasm_bindgen::JsCast;
+use web_sys::{Element, MouseEvent};
 
 /// The tools.
 pub fn view(app: App) -> HtmlDiv {
@@ -51,12 +53,22 @@ pub fn view(app: App) -> HtmlDiv {
     let templates = div().class("templates").id("templates").hidden(move || !choosing.get());
     div()
         .class("writing-tools")
+        .when(events::mousedown, |event| keep_focus(&event))
         .child(new)
         .child(save)
         .child(versions)
         .maybe(file_choice(app))
         .child(templates.child(note(words.new_document_from)).child(chips).child(changing(kept)))
         .child(version_list)
+}
+
+/// A press on a button leaves the focus in the text. On a phone the page is another without it, and the button would be elsewhere
+/// before the finger is lifted.
+fn keep_focus(event: &MouseEvent) {
+    let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+    if target.is_some_and(|target| target.closest("button").ok().flatten().is_some()) {
+        event.prevent_default();
+    }
 }
 
 /// Which file is shown, where there are several.

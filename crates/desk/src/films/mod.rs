@@ -12,6 +12,7 @@ mod opening;
 mod overlay;
 mod plan;
 mod record;
+mod reporting;
 mod space_time;
 pub(crate) mod state;
 mod subject;

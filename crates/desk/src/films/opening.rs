@@ -59,7 +59,8 @@ impl Desk {
                 work.subject = Subject::Nothing;
             }
         }
-        self.films.open = Some(Open { work: place, clip, following: None, running: false, pictures: Vec::new() });
+        let pictures = Vec::new();
+        self.films.open = Some(Open { work: place, clip, following: None, running: false, pictures, still: None });
         self.revision.films += 1;
         Ok(opening)
     }

@@ -4,8 +4,8 @@ mod zip;
 
 use std::fmt::Write;
 use units::markup::escaped;
-pub use zip::Archive;
 pub(crate) use zip::Checksum;
+pub use zip::{Archive, checksum};
 
 /// A workbook.
 #[derive(Clone, Debug, Default, PartialEq)]

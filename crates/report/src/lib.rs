@@ -5,9 +5,11 @@
 
 mod drawing;
 mod export;
+mod film;
 mod findings;
 mod markup;
 mod page;
+mod png;
 mod ranking;
 mod remarks;
 mod report;
@@ -16,6 +18,7 @@ mod theory;
 
 pub use drawing::figure;
 pub use export::{csv, workbook};
+pub use film::{Film, FilmPicture, FilmView, film_html};
 pub use markup::with_math_font;
 pub use page::html;
 pub use ranking::{Ranking, ranking_csv, ranking_html, ranking_workbook};

@@ -150,7 +150,7 @@ pub fn document(title: &str, language: &str, version: &str, body: &str) -> Strin
         "<!doctype html>\n<html lang=\"",
         language,
         "\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; font-src data:\">\n",
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; font-src data:; img-src data:\">\n",
         "<meta name=\"generator\" content=\"Meniscus ",
         &escaped(version),
         "\">\n<meta name=\"color-scheme\" content=\"light\">\n<title>",

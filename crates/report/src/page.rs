@@ -1,7 +1,7 @@
 //! The report of one fit as a page.
 
 use crate::markup::{self, Page};
-use crate::{Report, drawing, export, findings, results, theory};
+use crate::{Report, drawing, export, film, findings, results, theory};
 use units::Language;
 
 /// More figures than this are not drawn.
@@ -27,6 +27,7 @@ pub fn html(report: &Report<'_>) -> String {
     results::correlations(&mut page, report);
     theory::theory(&mut page, report);
     theory::data(&mut page, report);
+    film::films(&mut page, report);
     theory::repeat(&mut page, report, &export::csv(report, false));
     footer(&mut page, language, report.version, report.date);
     markup::document(title, language.tag(), report.version, &page.out)

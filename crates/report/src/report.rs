@@ -1,5 +1,6 @@
 //! What a report is made of.
 
+use crate::film::Film;
 use crate::remarks;
 use analysis::fit::{Interval, Outcome, Task, Trace};
 use document::Document;
@@ -25,6 +26,8 @@ pub struct Report<'a> {
     pub intervals: &'a [Option<[Interval; 2]>],
     /// What was noticed about the data of each record, in sentences.
     pub notes: &'a [Vec<String>],
+    /// The films from which records come, in the order of these.
+    pub films: &'a [Film],
     /// The command that repeats the fit, or a sentence that says how; may be empty.
     pub command: &'a str,
     /// The version of the program.

@@ -100,7 +100,8 @@ impl Checksum {
     }
 }
 
-fn checksum(bytes: &[u8]) -> u32 {
+/// The CRC-32 (ISO 3309) of some bytes, as ZIP archives and PNG pictures have it.
+pub fn checksum(bytes: &[u8]) -> u32 {
     let mut checksum = Checksum::default();
     checksum.add(bytes);
     checksum.value()

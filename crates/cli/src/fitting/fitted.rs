@@ -38,6 +38,7 @@ impl Fitted {
             traces: &self.traces,
             intervals: &self.intervals,
             notes,
+            films: &[],
             command,
             version: env!("CARGO_PKG_VERSION"),
             date: "",

@@ -14,6 +14,7 @@ mod overlay;
 mod plan;
 mod recipe;
 mod record;
+mod reporting;
 mod space_time;
 pub(crate) mod state;
 mod subject;

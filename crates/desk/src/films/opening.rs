@@ -68,6 +68,7 @@ impl Desk {
             finished: false,
             truth: None,
             pictures: Vec::new(),
+            still: None,
         });
         self.revision.films += 1;
         Ok(opening)

@@ -107,7 +107,12 @@ fn use_of<'a>(record: &'a Record, column: usize, independent: &str) -> Option<&'
 }
 
 /// The pixel of these coordinates, as the record has them.
-fn position(work: &Work, track: &Track, frame: usize, [first, second]: [Option<f64>; 2]) -> Option<[f64; 2]> {
+pub(super) fn position(
+    work: &Work,
+    track: &Track,
+    frame: usize,
+    [first, second]: [Option<f64>; 2],
+) -> Option<[f64; 2]> {
     let calibration = &work.calibration;
     let near = track.points.partition_point(|point| point.frame < frame).min(track.points.len().checked_sub(1)?);
     let measured = calibration.apply(track.points.get(near)?.position);

@@ -4,6 +4,7 @@ use crate::films::clip::Clip;
 use crate::films::space_time::SpaceTimePicture;
 use crate::films::truth::FilmTruth;
 use crate::films::work::Work;
+use film::Plane;
 use film::tracking::Following;
 
 /// All films that a person has worked on, and the one that is open.
@@ -31,6 +32,15 @@ pub(crate) struct Open {
     pub truth: Option<FilmTruth>,
     /// The space-time picture of each surface.
     pub pictures: Vec<SpaceTimePicture>,
+    /// The first frame that was tracked, for reports.
+    pub still: Option<Still>,
+}
+
+/// A frame as it is stored.
+#[derive(Debug)]
+pub(crate) struct Still {
+    pub frame: usize,
+    pub plane: Plane,
 }
 
 impl Films {

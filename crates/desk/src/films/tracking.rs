@@ -2,6 +2,7 @@
 
 use crate::films::plan::{by_hand, found, nothing_followed, pictures, plan, stored};
 use crate::films::record::Kept;
+use crate::films::state::Still;
 use crate::films::subject::{Subject, inside};
 use crate::{Announcement, Desk, Refusal};
 use film::Plane;
@@ -112,6 +113,9 @@ impl Desk {
     pub fn give_frame(&mut self, frame: usize, plane: Plane) -> Result<(), Refusal> {
         if self.wanted_frame() != Some(frame) {
             return Ok(());
+        }
+        if let Some(open) = self.films.open.as_mut().filter(|open| open.following.as_ref().is_some_and(is_fresh)) {
+            open.still = Some(Still { frame, plane: plane.clone() });
         }
         self.drive(|following| following.take(plane)).map(|_| ())
     }
@@ -246,4 +250,9 @@ impl Desk {
             }
         }
     }
+}
+
+/// Whether a tracking has taken no frame yet.
+fn is_fresh(following: &Following) -> bool {
+    following.taken().0 == 0
 }

@@ -147,30 +147,37 @@ impl<'a> OpenFilm<'a> {
                 factor = significant(factor, 4)
             )),
         });
-        let found = self.work.found.as_ref();
-        if let Some(found) = found.filter(|found| !found.repeated.is_empty()) {
-            let (count, of) = (found.repeated.len(), found.repeated.len() + found.frames.len());
-            notes.push(words!(
-                "{count} of {of} frames repeat the picture before and are left out: the film was converted to another rate",
-                "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: el vídeo se convirtió a otra frecuencia"
-            ));
-        }
-        if let Subject::Points { sigma, .. } = &self.work.subject {
-            notes.push(words!(
-                "points clicked by hand: a standard error of {sigma} px in each coordinate is assumed",
-                "puntos marcados a mano: se supone un error estándar de {sigma} px en cada coordenada",
-                sigma = significant(*sigma, 3)
-            ));
-        }
-        // Both arms are seen by one camera: what they agree on is said once.
-        for note in self.work.tracks().iter().flat_map(of_camera) {
-            if !notes.contains(&note) {
-                notes.push(note);
-            }
-        }
-        notes.extend(of_lengths(&self.work.calibration));
+        notes.extend(work_notes(self.work));
         notes
     }
+}
+
+/// What the work on a film says of camera and lengths.
+pub(super) fn work_notes(work: &Work) -> Vec<Words> {
+    let mut notes = Vec::new();
+    let found = work.found.as_ref();
+    if let Some(found) = found.filter(|found| !found.repeated.is_empty()) {
+        let (count, of) = (found.repeated.len(), found.repeated.len() + found.frames.len());
+        notes.push(words!(
+            "{count} of {of} frames repeat the picture before and are left out: the film was converted to another rate",
+            "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: el vídeo se convirtió a otra frecuencia"
+        ));
+    }
+    if let Subject::Points { sigma, .. } = &work.subject {
+        notes.push(words!(
+            "points clicked by hand: a standard error of {sigma} px in each coordinate is assumed",
+            "puntos marcados a mano: se supone un error estándar de {sigma} px en cada coordenada",
+            sigma = significant(*sigma, 3)
+        ));
+    }
+    // Both arms are seen by one camera: what they agree on is said once.
+    for note in work.tracks().iter().flat_map(of_camera) {
+        if !notes.contains(&note) {
+            notes.push(note);
+        }
+    }
+    notes.extend(of_lengths(&work.calibration));
+    notes
 }
 
 /// Exposure and readout of the camera, where a track shows them.

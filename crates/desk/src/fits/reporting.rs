@@ -65,8 +65,8 @@ impl Desk {
     /// A fit as a file.
     pub fn export_fit(&self, id: u32, kind: ExportKind, imprint: Imprint<'_>) -> Option<Export> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
-        let (command, notes) = (self.how_to_repeat(fit), self.notes(fit));
-        let report = self.report(fit, &notes, command, imprint.date);
+        let (command, notes, films) = (self.how_to_repeat(fit), self.notes(fit), self.films_of(fit));
+        let report = Report { films: &films, ..self.report(fit, &notes, command, imprint.date) };
         let bytes = match kind {
             ExportKind::Report => imprint.page(&report::html(&report)),
             ExportKind::Workbook => report::workbook(&report),
@@ -102,6 +102,7 @@ impl Desk {
             traces: &fit.traces,
             intervals: &[],
             notes,
+            films: &[],
             command,
             version: env!("CARGO_PKG_VERSION"),
             date,

@@ -84,6 +84,7 @@ impl Fitted {
             traces: &self.traces,
             intervals: &[],
             notes: &self.notes,
+            films: &[],
             command: "meniscus fit linear.md U3.txt --observe y --until 6",
             version: "0.1.0",
             date: "21 November 2026",

@@ -7,7 +7,9 @@ mod work;
 use crate::support::open;
 use desk::film::containers::Orientation;
 use desk::film::tracking::column::Click;
-use desk::{CalibrationForm, Desk, FilmOpening, FilmedBody, FilmedSurface, LengthsForm, Refusal, Subject};
+use desk::{
+    CalibrationForm, Desk, ExportKind, FilmOpening, FilmedBody, FilmedSurface, Imprint, LengthsForm, Refusal, Subject,
+};
 use scene::{AXIS, DECAY, HEIGHT, OMEGA, PIXEL, RATE, REST, WIDTH, container, identity, level, picture, track};
 
 /// A damped oscillation about zero.
@@ -279,4 +281,47 @@ fn a_point_is_clicked_by_hand() {
     assert_eq!(columns[3], [1.0, 1.0, 1.0]);
     assert!(desk.film_notes().iter().any(|note| note.contains("1 px")), "{:?}", desk.film_notes());
     assert!(desk.begin_tracking().is_err(), "there is nothing to track");
+}
+
+#[test]
+fn the_report_of_a_fit_shows_the_film() {
+    let mut desk = tracked();
+    (0..4).chain([5]).for_each(|choice| desk.vary(choice, true));
+    desk.begin_fit("column.md").unwrap();
+    while desk.advance_fit() {}
+    let fit = desk.fits()[0].id;
+    let report = |desk: &Desk| {
+        let export = desk.export_fit(fit, ExportKind::Report, Imprint::default()).unwrap();
+        String::from_utf8(export.bytes).unwrap()
+    };
+    let page = report(&desk);
+    for text in [
+        "<h2>The film swing.mp4</h2>",
+        "<dt>Picture</dt>\n<dd>160 × 240 px</dd>",
+        "<dd>75, 30 /s, 2.467 s</dd>",
+        "<dt>Calibrated by</dt>\n<dd>10 cm</dd>",
+        "with a standard error of 0.71 %",
+        "Frame 0 (counted from 0). Yellow: what was tracked. Red: the fitted curve. Blue: the calibration and its zero.",
+        "The strip along the tube from every frame",
+    ] {
+        assert!(page.contains(text), "{text}");
+    }
+    assert_eq!(page.matches("href=\"data:image/png;base64,").count(), 2);
+    let film = &page[page.find("<h2>The film").unwrap()..];
+    let film = &film[..film.find("<h2>To repeat").unwrap()];
+    assert!(film.len() < 200_000, "{}", film.len());
+    // Over the space-time picture the fitted curve lies on the tracked one.
+    let strip = &film[film.rfind("<svg").unwrap()..];
+    let curve = |nth: usize| -> Vec<[f64; 2]> {
+        let points = strip.split("points=\"").nth(nth).unwrap().split('"').next().unwrap();
+        let number = |text: &str| text.parse::<f64>().unwrap();
+        points.split(' ').map(|pair| pair.split_once(',').map(|(x, y)| [number(x), number(y)]).unwrap()).collect()
+    };
+    let (tracked, fitted) = (curve(1), curve(2));
+    assert_eq!((tracked.len(), fitted.len()), (75, 75));
+    assert!(tracked.iter().zip(&fitted).all(|(one, other)| one[0] == other[0] && (one[1] - other[1]).abs() < 1.5));
+    // Without the film the words remain.
+    desk.close_film();
+    let page = report(&desk);
+    assert!(page.contains("The film swing.mp4") && !page.contains("data:image/png"));
 }

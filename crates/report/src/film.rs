@@ -1,0 +1,167 @@
+//! The film from which a record comes: what it is like, and pictures of it with what was tracked and fitted.
+
+use crate::Report;
+use crate::markup::{self, Page, escaped};
+use crate::png::png;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use units::Language;
+
+/// The colours of lines over grey pictures: what was tracked, the fitted curve, marks. Colour-blind people can tell them apart.
+const TRACKED: &str = "#ffb000";
+const FITTED: &str = "#dc267f";
+const MARKS: &str = "#648fff";
+
+/// A film from which a record comes.
+#[derive(Clone, Debug, Default)]
+pub struct Film {
+    /// The name of its file.
+    pub name: String,
+    /// What is known of it, each with its name: size, length, rate.
+    pub facts: Vec<(String, String)>,
+    /// What a person should know of its times, its camera and its scale, in sentences.
+    pub notes: Vec<String>,
+    /// Pictures of it; a part of them may be missing.
+    pub pictures: Vec<FilmPicture>,
+}
+
+/// What a picture of a film shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FilmView {
+    /// A frame, by its number from 0.
+    Frame(usize),
+    /// The strip along a tube from every frame, side by side.
+    SpaceTime,
+}
+
+/// A grey picture with lines over it. Lines are in units of a drawing of some size, which the picture fills.
+#[derive(Clone, Debug)]
+pub struct FilmPicture {
+    /// What it shows.
+    pub view: FilmView,
+    /// Pixels in a row, and rows.
+    pub pixels: [usize; 2],
+    /// Their values, row by row from the top.
+    pub grey: Vec<u8>,
+    /// Width and height of the drawing.
+    pub size: [f64; 2],
+    /// What was tracked.
+    pub tracked: Vec<Vec<[f64; 2]>>,
+    /// The fitted curve.
+    pub fitted: Vec<Vec<[f64; 2]>>,
+    /// The marks of the calibration: a line between two, or a single point.
+    pub marks: Vec<Vec<[f64; 2]>>,
+}
+
+/// The sections of the films of a report.
+pub fn films(page: &mut Page, report: &Report<'_>) {
+    report.films.iter().for_each(|film| section(page, film, report.language));
+}
+
+/// A page about films alone.
+pub fn film_html(films: &[Film], language: Language, version: &str, date: &str) -> String {
+    let mut page = Page::default();
+    films.iter().for_each(|film| section(&mut page, film, language));
+    crate::page::footer(&mut page, language, version, date);
+    let names: Vec<String> = films.iter().map(|film| film.name.clone()).collect();
+    markup::document(&language.join(&names), language.tag(), version, &page.out)
+}
+
+fn section(page: &mut Page, film: &Film, language: Language) {
+    page.heading(&[language.pick::<&str>("The film ", "El vídeo "), &film.name].concat());
+    page.raw("<dl class=\"steps\">");
+    film.facts.iter().for_each(|(term, value)| page.pair(term, value));
+    page.raw("</dl>\n");
+    film.notes.iter().for_each(|note| page.element("p class=\"note\"", note));
+    for picture in &film.pictures {
+        page.raw("<figure>\n");
+        let caption = caption(picture, language);
+        page.raw(&drawing(picture, &caption));
+        page.element("figcaption", &caption);
+        page.raw("</figure>\n");
+    }
+}
+
+fn caption(picture: &FilmPicture, language: Language) -> String {
+    let mut text = match picture.view {
+        FilmView::Frame(frame) => [
+            language.pick::<&str>("Frame ", "Fotograma "),
+            &frame.to_string(),
+            language.pick::<&str>(" (counted from 0).", " (contado desde 0)."),
+        ]
+        .concat(),
+        FilmView::SpaceTime => language
+            .pick(
+                "The strip along the tube from every frame, side by side: time to the right.",
+                "La franja a lo largo del tubo de cada fotograma, una junto a otra: el tiempo hacia la derecha.",
+            )
+            .to_owned(),
+    };
+    let lines = [
+        (&picture.tracked, language.pick("Yellow: what was tracked.", "Amarillo: lo que se siguió.")),
+        (&picture.fitted, language.pick("Red: the fitted curve.", "Rojo: la curva ajustada.")),
+        (&picture.marks, language.pick("Blue: the calibration and its zero.", "Azul: la calibración y su cero.")),
+    ];
+    for (_, words) in lines.iter().filter(|(lines, _)| !lines.is_empty()) {
+        text.extend([" ", words]);
+    }
+    text
+}
+
+fn drawing(picture: &FilmPicture, caption: &str) -> String {
+    let [width, height] = picture.size.map(short);
+    let [columns, rows] = picture.pixels;
+    let file = STANDARD.encode(png(columns, rows, &picture.grey));
+    let mut out = [
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ",
+        &width,
+        " ",
+        &height,
+        "\" style=\"max-width: ",
+        &width,
+        "px\" role=\"img\" aria-label=\"",
+        &escaped(caption),
+        "\"><image width=\"",
+        &width,
+        "\" height=\"",
+        &height,
+        "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64,",
+        &file,
+        "\"/>",
+    ]
+    .concat();
+    // Where the fitted curve lies on the tracked one, both are seen.
+    let layers = [(&picture.tracked, TRACKED, "3"), (&picture.fitted, FITTED, "1.5"), (&picture.marks, MARKS, "1.5")];
+    for (lines, colour, width) in layers {
+        out.extend([
+            "<g fill=\"none\" stroke-linejoin=\"round\" stroke=\"",
+            colour,
+            "\" stroke-width=\"",
+            width,
+            "\">",
+        ]);
+        for line in lines {
+            let points: Vec<String> = line.iter().map(|[x, y]| [&short(*x), ",", &short(*y)].concat()).collect();
+            out.extend(["<polyline points=\"", &points.join(" "), "\"/>"]);
+        }
+        out.push_str("</g>");
+    }
+    for [x, y] in picture.marks.iter().flatten() {
+        out.extend([
+            "<circle r=\"4\" fill=\"none\" stroke-width=\"1.5\" stroke=\"",
+            MARKS,
+            "\" cx=\"",
+            &short(*x),
+            "\" cy=\"",
+            &short(*y),
+            "\"/>",
+        ]);
+    }
+    out.push_str("</svg>\n");
+    out
+}
+
+/// To a tenth of a unit.
+fn short(value: f64) -> String {
+    units::number::shortest((value * 10.0).round() / 10.0)
+}

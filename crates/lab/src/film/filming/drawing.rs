@@ -63,7 +63,8 @@ impl Drawing {
     /// Of the scene of a simulation.
     pub fn of(play: &mut Play) -> Option<Self> {
         let mut scene = play.program().scene(play.tag())?.clone();
-        remove_signs(&mut scene.root);
+        let quantities: Vec<bool> = scene.values.iter().map(|value| !value.unit.text.is_empty()).collect();
+        remove_signs(&mut scene.root, &quantities);
         let ruler = pixels(play).and_then(|pixels| Ruler::of(play, pixels));
         let host = document().create_element("div").ok()?;
         let [width, height] = FILMED_SIZE;
@@ -136,8 +137,9 @@ impl Drawing {
     }
 }
 
-/// A camera sees no arrows of velocities and forces, and no trails.
-fn remove_signs(element: &mut Element) {
+/// A camera sees no arrows of velocities and forces, no trails, and no readings of quantities; the numbers of scales it sees.
+/// `quantities` says which values of the scene have a unit.
+fn remove_signs(element: &mut Element, quantities: &[bool]) {
     let is_sign = |element: &Element| {
         let arrow =
             |piece: &Piece| matches!(piece, Piece::Literal(text) if text.split(' ').any(|class| class == "arrow"));
@@ -146,11 +148,20 @@ fn remove_signs(element: &mut Element) {
         attributes.any(|one| one.name == "class" && one.value.iter().any(arrow) || one.value.iter().any(trail))
     };
     element.children.retain_mut(|child| match child {
-        Child::Element(child) if is_sign(child) => false,
+        Child::Element(child) if is_sign(child) || child.name == "text" && reads(child, quantities) => false,
         Child::Element(child) => {
-            remove_signs(child);
+            remove_signs(child, quantities);
             true
         }
         Child::Text(_) => true,
     });
+}
+
+/// Whether a text shows a value with a unit.
+fn reads(element: &Element, quantities: &[bool]) -> bool {
+    let is_quantity = |piece: &Piece| piece.value().is_some_and(|index| quantities.get(index) == Some(&true));
+    element.children.iter().any(|child| match child {
+        Child::Element(child) => reads(child, quantities),
+        Child::Text(template) => template.iter().any(is_quantity),
+    })
 }

@@ -28,6 +28,10 @@ pub fn refresh(app: App) {
     });
     let Some((now, pictures)) = read else { return };
     films.now.set(now);
+    // What a person has asked for follows a correction.
+    if films.truth.with_untracked(|truth| !truth.is_empty()) {
+        films.truth.set(app.read_desk(|desk| desk.compare_with_truth()));
+    }
     if let Some(pictures) = pictures {
         wasm_bindgen_futures::spawn_local(async move {
             // They are made ready to be painted in a slice of their own.

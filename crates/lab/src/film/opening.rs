@@ -131,6 +131,7 @@ fn begin(app: App) {
     films.open.set(true);
     films.shown.set(true);
     frames::go(app, now.map_or(0, |now| now.ends[0]));
+    browser::bring_to_top("film-acts");
     browser::focus_later("film-frame".to_owned());
 }
 

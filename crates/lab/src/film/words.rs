@@ -69,7 +69,7 @@ table_of_words! {
     filming_rate: "Frame rate", "Frecuencia";
     filming_exposure: "Exposure", "Exposición";
     filming_noise: "Noise", "Ruido";
-    filming_seed: "Seed of the noise", "Semilla del ruido";
+    filming_seed: "Noise seed", "Semilla del ruido";
     filming_ruler: "In the picture, 640 × 360 px, stands a ruler of", "En la imagen, de 640 × 360 px, hay una regla de";
     filming_no_ruler: "The drawing has no scale of lengths: the record stays in pixels. The picture has 640 × 360 px.", "El dibujo no tiene escala de longitudes: el registro queda en píxeles. La imagen tiene 640 × 360 px.";
     start_filming: "Film", "Filmar";
@@ -110,7 +110,7 @@ table_of_words! {
     resting_marks: "Resting marks", "Marcas inmóviles";
     difficult_note: "A tube that is not upright: two points of its axis. A camera that shakes: two to four marks that rest, in the first frame of the part.", "Un tubo que no es vertical: dos puntos de su eje. Una cámara que tiembla: de dos a cuatro marcas inmóviles, en el primer fotograma de la parte.";
     forget_marks: "Forget the resting marks", "Olvidar las marcas inmóviles";
-    hint_ruler: "Two marks and the length between them. Without a ruler the record stays in pixels.", "Dos marcas y la longitud entre ellas. Sin regla, el registro queda en píxeles.";
+    hint_ruler: "Two marks and the length between them; without a ruler the record stays in pixels. The origin is the point at which the quantity of the model is zero.", "Dos marcas y la longitud entre ellas; sin regla, el registro queda en píxeles. El origen es el punto en el que la magnitud del modelo es cero.";
     click_ruler: "Two marks", "Dos marcas";
     set_origin: "Origin", "Origen";
     set_axis: "x axis", "Eje x";

@@ -111,7 +111,7 @@ fn the_same_recipe_is_the_same_film_at_the_next_visit() {
     for (name, item) in &saved {
         assert_eq!(next.restore_film(item).as_ref(), Some(name));
     }
-    assert_eq!(next.film_recipes(), [recipe.clone()]);
+    assert_eq!(next.film_recipes(), std::slice::from_ref(&recipe));
     let play = next.filmed_play(&recipe).unwrap();
     assert_eq!(play.parameter_values(), desk.play().from_start().parameter_values());
     assert_eq!(filmed(&mut next, &recipe, 75), FilmOpening::TakenUp);

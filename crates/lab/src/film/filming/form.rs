@@ -134,7 +134,7 @@ fn form(app: App) -> View {
         .child(note(words.filming_note))
         .child(
             div()
-                .class("step-line")
+                .class("fields")
                 .child(field("filming-seconds", words.filming_seconds, seconds, "s"))
                 .child(field("filming-rate", words.filming_rate, rate, "1/s"))
                 .child(field("filming-exposure", words.filming_exposure, exposure, "ms"))

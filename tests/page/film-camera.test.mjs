@@ -20,7 +20,7 @@ const picture = (lab) => lab.page.locator("#film-picture").evaluate((canvas) => 
 
 visit("the U-tube is filmed, tracked and compared with the truth", async (lab) => {
   await film(lab);
-  assert.match(await lab.page.locator("#film-name").innerText(), /U-tube: filmed simulation/);
+  assert.match(await lab.page.locator("#film-name").innerText(), /Filmed simulation: .*U-tube/);
   assert.equal(await lab.page.locator("#film-number").innerText(), "1 / 300");
   await click(lab, SURFACE);
   await tracked(lab);

@@ -9,6 +9,9 @@ use film::tracking::column::Click;
 use std::rc::Rc;
 use units::number::fixed;
 
+/// A model that is further away than so many pixels has its zero elsewhere.
+const FAR: f64 = 60.0;
+
 /// The open film, without tracking.
 pub fn now(app: App) -> Option<Rc<Now>> {
     app.films.now.get_clone_untracked()
@@ -70,7 +73,11 @@ pub fn values(app: App, frame: usize) -> String {
         if let Some((_, [x, y])) = models.iter().find(|(other, _)| *other == number) {
             let [across, down] = [x - point.position[0], y - point.position[1]];
             let residual = (across * across + down * down).sqrt();
-            part += &format!(" · {} {} px", words.from_model, fixed(residual, 2, style));
+            part += &if residual > FAR {
+                format!(" · {}", words.model_far)
+            } else {
+                format!(" · {} {} px", words.from_model, fixed(residual, 2, style))
+            };
         }
         parts.push(part);
     }

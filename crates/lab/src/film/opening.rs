@@ -131,8 +131,12 @@ fn begin(app: App) {
     films.open.set(true);
     films.shown.set(true);
     frames::go(app, now.map_or(0, |now| now.ends[0]));
-    browser::bring_to_top("film-acts");
     browser::focus_later("film-frame".to_owned());
+    wasm_bindgen_futures::spawn_local(async move {
+        // Once the film stands on the stage.
+        browser::breathe().await;
+        browser::bring_to_top("film-acts");
+    });
 }
 
 /// Closes the film; the work on it stays.

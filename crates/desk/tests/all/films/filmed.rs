@@ -85,6 +85,11 @@ fn a_track_is_compared_with_the_truth() {
     let mut desk = open(SIMULATION, &[]);
     let recipe = recipe(&desk, |_| ());
     assert_eq!(filmed(&mut desk, &recipe, 75), FilmOpening::New);
+    assert!(
+        desk.film_notes().iter().any(|note| note.starts_with("Virtual camera: exposure 4.0 ms")),
+        "{:?}",
+        desk.film_notes()
+    );
     let [comparison] = &desk.compare_with_truth()[..] else { panic!("one surface") };
     assert!((0.001..0.1).contains(&comparison.rms), "{}", comparison.rms);
     assert_eq!(comparison.metres, Some(comparison.rms * PIXEL));

@@ -155,7 +155,7 @@ fn progress(app: App) -> View {
     };
     let said = move || {
         let [taken, of] = now();
-        format!("{} {taken} / {of}", words.frame)
+        format!("{}: {} {taken} / {of}", words.filming, words.frame)
     };
     let cancel = move |_| {
         app.films.filming.set(None);

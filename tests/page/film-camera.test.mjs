@@ -4,32 +4,10 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { STILL, eventually, number, visit } from "./lab.mjs";
-import { goTo } from "./films.mjs";
+import { RULER, SURFACE, goTo, clickFilmed as click, filmSimulation as film, tracked } from "./films.mjs";
 import { fit, openTheory, records } from "./measured.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-const SIZE = [640, 360];
-/** The surface in the left arm of the U-tube in the first frame, and the ends of the ruler, which are 5 m apart. */
-const SURFACE = [253, 158];
-const RULER = [[566, 310], [566, 129]];
-
-/** Films the open simulation; `change` gives fields of the form other values. */
-async function film(lab, change = {}) {
-  await lab.page.locator("#tab-measure").click();
-  await lab.page.locator("#film-simulation").click();
-  for (const [field, value] of Object.entries(change)) await lab.page.locator(`#filming-${field}`).fill(value);
-  await lab.page.locator("#start-filming").click();
-  await lab.page.locator("#film-frame").waitFor({ timeout: 120_000 });
-  await eventually(async () => assert.ok(await lab.page.locator("#film-frame").getAttribute("data-frame")));
-}
-
-async function click(lab, [x, y]) {
-  const box = await lab.page.locator("#film-picture").boundingBox();
-  await lab.page.mouse.click(box.x + (x / SIZE[0]) * box.width, box.y + (y / SIZE[1]) * box.height);
-}
-
-const tracked = (lab) => lab.page.locator("#film-fit").waitFor({ timeout: 60_000 });
-
 /** Asks for the truth; the root mean square of the differences in pixels. */
 async function compare(lab) {
   await lab.page.locator("#compare-truth").click();
@@ -42,7 +20,7 @@ const picture = (lab) => lab.page.locator("#film-picture").evaluate((canvas) => 
 
 visit("the U-tube is filmed, tracked and compared with the truth", async (lab) => {
   await film(lab);
-  assert.match(await lab.page.locator("#film-name").innerText(), /U-tube: filmed simulation/);
+  assert.match(await lab.page.locator("#film-name").innerText(), /Filmed simulation: .*U-tube/);
   assert.equal(await lab.page.locator("#film-number").innerText(), "1 / 300");
   await click(lab, SURFACE);
   await tracked(lab);

@@ -90,3 +90,27 @@ export async function isRight(page, place = page, frames = SOME, film = swing) {
     assert.ok(Math.abs(picture.time - time) < 6e-4, `frame ${frames[number] + 1}: ${picture.time} s, not ${time} s`);
   });
 }
+
+/** The picture of a filmed simulation, and in that of the U-tube the surface in the left arm at the start and the ends of the ruler, which are 5 m apart. */
+const SIZE = [640, 360];
+export const SURFACE = [253, 158];
+export const RULER = [[566, 310], [566, 129]];
+
+/** Films the open simulation; `change` gives fields of the form other values. */
+export async function filmSimulation(lab, change = {}) {
+  await lab.page.locator("#tab-measure").click();
+  await lab.page.locator("#film-simulation").click();
+  for (const [field, value] of Object.entries(change)) await lab.page.locator(`#filming-${field}`).fill(value);
+  await lab.page.locator("#start-filming").click();
+  await lab.page.locator("#film-frame").waitFor({ timeout: 120_000 });
+  await eventually(async () => assert.ok(await lab.page.locator("#film-frame").getAttribute("data-frame")));
+}
+
+/** Where a pixel of a filmed simulation is on the screen. */
+export async function onScreen(lab, [x, y]) {
+  const box = await lab.page.locator("#film-picture").boundingBox();
+  return [box.x + (x / SIZE[0]) * box.width, box.y + (y / SIZE[1]) * box.height];
+}
+
+export const clickFilmed = async (lab, at) => lab.page.mouse.click(...(await onScreen(lab, at)));
+export const tracked = (lab) => lab.page.locator("#film-fit").waitFor({ timeout: 60_000 });

@@ -113,7 +113,7 @@ impl FilmRecipe {
         let numbers = [seconds, rate, exposure, noise].map(|number| number.to_bits().to_string()).join(" ");
         let text =
             [&self.source, &self.state, &self.language, &numbers, &seed.to_string()].map(String::as_str).join("\n");
-        let name = format!("{}: {}", self.document, filmed().text(Language::of(&self.language)));
+        let name = format!("{}: {}", filmed().text(Language::of(&self.language)), self.document);
         FilmIdentity::new(&name, text.len() as u64, text.as_bytes())
     }
 
@@ -139,7 +139,7 @@ impl FilmRecipe {
 }
 
 fn filmed() -> Words {
-    words("filmed simulation", "simulación filmada")
+    words("Filmed simulation", "Simulación filmada")
 }
 
 /// The hash by which a text is known again.

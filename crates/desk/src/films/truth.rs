@@ -44,7 +44,7 @@ impl Desk {
             _ => None,
         };
         let compare = |track: &Track| {
-            let (rms, part, offset) = nearest(track, &truth.parts)?;
+            let Nearest { rms, part, offset } = nearest(track, &truth.parts)?;
             let differences =
                 pairs(track, part).map(|(point, at)| (point.frame, difference(track, point, at, offset))).collect();
             let path = pairs(track, part).map(|(point, at)| (point.frame, [at[0] + offset[0], at[1] + offset[1]]));
@@ -67,8 +67,17 @@ fn difference(track: &Track, point: &Point, at: [f64; 2], offset: [f64; 2]) -> [
     track.direction.map_or([x, y], |[along, down]| [x * along + y * down, 0.0])
 }
 
-/// The part that moves most like a track, with the root mean square of the differences and their mean.
-fn nearest<'a>(track: &Track, parts: &'a [Vec<[f64; 2]>]) -> Option<(f64, &'a [[f64; 2]], [f64; 2])> {
+/// The part that moves most like a track.
+struct Nearest<'a> {
+    /// The root mean square of the differences, without their mean.
+    rms: f64,
+    part: &'a [[f64; 2]],
+    /// The mean of found minus true.
+    offset: [f64; 2],
+}
+
+/// The part with the least differences.
+fn nearest<'a>(track: &Track, parts: &'a [Vec<[f64; 2]>]) -> Option<Nearest<'a>> {
     let fit = |part: &'a Vec<[f64; 2]>| {
         let count = pairs(track, part).count();
         // A part that is not seen for some time is another one.
@@ -79,7 +88,7 @@ fn nearest<'a>(track: &Track, parts: &'a [Vec<[f64; 2]>]) -> Option<(f64, &'a [[
             [0, 1].map(|k| pairs(track, part).map(|(point, at)| point.position[k] - at[k]).sum::<f64>() / count as f64);
         let squares = pairs(track, part).map(|(point, at)| difference(track, point, at, mean));
         let sum: f64 = squares.map(|[x, y]| x * x + y * y).sum();
-        Some(((sum / count as f64).sqrt(), part.as_slice(), mean))
+        Some(Nearest { rms: (sum / count as f64).sqrt(), part, offset: mean })
     };
-    parts.iter().filter_map(fit).min_by(|one, other| one.0.total_cmp(&other.0))
+    parts.iter().filter_map(fit).min_by(|one, other| one.rms.total_cmp(&other.rms))
 }

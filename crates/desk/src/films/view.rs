@@ -155,6 +155,16 @@ impl<'a> OpenFilm<'a> {
 /// What the work on a film says of camera and lengths.
 pub(super) fn work_notes(work: &Work) -> Vec<Words> {
     let mut notes = Vec::new();
+    notes.extend(work.recipe.as_ref().map(|recipe| {
+        let camera = recipe.settings;
+        words!(
+            "virtual camera: exposure {ms} ms, noise of {noise} of 255 grey values, seed {seed}, no compression",
+            "cámara virtual: exposición de {ms} ms, ruido de {noise} de 255 valores de gris, semilla {seed}, sin compresión",
+            ms = milliseconds(camera.exposure),
+            noise = significant(camera.noise, 3),
+            seed = Words::each(|_| camera.seed.to_string())
+        )
+    }));
     let found = work.found.as_ref();
     if let Some(found) = found.filter(|found| !found.repeated.is_empty()) {
         let (count, of) = (found.repeated.len(), found.repeated.len() + found.frames.len());

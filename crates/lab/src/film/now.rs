@@ -9,6 +9,9 @@ use film::tracking::column::Click;
 use std::rc::Rc;
 use units::number::fixed;
 
+/// A model that is further away than so many pixels has its zero elsewhere.
+const FAR: f64 = 60.0;
+
 /// The open film, without tracking.
 pub fn now(app: App) -> Option<Rc<Now>> {
     app.films.now.get_clone_untracked()
@@ -28,6 +31,10 @@ pub fn refresh(app: App) {
     });
     let Some((now, pictures)) = read else { return };
     films.now.set(now);
+    // What a person has asked for follows a correction.
+    if films.truth.with_untracked(|truth| !truth.is_empty()) {
+        films.truth.set(app.read_desk(|desk| desk.compare_with_truth()));
+    }
     if let Some(pictures) = pictures {
         wasm_bindgen_futures::spawn_local(async move {
             // They are made ready to be painted in a slice of their own.
@@ -66,7 +73,11 @@ pub fn values(app: App, frame: usize) -> String {
         if let Some((_, [x, y])) = models.iter().find(|(other, _)| *other == number) {
             let [across, down] = [x - point.position[0], y - point.position[1]];
             let residual = (across * across + down * down).sqrt();
-            part += &format!(" · {} {} px", words.from_model, fixed(residual, 2, style));
+            part += &if residual > FAR {
+                format!(" · {}", words.model_far)
+            } else {
+                format!(" · {} {} px", words.from_model, fixed(residual, 2, style))
+            };
         }
         parts.push(part);
     }

@@ -132,6 +132,11 @@ fn begin(app: App) {
     films.shown.set(true);
     frames::go(app, now.map_or(0, |now| now.ends[0]));
     browser::focus_later("film-frame".to_owned());
+    wasm_bindgen_futures::spawn_local(async move {
+        // Once the film stands on the stage.
+        browser::breathe().await;
+        browser::bring_to_top("film-acts");
+    });
 }
 
 /// Closes the film; the work on it stays.

@@ -133,6 +133,9 @@ impl Strip {
         let models = model_path(app, self.surface, &self.picture.frames);
         let model: Vec<Pixel> = models.iter().map(|(frame, at)| scale(self.place(*frame, *at))).collect();
         line(&model, "rgb(255 255 255 / 60%)", "#c2185b");
+        let truth = app.films.truth.with_untracked(|all| all.get(self.surface).map(|one| one.path.clone()));
+        let truth: Vec<Pixel> = truth.iter().flatten().map(|(frame, at)| scale(self.place(*frame, *at))).collect();
+        line(&truth, "rgb(255 255 255 / 60%)", "#00897b");
         context.set_fill_style_str("#ff5252");
         let doubtful = now.doubts.iter().filter(|doubt| doubt.track == self.surface);
         for doubt in doubtful {
@@ -174,6 +177,7 @@ fn canvas_of(app: App, strip: Rc<Strip>) -> View {
         app.films.anchor.track();
         app.films.now.track();
         app.films.resized.track();
+        app.films.truth.track();
         app.fits.track();
         app.changes.parameters.track();
         painted.paint(app, &place);

@@ -13,6 +13,8 @@ pub struct Now {
     pub name: String,
     /// Frames, seconds and pixels.
     pub extent: (usize, f64, [f64; 2]),
+    /// The times of its first and last frame, in seconds of the file.
+    pub whole: [f64; 2],
     /// How many times slower it plays than things happened, as typed.
     pub factor: Option<f64>,
     /// The part that is used, in seconds of the file.
@@ -46,10 +48,12 @@ impl Now {
     pub fn of(desk: &Desk) -> Option<Self> {
         let film: OpenFilm = desk.film()?;
         let times = film.clip().times();
-        let seconds = times.last().zip(times.first()).map_or(0.0, |(last, first)| last - first);
+        let whole = times.first().zip(times.last()).map_or([0.0; 2], |(first, last)| [*first, *last]);
+        let seconds = whole[1] - whole[0];
         Some(Self {
             name: film.identity().name.clone(),
             extent: (times.len(), seconds, film.clip().size()),
+            whole,
             factor: film.typed_factor(),
             part: film.part(),
             ends: film.ends(),

@@ -26,6 +26,7 @@ table_of_words! {
     space_time_hint: "A strip along the tube from every frame. Drag the curve up or down where it is wrong", "Una franja a lo largo del tubo de cada fotograma. Arrastra la curva arriba o abajo donde esté mal";
     space_time_keys: "Left and right: frames. Up and down: move the surface in this frame, with Shift ten rows; Enter sets it, Escape leaves it, Delete forgets a correction.", "Izquierda y derecha: fotogramas. Arriba y abajo: mover la superficie en este fotograma, con Mayús diez filas; Intro la fija, Escape la abandona, Suprimir olvida una corrección.";
     from_model: "from the model", "del modelo";
+    model_far: "the model is far away: set the origin, or fit", "el modelo está lejos: fija el origen o ajusta";
     play: "Play the film", "Reproducir el vídeo";
     pause: "Pause the film", "Pausar el vídeo";
 
@@ -69,7 +70,7 @@ table_of_words! {
     filming_rate: "Frame rate", "Frecuencia";
     filming_exposure: "Exposure", "Exposición";
     filming_noise: "Noise", "Ruido";
-    filming_seed: "Seed of the noise", "Semilla del ruido";
+    filming_seed: "Noise seed", "Semilla del ruido";
     filming_ruler: "In the picture, 640 × 360 px, stands a ruler of", "En la imagen, de 640 × 360 px, hay una regla de";
     filming_no_ruler: "The drawing has no scale of lengths: the record stays in pixels. The picture has 640 × 360 px.", "El dibujo no tiene escala de longitudes: el registro queda en píxeles. La imagen tiene 640 × 360 px.";
     start_filming: "Film", "Filmar";
@@ -110,7 +111,7 @@ table_of_words! {
     resting_marks: "Resting marks", "Marcas inmóviles";
     difficult_note: "A tube that is not upright: two points of its axis. A camera that shakes: two to four marks that rest, in the first frame of the part.", "Un tubo que no es vertical: dos puntos de su eje. Una cámara que tiembla: de dos a cuatro marcas inmóviles, en el primer fotograma de la parte.";
     forget_marks: "Forget the resting marks", "Olvidar las marcas inmóviles";
-    hint_ruler: "Two marks and the length between them. Without a ruler the record stays in pixels.", "Dos marcas y la longitud entre ellas. Sin regla, el registro queda en píxeles.";
+    hint_ruler: "Two marks and the length between them; without a ruler the record stays in pixels. The origin is the point at which the quantity of the model is zero.", "Dos marcas y la longitud entre ellas; sin regla, el registro queda en píxeles. El origen es el punto en el que la magnitud del modelo es cero.";
     click_ruler: "Two marks", "Dos marcas";
     set_origin: "Origin", "Origen";
     set_axis: "x axis", "Eje x";

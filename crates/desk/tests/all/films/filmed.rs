@@ -85,6 +85,11 @@ fn a_track_is_compared_with_the_truth() {
     let mut desk = open(SIMULATION, &[]);
     let recipe = recipe(&desk, |_| ());
     assert_eq!(filmed(&mut desk, &recipe, 75), FilmOpening::New);
+    assert!(
+        desk.film_notes().iter().any(|note| note.starts_with("Virtual camera: exposure 4.0 ms")),
+        "{:?}",
+        desk.film_notes()
+    );
     let [comparison] = &desk.compare_with_truth()[..] else { panic!("one surface") };
     assert!((0.001..0.1).contains(&comparison.rms), "{}", comparison.rms);
     assert_eq!(comparison.metres, Some(comparison.rms * PIXEL));
@@ -111,7 +116,7 @@ fn the_same_recipe_is_the_same_film_at_the_next_visit() {
     for (name, item) in &saved {
         assert_eq!(next.restore_film(item).as_ref(), Some(name));
     }
-    assert_eq!(next.film_recipes(), [recipe.clone()]);
+    assert_eq!(next.film_recipes(), std::slice::from_ref(&recipe));
     let play = next.filmed_play(&recipe).unwrap();
     assert_eq!(play.parameter_values(), desk.play().from_start().parameter_values());
     assert_eq!(filmed(&mut next, &recipe, 75), FilmOpening::TakenUp);

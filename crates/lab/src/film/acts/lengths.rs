@@ -41,7 +41,7 @@ pub fn view(app: App) -> View {
         .child(tool_button(app, "film-set-origin", Tool::Origin, words.set_origin))
         .child(tool_button(app, "film-set-axis", Tool::Axis, words.set_axis));
     let fields = div()
-        .class("step-line")
+        .class("fields")
         .child(field_of("film-length", words.length).child(length))
         .child(field_of("film-intervals", words.intervals).child(intervals));
     let ruler = move || app.films.now.with(|now| now.as_ref().and_then(|now| now.ruler.clone()));

@@ -50,7 +50,8 @@ fn factor(app: App) -> View {
         let typed = value_of(&event);
         refuse(app, app.attempt_on_desk(|desk| desk.set_film_factor(&typed)));
     };
-    let field = short_field("film-factor".to_owned()).prop("value", now).when(events::change, take);
+    let field =
+        short_field("film-factor".to_owned()).attr("placeholder", "1").prop("value", now).when(events::change, take);
     View::from((field_of("film-factor", words.factor).child(field), note(words.factor_note)))
 }
 
@@ -77,7 +78,15 @@ fn part(app: App) -> View {
             let times = player.map(|player| player.source.film.times()).unwrap_or_default();
             set(times.get(app.films.frame.get_untracked()).copied());
         };
-        let field = short_field(id.to_owned()).prop("value", shown).when(events::change, take);
+        let whole = memo(move || {
+            let style = app.language.get_untracked().style();
+            let ends = app.films.now.with(|now| now.as_ref().map(|now| now.whole)).unwrap_or_default();
+            units::number::fixed(ends.get(end).copied().unwrap_or_default(), 3, style)
+        });
+        let field = short_field(id.to_owned())
+            .attr("placeholder", move || whole.get_clone())
+            .prop("value", shown)
+            .when(events::change, take);
         div()
             .class("step-line")
             .child(field_of(id, name).child(with_unit(field, "s")))

@@ -134,7 +134,7 @@ fn form(app: App) -> View {
         .child(note(words.filming_note))
         .child(
             div()
-                .class("step-line")
+                .class("fields")
                 .child(field("filming-seconds", words.filming_seconds, seconds, "s"))
                 .child(field("filming-rate", words.filming_rate, rate, "1/s"))
                 .child(field("filming-exposure", words.filming_exposure, exposure, "ms"))
@@ -155,7 +155,7 @@ fn progress(app: App) -> View {
     };
     let said = move || {
         let [taken, of] = now();
-        format!("{} {taken} / {of}", words.frame)
+        format!("{}: {} {taken} / {of}", words.filming, words.frame)
     };
     let cancel = move |_| {
         app.films.filming.set(None);

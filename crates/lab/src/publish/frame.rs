@@ -1,7 +1,7 @@
 //! The code of a frame that shows the page inside another page.
 
-use super::words::Words;
-use super::{stem, words};
+use super::present::stem;
+use super::words::{self, Words};
 use crate::app::App;
 use crate::{carried, library, visited};
 use play::{Embedding, PagePart, Subject};
@@ -41,7 +41,7 @@ fn address(app: App) -> String {
 
 /// The section.
 pub fn view(app: App) -> View {
-    let words = words(app);
+    let words = words::of(app);
     let frame = create_signal(Frame {
         address: address(app),
         width: "100%".to_owned(),
@@ -80,7 +80,7 @@ pub fn view(app: App) -> View {
 
 /// The code as it is now, and a button that copies it.
 fn code(app: App, frame: Signal<Frame>) -> View {
-    let words = words(app);
+    let words = words::of(app);
     let code = memo(move || frame.with(|frame| frame.code(app)));
     let copied = create_signal(None::<&'static str>);
     let copy = move |_| {
@@ -132,7 +132,7 @@ fn name(words: &Words, part: PagePart) -> &'static str {
 
 /// The choice of a language among those of the document.
 fn languages(app: App, frame: Signal<Frame>) -> HtmlLabel {
-    let words = words(app);
+    let words = words::of(app);
     let known: Vec<String> = app.read(|play| play.program().languages().map(str::to_owned).collect());
     let offered = Language::ALL.into_iter().filter(|language| known.iter().any(|tag| tag == language.tag()));
     let choose = move |event| {

@@ -1,6 +1,7 @@
 //! The link, and its QR code.
 
-use super::{close, stem, words};
+use super::present::stem;
+use super::{window, words};
 use crate::app::App;
 use crate::links;
 use qrcodegen::{QrCode, QrCodeEcc};
@@ -27,11 +28,11 @@ enum Shown {
 
 /// The section.
 pub fn view(app: App) -> View {
-    let words = words(app);
+    let words = words::of(app);
     let copy =
         button().class("action").id("copy-link").title(app.page.words().share_title).child(app.page.words().share);
     let copy = copy.when(events::click, move |_| {
-        close();
+        window::close();
         links::share(app);
     });
     let shown = create_signal(Shown::Nothing);
@@ -62,7 +63,7 @@ pub fn view(app: App) -> View {
 }
 
 fn code_of_link(app: App, address: &str) -> Shown {
-    let words = words(app);
+    let words = words::of(app);
     if address.starts_with("file:") {
         return Shown::Refused(words.qr_from_disk);
     }
@@ -71,7 +72,7 @@ fn code_of_link(app: App, address: &str) -> Shown {
 
 /// The code, and a button that saves it.
 fn code_view(app: App, svg: String) -> View {
-    let words = words(app);
+    let words = words::of(app);
     let picture = div().class("qr").role("img").attr("aria-label", words.qr_label).inner_html(svg.clone());
     let save = button().class("quiet outlined").id("save-qr").child(words.qr_save);
     let save = save.when(events::click, move |_| {
@@ -82,7 +83,7 @@ fn code_view(app: App, svg: String) -> View {
 
 /// Why the link has no code, and a field for an address that gets one.
 fn other_address(app: App, why: &'static str) -> View {
-    let words = words(app);
+    let words = words::of(app);
     let typed = create_signal(String::new());
     let field = input()
         .r#type("url")

@@ -1,6 +1,7 @@
 //! The page that plays the document: the file that `meniscus export` writes, too.
 
-use super::{files, stem, words};
+use super::present::{files, stem};
+use super::words;
 use crate::app::App;
 use crate::{carried, packing};
 use document::page::{self, Source};
@@ -24,8 +25,8 @@ impl Page {
     /// Begins to make the page of the open document as it stands in the editor.
     pub fn prepare(app: App) -> Self {
         let state = create_signal(State::Preparing);
-        let words = words(app);
-        let sources = files::present(app);
+        let words = words::of(app);
+        let sources = files(app);
         wasm_bindgen_futures::spawn_local(async move {
             let made = match made(&sources).await {
                 Ok(page) => State::Ready(Rc::new(page)),
@@ -43,7 +44,7 @@ impl Page {
 
     /// The section, with a button that saves the page and says how large it is.
     pub fn view(self, app: App) -> View {
-        let words = words(app);
+        let words = words::of(app);
         let Self(state) = self;
         let save = move |_| {
             if let State::Ready(page) = state.get_clone_untracked() {

@@ -1,5 +1,6 @@
 //! The words of publishing in every language.
 
+use crate::app::App;
 use view::table_of_words;
 
 table_of_words! {
@@ -58,4 +59,9 @@ table_of_words! {
     project_intro: "Everything in one file: document, translations, present values, records, fits, work on films and answers. Open it or drop it on this page to go on.", "Todo en un archivo: documento, traducciones, valores actuales, registros, ajustes, trabajo en vídeos y respuestas. Ábrelo o suéltalo en esta página para continuar.";
     project_save: "Save project", "Guardar proyecto";
     source_save: "Save as file", "Guardar como archivo";
+}
+
+/// The words in the language of the page, without tracking: whatever shows them is built again for another language.
+pub fn of(app: App) -> &'static Words {
+    words_in(app.language.get_untracked())
 }

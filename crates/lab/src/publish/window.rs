@@ -1,0 +1,21 @@
+//! The window of the dialog.
+
+use view::browser;
+use web_sys::HtmlDialogElement;
+
+/// The id of the dialog.
+pub const ID: &str = "publish";
+
+/// Opens the dialog.
+pub fn open() {
+    if let Some(dialog) = browser::by_id::<HtmlDialogElement>(ID) {
+        let _ = dialog.show_modal();
+    }
+}
+
+/// Closes the dialog, so that the line of messages can be seen.
+pub fn close() {
+    if let Some(dialog) = browser::by_id::<HtmlDialogElement>(ID) {
+        dialog.close();
+    }
+}

@@ -1,34 +1,51 @@
-//! Dimensions: products of powers of the seven SI base quantities.
+//! Dimensions: products of powers of the seven SI base quantities, and of pixels.
+//!
+//! A pixel is a quantity of its own and not a pure number: how long it is differs from film to film, and a position in pixels must
+//! neither fit an angle nor, before the film has a scale, a length.
 
 use crate::Exponent;
 use std::fmt;
 
 /// The symbols of the base units, in the order in which dimensions are printed.
-const BASE: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];
+const BASE: [&str; 8] = ["kg", "m", "s", "A", "K", "mol", "cd", "px"];
 
-/// Exponents of kg, m, s, A, K, mol, cd.
+/// Exponents of kg, m, s, A, K, mol, cd, px.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Dimension([Exponent; 7]);
+pub struct Dimension([Exponent; 8]);
 
 impl Dimension {
     /// A pure number.
-    pub const NONE: Self = Self([Exponent::ZERO; 7]);
+    pub const NONE: Self = Self([Exponent::ZERO; 8]);
     /// kg
     pub const MASS: Self = Self::base_quantity(0);
     /// m
     pub const LENGTH: Self = Self::base_quantity(1);
     /// s
     pub const TIME: Self = Self::base_quantity(2);
+    /// px
+    pub const PIXEL: Self = Self::base_quantity(7);
 
     const fn base_quantity(index: usize) -> Self {
-        let mut exponents = [Exponent::ZERO; 7];
+        let mut exponents = [Exponent::ZERO; 8];
         exponents[index] = Exponent::ONE;
         Self(exponents)
     }
 
     /// From whole exponents of kg, m, s, A, K, mol, cd.
     pub fn from_whole(exponents: [i8; 7]) -> Self {
-        Self(exponents.map(Exponent::from))
+        let mut dimension = Self::NONE;
+        dimension.0.iter_mut().zip(exponents).for_each(|(to, exponent)| *to = Exponent::from(exponent));
+        dimension
+    }
+
+    /// Whether it becomes `other` once a pixel has a length: that of a film without a scale, beside that of a model.
+    pub fn lacks_scale_for(self, other: Self) -> bool {
+        let [_, lengths, .., pixels] = self.0;
+        let mut scaled = self;
+        let sum = lengths.plus(pixels);
+        scaled.0[7] = Exponent::ZERO;
+        scaled.0[1] = sum.unwrap_or(lengths);
+        !pixels.is_zero() && sum.is_some() && scaled == other
     }
 
     /// Whether it is a pure number.
@@ -69,7 +86,7 @@ impl Dimension {
         self.power(Exponent::new(1, i64::from(degree))?)
     }
 
-    /// The base units it is made of, each with its exponent, which is not 0: `kg`, `m`, `s`, `A`, `K`, `mol`, `cd`.
+    /// The base units it is made of, each with its exponent, which is not 0: `kg`, `m`, `s`, `A`, `K`, `mol`, `cd`, `px`.
     pub fn base(&self) -> impl Iterator<Item = (&'static str, Exponent)> + '_ {
         BASE.into_iter().zip(self.0).filter(|(_, exponent)| !exponent.is_zero())
     }
@@ -120,6 +137,16 @@ mod tests {
             dimension = dimension.and_then(|d| d.times(d));
         }
         assert_eq!(dimension, None);
+    }
+
+    #[test]
+    fn pixels_are_lengths_without_a_scale() {
+        let speed = Dimension::LENGTH.per(Dimension::TIME).unwrap();
+        let in_pixels = Dimension::PIXEL.per(Dimension::TIME).unwrap();
+        assert!(in_pixels.lacks_scale_for(speed) && Dimension::PIXEL.lacks_scale_for(Dimension::LENGTH));
+        assert!(!in_pixels.lacks_scale_for(Dimension::LENGTH) && !speed.lacks_scale_for(speed));
+        assert!(!in_pixels.lacks_scale_for(in_pixels) && !Dimension::PIXEL.lacks_scale_for(Dimension::NONE));
+        assert_eq!(in_pixels.to_string(), "s^-1 px");
     }
 
     #[test]

@@ -7,8 +7,7 @@ use std::f64::consts::PI;
 /// One unit symbol.
 pub(crate) struct Symbol {
     pub(crate) text: &'static str,
-    /// Exponents of kg, m, s, A, K, mol, cd.
-    exponents: [i8; 7],
+    dimension: Base,
     pub(crate) scale: Scale,
     /// Whether it takes prefixes: `cm`, but not `cmin`.
     prefixes: bool,
@@ -16,12 +15,23 @@ pub(crate) struct Symbol {
 
 impl Symbol {
     pub(crate) fn dimension(&self) -> Dimension {
-        Dimension::from_whole(self.exponents)
+        match self.dimension {
+            Base::Si(exponents) => Dimension::from_whole(exponents),
+            Base::Pixel => Dimension::PIXEL,
+        }
     }
 }
 
+/// What a unit measures.
+enum Base {
+    /// Exponents of kg, m, s, A, K, mol, cd.
+    Si([i8; 7]),
+    /// A place in a picture.
+    Pixel,
+}
+
 const fn symbol(text: &'static str, exponents: [i8; 7], scale: Scale, prefixes: bool) -> Symbol {
-    Symbol { text, exponents, scale, prefixes }
+    Symbol { text, dimension: Base::Si(exponents), scale, prefixes }
 }
 
 /// Values of units outside the SI after the SI brochure, 9th edition (2019), table 8, and ISO 80000; the
@@ -69,6 +79,7 @@ const SYMBOLS: &[Symbol] = &[
     symbol("erg", [1, 2, -2, 0, 0, 0, 0], Scale::decimal(1, -7), false),
     symbol("cal", [1, 2, -2, 0, 0, 0, 0], Scale::decimal(4184, -3), true),
     symbol("eV",  [1, 2, -2, 0, 0, 0, 0], Scale::decimal(1_602_176_634, -28), true),
+    Symbol { text: "px", dimension: Base::Pixel, scale: Scale::ONE, prefixes: false },
 ];
 
 /// Prefixes and their powers of ten; `da` before `d`, so that the longer one is tried first.

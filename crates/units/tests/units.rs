@@ -40,6 +40,8 @@ fn symbols_have_their_dimension_and_value() {
         ("J", "kg m^2 s^-2", 1.0),
         ("kcal", "kg m^2 s^-2", 4184.0),
         ("eV", "kg m^2 s^-2", 1.602176634e-19),
+        ("px", "px", 1.0),
+        ("px/s", "s^-1 px", 1.0),
         ("W", "kg m^2 s^-3", 1.0),
         ("V", "kg m^2 s^-3 A^-1", 1.0),
         ("ohm", "kg m^2 s^-3 A^-2", 1.0),

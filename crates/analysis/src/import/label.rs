@@ -253,7 +253,7 @@ mod tests {
         ("t [ticks]", "|t|?ticks"),
         ("Time: ticks", "|Time|?ticks"),
         ("t / frames", "|t|?frames"),
-        ("y [px]", "|y|?px"),
+        ("y [blips]", "|y|?blips"),
         ("y (left)", "|y (left)|?left"),
         ("y (left) [cm]", "|y (left)|cm"),
         ("ω(t)", "|ω(t)|"),

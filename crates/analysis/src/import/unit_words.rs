@@ -4,7 +4,7 @@ use units::Unit;
 
 /// What stands over columns besides the symbols, in the languages of loggers and spreadsheets, in small letters and in the
 /// singular; an `s`, `n` or `es` at the end does not matter. A document must use the symbols.
-const WORDS: [(&str, &[&str]); 30] = [
+const WORDS: [(&str, &[&str]); 31] = [
     ("s", &["sec", "second", "seg", "segundo", "sek", "sekunde", "seconde", "secondo", "secondi"]),
     (
         "ms",
@@ -51,6 +51,7 @@ const WORDS: [(&str, &[&str]); 30] = [
     ("%", &["percent", "prozent", "por ciento", "porcentaje"]),
     ("T", &["tesla"]),
     ("ohm", &["ohmio", "Ω"]),
+    ("px", &["pixel", "píxel", "pxl"]),
 ];
 
 /// The unit of this name; `None` where it is not known. The empty text and `-` are a pure number.
@@ -171,7 +172,7 @@ mod tests {
             let found = unit.map(|unit| (unit.dimension, unit.factor));
             assert_eq!(found, Some((expected.dimension, expected.factor)), "{text}");
         }
-        for text in ["px", "left", "ticks", "a.u.", "°C", "of the year", "y"] {
+        for text in ["blips", "left", "ticks", "a.u.", "°C", "of the year", "y"] {
             assert!(read(text).is_none(), "{text}");
         }
     }

@@ -160,11 +160,11 @@ const CASES: &[Case] = &[
     ),
     (
         "a unit nobody knows",
-        "t [s],y [px]\n0,1\n1,2\n",
+        "t [s],y [blips]\n0,1\n1,2\n",
         "commas, decimal point, 1 header line
 *t [s]=0 1
 1:y=1 2
-! `px`, the unit of y, is not known; until one is stated, its numbers have none",
+! `blips`, the unit of y, is not known; until one is stated, its numbers have none",
     ),
     (
         "three bodies side by side, each with its own time",

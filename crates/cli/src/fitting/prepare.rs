@@ -174,7 +174,13 @@ fn record(
         let column = measured.column(observe, &columns)?;
         measured.check_unit(column)?;
         let observation = observation(&document.program.model, &measured.table, column, name, compiled.clone())
-            .map_err(|error| Failure::request(format!("{}: {error}", measured.name)))?;
+            .map_err(|error| {
+                let message = format!("{}: {error}", measured.name);
+                match error.lacks_scale() {
+                    true => Failure::with_hint(message, "give the film a scale: two points of its ruler, `meniscus track FILM --scale 'X1,Y1,X2,Y2=10 [cm]'`"),
+                    false => Failure::request(message),
+                }
+            })?;
         record.observations.push(observation);
         columns.push(column);
     }

@@ -3,6 +3,7 @@
 use crate::fits::fit::{Job, Part};
 use crate::records::recognise::observed;
 use crate::records::record::{Record, Use};
+use crate::records::understood::{lacks_scale, no_scale};
 use crate::words::fit_error;
 use crate::{Desk, Refusal, words};
 use analysis::fit::{FitError, Observation, Task, Varied};
@@ -42,6 +43,11 @@ impl Desk {
         let mut records = Vec::with_capacity(definition.parts.len());
         for part in &definition.parts {
             let record = self.record(part.record).ok_or_else(unknown)?;
+            if let Some(used) = part.uses.iter().find(|used| used.fitted && lacks_scale(model, used)) {
+                let language = self.play.language();
+                let why = format!("{}, {}: {}.", record.name, used.meaning.quantity, no_scale(language));
+                return Err(Refusal::Fit { why });
+            }
             let observations = observations(record, &part.uses, model);
             if observations.is_empty() && definition.parts.len() > 1 {
                 let why = format!("{}: {}", record.name, fit_error(self.play.language(), &FitError::NothingObserved));

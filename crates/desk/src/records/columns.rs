@@ -30,7 +30,10 @@ impl Desk {
         let Some(record) = self.record_mut(id) else { return };
         if let Some(used) = record.uses.get_mut(column) {
             let unit = match unit {
-                Some(unit) if unit.dimension != used.meaning.unit.dimension => {
+                Some(unit)
+                    if unit.dimension != used.meaning.unit.dimension
+                        && !used.meaning.unit.dimension.lacks_scale_for(unit.dimension) =>
+                {
                     used.stated = false;
                     unit
                 }

@@ -10,7 +10,7 @@ pub(crate) mod recognise;
 pub(crate) mod record;
 mod runs;
 mod sample;
-mod understood;
+pub(crate) mod understood;
 
 pub use intake::RecordProgress;
 pub use list::{ColumnView, RecordView};

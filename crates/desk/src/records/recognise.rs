@@ -88,7 +88,10 @@ pub(crate) fn recognise(table: &Table, document: &Document, labels: &dyn Fn(&str
     // The body whose columns count, where there are several: the first.
     let body = table.columns.iter().find_map(|column| column.body.as_ref());
     let of_body = |column: &Column| column.body.is_none() || column.body.as_ref() == body;
-    let fits = |column: &Column, unit: &Unit| column.unit.as_ref().is_none_or(|own| own.dimension == unit.dimension);
+    // Without a scale the positions of a film are those lengths, and are said to lack it.
+    let same =
+        |own: &Unit, unit: &Unit| own.dimension == unit.dimension || own.dimension.lacks_scale_for(unit.dimension);
+    let fits = |column: &Column, unit: &Unit| column.unit.as_ref().is_none_or(|own| same(own, unit));
     let errors: BTreeSet<usize> = (0..table.columns.len()).filter_map(|column| table.errors_of(column)).collect();
     // First what is called as it is in the document, then as people call it, then by unit or place.
     let unknowns = 1 + known.iter().skip(1).take_while(|(name, _)| is_about(model, &subjects, name)).count();

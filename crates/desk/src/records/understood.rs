@@ -1,8 +1,10 @@
 //! What the file says of the unit of a column, and what is assumed.
 
 use crate::Desk;
+use crate::records::recognise::observed;
 use crate::records::record::{Record, Use};
 use analysis::origin::UnitOrigin;
+use program::Model;
 use units::Language;
 
 /// The unit of a column as a person sees it.
@@ -21,7 +23,8 @@ impl Desk {
         let (Some(column), Some(used)) = (record.table.columns.get(index), record.uses.get(index)) else {
             return Understood::default();
         };
-        let asked = record.asks_for_unit(&record.uses, index);
+        let lacks_scale = lacks_scale(self.play.model(), used);
+        let asked = record.asks_for_unit(&record.uses, index) || lacks_scale;
         let plain = used.meaning.unit.text.is_empty() && !asked;
         // What was made follows its source.
         if used.meaning.quantity.is_empty() || plain || record.how_made(index).is_some() {
@@ -32,12 +35,27 @@ impl Desk {
         }
         let assumed = column.unit.is_none() && !asked;
         let origin = match (assumed, self.play.language()) {
+            _ if lacks_scale => no_scale(self.play.language()).to_owned(),
             (true, Language::English) => "assumed: the file states none".to_owned(),
             (true, Language::Spanish) => "supuesta: el archivo no la indica".to_owned(),
             (false, _) => column.origin.unit.text(self.play.language()),
         };
         Understood { origin, assumed, asked }
     }
+}
+
+/// Whether a column holds positions in pixels and its quantity is a length: the film has no scale.
+pub(crate) fn lacks_scale(model: &Model, used: &Use) -> bool {
+    let expected = observed(model, &used.meaning.quantity).filter(|_| !used.meaning.quantity.is_empty());
+    expected.is_some_and(|expected| used.meaning.unit.dimension.lacks_scale_for(expected.dimension()))
+}
+
+/// What to do about it.
+pub(crate) fn no_scale(language: Language) -> &'static str {
+    language.pick(
+        "in pixels: give the film a scale: two clicks on the ruler",
+        "en píxeles: da una escala al vídeo: dos clics en la regla",
+    )
 }
 
 impl Record {

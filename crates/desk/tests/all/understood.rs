@@ -20,12 +20,12 @@ fn units(desk: &Desk, record: usize) -> Vec<String> {
 #[test]
 fn assumed_units_are_marked_and_unknown_ones_asked_for() {
     let mut desk = utube();
-    let id = desk.add_record("a", b"t,y [cm],v [px/s]\n0,1,2\n0.1,3,9\n0.2,4,1\n").unwrap();
+    let id = desk.add_record("a", b"t,y [cm],v [ticks/s]\n0,1,2\n0.1,3,9\n0.2,4,1\n").unwrap();
     assert_eq!(units(&desk, 0), ["t s assumed", "y cm", "y'  asked"]);
     let origins = |desk: &Desk| -> Vec<String> {
         desk.records().remove(0).columns.into_iter().map(|column| column.unit_origin).collect()
     };
-    assert_eq!(origins(&desk), ["assumed: the file states none", "from the header", "unknown unit: `px/s`"]);
+    assert_eq!(origins(&desk), ["assumed: the file states none", "from the header", "unknown unit: `ticks/s`"]);
     // What is asked for is not drawn before it is answered.
     let saved = desk.saved_records();
     desk.set_column_unit(id, 2, "cm/s").unwrap();

@@ -65,7 +65,7 @@ pub(crate) fn table(rows: &[Row], language: Language, name_of: impl Fn(usize) ->
 }
 
 /// The base units in the order of the columns.
-const BASE: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];
+const BASE: [&str; 8] = ["kg", "m", "s", "A", "K", "mol", "cd", "px"];
 
 fn cells(form: &Form, name_of: &impl Fn(usize) -> String) -> Vec<(String, Exponent)> {
     let known = form.known.base().map(|(symbol, exponent)| (symbol.to_owned(), exponent));

@@ -272,3 +272,21 @@ fn what_cannot_be_tracked_is_refused_with_words() {
     let spanish = track(&film, &["--surface", "200,40", "--language", "es"]);
     assert!(spanish.stderr.contains("está fuera de la imagen"), "{}", spanish.stderr);
 }
+
+#[test]
+fn a_table_in_pixels_is_no_table_of_lengths() {
+    let (folder, film) = tubes_film();
+    let table = folder.path().join("tubes.csv");
+    tracked(&film, &["--surface", "50,42", "--output", word(&table)]);
+    let fit = ["fit", "simulations/theories/linear.md", word(&table), "--observe", "y"];
+    let done = meniscus(&fit);
+    assert_ne!(done.code, 0);
+    assert!(done.stderr.contains("column y is in px, and what is observed is in m"), "{}", done.stderr);
+    assert!(done.stderr.contains("give the film a scale: two points of its ruler"), "{}", done.stderr);
+    // Stated as if a pixel were a millimetre.
+    let done = meniscus(&[&fit[..], &["--unit", "y=mm", "--unit", "sigma_y=mm"]].concat());
+    assert_eq!(done.code, 0, "{}", done.stderr);
+    // A period needs no scale.
+    let done = meniscus(&["cycles", word(&table)]);
+    assert!(done.code == 0 && done.stdout.contains("px"), "{} {}", done.stdout, done.stderr);
+}

@@ -186,8 +186,21 @@ fn without_a_scale_the_record_is_in_pixels() {
     assert!(desk.record_cells(record.id, 1, 0..1)[0].starts_with("15"), "{:?}", desk.record_cells(record.id, 1, 0..1));
     assert!(desk.film_notes().iter().any(|note| note.contains("pixels")));
     assert!(desk.film_model_at(0, 0).is_none());
+    // A pixel is no length: nothing is drawn over the model's centimetres, and a fit says what to do.
+    let column = &record.columns[1];
+    assert_eq!((column.head.as_str(), column.quantity.as_str(), column.unit_asked), ("y [px]", "y", true));
+    assert!(!desk.has_points());
+    desk.vary(0, true);
+    let refused = desk.begin_fit("column.md").unwrap_err();
+    let text = desk.refusal_text(&refused);
+    assert!(text.contains("swing.mp4, y: in pixels: give the film a scale: two clicks on the ruler"), "{text}");
+    desk.set_language("es");
+    let refused = desk.begin_fit("column.md").unwrap_err();
+    assert!(desk.refusal_text(&refused).contains("dos clics en la regla"));
+    desk.set_language("en");
     let id = record.id;
     desk.calibrate_film(ruler(), None).unwrap();
+    assert!(desk.has_points());
     assert_eq!((desk.records()[0].id, desk.records()[0].columns[1].head.as_str()), (id, "y [m]"));
 }
 
@@ -324,4 +337,26 @@ fn the_report_of_a_fit_shows_the_film() {
     desk.close_film();
     let page = report(&desk);
     assert!(page.contains("The film swing.mp4") && !page.contains("data:image/png"));
+}
+
+/// A model whose lengths are pixels needs no scale.
+#[test]
+fn a_record_in_pixels_is_fitted_by_a_model_in_pixels() {
+    let theory = THEORY.replace("[cm] ", "[px] ").replace("[cm/s]", "[px/s]").replace("in -20..20", "in -200..200");
+    let mut desk = open(&theory.replace("in -50..50", "in -500..500"), &[]);
+    desk.open_film(identity("swing.mp4"), container(75)).unwrap();
+    desk.follow_in_film(surface()).unwrap();
+    track(&mut desk, &frame);
+    let columns = &desk.records()[0].columns;
+    assert_eq!((columns[1].quantity.as_str(), columns[1].unit.as_str(), columns[1].unit_asked), ("y", "px", false));
+    assert!(desk.has_points());
+    (0..4).chain([5]).for_each(|choice| desk.vary(choice, true));
+    desk.begin_fit("column.md").unwrap();
+    while desk.advance_fit() {}
+    let detail = desk.fit_detail(desk.fits()[0].id).unwrap();
+    let start = detail.estimates.iter().find(|one| one.name == "y_0").unwrap();
+    let (value, _) = desk::number::parse(&start.value, desk.play().style()).unwrap();
+    // Four centimetres above rest, in pixels of a millimetre.
+    assert!(start.unit == "px" && (value - 40.0).abs() < 0.5, "{start:?}");
+    assert!(!detail.sentences.iter().any(|one| one.contains("Scale of the film")));
 }

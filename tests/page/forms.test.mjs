@@ -58,7 +58,7 @@ visit("a cell changes its place in the text, the simulation follows, and comment
 visit("a fault stands beside its cell with a remedy, and the last good version runs on", async (lab) => {
   await forms(lab);
   await field(lab, "k: Unit").fill("N");
-  await eventually(async () => assert.match(await status(lab).innerText(), /^1 error\. The last version/));
+  await eventually(async () => assert.match(await status(lab).innerText(), /^\d errors?\. The last version/));
   const line = lab.page.locator(".statement", { has: lab.page.locator(".brief.error") });
   await line.first().waitFor();
   await field(lab, "k: Unit").fill("N/m");
@@ -125,7 +125,8 @@ visit("the forms are worked with keys alone, and what the cursor is on is explai
   await lab.keys("Control+z");
   await eventually(async () => assert.doesNotMatch(await text(lab), /parameter k\s+= 30 /));
   await field(lab, "k: Unit").focus();
-  await eventually(async () => assert.match(await lab.page.locator("#insight").innerText(), /N|stiffness/));
+  await lab.keys("Home");
+  await eventually(async () => assert.match(await lab.page.locator("#insight").innerText(), /^N: force/));
   const equation = lab.page.locator(".statement input").first();
   await equation.focus();
   await lab.keys("Home", "ArrowRight");
@@ -135,6 +136,33 @@ visit("the forms are worked with keys alone, and what the cursor is on is explai
   await lab.keys("Control+Home");
   await lab.page.keyboard.press("ArrowDown");
   await eventually(async () => assert.match(await lab.page.locator("#insight").innerText(), /title/));
+});
+
+visit("a translation is begun, written beside the texts of the document, and its missing texts are counted", async (lab) => {
+  await forms(lab);
+  await panel(lab, "Translation");
+  await lab.press("Begin a translation");
+  const count = lab.page.locator(".sides-count");
+  await eventually(async () => assert.match(await count.innerText(), /^1\d texts have no translation\.$/));
+  const before = Number.parseInt(await count.innerText(), 10);
+  const side = (original) => lab.page.locator(".side", { has: lab.page.getByText(original, { exact: true }) }).locator("textarea");
+  await side("Stiffness of the spring").fill("Rigidez del resorte");
+  await side("A mass hangs on a spring. Drag it and let go.").fill("Una masa cuelga de un resorte.");
+  await eventually(async () => assert.equal(Number.parseInt(await count.innerText(), 10), before - 2));
+  await side("Mass").fill('a" = "b');
+  await lab.page.locator(".side .refusal", { hasText: "does not fit" }).waitFor();
+  await side("Mass").fill("Masa");
+  await lab.page.locator("#only-missing").check();
+  await eventually(async () => assert.equal(await lab.page.locator(".side").count(), before - 3));
+  await runs(lab);
+  await lab.press("ES – Español");
+  await lab.tab("Jugar").catch(() => lab.page.locator("#tab-play").click());
+  await eventually(async () => assert.ok(await lab.page.getByText("Rigidez del resorte").first().isVisible()));
+  await lab.page.locator("#tab-write").click();
+  await panel(lab, "Texto");
+  await lab.page.getByLabel("Archivo").selectOption("oscillator.es.md");
+  await now(lab, /"Stiffness of the spring" = "Rigidez del resorte"/);
+  await now(lab, /\nUna masa cuelga de un resorte\.\n/);
 });
 
 for (const [device, size] of [["desk", {}], ["phone", { width: 390, height: 844, touch: true }]]) {

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 
 mod arbitrary;
+mod asked;
 mod assist;
 mod bundles;
 #[path = "../../../model/tests/all/common/catalogue.rs"]
@@ -22,3 +23,4 @@ mod scene;
 mod simulations;
 mod spanish;
 mod theories;
+mod translating;

@@ -67,7 +67,7 @@ visit("a fault stands beside its cell with a remedy, and the last good version r
   await field(lab, "k: Unit").fill("Nm/kgg");
   await eventually(async () => assert.equal(await field(lab, "k: Unit").getAttribute("aria-invalid"), "true"));
   const described = await field(lab, "k: Unit").getAttribute("aria-describedby");
-  assert.match(await lab.page.locator(`#${described}`).innerText(), /kgg/);
+  assert.match(await lab.page.locator(`#${described}`).innerText(), /Nm/);
   await field(lab, "k: Unit").fill("N/m");
   await runs(lab);
   // A remedy is carried out where it stands.
@@ -154,15 +154,34 @@ visit("a translation is begun, written beside the texts of the document, and its
   await side("Mass").fill("Masa");
   await lab.page.locator("#only-missing").check();
   await eventually(async () => assert.equal(await lab.page.locator(".side").count(), before - 3));
-  await runs(lab);
+  await eventually(async () => assert.match(await status(lab).innerText(), /The simulation runs as written/));
   await lab.press("ES – Español");
-  await lab.tab("Jugar").catch(() => lab.page.locator("#tab-play").click());
+  await lab.page.locator("#tab-play").click();
   await eventually(async () => assert.ok(await lab.page.getByText("Rigidez del resorte").first().isVisible()));
   await lab.page.locator("#tab-write").click();
   await panel(lab, "Texto");
   await lab.page.getByLabel("Archivo").selectOption("oscillator.es.md");
   await now(lab, /"Stiffness of the spring" = "Rigidez del resorte"/);
   await now(lab, /\nUna masa cuelga de un resorte\.\n/);
+});
+
+visit("the questions stand with their answers, and one is added that the model answers", async (lab) => {
+  await forms(lab);
+  await panel(lab, "Questions");
+  const asked = lab.page.locator(".asked-one");
+  await eventually(async () => assert.match(await asked.first().innerText(), /Measure the period[^]*Answer\s+0\.99\d+ s[^]*T within 3 %[^]*Hidden until answered\s+T[^]*Hint\s+Count several/));
+  await lab.press("Question");
+  await lab.page.getByLabel("What is asked").fill("How long is one swing?");
+  await lab.page.getByLabel("Answer", { exact: true }).selectOption("T");
+  await lab.page.getByLabel("Tolerance in percent").fill("5");
+  await lab.press("Add question");
+  await eventually(async () => assert.equal(await asked.count(), 2));
+  await now(lab, /```question\nHow long is one swing\?\n\nhide: T\nanswer: T within 5 %\n```\n/);
+  await runs(lab);
+  await asked.nth(1).getByRole("button", { name: "Go to the text" }).click();
+  await eventually(async () => assert.ok(await editor(lab).evaluate((content) => content.contains(document.activeElement))));
+  await lab.tab("Activities");
+  await eventually(async () => assert.equal(await lab.page.locator(".question").count(), 2));
 });
 
 for (const [device, size] of [["desk", {}], ["phone", { width: 390, height: 844, touch: true }]]) {
@@ -172,8 +191,20 @@ for (const [device, size] of [["desk", {}], ["phone", { width: 390, height: 844,
       await field(lab, "k: Unidad").fill("kgg");
       await lab.page.locator(".brief.error").first().waitFor();
       await lab.page.evaluate(axe);
-      const { violations } = await lab.page.evaluate(() => window.axe.run("html"));
-      assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`), []);
+      const sound = async () => {
+        const { violations } = await lab.page.evaluate(() => window.axe.run("html"));
+        assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`), []);
+      };
+      await sound();
+      for (const other of ["Preguntas", "Traducción", "Modelo"]) {
+        await panel(lab, other);
+        if (other === "Preguntas") await lab.page.locator("#new-question").click();
+        if (other === "Traducción") {
+          await lab.press("Empezar una traducción");
+          await lab.page.locator(".sides-count").waitFor();
+        }
+        await sound();
+      }
       if (device === "phone") {
         assert.equal(await lab.page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0);
         const cell = await field(lab, "m: Valor").boundingBox();

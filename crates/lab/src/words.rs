@@ -156,6 +156,7 @@ table_of_words! {
     insight_none: "What the cursor is on is explained here.", "Aquí se explica aquello sobre lo que está el cursor.";
     panel_questions: "Questions", "Preguntas";
     questions_none: "This document asks no question yet.", "Este documento aún no hace ninguna pregunta.";
+    question_answer: "Answer", "Respuesta";
     question_supposes: "Supposes", "Supone";
     question_unlocks: "Hidden until answered", "Oculto hasta responder";
     question_explanation_title: "Explanation", "Explicación";

@@ -4,6 +4,8 @@ use super::{Panel, findings, panels, typing};
 use crate::app::App;
 use document::edit::{NewQuestion, add_question};
 use document::{Asked, asked, possible_answers};
+use program::QuestionText;
+use units::markup::escaped;
 use view::browser;
 use view::views::*;
 use web_sys::{HtmlInputElement, HtmlSelectElement, HtmlTextAreaElement, SubmitEvent};
@@ -15,38 +17,50 @@ pub fn view(app: App) -> View {
         app.written.track();
         asked(&document::read(&typing::text(app, 0)))
     });
-    let answers = memo(move || {
+    let shown = memo(move || {
         app.written.track();
         app.changes.parameters.track();
-        app.read(|play| (0..play.program().questions.len()).map(|one| play.computed_answer(one)).collect::<Vec<_>>())
+        let language = app.language.get_untracked().tag();
+        app.read(|play| {
+            let count = play.program().questions.len();
+            let one = |number| (play.program().question_text(language, number).clone(), play.computed_answer(number));
+            (0..count).map(one).collect::<Vec<_>>()
+        })
     });
     let list = move || {
-        let (all, answers) = (all.get_clone(), answers.get_clone());
+        let (all, shown) = (all.get_clone(), shown.get_clone());
         // Where one has an error, the numbers of the others are not certain.
-        let is_whole = all.len() == answers.len();
+        let is_whole = all.len() == shown.len();
         if all.is_empty() {
             return View::from(note(app.words().questions_none));
         }
         let card = |(number, one): (usize, Asked)| {
-            let answer = answers.get(number).filter(|_| is_whole).cloned();
-            card(app, number, one, answer)
+            let shown = shown.get(number).filter(|_| is_whole).cloned();
+            card(app, number, one, shown)
         };
         ol().class("asked").each(all.into_iter().enumerate(), card).into()
     };
     View::from((changing(list), form(app)))
 }
 
-/// A question with all that its readers see sooner or later.
-fn card(app: App, number: usize, one: Asked, computed: Option<String>) -> HtmlLi {
+/// A question with all that its readers see sooner or later: `shown` is how they see it, with the answer that is right at present;
+/// none where it has an error.
+fn card(app: App, number: usize, one: Asked, shown: Option<(QuestionText, String)>) -> HtmlLi {
     let words = app.words();
     let row = |name: &'static str, value: View| div().child(dt().child(name)).child(dd().child(value));
     let written =
         |name: &'static str, text: &str| (!text.is_empty()).then(|| row(name, code().child(text.to_owned()).into()));
-    let said = |name: &'static str, text: &str| (!text.is_empty()).then(|| row(name, text.to_owned().into()));
-    let answer = View::from((
-        code().child(one.answer.clone()),
-        computed.map_or_else(View::new, |value| View::from((" = ", strong().child(value)))),
-    ));
+    let (texts, computed) = shown.unzip();
+    let texts = texts.unwrap_or_else(|| QuestionText {
+        prompt: escaped(&one.prompt),
+        hint: Some(escaped(&one.hint)),
+        explanation: Some(escaped(&one.explanation)),
+    });
+    let said = |name: &'static str, html: Option<String>| {
+        html.filter(|html| !html.is_empty()).map(|html| row(name, div().inner_html(html).into()))
+    };
+    let computed = computed.map(|value| p().child(strong().child(value)));
+    let answer = View::from((computed.map_or_else(View::new, View::from), code().child(one.answer.clone())));
     let go = move |_| {
         panels::show(app, Panel::Text);
         findings::go_to(app, 0, one.place.start);
@@ -55,13 +69,13 @@ fn card(app: App, number: usize, one: Asked, computed: Option<String>) -> HtmlLi
     let id = format!("asked-{number}");
     li().class("asked-one")
         .child(h3().id(id.clone()).child(title))
-        .child(p().class("original").child(one.prompt.clone()))
+        .child(div().class("asked-prompt").inner_html(texts.prompt))
         .child(
-            dl().child(row(words.answer, answer))
+            dl().child(row(words.question_answer, answer))
                 .maybe(written(words.question_supposes, &one.set))
                 .maybe(written(words.question_unlocks, &one.hide))
-                .maybe(said(words.hint, &one.hint))
-                .maybe(said(words.question_explanation_title, &one.explanation)),
+                .maybe(said(words.hint, texts.hint))
+                .maybe(said(words.question_explanation_title, texts.explanation)),
         )
         .child(
             button().class("quiet").attr("aria-describedby", id).when(events::click, go).child(words.question_in_text),
@@ -120,7 +134,7 @@ fn form(app: App) -> View {
         .hidden(move || !open.get())
         .when(events::submit, add)
         .child(line("new-prompt", words.question_prompt_title, prompt.attr("required", "").into()))
-        .child(line("new-answer", words.answer, answer.child(options).into()))
+        .child(line("new-answer", words.question_answer, answer.child(options).into()))
         .child(line("new-percent", words.question_tolerance, percent.into()))
         .child(line("new-hint", words.hint, hint.into()))
         .child(switch(hides, words.question_hides))

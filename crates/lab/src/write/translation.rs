@@ -91,6 +91,7 @@ fn row(app: App, file: usize, all: ReadSignal<Vec<Pair>>, number: usize, key: Te
     let pair = memo(move || all.with(|all| all.iter().find(|pair| pair.key == own).cloned()));
     let missing = move || pair.with(|pair| pair.as_ref().is_some_and(is_missing));
     let is_long = original.contains('\n') || original.chars().count() > 60 || matches!(key, TextKey::Prose(..));
+    let is_label = matches!(key, TextKey::Short(_));
     let mut field = textarea().class("cell prose-cell").id(id.clone());
     let node: HtmlTextAreaElement = field.node();
     effect(move || {
@@ -114,9 +115,10 @@ fn row(app: App, file: usize, all: ReadSignal<Vec<Pair>>, number: usize, key: Te
     let mark = move || {
         if missing() { View::from(span().class("missing").child(app.words().translation_mark)) } else { View::new() }
     };
-    let kind = if is_long { "" } else { " short-side" };
+    let kind = if is_label && !is_long { " short-side" } else { "" };
     li().class(move || format!("side{kind}{}", if missing() { " missing-side" } else { "" }))
-        .child(label().r#for(id.clone()).class("side-title").child(title).child(" ").child(changing(mark)))
+        .child(label().r#for(id.clone()).class("side-title").child(title))
+        .child(changing(mark))
         .child(p().class("original").id(format!("{id}-original")).child(original))
         .child(field)
         .child(refusal_of(refusal))

@@ -90,7 +90,7 @@ visit("a document in which nothing runs opens in the editor, says what is wrong,
   await findings.getByRole("heading", { name: "Dimensions do not match" }).waitFor();
   await findings.locator("code", { hasText: /^sqr$/ }).first().waitFor();
   assert.doesNotMatch(await findings.innerText(), /`|dimension-mismatch|unknown-function/, "no raw backticks and codes");
-  assert.deepEqual(await lab.page.locator("[role=tab]:visible").allInnerTexts(), ["Write"]);
+  assert.deepEqual(await lab.page.locator("#panel > .tabs [role=tab]:visible").allInnerTexts(), ["Write"]);
   // One error corrected, one left: nothing runs yet, and what was typed stays in another language.
   await replace(lab, "sqr(", "sqrt(");
   await eventually(async () => assert.match(await status(lab).innerText(), /^1 error\. There is nothing to run yet\.$/));

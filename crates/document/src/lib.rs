@@ -5,6 +5,7 @@
 //! model has no errors. Neither fails: what cannot be read is a [`model::Diagnostic`] with its
 //! place. [`edit`] changes a text by its structure, [`format()`] its layout.
 
+mod asked;
 pub mod assist;
 mod block;
 mod card;
@@ -40,6 +41,7 @@ pub mod translating;
 mod translation;
 mod vary;
 
+pub use asked::{Asked, asked, possible_answers};
 pub use block::{Block, BlockKind, Fence};
 pub use card::{Card, card};
 pub use document::{Document, Opened};

@@ -25,7 +25,10 @@ pub fn view(app: App, mut content: impl FnMut() -> View + 'static) -> View {
         if let Some(root) = document().document_element() {
             let _ = root.set_attribute("lang", app.language.get_untracked().tag());
         }
-        View::from((a().class("skip").href("#apparatus").child(app.words().skip), content(), keys::dialog(app)))
+        let skip = |place, words: &'static str| a().class("skip").href(place).child(words);
+        let words = app.words();
+        let skips = (skip("#apparatus", words.skip), skip("#panel", words.skip_to_panel));
+        View::from((skips.0, skips.1, content(), keys::dialog(app)))
     };
     effect(move || {
         app.changes.document.track();

@@ -33,6 +33,7 @@ macro_rules! table_of_words {
 table_of_words! {
     // The page.
     skip: "Skip to the apparatus", "Ir al aparato";
+    skip_to_panel: "Skip to the panel", "Ir al panel";
     language: "Language", "Idioma";
     theme_system: "Colours: as the system", "Colores: como el sistema";
     theme_light: "Colours: light", "Colores: claros";

@@ -93,7 +93,7 @@ fn a_name_has_its_dimension_with_its_primes_and_its_statement() {
         ("\nm*x", "'' = ", "x''", Some("acceleration")),
         ("-k*", "x\nx(0)", "x", Some("length")),
         ("\nx", "'(0) = 0", "x'", Some("velocity")),
-        ("sqrt(k", "/m)", "k", Some("stiffness")),
+        ("sqrt(k", "/m)", "k", Some("spring constant")),
         ("omega = sq", "rt(k", "sqrt", None),
     ] {
         let (opened, offset) = at(before, behind);

@@ -107,7 +107,7 @@ fn a_cell_gets_another_text_and_its_line_keeps_its_comment_and_columns() {
         (4, Text, "", EditError::NotOneStatement),
         (4, Text, "a = 1\nb = 2", EditError::NotOneStatement),
         (9, Text, "when y < 0 [m] {\n n = 1", EditError::NotOneStatement),
-        (4, Text, "a = 1\n```", EditError::ChangesOthers),
+        (9, Text, "```\n\n```plots", EditError::ChangesOthers),
         (4, Value, "1", EditError::UnknownCell),
         (99, Value, "1", EditError::UnknownCell),
         (0, Name, "pi", EditError::NewName("pi".to_owned())),

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 
 mod arbitrary;
+mod asked;
 mod assist;
 mod beginners;
 mod bundles;
@@ -24,3 +25,4 @@ mod scene;
 mod simulations;
 mod spanish;
 mod theories;
+mod translating;

@@ -70,7 +70,7 @@ pub fn view(app: App) -> View {
 }
 
 /// Goes to a place in a text, given in bytes.
-fn go_to(app: App, file: usize, place: usize) {
+pub fn go_to(app: App, file: usize, place: usize) {
     let Some(editor) = app.with(|lab| lab.editor.clone()).flatten() else { return };
     let place = app.read_writing(|writing| writing.in_utf16(file, place));
     panels::show(app, Panel::Text);

@@ -57,7 +57,7 @@ pub fn view(app: App) -> HtmlDiv {
             span().class("meaning").child(code().child(word)).child(meaning)
         });
         let typeset = (!typeset.is_empty()).then(|| span().class("typeset").inner_html(typeset));
-        View::from((word, typeset))
+        span().class("insight-line").maybe(word).maybe(typeset).into()
     };
     div()
         .class("insight")

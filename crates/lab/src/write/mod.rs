@@ -8,7 +8,9 @@ mod insight;
 mod kept;
 mod model;
 mod panels;
+mod questions;
 mod tools;
+mod translation;
 mod typing;
 mod version_list;
 mod versions;
@@ -52,6 +54,8 @@ pub fn view(app: App) -> View {
         .child(panels::tabs(app))
         .child(text)
         .child(built(Panel::Model, model::view))
+        .child(built(Panel::Questions, questions::view))
+        .child(built(Panel::Translation, translation::view))
         .child(insight::view(app))
         .child(findings::status(app))
         .child(findings::view(app))

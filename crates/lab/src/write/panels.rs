@@ -13,17 +13,23 @@ pub enum Panel {
     Text,
     /// Forms of its model.
     Model,
+    /// Its questions with their answers.
+    Questions,
+    /// Its texts beside those of a translation.
+    Translation,
 }
 
 impl Panel {
     /// All of them in the order of the tabs.
-    pub const ALL: [Self; 2] = [Self::Text, Self::Model];
+    pub const ALL: [Self; 4] = [Self::Text, Self::Model, Self::Questions, Self::Translation];
 
     /// The name in ids.
     fn id(self) -> &'static str {
         match self {
             Self::Text => "text",
             Self::Model => "model",
+            Self::Questions => "questions",
+            Self::Translation => "translation",
         }
     }
 
@@ -32,6 +38,8 @@ impl Panel {
         match self {
             Self::Text => words.panel_text,
             Self::Model => words.panel_model,
+            Self::Questions => words.panel_questions,
+            Self::Translation => words.panel_translation,
         }
     }
 }

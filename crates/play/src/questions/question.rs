@@ -38,8 +38,13 @@ impl Play {
     /// none.
     pub fn reveal_answer(&mut self, question: usize) -> String {
         self.note_revealed(question);
-        let right = self.right_answer(question);
         self.solve(question);
+        self.computed_answer(question)
+    }
+
+    /// The same without showing it to who answers: for the teacher's view.
+    pub fn computed_answer(&mut self, question: usize) -> String {
+        let right = self.right_answer(question);
         let Some(asked) = self.program.questions.get(question) else {
             return String::new();
         };

@@ -74,7 +74,7 @@ pub fn view(forms: Forms, number: usize, refusal: Refusal) -> HtmlDiv {
     });
     let list = move || {
         let text = forms.app.read_writing(|writing| writing.texts().first().cloned().unwrap_or_default());
-        own.with(|faults| each(faults, |fault| diagnostics::brief(forms.app, &text, &fault.found, carry_out.clone())))
+        each(own.get_clone(), |fault| diagnostics::brief(forms.app, &text, &fault.found, carry_out.clone()))
     };
     let refused =
         move || refusal.with(|refusal| refusal.as_ref().map(|(_, why)| format!("{why}.")).unwrap_or_default());

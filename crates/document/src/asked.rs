@@ -1,0 +1,61 @@
+//! The questions of a document as they are written, for the teacher's view of them.
+
+use crate::{BlockKind, Outline, questions};
+use model::{Span, StatementKind};
+use program::Program;
+
+/// A question as written. The texts are empty where the question has no such part.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Asked {
+    /// Where it stands, without its fence.
+    pub place: Span,
+    /// What is asked.
+    pub prompt: String,
+    /// The values that it supposes.
+    pub set: String,
+    /// The quantities whose values are hidden until it is answered.
+    pub hide: String,
+    /// The expression of the answer with its tolerance.
+    pub answer: String,
+    /// The hint.
+    pub hint: String,
+    /// What is shown with the right answer.
+    pub explanation: String,
+}
+
+/// The questions of a document in their order.
+pub fn asked(outline: &Outline) -> Vec<Asked> {
+    let source = outline.source();
+    let read = |block: &crate::Block| {
+        let text = |word| {
+            let place = questions::part(source, block.content.range(), word);
+            place.map(|place| source[place].to_owned()).unwrap_or_default()
+        };
+        Asked {
+            place: block.content,
+            prompt: text(None),
+            set: text(Some("set")),
+            hide: text(Some("hide")),
+            answer: text(Some("answer")),
+            hint: text(Some("hint")),
+            explanation: text(Some("explanation")),
+        }
+    };
+    outline.blocks_of(BlockKind::Question).map(read).collect()
+}
+
+/// The quantities that can be the answer of a question: those that the model computes from parameters alone, each with its label.
+pub fn possible_answers(outline: &Outline, program: &Program) -> Vec<(String, Option<String>)> {
+    let model = &program.model;
+    let shown = model.quantities.iter().filter(|quantity| !quantity.hidden && !quantity.remembered);
+    let constant = shown.filter(|quantity| {
+        let dependence = model.depends(quantity.value.node);
+        dependence.states.is_empty() && !dependence.independent
+    });
+    let declared = |name: &str| {
+        let mut statements = outline.blocks().iter().flat_map(|block| &block.statements);
+        statements.any(|one| matches!(&one.kind, StatementKind::Definition { name: own, .. } if own.text == name))
+    };
+    let named = constant.filter(|quantity| declared(&quantity.name));
+    named.map(|quantity| (quantity.name.clone(), quantity.label.clone())).collect()
+}

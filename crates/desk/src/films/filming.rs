@@ -2,7 +2,7 @@
 
 use crate::films::opening::FilmOpening;
 use crate::films::recipe::{CameraSettings, FilmRecipe, hash};
-use crate::films::truth::FilmTruth;
+use crate::films::truth::{FilmTruth, TruthComparison, compared};
 use crate::{Desk, Refusal};
 use play::Play;
 use units::{Dimension, Words, words};
@@ -80,6 +80,12 @@ impl Desk {
         let others = self.films.works.iter().enumerate().filter(|(place, _)| Some(*place) != open);
         let recipes = others.rev().filter_map(|(_, work)| work.recipe.clone());
         recipes.filter(|recipe| recipe.source == source).collect()
+    }
+
+    /// How far each track of the open film is from the truth, if it is that of a simulation.
+    pub fn compare_with_truth(&self) -> Vec<TruthComparison> {
+        let Some((open, work)) = self.films.current() else { return Vec::new() };
+        open.truth.as_ref().map(|truth| compared(&work.tracks(), truth, &work.calibration)).unwrap_or_default()
     }
 }
 

@@ -1,7 +1,6 @@
 //! The truth of a filmed simulation, and how far a track is from it.
 
-use crate::Desk;
-use film::calibration::Lengths;
+use film::calibration::{Calibration, Lengths};
 use film::tracking::{Point, Track};
 
 /// What the virtual camera knows: where the moving parts of the scene were.
@@ -31,28 +30,23 @@ pub struct TruthComparison {
     pub path: Vec<(usize, [f64; 2])>,
 }
 
-impl Desk {
-    /// How far each track of the open film is from the truth, if it is that of a simulation.
-    pub fn compare_with_truth(&self) -> Vec<TruthComparison> {
-        let Some((open, work)) = self.films.current() else { return Vec::new() };
-        let Some(truth) = &open.truth else { return Vec::new() };
-        let scale_error = match (&work.calibration.lengths, truth.pixel) {
-            (Lengths::Scale(scale), Some(pixel)) => {
-                let parallax = work.calibration.parallax.map_or(1.0, |parallax| parallax.factor());
-                Some(scale.pixel * parallax / pixel - 1.0)
-            }
-            _ => None,
-        };
-        let compare = |track: &Track| {
-            let Nearest { rms, part, offset } = nearest(track, &truth.parts)?;
-            let differences =
-                pairs(track, part).map(|(point, at)| (point.frame, difference(track, point, at, offset))).collect();
-            let path = pairs(track, part).map(|(point, at)| (point.frame, [at[0] + offset[0], at[1] + offset[1]]));
-            let metres = truth.pixel.map(|pixel| rms * pixel);
-            Some(TruthComparison { rms, metres, scale_error, differences, path: path.collect() })
-        };
-        work.tracks().iter().filter_map(compare).collect()
-    }
+/// How far some tracks are from the truth, calibrated like this.
+pub(crate) fn compared(tracks: &[Track], truth: &FilmTruth, calibration: &Calibration) -> Vec<TruthComparison> {
+    let scale_error = match (&calibration.lengths, truth.pixel) {
+        (Lengths::Scale(scale), Some(pixel)) => {
+            let parallax = calibration.parallax.map_or(1.0, |parallax| parallax.factor());
+            Some(scale.pixel * parallax / pixel - 1.0)
+        }
+        _ => None,
+    };
+    let compare = |track: &Track| {
+        let Nearest { rms, part, offset } = nearest(track, &truth.parts)?;
+        let differences = pairs(track, part).map(|(point, at)| (point.frame, difference(track, point, at, offset)));
+        let path = pairs(track, part).map(|(point, at)| (point.frame, [at[0] + offset[0], at[1] + offset[1]]));
+        let metres = truth.pixel.map(|pixel| rms * pixel);
+        Some(TruthComparison { rms, metres, scale_error, differences: differences.collect(), path: path.collect() })
+    };
+    tracks.iter().filter_map(compare).collect()
 }
 
 /// The points of a track with the place of a part in the same frame.

@@ -76,8 +76,7 @@ fn prompt(app: App) -> View {
 fn selection(app: App) -> View {
     let words = words::of(app);
     let frame = app.films.frame.get();
-    let is_seen = |held: &Held| held.frame.is_none_or(|own| own == frame);
-    let seen = |handle: &Handle| tools::held(app).iter().any(|held| held.handle == *handle && is_seen(held));
+    let seen = |handle: &Handle| tools::held(app).iter().any(|held| held.handle == *handle && held.is_seen(frame));
     let Some(handle) = app.films.selected.get().filter(seen) else {
         return View::from(div().class("film-prompt none"));
     };
@@ -124,18 +123,16 @@ fn one_arm(app: App) -> bool {
 /// The points that can be moved, of this frame and of all.
 fn handles(app: App, size: Pixel) -> View {
     let words = words::of(app);
-    changing(move || {
+    // Built again only where another point is seen, so that the focus stays.
+    let seen = memo(move || {
         let frame = app.films.frame.get();
-        let held = tools::held(app);
-        each(held, |held| handle(app, held, frame, size, words))
-    })
+        tools::held(app).into_iter().filter(|held| held.is_seen(frame)).collect::<Vec<_>>()
+    });
+    changing(move || each(seen.get_clone(), |held| handle(app, held, size, words)))
 }
 
-fn handle(app: App, held: Held, frame: usize, size: Pixel, words: &'static Words) -> View {
-    let Held { handle, at, frame: own } = held;
-    if own.is_some_and(|own| own != frame) {
-        return View::new();
-    }
+fn handle(app: App, held: Held, size: Pixel, words: &'static Words) -> View {
+    let Held { handle, at, .. } = held;
     let place = move || {
         let aim = app.films.aim.get().filter(|aim| aim.handle == Some(handle));
         let [x, y] = aim.map_or(at, |aim| aim.at);

@@ -266,6 +266,7 @@ fn move_in(subject: &mut Subject, handle: Handle, at: Pixel) {
 }
 
 /// A point with its handle and the frame to which it belongs, if it belongs to one.
+#[derive(Clone, PartialEq)]
 pub struct Held {
     /// What moves it.
     pub handle: Handle,
@@ -273,6 +274,13 @@ pub struct Held {
     pub at: Pixel,
     /// The frame in which it was clicked.
     pub frame: Option<usize>,
+}
+
+impl Held {
+    /// Whether it is shown in a frame.
+    pub fn is_seen(&self, frame: usize) -> bool {
+        self.frame.is_none_or(|own| own == frame)
+    }
 }
 
 /// All points that can be moved.

@@ -50,3 +50,37 @@ fn a_length_in_the_drawing_is_that_of_its_handles() {
     // 40 units of the drawing are a metre.
     assert_eq!(utube().scene_length(40.0).as_deref(), Some("1 m"));
 }
+
+#[test]
+fn a_length_in_the_drawing_is_that_of_its_frame_where_no_handle_changes_one() {
+    let source = r#"---
+title: A pendulum
+language: en
+---
+
+It swings.
+
+```model
+parameter l = 2 [m] in 1..4 "Length"
+
+theta'' = -9.8 [m/s^2]/l*sin(theta)
+
+theta(0)  = 0.1 [rad] "Angle"
+theta'(0) = 0 [rad/s] "Angular velocity"
+```
+
+```scene
+<svg viewBox="0 0 200 100">
+  <frame x="-pi..pi" y="-1..1" box="0 0 10 10"/>
+  <frame x="-l..l" y="-l/2..l/2">
+    <bob at="(l*sin(theta), -l*cos(theta)/2)" r="9px" drag="theta"/>
+  </frame>
+</svg>
+```
+"#;
+    let document = document::open(source, &[]).document.unwrap();
+    let mut play = play::Play::open(document.program);
+    // 4 m are 200 units wide.
+    assert_eq!(play.scene_length(50.0).as_deref(), Some("1 m"));
+    assert_eq!(play.from_start().scene_scale().map(|(metres, _)| metres), Some(0.02));
+}

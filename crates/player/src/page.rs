@@ -74,7 +74,7 @@ fn head(app: App) -> HtmlHeader {
 
 /// What screen readers look for at the top of a page.
 fn hidden_head(app: App) -> View {
-    h1().class("visually-hidden").child(view::title(app)).into()
+    tags::header().class("visually-hidden").child(h1().child(view::title(app))).into()
 }
 
 /// What is said where the simulation in the page cannot be read.

@@ -163,6 +163,8 @@ visit("a frame may hold the present values, and nothing but the drawing", { widt
   const inside = await hostPage(lab, code);
   await inside.locator("#scene").waitFor();
   assert.equal(await inside.locator(".panel, .head").count(), 0);
+  const filled = await inside.locator(".stage").evaluate((stage) => stage.getBoundingClientRect().height / innerHeight);
+  assert.ok(filled > 0.99, `the stage fills the frame: ${filled}`);
   assert.equal(await inside.getByRole("heading", { level: 1 }).count(), 1);
 });
 

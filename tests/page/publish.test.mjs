@@ -5,11 +5,11 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 import { gunzipSync } from "node:zlib";
+import { readCode } from "./codes.mjs";
 import { Lab, STILL, eventually, meniscus, temporary, visit } from "./lab.mjs";
 
 const require = createRequire(import.meta.url);
 const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
-const jsQR = require("jsqr");
 
 const share = async (lab) => {
   await lab.page.locator("#share").click();
@@ -84,25 +84,10 @@ visit("what is written is published; with an error nothing is, and the dialog sa
   assert.equal(await lab.page.locator("#save-page").getAttribute("aria-disabled"), "true");
 });
 
-/** What a telephone reads in the code on the page. */
-async function readCode(page) {
-  const svg = await page.locator(".qr svg").evaluate((svg) => svg.outerHTML);
-  const { width, data } = await page.evaluate(async (svg) => {
-    const image = new Image();
-    image.src = `data:image/svg+xml;base64,${btoa(svg)}`;
-    await image.decode();
-    const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
-    const paper = canvas.getContext("2d");
-    paper.drawImage(image, 0, 0);
-    return { width: image.width, data: [...paper.getImageData(0, 0, image.width, image.height).data] };
-  }, svg);
-  return jsQR(new Uint8ClampedArray(data), width, width)?.data;
-}
-
-visit("a QR code is that of the address; of a file on a disk the dialog says what to do", { theme: "dark" }, async (lab) => {
+visit("a QR code is that of the address; of a laboratory on this computer the dialog says what to do", { theme: "dark" }, async (lab) => {
   await share(lab);
   await lab.page.locator("#qr").click();
-  await lab.page.getByText("was opened from a file").waitFor();
+  await lab.page.getByText("is on this computer alone").waitFor();
   const address = "https://example.org/física/péndulo.html?language=es#1&p=b:20";
   await lab.page.locator("#qr-address").fill(address);
   await eventually(async () => assert.equal(await readCode(lab.page), address));
@@ -178,8 +163,25 @@ visit("a frame may hold the present values, and nothing but the drawing", { widt
   const inside = await hostPage(lab, code);
   await inside.locator("#scene").waitFor();
   assert.equal(await inside.locator(".panel, .head").count(), 0);
+  const filled = await inside.locator(".stage").evaluate((stage) => stage.getBoundingClientRect().height / innerHeight);
+  assert.ok(filled > 0.99, `the stage fills the frame: ${filled}`);
   assert.equal(await inside.getByRole("heading", { level: 1 }).count(), 1);
 });
+
+for (const [theme, width] of [["light", 390], ["dark", 800]]) {
+  visit(`axe finds nothing in a page with locked values inside another: ${theme}, ${width}`, { ...STILL, theme, width, height: 700 }, async (lab) => {
+    const file = temporary("embedded.html");
+    meniscus("export", "simulations/utube.md", "--output", file);
+    for (const query of ["?lock&height=content&language=es", "?hide=head,scene&lock"]) {
+      await lab.page.goto(pathToFileURL(file).href + query);
+      await lab.page.locator("#parameter-0").waitFor();
+      await lab.page.evaluate(axe);
+      const { violations } = await lab.page.evaluate(() => window.axe.run("html"));
+      assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`), []);
+      assert.equal(await lab.page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth), false);
+    }
+  });
+}
 
 for (const [device, options] of [["desk", {}], ["phone", { width: 390, height: 844, touch: true }]]) {
   for (const [theme, language] of [["light", "en-GB"], ["dark", "es-ES"]]) {

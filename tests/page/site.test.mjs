@@ -7,6 +7,7 @@ import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { extname, join, normalize } from "node:path";
 import { after, before, test } from "node:test";
+import { readCode } from "./codes.mjs";
 import { Lab, STILL, eventually, meniscus, temporary, visit } from "./lab.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -109,8 +110,19 @@ online("a document of the site is published: the player comes when it is wanted,
   } finally {
     await played.context.close();
   }
-  await page.locator("#qr").click();
-  await page.locator(".qr").waitFor();
+});
+
+test("the QR code of a laboratory on the web holds its link", async () => {
+  const web = address.replace("127.0.0.1", "lan.test");
+  const lab = await Lab.open({ address: () => `${web}laboratory.html#1&d=pendulum.md` });
+  try {
+    await lab.page.locator("#share").click();
+    await lab.page.locator("#qr").click();
+    const link = await eventually(() => readCode(lab.page));
+    assert.match(link, /^http:\/\/lan\.test:[0-9]+\/physics\/laboratory\.html#1&d=pendulum\.md/);
+  } finally {
+    await lab.context.close();
+  }
 });
 
 online("after one visit every page opens without a network", {}, async (lab) => {

@@ -90,7 +90,7 @@ pub enum Command {
 const SERVE_EXAMPLES: &str = "\
 Examples:
   meniscus serve                            the laboratory with the document it comes with
-  meniscus serve simulations/utube.md       your document; reload the page after editing it
+  meniscus serve simulations/utube.md       your document; the page follows the file, with its time and values
   meniscus serve --port 8080 --no-open      on that port only, and without opening a browser
 
 The laboratory is served to this computer alone, at 127.0.0.1. Ctrl-C ends it.";

@@ -13,6 +13,11 @@ use view::{App, header, icons, panel, shell, stage};
 pub fn start() {
     let Some(place) = browser::by_id::<web_sys::HtmlElement>("lab") else { return };
     let embedding = Embedding::read(&window().location().search().unwrap_or_default());
+    if embedding.hides(PagePart::Head)
+        && let Some(root) = document().document_element()
+    {
+        let _ = root.set_attribute("data-head", "hidden");
+    }
     if embedding.follows_content {
         height::tell();
     }
@@ -74,7 +79,7 @@ fn head(app: App) -> HtmlHeader {
 
 /// What screen readers look for at the top of a page.
 fn hidden_head(app: App) -> View {
-    h1().class("visually-hidden").child(view::title(app)).into()
+    tags::header().class("visually-hidden").child(h1().child(view::title(app))).into()
 }
 
 /// What is said where the simulation in the page cannot be read.

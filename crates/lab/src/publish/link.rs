@@ -16,6 +16,9 @@ const LONGEST: usize = 858;
 /// Modules of white around the code: ISO 18004 asks for four.
 const MARGIN: usize = 4;
 
+/// How addresses begin that lead to this computer alone.
+const LOCAL: [&str; 4] = ["file:", "http://127.0.0.1", "http://localhost", "http://[::1]"];
+
 /// What the section of the code shows.
 #[derive(Clone, PartialEq)]
 enum Shown {
@@ -64,8 +67,8 @@ pub fn view(app: App) -> View {
 
 fn code_of_link(app: App, address: &str) -> Shown {
     let words = words::of(app);
-    if address.starts_with("file:") {
-        return Shown::Refused(words.qr_from_disk);
+    if LOCAL.iter().any(|start| address.starts_with(start)) {
+        return Shown::Refused(words.qr_local);
     }
     code(address).map_or(Shown::Refused(words.qr_too_long), Shown::Code)
 }

@@ -17,7 +17,7 @@ table_of_words! {
     qr_save: "Save QR code", "Guardar código QR";
     qr_label: "QR code of the link", "Código QR del enlace";
     qr_too_long: "This link is too long for a QR code that a telephone reads reliably. Save the page, put it on a web server, and make the QR code of its address here:", "Este enlace es demasiado largo para un código QR que un teléfono lea con seguridad. Guarda la página, súbela a un servidor web y crea aquí el código QR de su dirección:";
-    qr_from_disk: "This laboratory was opened from a file, which no other device can reach. Save the page, put it on a web server, and make the QR code of its address here:", "Este laboratorio se abrió desde un archivo, al que ningún otro dispositivo puede llegar. Guarda la página, súbela a un servidor web y crea aquí el código QR de su dirección:";
+    qr_local: "This laboratory is on this computer alone, where no other device can reach it. Save the page, put it on a web server, and make the QR code of its address here:", "Este laboratorio solo está en este ordenador, al que ningún otro dispositivo puede llegar. Guarda la página, súbela a un servidor web y crea aquí el código QR de su dirección:";
     qr_address: "Address for the QR code", "Dirección para el código QR";
     qr_not_made: "This address is too long for a QR code.", "Esta dirección es demasiado larga para un código QR.";
 

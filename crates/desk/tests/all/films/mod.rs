@@ -384,3 +384,26 @@ fn errors_are_drawn_and_a_fit_says_where_some_are_missing() {
     let said = "swing.csv: 3 of 60 values of y have no standard error in the column `sigma_`";
     assert!(sentences.iter().any(|one| one.starts_with(said)), "{sentences:?}");
 }
+
+#[test]
+fn a_record_of_a_film_is_saved_with_its_errors_and_scale() {
+    let desk = tracked();
+    let id = desk.records()[0].id;
+    let csv = desk.export_record(id, ExportKind::Csv).unwrap();
+    assert_eq!(csv.name, "swing.csv");
+    let text = String::from_utf8(csv.bytes).unwrap();
+    let mut lines = text.lines();
+    assert!(lines.next().unwrap().starts_with("# relative standard error of the scale: 0.00707"), "{text}");
+    assert_eq!(lines.next().unwrap(), "t [s],y [m],sigma_y [m]");
+    assert_eq!(lines.count(), 75);
+    let workbook = desk.export_record(id, ExportKind::Workbook).unwrap();
+    // Both are read as the record itself, error of the scale included.
+    for (name, bytes) in [("again.csv", text.into_bytes()), (workbook.name.as_str(), workbook.bytes)] {
+        let mut again = laboratory();
+        again.add_record(name, &bytes).unwrap();
+        assert_eq!(columns(&again), columns(&desk), "{name}");
+        let findings = again.records()[0].findings.clone();
+        assert!(findings.iter().any(|one| one.contains("the film's scale, 0.71 %")), "{name}: {findings:?}");
+    }
+    assert_eq!(desk.export_record(99, ExportKind::Csv), None);
+}

@@ -2,6 +2,7 @@
 
 mod zip;
 
+use crate::scale_line;
 use std::fmt::Write;
 use units::markup::escaped;
 pub(crate) use zip::Checksum;
@@ -70,6 +71,15 @@ impl Sheet {
             );
         }
         Self { name: name.to_owned(), rows, header: true }
+    }
+
+    /// The same of a film: above the headers stands the line with the relative standard error of its scale, where it has one.
+    pub fn of_film(name: &str, headers: &[&str], columns: &[&[f64]], scale_error: Option<f64>) -> Self {
+        let mut sheet = Self::of_columns(name, headers, columns);
+        if let Some(error) = scale_error {
+            sheet.rows.insert(0, vec![scale_line(error).into()]);
+        }
+        sheet
     }
 }
 

@@ -74,6 +74,20 @@ pub(crate) fn given_errors(language: Language, task: &analysis::fit::Task) -> Ve
     task.records.iter().map(with_errors).filter(|(_, names)| !names.is_empty()).map(sentence).collect()
 }
 
+/// That a fit has not used the standard errors of a column, since some are missing.
+pub(crate) fn missing_errors(language: Language, record: &str, name: &str, (missing, rows): (usize, usize)) -> String {
+    language.pick(
+        format!(
+            "{record}: {missing} of {rows} values of {name} have no standard error in the column `sigma_`, so the fit weighs all \
+             values equally. Complete the column or remove these rows."
+        ),
+        format!(
+            "{record}: {missing} de {rows} valores de {name} no tienen error típico en la columna `sigma_`, así que el ajuste \
+             pondera todos los valores por igual. Completa la columna o quita esas filas."
+        ),
+    )
+}
+
 /// Of a number that the data do not determine.
 pub(crate) fn undetermined(language: Language) -> &'static str {
     language.pick("not determined by the data", "los datos no lo determinan")

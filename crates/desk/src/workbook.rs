@@ -1,7 +1,9 @@
-//! The run and the records as one workbook.
+//! The run and the records as one workbook, and a record as a file.
 
+use crate::fits::reporting::{dialect, export, stem};
 use crate::records::record::Record;
-use crate::{Desk, RecordView, words};
+use crate::{Desk, Export, ExportKind, RecordView, words};
+use analysis::csv;
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
 
 impl Desk {
@@ -17,12 +19,43 @@ impl Desk {
         let rows = std::iter::once(head).chain(cells.map(|row| row.into_iter().map(cell).collect())).collect();
         let run = Sheet { name: words::run(self.play.language()).to_owned(), rows, header: true };
         let record = |(view, record): (RecordView, &Record)| {
-            let heads: Vec<&str> = view.columns.iter().map(|column| column.head.as_str()).collect();
-            let columns: Vec<&[f64]> = record.table.columns.iter().map(|column| column.values.as_slice()).collect();
-            Sheet::of_columns(&record.name, &heads, &columns)
+            let (heads, columns) = columns(&view, record);
+            Sheet::of_film(&record.name, &heads, &columns, record.table.scale_error)
         };
         let records = self.records().into_iter().zip(&self.data.records).map(record);
         Workbook { sheets: std::iter::once(run).chain(records).collect() }.xlsx()
+    }
+
+    /// A record as a file: all its columns with their units, also those that were made of others, and the error of a film's scale. A
+    /// workbook has a second sheet about the film. `None` where there is no such record, and for what is no table.
+    pub fn export_record(&self, id: u32, kind: ExportKind) -> Option<Export> {
+        let record = self.record(id)?;
+        let view = self.records().into_iter().find(|view| view.id == id)?;
+        let (heads, columns) = columns(&view, record);
+        let scale_error = record.table.scale_error;
+        let bytes = match kind {
+            ExportKind::Report => return None,
+            ExportKind::Csv => csv::write_film(&heads, &columns, scale_error, dialect(self.play.style())).into_bytes(),
+            ExportKind::Workbook => {
+                let table = Sheet::of_film(stem(&record.name), &heads, &columns, scale_error);
+                let film = self.film_sheet(id);
+                Workbook { sheets: std::iter::once(table).chain(film).collect() }.xlsx()
+            }
+        };
+        Some(export(stem(&record.name), kind, bytes))
+    }
+
+    /// What is known of the film from which a record comes.
+    fn film_sheet(&self, record: u32) -> Option<Sheet> {
+        let film = self.film_described(record)?;
+        let pick = |english, spanish| self.play.language().pick(english, spanish);
+        let times =
+            pick("Times count from the beginning of the film.", "Los tiempos cuentan desde el comienzo del vídeo.");
+        let mut rows = vec![vec![pick("Film", "Vídeo").into(), film.name.into()]];
+        rows.extend(film.facts.into_iter().map(|(term, value)| vec![term.into(), value.into()]));
+        rows.extend(film.notes.into_iter().map(|note| vec![Cell::Empty, note.into()]));
+        rows.push(vec![Cell::Empty, times.into()]);
+        Some(Sheet { name: pick("Film", "Vídeo").to_owned(), rows, header: false })
     }
 
     /// What of the laboratory a link does not hold, in the chosen language.
@@ -35,4 +68,10 @@ impl Desk {
         let own = own.into_iter().filter_map(|(missing, name)| missing.then_some(name));
         own.chain(self.play.missing_in_link()).collect()
     }
+}
+
+/// The headings and values of a record.
+fn columns<'a>(view: &'a RecordView, record: &'a Record) -> (Vec<&'a str>, Vec<&'a [f64]>) {
+    let heads = view.columns.iter().map(|column| column.head.as_str());
+    (heads.collect(), record.table.columns.iter().map(|column| column.values.as_slice()).collect())
 }

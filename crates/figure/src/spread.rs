@@ -3,15 +3,15 @@
 use std::ops::Range;
 
 use crate::figure::Figure;
-use crate::items::{Dash, Entry, Ink, Point, Scale, Stroke};
+use crate::items::{DATA_RADIUS, Dash, Entry, Ink, Point, Scale, Stroke};
 use crate::limits::{Extent, drawable};
 use crate::plot::{Plot, Series};
 use crate::series::visible_rows;
 
 /// Half the length of the line across the end of an error bar, in pixels.
 const CAP: f32 = 2.0;
-/// More bars than this in a panel could not be distinguished, and none is drawn.
-const MOST_BARS: usize = 1000;
+/// The least distance of error bars in pixels: of points that lie closer, only some have theirs drawn.
+const SPACE: f32 = 8.0;
 
 /// What the ordinates may reach, with their uncertainties.
 pub(crate) fn extent(series: &Series<'_>) -> Extent {
@@ -59,18 +59,19 @@ impl Figure {
         self.entries.push(Entry::Area(start..self.points.len(), Ink::Band(series.colour)));
     }
 
-    /// The error bars of points.
+    /// The error bars of points, where they are longer than the points; evenly thinned where they are dense.
     pub(crate) fn bars(&mut self, series: &Series<'_>, rows: Range<usize>, x: &Scale, y: &Scale) {
         let stroke = Stroke { ink: Ink::Ghost(series.colour), width: 1.0, dash: Dash::Solid };
         let inside = |row: &usize| {
             let whole = [series.x[*row], series.y[*row], series.spread[*row]].into_iter().all(drawable);
             whole && x.values.contains(series.x[*row])
         };
-        let rows = rows.start..rows.end.min(series.spread.len());
-        if rows.clone().filter(inside).count() > MOST_BARS {
-            return;
-        }
-        for row in rows.filter(inside) {
+        let hidden = f64::from(DATA_RADIUS) / y.factor().abs();
+        let seen = |row: &usize| inside(row) && series.spread[*row].abs() > hidden;
+        let rows = rows.start..rows.end.min(series.spread.len()).max(rows.start);
+        let most = ((self.panel.width / SPACE) as usize).max(1);
+        let every = rows.clone().filter(seen).count().div_ceil(most).max(1);
+        for row in rows.filter(seen).step_by(every) {
             let across = within(x, series.x[row]);
             let ends = [1.0, -1.0].map(|sign| series.y[row] + sign * series.spread[row].abs());
             let [top, bottom] = ends.map(|end| within(y, end));

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::{derivatives, intake};
-use desk::{ColumnView, RecordView};
+use desk::{ColumnView, ExportKind, RecordView};
 use view::browser;
 use view::views::*;
 
@@ -70,6 +70,27 @@ fn item(app: App, records: Records, record: RecordView, choice: derivatives::Cho
         .child(preview(app, records, &record))
         .child(derivatives::view(app, &record, choice))
         .maybe(findings)
+        .child(exports(app, &record))
+}
+
+/// The files as which a record can be saved.
+fn exports(app: App, record: &RecordView) -> HtmlDiv {
+    let id = record.id;
+    let save = |name: &'static str, kind: ExportKind| {
+        let save = move |_| {
+            if let Some(file) = app.read_desk(|desk| desk.export_record(id, kind)) {
+                browser::save_bytes(&file.name, file.kind, &file.bytes);
+            }
+        };
+        let label = format!("{} {name}: {}", app.words().save_record, record.name);
+        button()
+            .class("quiet")
+            .id(format!("record-{id}-{kind:?}"))
+            .attr("aria-label", label)
+            .when(events::click, save)
+            .child(name)
+    };
+    div().class("intake").child(save("CSV", ExportKind::Csv)).child(save("XLSX", ExportKind::Workbook))
 }
 
 /// A line for each column: what it measures, its unit, whether it is fitted, and its first values.

@@ -37,6 +37,7 @@ table_of_words! {
     column: "Column", "Columna";
     column_measures: "Measures", "Mide";
     column_unit: "Unit", "Unidad";
+    save_record: "Download", "Descargar";
     column_unit_asked: "which unit?", "¿qué unidad?";
     column_fitted: "Fit it", "Ajustarla";
     column_off: "not used", "no se usa";

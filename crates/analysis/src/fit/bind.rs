@@ -11,22 +11,17 @@ pub struct BindError {
     /// The column, by its label.
     pub column: String,
     /// The unit that its header gives.
-    pub found: Unit,
+    pub found: String,
     /// The dimension it must have.
     pub expected: Dimension,
+    /// Whether it is the position in a film that has no scale.
+    pub lacks_scale: bool,
 }
 
 impl std::fmt::Display for BindError {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        let Self { column, found, expected } = self;
+        let Self { column, found, expected, .. } = self;
         write!(f, "column {column} is in {found}, and what is observed is in {}", Unit::si(*expected))
-    }
-}
-
-impl BindError {
-    /// Whether it is the position in a film that has no scale.
-    pub fn lacks_scale(&self) -> bool {
-        self.found.dimension.lacks_scale_for(self.expected)
     }
 }
 
@@ -55,9 +50,12 @@ pub fn observation(
 fn in_si(table: &Table, index: usize, unit: &Unit) -> Result<Vec<f64>, BindError> {
     let Some(column) = table.columns.get(index) else { return Ok(Vec::new()) };
     match &column.unit {
-        Some(own) if own.dimension != unit.dimension => {
-            Err(BindError { column: table.label(index), found: own.clone(), expected: unit.dimension })
-        }
+        Some(own) if own.dimension != unit.dimension => Err(BindError {
+            column: table.label(index),
+            found: own.to_string(),
+            expected: unit.dimension,
+            lacks_scale: own.dimension.lacks_scale_for(unit.dimension),
+        }),
         _ => Ok(column.si(Some(unit))),
     }
 }

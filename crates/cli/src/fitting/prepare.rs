@@ -176,7 +176,7 @@ fn record(
         let observation = observation(&document.program.model, &measured.table, column, name, compiled.clone())
             .map_err(|error| {
                 let message = format!("{}: {error}", measured.name);
-                match error.lacks_scale() {
+                match error.lacks_scale {
                     true => Failure::with_hint(message, "give the film a scale: two points of its ruler, `meniscus track FILM --scale 'X1,Y1,X2,Y2=10 [cm]'`"),
                     false => Failure::request(message),
                 }

@@ -85,6 +85,8 @@ pub struct Track {
 pub enum TrackFormat {
     /// A row for each frame
     Csv,
+    /// A workbook: the table, and what is known of the film
+    Xlsx,
     /// One object, with settings, notes and the score of each point
     Json,
 }

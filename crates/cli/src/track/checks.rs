@@ -80,6 +80,7 @@ fn beside(film: &Path, folder: Option<&Path>, format: TrackFormat) -> PathBuf {
     let mut name = film.file_name().unwrap_or_default().to_owned();
     name.push(match format {
         TrackFormat::Csv => ".csv",
+        TrackFormat::Xlsx => ".xlsx",
         TrackFormat::Json => ".json",
     });
     folder.map_or_else(|| film.with_file_name(&name), |folder| folder.join(&name))

@@ -15,6 +15,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::terminal::Terminal;
 use analysis::csv::{self, Dialect};
+use analysis::spreadsheet::{Cell, Sheet, Workbook};
 use arguments::{Track as Arguments, TrackFormat};
 use clock::Clock;
 use film::calibration::Calibration;
@@ -22,7 +23,7 @@ use film::table::Table;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use opened::Opened;
 use std::path::Path;
-use units::Words;
+use units::{Language, Words, words};
 
 /// Tracks each film and writes its table. A film that cannot be tracked does not keep the others from being tracked.
 pub fn run(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
@@ -60,14 +61,15 @@ fn one(path: &Path, target: Option<&Path>, arguments: &Arguments, terminal: Term
     let table = Table::of(&followed.tracks, &calibration, &|frame| clock.times.get(frame).copied().unwrap_or(f64::NAN));
     let found = notes::notes(&followed.tracks, &table, &calibration);
     let notes: Vec<Words> = [film.notes.clone(), clock.notes.clone(), followed.notes, found].concat();
-    let text = match format(arguments) {
-        TrackFormat::Csv => text(&table, &calibration),
+    let bytes = match format(arguments) {
+        TrackFormat::Csv => text(&table, &calibration).into_bytes(),
+        TrackFormat::Xlsx => workbook(path, &table, &calibration, &notes, terminal.language),
         TrackFormat::Json => {
             let found = (followed.tracks.as_slice(), &table, &calibration);
-            json::object(&film, arguments, &clock, found, &notes, terminal.language)
+            json::object(&film, arguments, &clock, found, &notes, terminal.language).into_bytes()
         }
     };
-    output::deliver(target, &arguments.films, text.as_bytes())?;
+    output::deliver(target, &arguments.films, &bytes)?;
     let language = terminal.language;
     let name = if arguments.films.len() > 1 { format!("{}: ", path.display()) } else { String::new() };
     for note in &notes {
@@ -83,9 +85,31 @@ fn text(table: &Table, calibration: &Calibration) -> String {
     csv::write_film(&heads, &values, calibration.relative_sigma(), Dialect::Commas)
 }
 
+/// The table, and on a second sheet the film's name and what a person should know.
+fn workbook(path: &Path, table: &Table, calibration: &Calibration, notes: &[Words], language: Language) -> Vec<u8> {
+    let columns = table.columns();
+    let (heads, values): (Vec<&str>, Vec<&[f64]>) =
+        columns.iter().map(|(head, values)| (head.as_str(), *values)).unzip();
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    let film = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let times = words(
+        "times are those of the film's frames, from its beginning",
+        "los tiempos son los de los fotogramas del vídeo, desde su comienzo",
+    );
+    let rows = std::iter::once(film)
+        .chain(notes.iter().chain([&times]).map(|note| note.text(language).to_owned()))
+        .map(|text| vec![Cell::from(text)]);
+    let about = Sheet { name: language.pick("Film", "Vídeo").to_owned(), rows: rows.collect(), header: true };
+    Workbook { sheets: vec![Sheet::of_film(&name, &heads, &values, calibration.relative_sigma()), about] }.xlsx()
+}
+
 fn format(arguments: &Arguments) -> TrackFormat {
     let ending = || arguments.output.as_ref()?.extension()?.to_str().map(str::to_ascii_lowercase);
-    let by_ending = || if ending().as_deref() == Some("json") { TrackFormat::Json } else { TrackFormat::Csv };
+    let by_ending = || match ending().as_deref() {
+        Some("json") => TrackFormat::Json,
+        Some("xlsx") => TrackFormat::Xlsx,
+        _ => TrackFormat::Csv,
+    };
     arguments.format.unwrap_or_else(by_ending)
 }
 

@@ -29,22 +29,34 @@ impl Desk {
     /// opened: no film is stored.
     pub(crate) fn films_of(&self, fit: &Fitted) -> Vec<Film> {
         let parts = fit.definition.parts.iter().enumerate();
-        parts.filter_map(|(place, part)| self.film_of(fit, place, self.films.of_record(part.record)?)).collect()
+        parts.filter_map(|(place, part)| self.film_of(fit, place, part.record)).collect()
     }
 
-    fn film_of(&self, fit: &Fitted, place: usize, work: &Work) -> Option<Film> {
-        let open = self.films.current().filter(|(_, own)| own.record == work.record).map(|(open, _)| open);
+    /// The film from which a record comes, without pictures.
+    pub(crate) fn film_described(&self, record: u32) -> Option<Film> {
+        let work = self.films.of_record(record)?;
+        let clip = self.open_of(work).map(|open| &open.clip);
         let say = |words: &Words| words.text(self.play.language()).to_owned();
         let sentence = |words: &Words| play::words::sentence(&say(words));
-        let facts = facts(open.map(|open| &open.clip), work, &|value, digits| self.number(value, digits));
-        let times = open.map(|open| open.clip.notes()).unwrap_or_default();
-        let mut film = Film {
+        let facts = facts(clip, work, &|value, digits| self.number(value, digits));
+        let times = clip.map(Clip::notes).unwrap_or_default();
+        Some(Film {
             name: work.identity.name.clone(),
             facts: facts.iter().map(|(term, value)| (say(term), value.clone())).collect(),
             notes: times.iter().chain(&work_notes(work)).map(sentence).collect(),
             pictures: Vec::new(),
-        };
-        let Some(open) = open else { return Some(film) };
+        })
+    }
+
+    /// The film of some work, if it is the one that is open.
+    fn open_of(&self, work: &Work) -> Option<&Open> {
+        self.films.current().filter(|(_, own)| own.identity.is_same_film(&work.identity)).map(|(open, _)| open)
+    }
+
+    fn film_of(&self, fit: &Fitted, place: usize, record: u32) -> Option<Film> {
+        let work = self.films.of_record(record)?;
+        let mut film = self.film_described(record)?;
+        let Some(open) = self.open_of(work) else { return Some(film) };
         let tracks = work.tracks();
         let fitted: Vec<Vec<(usize, [f64; 2])>> =
             (0..tracks.len()).map(|track| fitted(fit, place, work, &tracks, track).unwrap_or_default()).collect();

@@ -158,6 +158,7 @@ impl Desk {
         sentences
             .extend(outcome.rival_text(self.play.language(), |one, value| self.play.quantity_text(value, &one.unit)));
         sentences.extend(words::given_errors(self.play.language(), &fit.task));
+        sentences.extend(self.missing_errors(fit));
         sentences.extend(self.beginnings(fit));
         Some(FitDetail {
             theory: self.title_of(fit),
@@ -170,6 +171,25 @@ impl Desk {
                 ("Durbin-Watson", plain(outcome.durbin_watson, 3)),
             ],
         })
+    }
+
+    /// The columns whose standard errors a fit has not used because some are missing, in sentences.
+    fn missing_errors(&self, fit: &Fitted) -> Vec<String> {
+        let independent = &fit.document.program.model.independent.name;
+        let mut sentences = Vec::new();
+        for (part, task) in fit.definition.parts.iter().zip(&fit.task.records) {
+            let Some(record) = self.record(part.record) else { continue };
+            for one in task.observations.iter().filter(|one| one.errors.is_none()) {
+                let column = part.uses.iter().position(|used| used.fitted && used.meaning.quantity == one.name);
+                let errors = column.and_then(|column| record.errors_beside(&part.uses, column, independent));
+                let missing = |errors: &Vec<f64>| errors.iter().filter(|error| !error.is_finite()).count();
+                let known = errors.map(|errors| (missing(&errors), errors.len())).filter(|(missing, _)| *missing > 0);
+                sentences.extend(
+                    known.map(|counts| words::missing_errors(self.play.language(), &part.name, &one.name, counts)),
+                );
+            }
+        }
+        sentences
     }
 
     /// Where the initial values hold in each record, in sentences.

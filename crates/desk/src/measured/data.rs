@@ -43,6 +43,8 @@ pub(crate) struct Measured {
     /// The model's time, ascending; gaps are left out.
     pub times: Vec<f64>,
     pub values: Vec<f64>,
+    /// Their standard errors, not finite where one is missing; empty where the record has none.
+    pub errors: Vec<f64>,
     /// Longer pauses than this are gaps.
     pub pause: f64,
 }

@@ -38,8 +38,9 @@ impl Desk {
                     times.iter_mut().for_each(|time| *time -= origin);
                     values.iter_mut().for_each(|value| *value -= used.offset);
                     let pause = usual_pause(&times);
+                    let errors = record.errors_beside(&record.uses, index, independent).unwrap_or_default();
                     let (record, name) = (record.id, name.clone());
-                    measured.push(Measured { record, name, observed, times, values, pause });
+                    measured.push(Measured { record, name, observed, times, values, errors, pause });
                 }
             }
         }
@@ -109,6 +110,12 @@ impl Record {
     /// The standard errors that the file holds beside the values of a column, SI, in the order of [`Record::series_as`]; `None` unless
     /// there is a positive one for each value.
     pub fn errors_as(&self, uses: &[Use], column: usize, independent: &str) -> Option<Vec<f64>> {
+        let errors = self.errors_beside(uses, column, independent)?;
+        errors.iter().all(|error| error.is_finite()).then_some(errors)
+    }
+
+    /// The same where some are missing or not positive: these are not a number. `None` where the file has no such column.
+    pub fn errors_beside(&self, uses: &[Use], column: usize, independent: &str) -> Option<Vec<f64>> {
         let beside = self.table.columns.get(self.table.errors_of(column)?)?;
         let (own, used) = (self.table.columns.get(column)?, uses.get(column)?);
         // A person who states another unit of the values means their errors, too.
@@ -121,9 +128,9 @@ impl Record {
         let rows = rows.filter(|((time, value), _)| time.is_finite() && value.is_finite());
         let mut rows: Vec<(f64, f64)> = rows.map(|((time, _), error)| (*time, unit.to_si(*error))).collect();
         rows.sort_by(|one, other| one.0.total_cmp(&other.0));
-        let usable = unit.dimension == used.meaning.unit.dimension
-            && rows.iter().all(|(_, error)| *error > 0.0 && error.is_finite());
-        usable.then(|| rows.into_iter().map(|(_, error)| error).collect())
+        let usable = |error: f64| if error > 0.0 && error.is_finite() { error } else { f64::NAN };
+        let same = unit.dimension == used.meaning.unit.dimension;
+        same.then(|| rows.into_iter().map(|(_, error)| usable(error)).collect())
     }
 
     /// Time and value in each row that has both, SI.
@@ -175,24 +182,33 @@ fn points<'a>(
         let against_time = model.is_independent(across.value.node);
         for column in measured.iter().filter(|measured| of(curve, measured)) {
             let (x_unit, y_unit) = (&plot.x.value.unit, &unit);
-            let (x, y): (Vec<f64>, Vec<f64>) = if against_time {
+            let error = |error: &f64| y_unit.from_si(*error);
+            let (x, y, errors): (Vec<f64>, Vec<f64>, Vec<f64>) = if against_time {
                 let x = column.times.iter().map(|time| x_unit.from_si(*time)).collect();
-                (x, column.values.iter().map(|value| y_unit.from_si(*value)).collect())
+                let y = column.values.iter().map(|value| y_unit.from_si(*value)).collect();
+                (x, y, column.errors.iter().map(error).collect())
             } else {
                 let Some(other) = measured.iter().find(|other| other.record == column.record && of(across, other))
                 else {
                     continue;
                 };
-                let at = |(time, value): (&f64, &f64)| {
+                let at = |(number, (time, value)): (usize, (&f64, &f64))| {
                     let row = other.times.partition_point(|at| at < time);
                     let other = (other.times.get(row) == Some(time)).then(|| other.values.get(row)).flatten()?;
-                    Some((x_unit.from_si(*other), y_unit.from_si(*value)))
+                    let error = column.errors.get(number).map_or(f64::NAN, error);
+                    Some((x_unit.from_si(*other), y_unit.from_si(*value), error))
                 };
-                column.times.iter().zip(&column.values).filter_map(at).unzip()
+                let (mut x, mut y, mut errors) = (Vec::new(), Vec::new(), Vec::new());
+                for (across, up, error) in column.times.iter().zip(&column.values).enumerate().filter_map(at) {
+                    x.push(across);
+                    y.push(up);
+                    errors.push(error);
+                }
+                (x, y, errors)
             };
             let label = format!("{} ({})", symbol(&curve.expression), shortened(record_name(column.record)));
             let source = record_name(column.record).to_owned();
-            found.push(Points { curve: number, label, source, x, y, version: 0 });
+            found.push(Points { curve: number, label, source, x, y, errors, version: 0 });
         }
     }
     found

@@ -68,20 +68,22 @@ impl Desk {
         let unit = self.play.model().independent.unit.clone();
         let mut state = vec![0.0; self.play.model().states.len()];
         for (number, (residuals, measured)) in self.data.residuals.iter_mut().zip(&self.data.measured).enumerate() {
-            let rest = measured.times.iter().zip(&measured.values).skip(residuals.passed);
-            let (mut x, mut y) = (Vec::new(), Vec::new());
-            for (&time, &value) in rest.take(SLICE).take_while(|(time, _)| **time <= front) {
+            let rest = measured.times.iter().zip(&measured.values).enumerate().skip(residuals.passed);
+            let (mut x, mut y, mut errors) = (Vec::new(), Vec::new(), Vec::new());
+            for (row, (&time, &value)) in rest.take(SLICE).take_while(|(_, (time, _))| **time <= front) {
                 residuals.passed += 1;
                 let Some(parameters) = self.play.state_at(time, &mut state).filter(|_| time >= 0.0) else { continue };
                 let computed = residuals.readings.at(&parameters, self.play.course().initial(), time, &state);
                 let left = value - computed.first().copied().unwrap_or(f64::NAN);
                 x.push(unit.from_si(time));
                 y.push(measured.observed.unit.from_si(left));
+                errors.extend(measured.errors.get(row).map(|error| measured.observed.unit.from_si(*error)));
             }
             let plot = self.play.added_plot(self.residual_plot);
             if let Some(series) = plot.and_then(|plot| plot.series.get_mut(number)) {
                 series.x.append(&mut x);
                 series.y.append(&mut y);
+                series.errors.append(&mut errors);
             }
         }
         self.play.added_plot_changed(self.residual_plot);
@@ -100,6 +102,7 @@ impl Desk {
             let kept = series.x.partition_point(|&at| at <= last);
             series.x.truncate(kept);
             series.y.truncate(kept);
+            series.errors.truncate(kept);
             series.version = data.version_of(number);
         }
     }

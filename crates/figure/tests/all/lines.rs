@@ -193,6 +193,21 @@ fn uncertainties_are_bars_on_points_and_a_band_about_a_line() {
     let (top, bottom) = bars[3];
     assert!((x_scale.value(top.x.into()) - 1.0).abs() < 1e-6 && top.x == bottom.x);
     assert!((y_scale.value(top.y.into()) - 0.7).abs() < 1e-6 && (y_scale.value(bottom.y.into()) - 0.3).abs() < 1e-6);
+    // Bars that their points hide are not drawn, and of many only some are.
+    let many: Vec<f64> = (0..5000).map(f64::from).collect();
+    let heights: Vec<f64> = many.iter().map(|x| libm::sin(0.01 * x)).collect();
+    let bars_of = |spread: f64| {
+        let spread = vec![spread; many.len()];
+        let style = Style::Points;
+        let series = vec![Series { style, colour: 1, x: &many, y: &heights, spread: &spread, ..Series::default() }];
+        let plot = Plot { y: vec![Axis::default()], series, ordered: true, ..Plot::default() };
+        let figure = layout(&plot, &Settings::default());
+        let ghosts =
+            figure.items().filter(|item| matches!(item, Item::Line(_, _, stroke) if stroke.ink == Ink::Ghost(1)));
+        ghosts.count() / 3
+    };
+    assert_eq!(bars_of(1e-3), 0);
+    assert!((40..=80).contains(&bars_of(0.3)), "{}", bars_of(0.3));
     let figure = figure_of(Style::Line);
     let areas: Vec<usize> = figure
         .items()

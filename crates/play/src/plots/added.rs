@@ -19,6 +19,8 @@ pub struct Points {
     pub x: Vec<f64>,
     /// Along the vertical axis.
     pub y: Vec<f64>,
+    /// Standard errors along the vertical axis; empty where there are none.
+    pub errors: Vec<f64>,
     /// See [`figure::Series::version`].
     pub version: u64,
 }

@@ -40,8 +40,8 @@ impl Play {
             let axis = columns.curves.get(points.curve)?.axis;
             let (colour, style) = (POINTS + points.curve as u8, Style::Points);
             let (x, y, version) = (&points.x[..], &points.y[..], points.version);
-            let label = points.label.as_str();
-            Some(Series { label, axis, colour, style, x, y, version, ..Series::default() })
+            let (label, spread) = (points.label.as_str(), &points.errors[..]);
+            Some(Series { label, axis, colour, style, x, y, spread, version, ..Series::default() })
         });
         let mut series: Vec<Series<'_>> = points.collect();
         for (traces, style) in ghosts.chain(kept).chain([(&self.traces, Style::Line)]) {

@@ -290,3 +290,20 @@ fn a_table_in_pixels_is_no_table_of_lengths() {
     let done = meniscus(&["cycles", word(&table)]);
     assert!(done.code == 0 && done.stdout.contains("px"), "{} {}", done.stdout, done.stderr);
 }
+
+#[test]
+fn a_workbook_holds_the_table_and_is_fitted() {
+    let (folder, film) = tubes_film();
+    let workbook = folder.path().join("tubes.xlsx");
+    let words =
+        ["--surface", "50,42", "--scale", "10,10,110,10=20 [cm]", "--origin", "0,60", "--output", word(&workbook)];
+    assert_eq!(track(&film, &words).code, 0);
+    let fit = ["fit", "simulations/theories/linear.md", word(&workbook), "--observe", "y"];
+    let done = meniscus(&fit);
+    assert_eq!(done.code, 0, "{}", done.stderr);
+    assert!(
+        done.stdout.contains("Scale of the film 1.00") && done.stderr.contains("column sigma_y"),
+        "{}",
+        done.stdout
+    );
+}

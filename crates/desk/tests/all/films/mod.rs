@@ -4,12 +4,14 @@ mod filmed;
 mod scene;
 mod work;
 
-use crate::support::open;
+use crate::support::{followed, open};
 use desk::film::containers::Orientation;
 use desk::film::tracking::column::Click;
 use desk::{
     CalibrationForm, Desk, ExportKind, FilmOpening, FilmedBody, FilmedSurface, Imprint, LengthsForm, Refusal, Subject,
 };
+use figure::{Ink, Item, Settings};
+use play::PlotId;
 use scene::{AXIS, DECAY, HEIGHT, OMEGA, PIXEL, RATE, REST, WIDTH, container, identity, level, picture, track};
 
 /// A damped oscillation about zero.
@@ -359,4 +361,50 @@ fn a_record_in_pixels_is_fitted_by_a_model_in_pixels() {
     // Four centimetres above rest, in pixels of a millimetre.
     assert!(start.unit == "px" && (value - 40.0).abs() < 0.5, "{start:?}");
     assert!(!detail.sentences.iter().any(|one| one.contains("Scale of the film")));
+}
+
+#[test]
+fn errors_are_drawn_and_a_fit_says_where_some_are_missing() {
+    let mut desk = laboratory();
+    let rows = (0..60).map(|row| {
+        let t = f64::from(row) / 20.0;
+        let sigma = if row % 20 == 7 { "" } else { "0.3" };
+        format!("{t},{},{sigma}\n", 3.0 * libm::cos(7.5 * t))
+    });
+    let text = format!("t [s],y [cm],sigma_y [cm]\n{}", rows.collect::<String>());
+    desk.add_record("swing.csv", text.as_bytes()).unwrap();
+    let figure = followed(&mut desk).layout_plot(PlotId::at(0), &Settings::default()).unwrap();
+    let bars =
+        figure.items().filter(|item| matches!(item, Item::Line(_, _, stroke) if matches!(stroke.ink, Ink::Ghost(_))));
+    // A line and two caps for each value that has an error.
+    assert_eq!(bars.count(), 3 * 57);
+    desk.vary(0, true);
+    desk.begin_fit("column.md").unwrap();
+    while desk.advance_fit() {}
+    let sentences = desk.fit_detail(desk.fits()[0].id).unwrap().sentences;
+    let said = "swing.csv: 3 of 60 values of y have no standard error in the column `sigma_`";
+    assert!(sentences.iter().any(|one| one.starts_with(said)), "{sentences:?}");
+}
+
+#[test]
+fn a_record_of_a_film_is_saved_with_its_errors_and_scale() {
+    let desk = tracked();
+    let id = desk.records()[0].id;
+    let csv = desk.export_record(id, ExportKind::Csv).unwrap();
+    assert_eq!(csv.name, "swing.csv");
+    let text = String::from_utf8(csv.bytes).unwrap();
+    let mut lines = text.lines();
+    assert!(lines.next().unwrap().starts_with("# relative standard error of the scale: 0.00707"), "{text}");
+    assert_eq!(lines.next().unwrap(), "t [s],y [m],sigma_y [m]");
+    assert_eq!(lines.count(), 75);
+    let workbook = desk.export_record(id, ExportKind::Workbook).unwrap();
+    // Both are read as the record itself, error of the scale included.
+    for (name, bytes) in [("again.csv", text.into_bytes()), (workbook.name.as_str(), workbook.bytes)] {
+        let mut again = laboratory();
+        again.add_record(name, &bytes).unwrap();
+        assert_eq!(columns(&again), columns(&desk), "{name}");
+        let findings = again.records()[0].findings.clone();
+        assert!(findings.iter().any(|one| one.contains("the film's scale, 0.71 %")), "{name}: {findings:?}");
+    }
+    assert_eq!(desk.export_record(99, ExportKind::Csv), None);
 }

@@ -22,8 +22,10 @@ import { language } from "./language.js";
 import { spanish } from "./phrases.js";
 import { theme } from "./theme.js";
 
-/** So many milliseconds after the last key the text is checked. */
+/** So many milliseconds after the last key a text is checked, unless it is short. */
 const REST = 150;
+/** A text with no more letters is checked at once. */
+const SHORT = 8000;
 /** Who never rests has the text checked after so many. */
 const LONGEST = 2000;
 
@@ -55,7 +57,8 @@ globalThis.meniscusEditor = (changed, propose, moved) => {
     unchecked.add(number);
     since ||= Date.now();
     clearTimeout(timer);
-    timer = setTimeout(flush, Math.max(0, Math.min(REST, since + LONGEST - Date.now())));
+    const rest = state(number).doc.length <= SHORT ? 0 : REST;
+    timer = setTimeout(flush, Math.max(0, Math.min(rest, since + LONGEST - Date.now())));
   };
   let resting = 0;
   const rest = () => {

@@ -2,10 +2,10 @@
 
 use super::cell::{Forms, Refusal};
 use crate::app::App;
-use crate::diagnostics;
+use crate::diagnostics::{self, CarryOut};
 use crate::write::typing;
 use document::form::{CellKind, read};
-use model::{Diagnostic, Fix, Severity};
+use model::{Diagnostic, Severity};
 use std::rc::Rc;
 use view::views::*;
 
@@ -63,14 +63,14 @@ pub fn view(forms: Forms, number: usize, refusal: Refusal) -> HtmlDiv {
     let own = memo(move || {
         forms.faults.with(|faults| faults.iter().filter(|fault| fault.part == number).cloned().collect::<Vec<_>>())
     });
-    let carry_out: Rc<dyn Fn(usize, &Fix)> = Rc::new(move |_, fix| {
+    let carry_out: CarryOut = Rc::new(move |_, fix| {
         let app = forms.app;
         let checked = app.read_writing(|writing| writing.texts().first().cloned().unwrap_or_default());
         // A text that has changed since is checked first.
         if checked == typing::text(app, 0) {
             let _ = typing::change(app, 0, &checked, |_| Ok(fix.edits.clone()));
         }
-        super::super::flush(app);
+        crate::write::flush(app);
     });
     let list = move || {
         let text = forms.app.read_writing(|writing| writing.texts().first().cloned().unwrap_or_default());

@@ -7,7 +7,7 @@ import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { launch } from "puppeteer-core";
 import { eventually, labPage, number, temporary } from "./lab.mjs";
-import { SOME, freeSwing, isRight } from "./films.mjs";
+import { SOME, SURFACE, freeSwing, isRight } from "./films.mjs";
 import { DAMPING, LENGTH, film } from "./measured.mjs";
 
 // English, and no network: the proxy script sends every request to a port on which nothing listens.
@@ -226,4 +226,22 @@ visit("a link opens the same state for somebody else", "", async (visitor) => {
 visit("the frames of a film are the right ones", "", async (visitor) => {
   await visitor.find("slider", "Time line");
   await isRight(visitor.page, visitor.page, SOME, freeSwing);
+});
+
+visit("the simulation is filmed, tracked and compared with the truth", "", async (visitor) => {
+  await visitor.find("slider", "Time line");
+  const { page } = visitor;
+  const press = (id) => page.evaluate((id) => document.getElementById(id).click(), id);
+  await press("tab-measure");
+  await press("film-simulation");
+  await page.waitForSelector("#start-filming");
+  await press("start-filming");
+  await page.waitForSelector("#film-frame[data-frame]", { timeout: 120_000 });
+  const box = await (await page.$("#film-picture")).boundingBox();
+  await page.mouse.click(box.x + (SURFACE[0] / 640) * box.width, box.y + (SURFACE[1] / 360) * box.height);
+  await page.waitForSelector("#compare-truth", { timeout: 60_000 });
+  await press("compare-truth");
+  await page.waitForSelector("#film-truth");
+  const text = await page.evaluate(() => document.querySelector("#film-truth").innerText);
+  assert.ok(number(text.match(/RMS ([\d.]+) px/)[1]) < 0.15, text);
 });

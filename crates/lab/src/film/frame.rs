@@ -123,12 +123,16 @@ fn one_arm(app: App) -> bool {
 /// The points that can be moved, of this frame and of all.
 fn handles(app: App, size: Pixel) -> View {
     let words = words::of(app);
-    // Built again only where another point is seen, so that the focus stays.
-    let seen = memo(move || {
-        let frame = app.films.frame.get();
-        tools::held(app).into_iter().filter(|held| held.is_seen(frame)).collect::<Vec<_>>()
-    });
-    changing(move || each(seen.get_clone(), |held| handle(app, held, size, words)))
+    // Those of one frame come and go with it; the focus stays on those of all frames.
+    let of = move |one_frame: bool| {
+        let seen = memo(move || {
+            let frame = if one_frame { app.films.frame.get() } else { 0 };
+            let is_seen = |held: &Held| held.frame.is_some() == one_frame && held.is_seen(frame);
+            tools::held(app).into_iter().filter(is_seen).collect::<Vec<_>>()
+        });
+        changing(move || each(seen.get_clone(), |held| handle(app, held, size, words)))
+    };
+    View::from((of(true), of(false)))
 }
 
 fn handle(app: App, held: Held, size: Pixel, words: &'static Words) -> View {

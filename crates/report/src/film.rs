@@ -1,7 +1,6 @@
 //! The film from which a record comes: what it is like, and pictures of it with what was tracked and fitted.
 
-use crate::Report;
-use crate::markup::{self, Page, escaped};
+use crate::markup::{Page, escaped};
 use crate::png::png;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -53,18 +52,9 @@ pub struct FilmPicture {
     pub marks: Vec<Vec<[f64; 2]>>,
 }
 
-/// The sections of the films of a report.
-pub fn films(page: &mut Page, report: &Report<'_>) {
-    report.films.iter().for_each(|film| section(page, film, report.language));
-}
-
-/// A page about films alone.
-pub fn film_html(films: &[Film], language: Language, version: &str, date: &str) -> String {
-    let mut page = Page::default();
-    films.iter().for_each(|film| section(&mut page, film, language));
-    crate::page::footer(&mut page, language, version, date);
-    let names: Vec<String> = films.iter().map(|film| film.name.clone()).collect();
-    markup::document(&language.join(&names), language.tag(), version, &page.out)
+/// The sections of some films.
+pub fn films(page: &mut Page, films: &[Film], language: Language) {
+    films.iter().for_each(|film| section(page, film, language));
 }
 
 fn section(page: &mut Page, film: &Film, language: Language) {

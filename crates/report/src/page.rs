@@ -27,7 +27,7 @@ pub fn html(report: &Report<'_>) -> String {
     results::correlations(&mut page, report);
     theory::theory(&mut page, report);
     theory::data(&mut page, report);
-    film::films(&mut page, report);
+    film::films(&mut page, report.films, language);
     theory::repeat(&mut page, report, &export::csv(report, false));
     footer(&mut page, language, report.version, report.date);
     markup::document(title, language.tag(), report.version, &page.out)

@@ -1,8 +1,7 @@
 //! The numbers of a search, one for each column of its Jacobian: which they are, where they begin, and between what they stay.
 
 use super::plan::Plan;
-use super::scale;
-use super::task::{Target, Task};
+use super::task::{Observation, Record, Target, Task};
 use program::Model;
 
 /// One number of the search: a target, in one record or in all.
@@ -42,8 +41,22 @@ pub(super) fn of(task: &Task) -> Vec<Column> {
             columns.extend((0..task.records.len()).map(|record| Column { varied, record: Some(record) }));
         }
     }
-    columns.extend(scale::columns(task));
+    columns.extend(scales(task));
     columns
+}
+
+/// The scales of films: one for each record in which lengths have a known error.
+fn scales(task: &Task) -> impl Iterator<Item = Column> + '_ {
+    let scaled = |(_, record): &(usize, &Record)| {
+        record.scale_error.is_some() && record.observations.iter().any(|one| power_of_length(one) != 0.0)
+    };
+    task.records.iter().enumerate().filter(scaled).map(|(record, _)| Column { varied: None, record: Some(record) })
+}
+
+/// The exponent of the length in the dimension of what is observed.
+pub(super) fn power_of_length(observation: &Observation) -> f64 {
+    let dimension = observation.observed.unit.dimension;
+    dimension.base().find(|(symbol, _)| *symbol == "m").map_or(0.0, |(_, exponent)| exponent.to_number())
 }
 
 /// Least and greatest value of each: given, else the parameter's own range, else none.

@@ -3,6 +3,7 @@
 use super::criteria::{Criteria, criteria};
 use super::elsewhere::Rival;
 use super::estimate::{self, Estimate};
+use super::film_scale::{self, FilmScale};
 use super::identify::{Undetermined, undetermined};
 use super::judgement::{Judgement, Outlier};
 use super::linear::{Jacobian, dot};
@@ -11,7 +12,6 @@ use super::observed::{ObservationFit, Outside};
 use super::plan::{Plan, independent};
 use super::problem::Problem;
 use super::robust::{self, Reweighted, Reweighting};
-use super::scale::{self, FilmScale};
 use super::search::Search;
 use super::statistics::RunsTest;
 use std::sync::Arc;
@@ -128,7 +128,7 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
     let values = problem.independent_values();
     let covariance = reweighting.covariance(problem, best);
     let observations = observations(problem, best, course.finished);
-    let scales = scale::found(problem, best, &covariance);
+    let scales = film_scale::found(problem, best, &covariance);
     let (parameters, derived) = estimate::estimates(problem, best, &covariance);
     let mut names: Vec<String> = parameters.iter().map(|one| estimate::full_name(one, problem)).collect();
     names.resize(best.x.len(), "film_scale".to_owned());

@@ -5,7 +5,7 @@ use super::columns::{self, Column};
 use super::curve::{self, Curve};
 use super::linear::Jacobian;
 use super::plan::{self, Layout, Plan, Point};
-use super::scale;
+use super::scale::{self, Prior};
 use super::task::{FitError, Record, Target, Task};
 use super::{MOST_VALUES, MOST_VARIED, check, weights};
 use program::{Model, NodeId};
@@ -79,7 +79,7 @@ impl Problem {
         let forwards = curve.has_states() && !varies_origin;
         let layout = Layout { expressions, autonomous: model.is_autonomous(), forwards };
         let plans = layout.plans(&task, |time| task.covers(time));
-        check::points(&layout, &task, &plans, columns.len() - scale::count(&columns))?;
+        check::points(&layout, &task, &plans, columns.iter().filter(|column| !column.is_scale()).count())?;
         let mut problem = Self {
             model: curve::bare(model),
             bounds: columns::bounds(model, &task, &columns),
@@ -127,7 +127,7 @@ impl Problem {
             self.weigh(sizes);
             return true;
         }
-        let deviation = scale::deviation(self, residuals);
+        let deviation = self.deviation_of(residuals);
         let changed = (deviation / self.deviation - 1.0).abs() > 1e-3;
         if changed {
             self.deviation = deviation;
@@ -138,7 +138,7 @@ impl Problem {
     /// How many of the numbers of the search, the last ones, are scales of films. Each has a prior, which adds a row below the
     /// residuals of the values.
     pub fn scales(&self) -> usize {
-        scale::count(&self.columns)
+        self.columns.iter().filter(|column| column.is_scale()).count()
     }
 
     /// All fitted points, to be trusted more or less.
@@ -208,7 +208,7 @@ impl Problem {
             }
             base += plan.points.len();
         }
-        scale::add_priors(self, x, base, residuals, jacobian);
+        scale::add_priors((&self.priors(), self.deviation), x, base, residuals, jacobian);
         residuals.iter().all(|value| value.is_finite())
     }
 
@@ -266,13 +266,38 @@ impl Problem {
                 None => {}
             }
         }
-        if let Some((number, scale)) = self.scale(record, x) {
-            scale::apply(self.powers(record), (number, scale), points, (base, residuals, jacobian));
+        let of_record = |column: &Column| column.is_scale() && column.belongs_to(record);
+        if let Some(number) = self.columns.iter().position(of_record) {
+            let powers = self.task.records[record].observations.iter().map(columns::power_of_length).collect();
+            scale::apply(powers, (number, x[number]), points, (base, residuals, jacobian));
         }
         for (residual, point) in residuals.iter_mut().zip(points) {
             *residual = point.factor() * (*residual - point.value);
         }
         known == rows
+    }
+
+    /// The priors of the scales, in the order of their columns.
+    pub fn priors(&self) -> Vec<Prior> {
+        let prior = |(number, column): (usize, &Column)| {
+            let record = column.record.filter(|_| column.is_scale())?;
+            Some(Prior { number, record, error: self.task.records[record].scale_error? })
+        };
+        self.columns.iter().enumerate().filter_map(prior).collect()
+    }
+
+    /// The standard deviation of a weighted residual: 1 where errors are given or nothing has a prior, else by the `residuals` at the
+    /// end of a search, but not below that of an exact fit.
+    fn deviation_of(&self, residuals: &[f64]) -> f64 {
+        let scales = self.scales();
+        if scales == 0 || self.task.errors_given() {
+            return 1.0;
+        }
+        let values = &residuals[..residuals.len() - scales];
+        let squares = values.iter().fold(0.0, |sum, residual| sum + residual * residual);
+        let freedom = self.independent_values() - (self.own.len() - scales) as f64;
+        let least = weights::EXACT * (self.total / values.len() as f64).sqrt();
+        (squares / freedom.max(1.0)).sqrt().max(least).max(f64::MIN_POSITIVE)
     }
 
     /// The columns in which the residuals are linear, all of them together.

@@ -7,6 +7,7 @@ mod findings;
 mod insight;
 mod kept;
 mod model;
+mod panel;
 mod panels;
 mod questions;
 mod tools;
@@ -15,7 +16,7 @@ mod typing;
 
 pub use draft::{flush, resume};
 pub use editor::Editor;
-pub use panels::Panel;
+pub use panel::Panel;
 
 use crate::app::App;
 use view::views::*;

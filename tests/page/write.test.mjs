@@ -232,6 +232,8 @@ visit("names, functions and units are proposed with their meaning, and Enter tak
   const proposal = (name) => lab.page.locator(".cm-tooltip-autocomplete li").filter({ has: lab.page.getByText(name, { exact: true }) });
   await lab.page.keyboard.type("r");
   await proposal("sqrt").getByText("square root").waitFor();
+  // CodeMirror takes no keys for 75 ms after the list has appeared, lest somebody who goes on typing chooses from it.
+  await lab.page.waitForTimeout(150);
   await lab.keys("ArrowDown", "Enter");
   await eventually(async () => assert.match(await text(lab), /E = sqrt \+ k/));
   await lab.page.keyboard.type("(y_0/1 [c");

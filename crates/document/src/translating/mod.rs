@@ -1,43 +1,15 @@
 //! The texts of a document beside those of a translation. [`crate::edit::set_translation`] writes one.
 
+mod key;
 mod short_texts;
 mod values;
 
+pub use key::{Pair, TextKey};
 pub use short_texts::short_texts;
 pub(crate) use values::{entry_in, prose_at, question_at, values};
 
 use crate::{FrontMatter, Outline};
 use units::Language;
-
-/// Which text of a document is meant; its translation has the same key.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum TextKey {
-    /// The value of this key of the front matter: title, summary or topics.
-    Front(&'static str),
-    /// A label, title or text of the drawing, with single blanks.
-    Short(String),
-    /// A piece of prose: behind how many questions it stands, and which one it is there.
-    Prose(usize, usize),
-    /// The prompt of the question with this number.
-    Prompt(usize),
-    /// The hint of the question with this number.
-    Hint(usize),
-    /// The explanation of the question with this number.
-    Explanation(usize),
-}
-
-/// A text of a document and what it is in a translation.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Pair {
-    /// Which text it is.
-    pub key: TextKey,
-    /// The text of the document.
-    pub original: String,
-    /// Its translation; empty where it is missing.
-    pub translation: String,
-    /// Whether a reader of the translation misses it while it is empty: not so of numbers and symbols.
-    pub is_needed: bool,
-}
 
 /// The texts of a document in their order, beside those of a translation. `short` are its [`short_texts`].
 pub fn pairs(document: &Outline, short: &[String], translation: &Outline) -> Vec<Pair> {

@@ -1,6 +1,6 @@
 //! The texts of a file by their keys, with their places.
 
-use super::TextKey;
+use super::key::TextKey;
 use crate::questions;
 use crate::scan::statements;
 use crate::scene::normalised;

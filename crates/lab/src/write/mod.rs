@@ -7,6 +7,7 @@ mod findings;
 mod insight;
 mod kept;
 mod model;
+mod panel;
 mod panels;
 mod questions;
 mod tools;
@@ -18,7 +19,7 @@ mod versions;
 pub use changes::follow_file;
 pub use draft::{flush, resume};
 pub use editor::Editor;
-pub use panels::Panel;
+pub use panel::Panel;
 
 use crate::app::App;
 use view::views::*;

@@ -1,48 +1,10 @@
 //! The row of tabs inside *Write*: one document, shown as text, as forms of its model, as its questions, beside its translation.
 
+use super::panel::Panel;
 use crate::app::App;
 use view::browser;
 use view::views::*;
 use web_sys::KeyboardEvent;
-
-/// In which form the document is written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Panel {
-    /// Its text.
-    #[default]
-    Text,
-    /// Forms of its model.
-    Model,
-    /// Its questions with their answers.
-    Questions,
-    /// Its texts beside those of a translation.
-    Translation,
-}
-
-impl Panel {
-    /// All of them in the order of the tabs.
-    pub const ALL: [Self; 4] = [Self::Text, Self::Model, Self::Questions, Self::Translation];
-
-    /// The name in ids.
-    fn id(self) -> &'static str {
-        match self {
-            Self::Text => "text",
-            Self::Model => "model",
-            Self::Questions => "questions",
-            Self::Translation => "translation",
-        }
-    }
-
-    fn title(self, app: App) -> &'static str {
-        let words = app.words();
-        match self {
-            Self::Text => words.panel_text,
-            Self::Model => words.panel_model,
-            Self::Questions => words.panel_questions,
-            Self::Translation => words.panel_translation,
-        }
-    }
-}
 
 /// The tabs.
 pub fn tabs(app: App) -> HtmlDiv {
@@ -55,7 +17,7 @@ pub fn tabs(app: App) -> HtmlDiv {
             .attr("aria-selected", move || selected().to_string())
             .tabindex(move || if selected() { "0" } else { "-1" })
             .when(events::click, move |_| show(app, panel))
-            .child(panel.title(app))
+            .child(title(app, panel))
     };
     let turn = move |event: KeyboardEvent| turn(app, &event);
     div()
@@ -102,5 +64,16 @@ fn turn(app: App, event: &KeyboardEvent) {
     if let Some(&panel) = Panel::ALL.get(next) {
         show(app, panel);
         browser::focus(&format!("writing-tab-{}", panel.id()));
+    }
+}
+
+/// What a tab is called.
+fn title(app: App, panel: Panel) -> &'static str {
+    let words = app.words();
+    match panel {
+        Panel::Text => words.panel_text,
+        Panel::Model => words.panel_model,
+        Panel::Questions => words.panel_questions,
+        Panel::Translation => words.panel_translation,
     }
 }

@@ -1,28 +1,12 @@
 //! A cell: a field with the text that stands at its place in the document.
 
-use super::faults::{self, Fault};
-use crate::app::App;
+use super::fault;
+use super::forms::{Forms, Refusal};
 use crate::write::{insight, typing};
 use document::edit::set_cell;
-use document::form::{CellKind, Form};
+use document::form::CellKind;
 use view::views::*;
 use web_sys::{Event, HtmlInputElement, KeyboardEvent};
-
-/// What the views of the forms share.
-#[derive(Clone, Copy)]
-pub struct Forms {
-    /// The laboratory.
-    pub app: App,
-    /// The document as it stands in the editor.
-    pub form: ReadSignal<Form>,
-    /// What was found in it when it was checked last.
-    pub faults: ReadSignal<Vec<Fault>>,
-    /// Whether the text of a statement is being typed.
-    pub typing: Signal<bool>,
-}
-
-/// Why the last change of a part was refused.
-pub type Refusal = Signal<Option<(CellKind, String)>>;
 
 /// The id of a field.
 pub fn id(number: usize, kind: CellKind) -> String {
@@ -91,7 +75,7 @@ pub fn field(forms: Forms, number: usize, kind: CellKind, name: String, refusal:
         .attr("spellcheck", if kind == CellKind::Label { "true" } else { "false" })
         .attr("autocapitalize", "off")
         .attr("aria-label", name)
-        .attr("aria-describedby", faults::id(number))
+        .attr("aria-describedby", fault::id(number))
         .attr("aria-invalid", is_wrong)
         .when(events::keydown, move |event| take_back(forms, text, &event));
     let write = move |event: Event| own.write(&value_of(&event));
@@ -117,7 +101,7 @@ pub fn lines(forms: Forms, number: usize, name: String, refusal: Refusal) -> Htm
         .attr("spellcheck", "false")
         .attr("autocapitalize", "off")
         .attr("aria-label", name)
-        .attr("aria-describedby", faults::id(number))
+        .attr("aria-describedby", fault::id(number))
         .attr("aria-invalid", is_wrong)
         .when(events::keydown, move |event| take_back(forms, text, &event))
         .when(events::input, move |event| own.write(&value_of(&event)))

@@ -2,28 +2,24 @@
 //! and tables as cards. Each cell changes its place in the text.
 
 mod cell;
+mod fault;
 mod faults;
+mod forms;
+mod removal;
+mod shape;
 mod statement;
 mod table;
 
 use super::typing;
 use crate::app::App;
-use cell::Forms;
-use document::edit::{add_statement, remove_statement};
-use document::form::{CellKind, Form, Part, Section, proposal, read};
-pub use faults::is_beside;
+use document::edit::add_statement;
+use document::form::{CellKind, Form, Section, proposal, read};
+pub use fault::is_beside;
+use forms::Forms;
+use shape::{Shape, shape, title};
 use view::browser;
 use view::icons;
 use view::views::*;
-
-/// What the views are built for. While a text is typed it stays, so that what is typed into stays where it is.
-#[derive(Clone, Debug, PartialEq)]
-struct Shape {
-    section: Section,
-    word: String,
-    cells: Vec<CellKind>,
-    has_lines: bool,
-}
 
 /// The forms.
 pub fn view(app: App) -> View {
@@ -32,7 +28,7 @@ pub fn view(app: App) -> View {
         app.written.track();
         read(&document::read(&typing::text(app, 0)))
     });
-    let forms = Forms { app, form, faults: faults::of(app), typing: create_signal(false) };
+    let forms = Forms { app, form, faults: fault::of(app), typing: create_signal(false) };
     let mut last: Vec<Shape> = Vec::new();
     let shapes = memo(move || {
         let now: Vec<Shape> = forms.form.with(|form| form.parts.iter().map(shape).collect());
@@ -64,12 +60,6 @@ pub fn view(app: App) -> View {
     View::from((tools, changing(sections)))
 }
 
-fn shape(part: &Part) -> Shape {
-    let cells = part.cells.iter().map(|cell| cell.kind).collect();
-    let has_lines = part.section > Section::Equations || part.whole.text.contains('\n');
-    Shape { section: part.section, word: part.word.clone(), cells, has_lines }
-}
-
 /// A heading with what stands under it, and a button that adds more.
 fn section_of(forms: Forms, section: Section, parts: Vec<(usize, Shape)>) -> HtmlSection {
     let id = format!("form-{section:?}").to_lowercase();
@@ -83,18 +73,6 @@ fn section_of(forms: Forms, section: Section, parts: Vec<(usize, Shape)>) -> Htm
         .maybe(rows)
         .each(others, |(number, shape)| statement::view(forms, number, shape.has_lines))
         .child(add_button(forms, section))
-}
-
-fn title(app: App, section: Section) -> &'static str {
-    let words = app.words();
-    match section {
-        Section::Parameters => words.form_parameters,
-        Section::InitialValues => words.form_initial_values,
-        Section::Equations => words.form_equations,
-        Section::Events => words.form_events,
-        Section::Choices => words.form_choices,
-        Section::Tables => words.form_tables,
-    }
 }
 
 fn add_button(forms: Forms, section: Section) -> HtmlButton {
@@ -130,33 +108,4 @@ fn add(forms: Forms, section: Section) {
         }
         Err(refusal) => app.complain(refusal),
     }
-}
-
-/// Removes a statement; the focus goes to its heading's button.
-fn remove(forms: Forms, number: usize) {
-    let app = forms.app;
-    let text = typing::text(app, 0);
-    let removed = typing::change(app, 0, &text, |outline| remove_statement(outline, number).map(|edit| vec![edit]));
-    match removed {
-        Ok(_) => {
-            let left = forms.form.with_untracked(|form| {
-                let near = number.min(form.parts.len().saturating_sub(1));
-                form.parts.get(near).and_then(|part| part.cells.first()).map(|cell| (near, cell.kind))
-            });
-            if let Some((number, kind)) = left {
-                browser::focus_later(cell::id(number, kind));
-            }
-        }
-        Err(refusal) => app.complain(refusal),
-    }
-}
-
-/// The cross that removes a statement.
-fn remove_button(forms: Forms, number: usize) -> HtmlButton {
-    let name = forms.form.with_untracked(|form| {
-        let part = form.parts.get(number);
-        let name = part.and_then(|part| part.cell(CellKind::Name).or(Some(&part.whole)));
-        name.map(|cell| cell.text.lines().next().unwrap_or_default().to_owned()).unwrap_or_default()
-    });
-    cross(format!("{} {name}", forms.app.words().remove_statement)).when(events::click, move |_| remove(forms, number))
 }

@@ -1,7 +1,9 @@
 //! A statement as its text, with its typeset form.
 
-use super::cell::{Forms, field, lines};
-use super::{faults, remove_button};
+use super::cell::{field, lines};
+use super::faults;
+use super::forms::Forms;
+use super::removal::remove_button;
 use document::form::CellKind;
 use view::views::*;
 

@@ -1,7 +1,10 @@
 //! Parameters and initial values: a row for each, or a card where there is no room for a row.
 
-use super::cell::{Forms, Refusal, field, switch_field};
-use super::{Shape, faults, remove_button};
+use super::cell::{field, switch_field};
+use super::faults;
+use super::forms::{Forms, Refusal};
+use super::removal::remove_button;
+use super::shape::{self, Shape};
 use crate::app::App;
 use document::form::{CellKind, Section};
 use view::views::*;
@@ -46,7 +49,7 @@ pub fn view(forms: Forms, section: Section, rows: Vec<(usize, Shape)>) -> HtmlTa
     table()
         .class(class)
         .role("table")
-        .child(caption().class("visually-hidden").child(super::title(forms.app, section)))
+        .child(caption().class("visually-hidden").child(shape::title(forms.app, section)))
         .child(thead().role("rowgroup").child(head))
         .child(tbody().role("rowgroup").each(rows, |(number, shape)| row(forms, section, number, &shape)))
 }

@@ -110,10 +110,10 @@ visit("a remedy is carried out by a click, and taken back with a key", async (la
   await write(lab);
   await begin(lab, "A mass on a spring");
   await runs(lab);
-  await replace(lab, "= y_0 in", "= y_00 in");
+  await replace(lab, "= y_0 ", "= y_00 ");
   await lab.page.locator(".writing .finding").getByRole("button", { name: "Replace y_00 by y_0", exact: true }).click();
   await runs(lab);
-  assert.match(await text(lab), /= y_0 in/);
+  assert.match(await text(lab), /= y_0 /);
   assert.equal(await lab.page.locator(".writing .finding").count(), 0);
   await lab.keys("Control+z");
   await eventually(async () => assert.match(await status(lab).innerText(), /^1 error/));
@@ -279,3 +279,18 @@ for (const [device, size] of [["desk", {}], ["phone", { width: 390, height: 844,
     });
   }
 }
+
+visit("the text is given its layout, which can be undone", async (lab) => {
+  await write(lab);
+  await begin(lab, "A mass on a spring");
+  await replace(lab, "m*y'' + b*y' + k*y = 0", "m * y''+b*y'  +k*y=0");
+  // What follows typing at once is one step with it.
+  await lab.page.waitForTimeout(600);
+  await lab.press("Format");
+  await eventually(async () => assert.match(await editor(lab).innerText(), /m\*y'' \+ b\*y' \+ k\*y = 0/));
+  await lab.press("Format");
+  await lab.page.getByText("The text has its layout already.").first().waitFor();
+  await editor(lab).focus();
+  await lab.keys("Control+Z");
+  await eventually(async () => assert.match(await editor(lab).innerText(), /m \* y''\+b\*y' {2}\+k\*y=0/));
+});

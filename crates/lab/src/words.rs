@@ -139,6 +139,11 @@ table_of_words! {
     writing_file: "File", "Archivo";
     save_writing: "Save", "Guardar";
     save_writing_title: "Save the text as a file", "Guardar el texto como archivo";
+    format_writing: "Format", "Dar formato";
+    format_writing_title: "Give the text one layout: blanks, indentation, columns. What it means stays the same.", "Dar al texto una disposición: espacios, sangrías, columnas. Lo que significa no cambia.";
+    formatted: "The text has its layout.", "El texto tiene su disposición.";
+    format_nothing: "The text has its layout already.", "El texto ya tiene su disposición.";
+    format_left: "Parts with errors keep the layout they have.", "Las partes con errores conservan la disposición que tienen.";
     new_document: "New", "Nuevo";
     new_document_from: "Begin a new document with", "Empezar un documento nuevo con";
     kept_documents: "Go on with what you wrote", "Seguir con lo que escribiste";

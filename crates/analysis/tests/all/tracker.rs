@@ -97,12 +97,10 @@ y [m]: 0.20000 0.60000 0.80000 1.00000
 fn without_a_scale_positions_are_in_pixels() {
     let expected = "\
 t [s]: 0.00000 0.03333 0.06667
-x []: 1.00000 2.00000 3.00000
-y []: 10.00000 20.00000 25.00000
+x [px]: 1.00000 2.00000 3.00000
+y [px]: 10.00000 20.00000 25.00000
 - times are the frame number times a constant step of 33.333333 ms, as the project states
 - the project has no scale: positions are in pixels, y upwards; the origin is at the pixel (10.0; 100.0), the x axis at 0.00°
-- `px`, the unit of x, is not known; until one is stated, its numbers have none
-- `px`, the unit of y, is not known; until one is stated, its numbers have none
 ";
     assert_eq!(shown(&read(PIXELS.into()), English), expected);
 }

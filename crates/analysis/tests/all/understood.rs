@@ -99,12 +99,12 @@ const HEADERS: &[Case] = &[
     ),
     (
         "a unit among the units that is not known",
-        "t\tx\ty\nms\tpx\tpx\n0\t1\t2\n1\t2\t3\n",
+        "t\tx\ty\nms\tcells\tcells\n0\t1\t2\n1\t2\t3\n",
         "*t [ms] line of units: 0 1
 1:x [] unknown: 1 2
 1:y [] unknown: 2 3
-! `px`, the unit of x, is not known; until one is stated, its numbers have none
-! `px`, the unit of y, is not known; until one is stated, its numbers have none",
+! `cells`, the unit of x, is not known; until one is stated, its numbers have none
+! `cells`, the unit of y, is not known; until one is stated, its numbers have none",
     ),
     (
         "lines that end in several ways, quotation marks with a line end inside",

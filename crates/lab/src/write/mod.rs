@@ -6,6 +6,7 @@ mod editor;
 mod findings;
 mod insight;
 mod kept;
+mod layout;
 mod model;
 mod panel;
 mod panels;
@@ -58,7 +59,7 @@ pub fn view(app: App) -> View {
         .child(built(Panel::Questions, questions::view))
         .child(built(Panel::Translation, translation::view))
         .child(insight::view(app))
-        .child(findings::status(app))
+        .child(div().class("writing-foot").child(findings::status(app)).child(layout::view(app)))
         .child(findings::view(app))
         .into()
 }

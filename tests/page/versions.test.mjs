@@ -116,7 +116,7 @@ async function serve(file) {
 
 test("a served page follows its file: time, parameters and view stay, errors are shown, and Undo brings back what was typed", async () => {
   const file = temporary("followed.md");
-  const original = readFileSync(beside("../../crates/desk/templates/en/oscillator.md"), "utf8");
+  const original = readFileSync(beside("../../crates/document/templates/en/oscillator.md"), "utf8");
   writeFileSync(file, original);
   const { server, address } = await serve(file);
   let lab;
